@@ -31,19 +31,24 @@ def parse_yaml(text: str, check_names: Callable[[Iterable[tuple[Hashable, Any]]]
         raise click.UsageError(
             "Reading YAML needs the package PyYAML: pip install PyYAML, or on Debian python3-yaml. JSON needs none."
         ) from None
-    loader = _loader_kind(yaml, check_names)(text)
+    kind, loader = _loader_kind(yaml, check_names), None
     try:
+        loader = kind(text)
         root = loader.get_single_node()
         if root is None:
             return None
         _Repeated().count(root)
         return loader.construct_document(root)
+    except yaml.reader.ReaderError as error:
+        line = text.count("\n", 0, error.position) + 1
+        raise ValueError(f"line {line} has the character {chr(error.character)!a}, which no text has") from None
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         where = "" if mark is None else f", line {mark.line + 1}, column {mark.column + 1}"
         raise ValueError(f"{getattr(error, 'problem', None) or str(error)}{where}") from None
     finally:
-        loader.dispose()
+        if loader is not None:
+            loader.dispose()
 
 
 def _loader_kind(yaml: Any, check_names: Callable[[Iterable[tuple[Hashable, Any]]], Any]) -> Any:

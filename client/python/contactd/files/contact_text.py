@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NoReturn
 import numpy as np
 
 from ..errors import TableFileError
-from .whole import MOST_BYTES, read_whole
+from .whole import read_whole
 
 if TYPE_CHECKING:
     from ..values.grid import Array
@@ -27,6 +27,7 @@ _OFFSET = re.compile(r"offset iy = (\S+), y = (\S+);")
 #: Parities of A[i,j] along x and y: -1 where exactly one of i and j is that axis.
 _PARITY = [tuple(-1 if (i == axis) != (j == axis) else 1 for axis in (0, 1)) for i, j in _COLUMNS]
 _MOST_OFFSETS = 4_000_000
+_MOST_BYTES = 1 << 31  #: of their lines, of 250 characters, for offsets to both sides
 #: Largest relative difference of coordinates and the header's element sizes that counts as rounding.
 _SIZE_TOLERANCE = 1e-6
 
@@ -50,7 +51,7 @@ def format_text(array: Array, dx: float, dy: float, G: float) -> str:
 def read_text(path: str | os.PathLike[str], G: float | None, tolerance: float) -> tuple[Array, float, float, float]:
     """What parse_text says of the text of a file. Raises TableFileError naming the file and the line."""
     try:
-        return parse_text(read_whole(path, MOST_BYTES).decode("ascii", "replace"), G, tolerance)
+        return parse_text(read_whole(path, _MOST_BYTES).decode("ascii", "replace"), G, tolerance)
     except TableFileError as error:
         raise TableFileError(f"{os.fspath(path)}, {error}") from None
 

@@ -40,19 +40,23 @@ def read_whole(path: str | os.PathLike[str], most: int) -> bytes:
         for is_kind, kind in _KINDS:
             if is_kind(status.st_mode) and not (kind == "a named pipe" and str(Path(name).absolute().parent) in _OPEN_FILES):
                 raise OSError(errno.EINVAL, f"it is {kind}; it must be a file", name)
-        os.set_blocking(opened, True)
+        os.set_blocking(opened, stat.S_ISFIFO(status.st_mode))  # files of /proc may wait as well
     except BaseException:
         os.close(opened)
         raise
-    with open(opened, "rb") as file:
-        pieces: list[bytes] = []
-        size, wanted = status.st_size, max(_PIECE, status.st_size + 1)
-        while size <= most and (piece := file.read(wanted)):
-            pieces.append(piece)
-            size, wanted = sum(map(len, pieces)), _PIECE
+    size = status.st_size
+    try:
+        with open(opened, "rb") as file:
+            pieces: list[bytes] = []
+            wanted = max(_PIECE, size + 1)
+            while size <= most and (piece := file.read(wanted)):
+                pieces.append(piece)
+                size, wanted = sum(map(len, pieces)), _PIECE
         if size > most:
             raise OSError(errno.EFBIG, f"it has {size} bytes or more; at most {most} are read", name)
-    return b"".join(pieces)
+        return b"".join(pieces)
+    except MemoryError:
+        raise OSError(errno.ENOMEM, f"it has {size} bytes or more, and memory has no room for them", name) from None
 
 
 def check_npy(file: IO[bytes], size: int, kinds: str = "fiub") -> None:

@@ -45,6 +45,7 @@ def test_anchors_save_writing(file):
         ("a.json", "[1, 2]", "holds a list; it must hold an object"),
         ("a.yaml", "a: 1\na: 2\n", "the field a is there twice"),
         ("a.yaml", "a: [1, 2\nb: 3\n", "is no YAML: .*line 2"),
+        ("a.yaml", "a: 1\nb: \x07\n", r"is no YAML: line 2 has the character .\\x07., which no text has"),
         ("a.yaml", "1: 2\n", "a field is called 1"),
         ("a.yaml", "", "holds nothing"),
         ("a.yaml", "a: !!python/object/apply:os.getcwd []\n", "could not determine a constructor"),

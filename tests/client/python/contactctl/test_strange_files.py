@@ -1,9 +1,12 @@
 """Files that hold other than they say, more than there is room for, or that never end: a sentence each, and soon."""
 
+import contextlib
 import os
 import resource
 import socket
 import struct
+import subprocess
+import sys
 import threading
 import zipfile
 
@@ -94,7 +97,11 @@ def test_keys_and_rows_are_files_too(lonely, tmp_path):
         assert rows in ended.err
 
 
-@pytest.mark.parametrize("text", [BOMB, MERGES, "[" + "1," * 300_000 + "1]", "a: &a [*a]\n", "a: &a {b: {<<: *a}}\n"])
+@pytest.mark.parametrize(
+    "text",
+    [BOMB, MERGES, "[" + "1," * 300_000 + "1]", "a: &a [*a]\n", "a: &a {b: {<<: *a}}\n"],
+    ids=["aliases", "merges", "values", "a circle", "a merged circle"],
+)
 @pytest.mark.timeout(60)
 def test_yaml_that_would_take_all_memory_is_refused(file, text):
     path = file("a.yaml", text)
@@ -126,6 +133,26 @@ def test_standard_input_that_does_not_end_is_refused(lonely):
         _, said = process.communicate(timeout=50)
     assert process.returncode == 2
     assert "standard input has more than" in said
+
+
+def test_a_file_that_memory_has_no_room_for_is_refused(tmp_path):
+    with (tmp_path / "large").open("wb") as sparse:
+        sparse.truncate(1 << 33)
+    script = (
+        "import resource; from contactd.files.whole import read_whole\n"
+        "resource.setrlimit(resource.RLIMIT_AS, (1 << 32, 1 << 32))\n"
+        "try:\n    read_whole('large', 1 << 34)\nexcept OSError as error:\n    print(error.strerror)\n"
+    )
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    ran = subprocess.run([sys.executable, "-c", script], cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=50)
+    assert ran.stdout == f"it has {1 << 33} bytes or more, and memory has no room for them\n", ran.stderr
+
+
+@pytest.mark.skipif(not os.access("/proc/kmsg", os.R_OK), reason="not root")
+@pytest.mark.timeout(20)
+def test_a_file_that_waits_for_the_system_is_not_waited_for():
+    with contextlib.suppress(OSError):
+        read_whole("/proc/kmsg", 1 << 30)
 
 
 def npy(shape, type_="<f8", data=b"", version=(1, 0)):
