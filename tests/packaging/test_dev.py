@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import subprocess
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -18,7 +19,7 @@ STANDINS = {
     "id": 'case $1 in -u) echo 1000 ;; -un) echo newcomer ;; esac',
     "apt-get": "exit 0",
     "dpkg-query": "exit 1",
-    "mmdebstrap": "tar -c -T /dev/null",
+    "mmdebstrap": 'printf "%s\\n" "$@" >>"$MAKER_LOG"; tar -c -T /dev/null',
     "bwrap": 'printf "%s\\n" "$@" >"$BWRAP_LOG"',
 }
 
@@ -28,7 +29,7 @@ class Machine:
 
     def __init__(self, folder: Path) -> None:
         self.programs, self.home, self.work = folder / "bin", folder / "home", folder / "work"
-        self.binds = folder / "bwrap.log"
+        self.binds, self.made = folder / "bwrap.log", folder / "mmdebstrap.log"
         for made in (self.programs, self.home, self.work):
             made.mkdir()
         for name in ORDINARY:
@@ -38,7 +39,7 @@ class Machine:
             self.has(name, script)
         self.environment = {
             "PATH": str(self.programs), "HOME": str(self.home), "CONTACTD_DEV": "root", "BWRAP_LOG": str(self.binds),
-            "CONTACTD_MIRROR": "http://nowhere.invalid",
+            "MAKER_LOG": str(self.made), "CONTACTD_MIRROR": "http://nowhere.invalid",
         }  # fmt: skip
 
     def has(self, name: str, script: str = "exit 0") -> None:
@@ -61,6 +62,11 @@ class Machine:
         ended = self.dev(*arguments, folder=folder)
         assert ended.returncode == 0, ended.stderr
         return self.binds.read_text().splitlines()
+
+    def roots(self) -> list[set[str]]:
+        """The packages of each root that was made."""
+        words = self.made.read_text().splitlines() if self.made.exists() else []
+        return [set(word.removeprefix("--include=").split(",")) for word in words if word.startswith("--include=")]
 
 
 @pytest.fixture
@@ -117,6 +123,50 @@ def test_a_root_that_cannot_be_made_shows_why_and_nothing_of_tar(machine):
     assert ended.returncode == 1
     assert "no such mirror" in ended.stderr
     assert "the root could not be made; the log above is" in ended.stderr.splitlines()[-1]
+
+
+def test_the_demo_asks_for_what_the_programs_need_and_tests_for_the_rest(machine):
+    entered = [machine.entered(command)[1] for command in ("demo", "serve", "test", "docs", "demo")]
+    programs, everything = machine.roots()
+    assert {"g++", "libmfem-dev", "python3-matplotlib"} <= programs < everything
+    assert everything - programs >= {"catch2", "furo", "lintian"}
+    assert entered[0] == entered[1] != entered[2] == entered[3] == entered[4], "the root with everything serves all"
+
+
+def test_a_system_is_asked_for_what_the_command_needs(machine):
+    machine.environment["CONTACTD_DEV"] = "system"
+    asked = [set(machine.dev(command).stderr.split("--no-install-recommends ")[1].split()) for command in ("demo", "test")]
+    assert asked[0] < asked[1]
+    assert "catch2" in asked[1] - asked[0]
+
+
+def test_a_root_whose_making_was_cut_short_is_made_again(machine):
+    root = Path(machine.entered("demo")[1])
+    (root / ".complete").unlink()
+    (half := Path(f"{root}.a1B2c3")).mkdir()
+    assert machine.entered("demo")[1] == str(root)
+    assert len(machine.roots()) == 2
+    assert (root / ".complete").exists()
+    assert not half.exists()
+
+
+def test_of_several_who_want_a_root_at_once_one_makes_it(machine):
+    machine.has("id", "echo 0")
+    machine.has("mmdebstrap", STANDINS["mmdebstrap"] + "; /bin/sleep 1")
+    with ThreadPoolExecutor() as pool:
+        ended = list(pool.map(lambda _: machine.dev("demo"), range(3)))
+    assert [one.returncode for one in ended] == [0, 0, 0]
+    assert len(machine.roots()) == 1
+
+
+def test_without_a_network_a_root_that_is_there_serves_the_demo_and_a_new_one_says_what_fails(machine):
+    machine.entered("demo")
+    machine.has("mmdebstrap", "echo no network >&2; exit 1")
+    machine.entered("demo")
+    ended = machine.dev("test")
+    assert ended.returncode == 1
+    assert "no network" in ended.stderr
+    assert len(list((machine.home / ".cache" / "contactd").glob("root-*/.complete"))) == 1
 
 
 def test_the_root_sees_home_and_the_folder_that_dev_was_called_from(machine):
