@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import re
+import shutil
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -67,6 +69,20 @@ class Machine:
         """The packages of each root that was made."""
         words = self.made.read_text().splitlines() if self.made.exists() else []
         return [set(word.removeprefix("--include=").split(",")) for word in words if word.startswith("--include=")]
+
+    def built(self, *arguments: str) -> list[str]:
+        """What CMake is called with, a line a call, for the command in a checkout of this script alone."""
+        checkout = self.work / "checkout"
+        if not checkout.exists():
+            shutil.copytree(ROOT / "packaging", checkout / "packaging")
+            shutil.copy(ROOT / "dev", checkout)
+        self.environment |= {"CONTACTD_INSIDE": "1", "MAKER_LOG": str(checkout / "cmake.log")}
+        self.has("cmake", 'echo "$@" >>"$MAKER_LOG"')
+        self.has("python3")
+        subprocess.run([checkout / "dev", *arguments], env=self.environment, capture_output=True, timeout=50)
+        lines = (checkout / "cmake.log").read_text().splitlines()
+        (checkout / "cmake.log").unlink()
+        return lines
 
 
 @pytest.fixture
@@ -138,6 +154,23 @@ def test_a_system_is_asked_for_what_the_command_needs(machine):
     asked = [set(machine.dev(command).stderr.split("--no-install-recommends ")[1].split()) for command in ("demo", "test")]
     assert asked[0] < asked[1]
     assert "catch2" in asked[1] - asked[0]
+
+
+def test_the_demo_builds_daemon_and_builder_in_the_folder_of_production(machine):
+    assert machine.built("demo") == ["--preset programs", "--build --preset programs"]
+    presets = json.loads((ROOT / "CMakePresets.json").read_text())
+    (built,) = [preset for preset in presets["buildPresets"] if preset["name"] == "programs"]
+    (configured,) = [preset for preset in presets["configurePresets"] if preset["name"] == "programs"]
+    assert built["targets"] == ["contactd", "contactd-ic"]
+    assert (configured["inherits"], configured["binaryDir"]) == ("production", "${sourceDir}/build/production")
+
+
+def test_a_command_builds_what_it_runs(machine):
+    assert machine.built("docs")[-1] == "--build --preset development --target site-programs"
+    assert machine.built("faults")[-1] == "--build --preset development --target contactd contactd-ic"
+    assert machine.built("paper", "fem")[-1] == "--build --preset production --target contactd contactd-ic block_system"
+    assert machine.built("build", "production", "contactd")[-1] == "--build --preset production --target contactd"
+    assert machine.built("build")[-1] == "--build --preset development"
 
 
 def test_a_root_whose_making_was_cut_short_is_made_again(machine):
