@@ -20,16 +20,16 @@ sys.path.insert(0, str(BIN.parent / "lib" / "python"))
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+pytest_plugins = ["support.scheduling"]
+
+
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Time limits are those of programs that are SLOWER; what tests of a file share lives in one process (pytest-xdist)."""
+    """Time limits are those of programs that are SLOWER."""
     for item in items:
         limit = item.get_closest_marker("timeout")
         seconds = limit.args[0] if limit else float(config.getini("timeout"))
         item.add_marker(pytest.mark.timeout(SLOWER * seconds), append=False)
-        fixtures = item._fixtureinfo.name2fixturedefs.values() if isinstance(item, pytest.Function) else ()
-        if any(found[-1].scope == "module" for found in fixtures) and not item.get_closest_marker("xdist_group"):
-            item.add_marker(pytest.mark.xdist_group(item.path.stem))
 
 
 @pytest.fixture(autouse=True)

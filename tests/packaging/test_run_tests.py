@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -22,6 +24,27 @@ def test_one(k):
     time.sleep(0.02)
     if k == 37:
         ctypes.string_at(0)
+"""
+BEGUN = """import os, pytest
+def begun(request):
+    with open("begun", "a") as file:
+        file.write(f"{request.node.originalname} {os.getpid()}\\n")
+"""
+ORDER = f"""{BEGUN}
+@pytest.mark.parametrize("k", range(40))
+def test_quick(k, request):
+    begun(request)
+@pytest.mark.slow
+def test_slow(request):
+    begun(request)
+"""
+SHARED = f"""{BEGUN}
+@pytest.fixture(scope="module")
+def made():
+    return 1
+@pytest.mark.parametrize("k", range(10))
+def test_shared(k, made, request):
+    begun(request)
 """
 ALL = cpp_tests(LISTED) + python_tests()
 
@@ -70,6 +93,20 @@ def test_a_process_that_crashes_ends_the_run(tmp_path):
     ended = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=50 * SLOWER)
     assert ended.returncode != 0
     assert "test_one[37]" in ended.stdout + ended.stderr
+
+
+def test_slow_tests_begin_first_and_a_file_that_shares_stays_together(tmp_path):
+    (tmp_path / "test_order.py").write_text(ORDER)
+    (tmp_path / "test_shared.py").write_text(SHARED)
+    command = [sys.executable, "-m", "pytest", "-n", "2", "--dist", "loadgroup", "-p", "no:cacheprovider", "-p", "support.scheduling"]
+    ended = subprocess.run(
+        [*command, "-W", "ignore::pytest.PytestUnknownMarkWarning", tmp_path],
+        cwd=tmp_path, env=os.environ | {"PYTHONPATH": str(run_tests.TESTS)}, capture_output=True, text=True, timeout=50 * SLOWER,
+    )  # fmt: skip
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+    begun = [line.split() for line in (tmp_path / "begun").read_text().splitlines()]
+    assert {"test_slow"} <= {name for name, _ in begun[:2]}
+    assert len({process for name, process in begun if name.startswith("test_shared")}) == 1
 
 
 def test_what_no_test_needs_is_built_with_all():

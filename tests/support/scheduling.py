@@ -1,0 +1,53 @@
+"""Which process of pytest-xdist runs which tests, and when: what tests of a file share lives in one process, and slow ones begin
+first, so that at the end no process has one to itself while the others are idle."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+SLOW = " (slow)"
+
+
+def shares_a_module(item: pytest.Item) -> bool:
+    fixtures = item._fixtureinfo.name2fixturedefs.values() if isinstance(item, pytest.Function) else ()
+    return any(found[-1].scope == "module" for found in fixtures)
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Puts tests that share something of a module's scope, and each slow one, into a group; the names of groups say what is slow."""
+    groups: dict[str, list[pytest.Item]] = {}
+    for number, item in enumerate(items):
+        slow = item.get_closest_marker("slow") is not None
+        if (given := item.get_closest_marker("xdist_group")) is not None:
+            name = given.args[0]
+        elif shares_a_module(item):
+            name = item.path.relative_to(config.rootpath).as_posix() if item.path.is_relative_to(config.rootpath) else item.path.stem
+        elif slow:
+            name = str(number)
+        else:
+            continue
+        groups.setdefault(name, []).append(item)
+    for name, members in groups.items():
+        slow = any(item.get_closest_marker("slow") for item in members)
+        for item in members:
+            item.add_marker(pytest.mark.xdist_group(name + SLOW * slow), append=False)
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    """Groups in the order that pytest-xdist has them, by the number of their tests, but slow ones before the others."""
+    if config.getvalue("dist") != "loadgroup":
+        return None
+    from xdist.scheduler import LoadGroupScheduling
+
+    class SlowFirst(LoadGroupScheduling):
+        def _assign_work_unit(self, node: Any) -> None:
+            slow = next((scope for scope in self.workqueue if scope.endswith(SLOW)), None)
+            if slow is not None:
+                self.workqueue.move_to_end(slow, last=False)
+            super()._assign_work_unit(node)
+
+    return SlowFirst(config, log)
