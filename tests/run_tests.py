@@ -104,7 +104,8 @@ def cpp_command(chosen: Sequence[Source] | None, everything: bool) -> list[str]:
 
 def python_command(chosen: Sequence[Source] | None, everything: bool, options: Sequence[str]) -> list[str]:
     files = [str(TESTS)] if chosen is None else [str(test.file) for test in chosen if test.target is None]
-    command = [sys.executable, "-m", "pytest", *([] if everything else ["-m", "not slow"])]
+    # Who runs all of them sees where the time goes.
+    command = [sys.executable, "-m", "pytest", *(["--durations", "25"] if everything else ["-m", "not slow"])]
     if (processes := workers() if chosen is None else min(workers(), len(files))) > 1:
         # A process that crashes ends the run: pytest-xdist would start another one, and then wait without end.
         command += ["-n", str(processes), "--dist", "loadgroup", "--max-worker-restart", "0"]
