@@ -9,6 +9,7 @@ import argparse
 import sys
 from pathlib import Path
 
+from .c_paths import c_files
 from .cpp import INCLUDE, SOURCES, cpp_files
 from .declarations import ROOT, Declarations
 from .fmu import fmu_files
@@ -17,7 +18,7 @@ from .fmu import fmu_files
 def differing() -> dict[Path, str | None]:
     """The files whose text in the tree is another one than the generated; None where there should be no file."""
     declarations = Declarations()
-    generated = {**cpp_files(declarations), **fmu_files(declarations)}
+    generated = {**cpp_files(declarations), **c_files(declarations), **fmu_files(declarations)}
     wrong: dict[Path, str | None] = {
         path: text for path, text in generated.items() if not path.exists() or path.read_text() != text
     }

@@ -12,6 +12,7 @@ named there has a form of its own on the wire, and so has an object with fields 
               Struct::name, and <Type> for an alternative of a variant, with slashes; "name/.." for an object whose fields are members of the struct
               itself, and which is there while the optional member `name` is
 `x-cpp-items` of a list of so many numbers, the names of the struct's members
+`x-cpp-list`  of an array, that C++ has it as a list of structs of numbers
 `x-cpp-none`  the value of a number's member that the wire leaves out: 0 or infinity
 `x-cpp-owner` the structs that have an object's fields, where it is not a struct of its own; x-cpp names a view, then
 `x-partial`   an object that has some fields only of the struct that it names
@@ -90,6 +91,7 @@ class Declarations:
         self._documents: dict[str, Schema] = {path.name: json.loads(path.read_text()) for path in sorted(folder.glob("*.json"))}
         self.structs: dict[str, Struct] = {}
         self.enums: dict[str, Enum] = {}
+        self.schemas: dict[str, Schema] = {}  # of the structs, one for each
         for document in self._documents.values():
             for schema in _all_schemas(document):
                 if "x-cpp" in schema and "x-partial" not in schema:
@@ -121,6 +123,7 @@ class Declarations:
         properties = {field: self.resolved(part) for field, part in schema["properties"].items()}
         required = schema.get("required", [])
         fields = tuple(self._field(field, part, field in required) for field, part in properties.items() if "x-derived" not in part)
+        self.schemas.setdefault(name, schema)
         self._add(Struct(name, fields, tuple(schema.get("x-cpp-only", ())), tuple(schema.get("x-cpp-owner", ()))))
 
     def _add(self, struct: Struct) -> None:
@@ -134,10 +137,12 @@ class Declarations:
         for key, (end, excluded) in _BOUNDS.items():
             if key in value and not is_list:
                 bounds[end], bounds[f"{end}_excluded"] = value[key], excluded
+        if value.get("const") is True:
+            bounds = {"least": 1, "most": 1}
         return Field(
             name,
             value.get("x-cpp"),
-            _is_custom(value),
+            is_custom(value),
             schema.get("x-cpp-at"),
             schema.get("x-cpp-none"),
             Bounds(**bounds),
@@ -147,11 +152,11 @@ class Declarations:
         )
 
 
-def _is_custom(schema: Schema) -> bool:
+def is_custom(schema: Schema) -> bool:
     """Whether a value has another form on the wire than that of a plain one, or of the fields of a struct."""
     if "x-cpp" in schema:
         return not {"enum", "const", "x-cpp-items"} & set(schema) and not _has_fields(schema)
-    if "enum" in schema:
+    if "enum" in schema or "x-cpp-list" in schema:
         return False
     return not _types(schema) or bool(_types(schema) - {"number", "integer", "boolean", "string"})
 

@@ -4,7 +4,11 @@ module answers
     use, intrinsic :: iso_fortran_env, only: int64
     implicit none
     private
-    public :: need, tell, tell_whole, digest, tell_step
+    public :: need, tell, tell_whole, digest, tell_array, tell_step, arrays
+
+    ! Arrays over the grid, of which a contact has all but the last and a wheel all.
+    character(16), parameter :: arrays(7) = [character(16) :: "element_division", "pressure", &
+        "traction_x", "traction_y", "slip_x", "slip_y", "gap"]
 
 contains
 
@@ -38,32 +42,33 @@ contains
         sum = mod(sum * 65599_int64 + more, 4294967291_int64)
     end subroutine
 
-    subroutine tell_arrays(contact, nx, ny)
-        type(c_ptr), intent(in) :: contact
-        integer(c_int32_t), intent(in) :: nx, ny
-        real(c_double) :: array(nx, ny)
-        integer(c_int32_t) :: division(nx, ny), which
+    ! The elements' words are told as whole numbers, all others by their bits.
+    subroutine tell_array(values, are_words)
+        real(c_double), intent(in) :: values(:)
+        logical, intent(in) :: are_words
         integer(int64) :: sum, bits
-        integer :: x, y
-        call need(contactd_get_division(contact, division, nx * ny))
+        integer :: i
         sum = 0
-        do y = 1, ny
-            do x = 1, nx
-                call digest(sum, int(division(x, y), int64))
-            end do
+        do i = 1, size(values)
+            if (are_words) then
+                call digest(sum, int(values(i), int64))
+            else
+                bits = transfer(values(i), 0_int64)
+                call digest(sum, ibits(bits, 32, 32))
+                call digest(sum, ibits(bits, 0, 32))
+            end if
         end do
         write (*, "(1x, i0)", advance="no") sum
-        do which = contactd_pressure, contactd_slip_y
-            call need(contactd_get_array(contact, which, array, nx * ny))
-            sum = 0
-            do y = 1, ny
-                do x = 1, nx
-                    bits = transfer(array(x, y), 0_int64)
-                    call digest(sum, ibits(bits, 32, 32))
-                    call digest(sum, ibits(bits, 0, 32))
-                end do
-            end do
-            write (*, "(1x, i0)", advance="no") sum
+    end subroutine
+
+    subroutine tell_arrays(contact, elements)
+        type(c_ptr), intent(in) :: contact
+        integer(c_int32_t), intent(in) :: elements
+        real(c_double) :: array(elements)
+        integer :: which
+        do which = 1, 6
+            call need(contactd_get_array(contact, arrays(which), array, elements))
+            call tell_array(array, which == 1)
         end do
     end subroutine
 
@@ -145,7 +150,7 @@ contains
             end do
         end do
         call tell_warnings(contact)
-        call tell_arrays(contact, nx, ny)
+        call tell_arrays(contact, nx * ny)
         call tell_resultant(contact)
     end subroutine
 

@@ -6,15 +6,11 @@
 
 static void tell_arrays(contactd_contact* contact, int32_t elements) {
     double* array = values(elements);
-    int32_t* division = calloc((size_t)elements, sizeof *division);
-    if (division == NULL || contactd_get_division(contact, division, elements) != CONTACTD_OK) exit(3);
-    tell_division(division, elements);
-    for (int32_t which = CONTACTD_PRESSURE; which <= CONTACTD_SLIP_Y; ++which) {
-        if (contactd_get_array(contact, which, array, elements) != CONTACTD_OK) exit(3);
-        tell_digest(array, elements);
+    for (int which = 0; which < contact_arrays; ++which) {
+        if (contactd_get_array(contact, arrays[which], array, elements) != CONTACTD_OK) exit(3);
+        which == 0 ? tell_division(array, elements) : tell_digest(array, elements);
     }
     free(array);
-    free(division);
 }
 
 static void tell_warnings(contactd_contact* contact) {

@@ -15,6 +15,14 @@ static contactd_contact* contact;
 static int32_t nx, ny;
 static int32_t states[most_states];
 
+/* The place of a word in a list. */
+static int32_t word(int i, const char* list[]) {
+    for (int32_t n = 0; i < count && list[n] != NULL; ++n)
+        if (strcmp(words[i], list[n]) == 0) return n;
+    fprintf(stderr, "%s: %s has no such word\n", name, words[0]);
+    exit(2);
+}
+
 /* --- what a line says ---------------------------------------------------------------------------------------- */
 
 static int32_t body(int i) {
@@ -160,7 +168,7 @@ static void next_case(void) {
     if (contactd_new(place, &contact) != CONTACTD_OK) exit(3);
     refused = CONTACTD_OK;
     snprintf(name, sizeof name, "%s", words[1]);
-    for (int32_t array = CONTACTD_DIVISION; array <= CONTACTD_SLIP_Y; ++array) contactd_want(contact, array, 1);
+    for (int which = 0; which < contact_arrays; ++which) contactd_want(contact, arrays[which], 1);
 }
 
 static void take(void) {

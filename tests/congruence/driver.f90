@@ -8,11 +8,12 @@ program driver
     implicit none
     type(c_ptr) :: place, contact
     integer :: unit
+    character(1000) :: line
     integer(c_int32_t) :: nx, ny, states(0:9)
 
     contact = c_null_ptr
     call open_cases(place, unit)
-    do while (next_line(unit))
+    do while (next_line(unit, line))
         call take()
     end do
     if (c_associated(contact)) call need(contactd_free(contact))
@@ -207,15 +208,16 @@ contains
     end subroutine
 
     subroutine take()
-        integer(c_int32_t) :: array, code
+        integer(c_int32_t) :: code
+        integer :: array
         select case (word(0))
         case ("case")
             if (c_associated(contact)) call need(contactd_free(contact))
             call need(contactd_new(place, contact))
             refused = contactd_ok
             name = word(1)
-            do array = contactd_division, contactd_slip_y
-                call need(contactd_want(contact, array, 1))
+            do array = 1, 6
+                call need(contactd_want(contact, arrays(array), 1))
             end do
         case ("start", "step", "again", "save", "restore", "forget")
             call make_call()

@@ -35,7 +35,12 @@ static uint64_t digest(uint64_t so_far, uint64_t more) {
     return (so_far * 65599 + more) % 4294967291u;
 }
 
-static void tell_division(const int32_t* division, int32_t elements) {
+/* Arrays over the grid, of which a contact has the first and a wheel all. */
+static const char* const arrays[] = {"element_division", "pressure", "traction_x", "traction_y",
+                                     "slip_x",           "slip_y",   "gap"};
+enum { contact_arrays = 6, wheel_arrays = 7 };
+
+static void tell_division(const double* division, int32_t elements) {
     uint64_t sum = 0;
     for (int32_t i = 0; i < elements; ++i) sum = digest(sum, (uint64_t)division[i]);
     printf(" %" PRIu64, sum);

@@ -1,7 +1,7 @@
 ! What the driver in Fortran says of a wheel on its rail: wheel_telling.py has the order.
 module wheel_answers
     use contactd
-    use answers, only: need, tell, tell_whole, digest
+    use answers, only: need, tell, tell_whole, digest, tell_array, arrays
     use, intrinsic :: iso_fortran_env, only: int64
     implicit none
     private
@@ -9,129 +9,142 @@ module wheel_answers
 
 contains
 
-    subroutine tell_numbers(values, code)
-        real(c_double), intent(in) :: values(:)
-        integer(c_int32_t), intent(in) :: code
+    subroutine tell_field(wheel, path)
+        type(c_ptr), intent(in) :: wheel
+        character(*), intent(in) :: path
+        real(c_double) :: value
+        integer(c_int32_t) :: code
+        code = contactd_get(wheel, path, value)
+        call tell(value, code)
+    end subroutine
+
+    subroutine tell_whole_field(wheel, path)
+        type(c_ptr), intent(in) :: wheel
+        character(*), intent(in) :: path
+        real(c_double) :: value
+        integer(c_int32_t) :: code
+        value = 0
+        code = contactd_get(wheel, path, value)
+        call tell_whole(int(value, c_int32_t), code)
+    end subroutine
+
+    ! The numbers of an object.
+    subroutine tell_object(wheel, path, numbers)
+        type(c_ptr), intent(in) :: wheel
+        character(*), intent(in) :: path
+        integer(c_int32_t), intent(in) :: numbers
+        real(c_double) :: v(numbers)
+        integer(c_int32_t) :: code
         integer :: i
-        do i = 1, size(values)
-            call tell(values(i), code)
+        code = contactd_get_array(wheel, path, v, numbers)
+        do i = 1, numbers
+            call tell(v(i), code)
         end do
     end subroutine
 
-    subroutine tell_arrays(wheel, patch, elements)
+    subroutine tell_forces(wheel, prefix)
         type(c_ptr), intent(in) :: wheel
-        integer(c_int32_t), intent(in) :: patch, elements
-        real(c_double) :: array(elements)
-        integer(c_int32_t) :: division(elements), which, code
-        integer(int64) :: sum, bits
-        integer :: i
-        call need(contactd_wheel_get_division(wheel, patch, division, elements))
-        sum = 0
-        do i = 1, elements
-            call digest(sum, int(division(i), int64))
+        character(*), intent(in) :: prefix
+        call tell_object(wheel, prefix // "forces.track", 6)
+        call tell_object(wheel, prefix // "forces.rail", 6)
+        call tell_object(wheel, prefix // "forces.wheelset", 6)
+    end subroutine
+
+    subroutine tell_arrays(wheel, prefix)
+        type(c_ptr), intent(in) :: wheel
+        character(*), intent(in) :: prefix
+        real(c_double), allocatable :: array(:)
+        integer(c_int32_t) :: elements, code
+        integer :: which
+        call need(contactd_length(wheel, prefix // "solution.pressure", elements))
+        allocate (array(elements))
+        do which = 1, 6
+            call need(contactd_get_array(wheel, prefix // "solution." // arrays(which), array, elements))
+            call tell_array(array, which == 1)
         end do
-        write (*, "(1x, i0)", advance="no") sum
-        do which = contactd_pressure, contactd_gap
-            ! Quick models have no gap.
-            code = contactd_wheel_get_array(wheel, patch, which, array, elements)
-            if (which == contactd_gap .and. code /= contactd_ok) then
-                array = 0
-            else
-                call need(code)
-            end if
-            sum = 0
-            do i = 1, elements
-                bits = transfer(array(i), 0_int64)
-                call digest(sum, ibits(bits, 32, 32))
-                call digest(sum, ibits(bits, 0, 32))
-            end do
-            write (*, "(1x, i0)", advance="no") sum
-        end do
+        ! Simplified models have no gap.
+        code = contactd_get_array(wheel, prefix // "gap", array, elements)
+        if (code /= contactd_ok) array = 0
+        call tell_array(array, .false.)
     end subroutine
 
     subroutine tell_patch(wheel, patch)
         type(c_ptr), intent(in) :: wheel
-        integer(c_int32_t), intent(in) :: patch
-        real(c_double) :: v(6)
-        integer(c_int32_t) :: nx, ny, n(4), in, code
+        integer, intent(in) :: patch
+        character(9), parameter :: counts(4) = [character(9) :: "contact", "adhesion", "slip", "border"]
+        character(2), parameter :: sizes(4) = ["dx", "dy", "x0", "y0"]
+        character(8), parameter :: creepages(4) = [character(8) :: "xi", "eta", "phi", "velocity"]
+        character(40) :: text
+        character(:), allocatable :: prefix
         integer :: i
-        code = contactd_wheel_get_place(wheel, patch, v(1), v(2), v(3), v(4))
-        call tell_numbers(v(:4), code)
-        code = contactd_wheel_get_grid(wheel, patch, nx, ny, v(1), v(2), v(3), v(4))
-        call tell_whole(nx, code)
-        call tell_whole(ny, code)
-        call tell_numbers(v(:4), code)
-        code = contactd_wheel_get_creepages(wheel, patch, v(1), v(2), v(3), v(4))
-        call tell_numbers(v(:4), code)
-        code = contactd_wheel_get_radii(wheel, patch, v(1), v(2), v(3), v(4))
-        call tell_numbers(v(:4), code)
-        code = contactd_wheel_get_contact_forces(wheel, patch, v(1), v(2), v(3), v(4))
-        call tell_numbers(v(:4), code)
-        do in = contactd_in_track, contactd_in_wheelset
-            code = contactd_wheel_get_patch_forces(wheel, patch, in, v)
-            call tell_numbers(v, code)
-        end do
-        code = contactd_wheel_get_pressure(wheel, patch, v(1), v(2))
-        call tell_numbers(v(:2), code)
-        code = contactd_wheel_get_areas(wheel, patch, v(1), v(2), v(3))
-        call tell_numbers(v(:3), code)
-        code = contactd_wheel_get_counts(wheel, patch, n(1), n(2), n(3), n(4))
+        write (text, "(a, i0, a)") "patches[", patch, "]."
+        prefix = trim(text)
+        call tell_object(wheel, prefix // "place.reference", 4)
+        call tell_whole_field(wheel, prefix // "place.grid.nx")
+        call tell_whole_field(wheel, prefix // "place.grid.ny")
         do i = 1, 4
-            call tell_whole(n(i), code)
+            call tell_field(wheel, prefix // "place.grid." // sizes(i))
         end do
-        call tell_arrays(wheel, patch, nx * ny)
+        do i = 1, 4
+            call tell_field(wheel, prefix // "place.creepages." // creepages(i))
+        end do
+        call tell_object(wheel, prefix // "place.radii", 4)
+        call tell_object(wheel, prefix // "solution.forces", 4)
+        call tell_forces(wheel, prefix)
+        call tell_field(wheel, prefix // "solution.approach")
+        call tell_field(wheel, prefix // "solution.pmax")
+        call tell_object(wheel, prefix // "solution.area", 3)
+        do i = 1, 4
+            call tell_whole_field(wheel, prefix // "solution.elements." // counts(i))
+        end do
+        call tell_arrays(wheel, prefix)
     end subroutine
 
     subroutine tell_warnings(wheel)
         type(c_ptr), intent(in) :: wheel
         character(2000) :: text
-        integer(c_int32_t) :: warnings, i
+        character(40) :: path
+        real(c_double) :: warnings
         integer(int64) :: sum
-        integer :: c
+        integer :: i, c
         sum = 0
-        call need(contactd_wheel_get_warnings(wheel, warnings))
-        do i = 0, warnings - 1
-            call need(contactd_wheel_get_warning(wheel, i, text))
+        call need(contactd_get(wheel, "warnings", warnings))
+        do i = 0, int(warnings) - 1
+            write (path, "(a, i0, a)") "warnings[", i, "]"
+            call need(contactd_get_word(wheel, path, text))
             do c = 1, len_trim(text)
                 call digest(sum, int(ichar(text(c:c)), int64))
             end do
         end do
-        write (*, "(1x, i0, 1x, i0)", advance="no") warnings, sum
+        write (*, "(1x, i0, 1x, i0)", advance="no") int(warnings), sum
     end subroutine
 
     subroutine tell_wheel(wheel)
         type(c_ptr), intent(in) :: wheel
-        real(c_double) :: v(6)
-        integer(c_int32_t), parameter :: searches(3) = [contactd_force, contactd_pitch, contactd_rail_shift]
-        integer(c_int32_t) :: in, by, n, converged, patch, code
-        integer :: search
-        code = contactd_wheel_get_motion(wheel, v(1), v(2))
-        call tell_numbers(v(:2), code)
-        code = contactd_wheel_get_clearance(wheel, v(1))
-        call tell(v(1), code)
-        do in = contactd_in_track, contactd_in_wheelset
-            code = contactd_wheel_get_forces(wheel, in, v)
-            call tell_numbers(v, code)
+        character(14), parameter :: inputs(10) = [character(14) :: "position.y", "position.z", "position.roll", &
+            "position.yaw", "velocity.x", "velocity.y", "velocity.z", "velocity.roll", "velocity.yaw", "velocity.pitch"]
+        character(12), parameter :: searches(3) = [character(12) :: "force", "pitch_search", "rail_search"]
+        real(c_double) :: patches
+        integer :: i
+        call tell_field(wheel, "z")
+        call tell_field(wheel, "pitch")
+        call tell_field(wheel, "clearance")
+        call tell_forces(wheel, "")
+        do i = 1, size(inputs)
+            call tell_object(wheel, "derivatives." // inputs(i), 6)
         end do
-        do by = contactd_by_position_y, contactd_by_velocity_pitch
-            code = contactd_wheel_get_derivative(wheel, by, v)
-            call tell_numbers(v, code)
-        end do
-        code = contactd_wheel_get_converged(wheel, converged)
-        call tell_whole(converged, code)
-        code = contactd_wheel_get_rail_shift(wheel, v(1), v(2))
-        call tell_numbers(v(:2), code)
-        do search = 1, size(searches)
-            code = contactd_wheel_get_evidence(wheel, searches(search), n, v(1), converged)
-            call tell_whole(n, code)
-            call tell(v(1), code)
-            call tell_whole(converged, code)
+        call tell_whole_field(wheel, "converged")
+        call tell_object(wheel, "rail_shift", 2)
+        do i = 1, size(searches)
+            call tell_whole_field(wheel, trim(searches(i)) // ".iterations")
+            call tell_field(wheel, trim(searches(i)) // ".residual")
+            call tell_whole_field(wheel, trim(searches(i)) // ".converged")
         end do
         call tell_warnings(wheel)
-        code = contactd_wheel_get_patches(wheel, n)
-        call tell_whole(n, code)
-        do patch = 0, n - 1
-            call tell_patch(wheel, patch)
+        call tell_whole_field(wheel, "patches")
+        call need(contactd_get(wheel, "patches", patches))
+        do i = 0, int(patches) - 1
+            call tell_patch(wheel, i)
         end do
     end subroutine
 end module wheel_answers

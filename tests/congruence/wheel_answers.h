@@ -4,101 +4,117 @@
 
 #include "telling.h"
 
-static void tell_numbers(const double* v, int numbers, int32_t code) {
-    for (int i = 0; i < numbers; ++i) tell(v[i], code);
+static char path_text[200];
+
+static const char* path_of(const char* prefix, const char* name) {
+    snprintf(path_text, sizeof path_text, "%s%s", prefix, name);
+    return path_text;
 }
 
-static void tell_patch_arrays(contactd_wheel* wheel, int32_t patch, int32_t elements) {
+static void tell_field(contactd_wheel* wheel, const char* prefix, const char* path) {
+    double value = 0;
+    const int32_t code = contactd_get(wheel, path_of(prefix, path), &value);
+    tell(value, code);
+}
+
+static void tell_whole_field(contactd_wheel* wheel, const char* prefix, const char* path) {
+    double value = 0;
+    const int32_t code = contactd_get(wheel, path_of(prefix, path), &value);
+    tell_whole((int32_t)value, code);
+}
+
+/* The numbers of an object. */
+static void tell_object(contactd_wheel* wheel, const char* prefix, const char* path, int32_t count_of_numbers) {
+    double v[6] = {0};
+    const int32_t code = contactd_get_array(wheel, path_of(prefix, path), v, count_of_numbers);
+    for (int32_t i = 0; i < count_of_numbers; ++i) tell(v[i], code);
+}
+
+static void tell_forces(contactd_wheel* wheel, const char* prefix) {
+    tell_object(wheel, prefix, "forces.track", 6);
+    tell_object(wheel, prefix, "forces.rail", 6);
+    tell_object(wheel, prefix, "forces.wheelset", 6);
+}
+
+static void tell_patch_arrays(contactd_wheel* wheel, const char* prefix) {
+    int32_t elements = 0;
+    contactd_length(wheel, path_of(prefix, "solution.pressure"), &elements);
     double* array = values(elements);
-    int32_t* division = calloc((size_t)elements, sizeof *division);
-    if (division == NULL || contactd_wheel_get_division(wheel, patch, division, elements) != CONTACTD_OK) exit(3);
-    tell_division(division, elements);
-    for (int32_t which = CONTACTD_PRESSURE; which <= CONTACTD_GAP; ++which) {
-        /* Quick models have no gap. */
-        if (contactd_wheel_get_array(wheel, patch, which, array, elements) != CONTACTD_OK) {
-            if (which != CONTACTD_GAP) exit(3);
+    for (int which = 0; which < wheel_arrays; ++which) {
+        const int is_gap = which == wheel_arrays - 1;
+        path_of(prefix, is_gap ? "" : "solution.");
+        strcat(path_text, arrays[which]);
+        /* Simplified models have no gap. */
+        if (contactd_get_array(wheel, path_text, array, elements) != CONTACTD_OK) {
+            if (!is_gap) exit(3);
             memset(array, 0, (size_t)elements * sizeof *array);
         }
-        tell_digest(array, elements);
+        which == 0 ? tell_division(array, elements) : tell_digest(array, elements);
     }
     free(array);
-    free(division);
 }
 
-static void tell_place(contactd_wheel* wheel, int32_t patch, int32_t n[2]) {
-    double v[4] = {0};
-    int32_t code = contactd_wheel_get_place(wheel, patch, v, v + 1, v + 2, v + 3);
-    tell_numbers(v, 4, code);
-    code = contactd_wheel_get_grid(wheel, patch, n, n + 1, v, v + 1, v + 2, v + 3);
-    tell_whole(n[0], code);
-    tell_whole(n[1], code);
-    tell_numbers(v, 4, code);
-    code = contactd_wheel_get_creepages(wheel, patch, v, v + 1, v + 2, v + 3);
-    tell_numbers(v, 4, code);
-    code = contactd_wheel_get_radii(wheel, patch, v, v + 1, v + 2, v + 3);
-    tell_numbers(v, 4, code);
+static void tell_place(contactd_wheel* wheel, const char* prefix) {
+    const char* const sizes[] = {"place.grid.dx", "place.grid.dy", "place.grid.x0", "place.grid.y0"};
+    const char* const creepages[] = {"place.creepages.xi", "place.creepages.eta", "place.creepages.phi",
+                                     "place.creepages.velocity"};
+    tell_object(wheel, prefix, "place.reference", 4);
+    tell_whole_field(wheel, prefix, "place.grid.nx");
+    tell_whole_field(wheel, prefix, "place.grid.ny");
+    for (int i = 0; i < 4; ++i) tell_field(wheel, prefix, sizes[i]);
+    for (int i = 0; i < 4; ++i) tell_field(wheel, prefix, creepages[i]);
+    tell_object(wheel, prefix, "place.radii", 4);
 }
 
-static void tell_patch(contactd_wheel* wheel, int32_t patch) {
-    double v[6] = {0};
-    int32_t grid[2] = {0}, n[4] = {0}, code;
-    tell_place(wheel, patch, grid);
-    code = contactd_wheel_get_contact_forces(wheel, patch, v, v + 1, v + 2, v + 3);
-    tell_numbers(v, 4, code);
-    for (int32_t in = CONTACTD_IN_TRACK; in <= CONTACTD_IN_WHEELSET; ++in) {
-        code = contactd_wheel_get_patch_forces(wheel, patch, in, v);
-        tell_numbers(v, 6, code);
-    }
-    code = contactd_wheel_get_pressure(wheel, patch, v, v + 1);
-    tell_numbers(v, 2, code);
-    code = contactd_wheel_get_areas(wheel, patch, v, v + 1, v + 2);
-    tell_numbers(v, 3, code);
-    code = contactd_wheel_get_counts(wheel, patch, n, n + 1, n + 2, n + 3);
-    for (int i = 0; i < 4; ++i) tell_whole(n[i], code);
-    tell_patch_arrays(wheel, patch, grid[0] * grid[1]);
+static void tell_patch(contactd_wheel* wheel, int patch) {
+    const char* const counts[] = {"solution.elements.contact", "solution.elements.adhesion", "solution.elements.slip",
+                                  "solution.elements.border"};
+    char prefix[40];
+    snprintf(prefix, sizeof prefix, "patches[%d].", patch);
+    tell_place(wheel, prefix);
+    tell_object(wheel, prefix, "solution.forces", 4);
+    tell_forces(wheel, prefix);
+    tell_field(wheel, prefix, "solution.approach");
+    tell_field(wheel, prefix, "solution.pmax");
+    tell_object(wheel, prefix, "solution.area", 3);
+    for (int i = 0; i < 4; ++i) tell_whole_field(wheel, prefix, counts[i]);
+    tell_patch_arrays(wheel, prefix);
 }
 
 static void tell_wheel_warnings(contactd_wheel* wheel) {
-    int32_t warnings = 0;
+    double warnings = 0;
     uint64_t sum = 0;
-    char text[2000];
-    contactd_wheel_get_warnings(wheel, &warnings);
-    for (int32_t i = 0; i < warnings; ++i) {
-        contactd_wheel_get_warning(wheel, i, text, sizeof text);
+    char text[2000], path[40];
+    contactd_get(wheel, "warnings", &warnings);
+    for (int i = 0; i < warnings; ++i) {
+        snprintf(path, sizeof path, "warnings[%d]", i);
+        contactd_get_word(wheel, path, text, sizeof text);
         for (const char* c = text; *c != '\0'; ++c) sum = digest(sum, (unsigned char)*c);
     }
-    printf(" %" PRId32 " %" PRIu64, warnings, sum);
+    printf(" %d %" PRIu64, (int)warnings, sum);
 }
 
 static void tell_wheel(contactd_wheel* wheel) {
-    const int32_t searches[] = {CONTACTD_FORCE, CONTACTD_PITCH, CONTACTD_RAIL_SHIFT};
-    double v[6] = {0};
-    int32_t n = 0, converged = 0, code = contactd_wheel_get_motion(wheel, v, v + 1);
-    tell_numbers(v, 2, code);
-    code = contactd_wheel_get_clearance(wheel, v);
-    tell(v[0], code);
-    for (int32_t in = CONTACTD_IN_TRACK; in <= CONTACTD_IN_WHEELSET; ++in) {
-        code = contactd_wheel_get_forces(wheel, in, v);
-        tell_numbers(v, 6, code);
-    }
-    for (int32_t by = CONTACTD_BY_POSITION_Y; by <= CONTACTD_BY_VELOCITY_PITCH; ++by) {
-        code = contactd_wheel_get_derivative(wheel, by, v);
-        tell_numbers(v, 6, code);
-    }
-    code = contactd_wheel_get_converged(wheel, &converged);
-    tell_whole(converged, code);
-    code = contactd_wheel_get_rail_shift(wheel, v, v + 1);
-    tell_numbers(v, 2, code);
+    const char* const inputs[] = {"position.y", "position.z", "position.roll", "position.yaw", "velocity.x",
+                                  "velocity.y", "velocity.z", "velocity.roll", "velocity.yaw", "velocity.pitch"};
+    const char* const searches[] = {"force", "pitch_search", "rail_search"};
+    double patches = 0;
+    tell_field(wheel, "", "z");
+    tell_field(wheel, "", "pitch");
+    tell_field(wheel, "", "clearance");
+    tell_forces(wheel, "");
+    for (int by = 0; by < 10; ++by) tell_object(wheel, "derivatives.", inputs[by], 6);
+    tell_whole_field(wheel, "", "converged");
+    tell_object(wheel, "", "rail_shift", 2);
     for (int search = 0; search < 3; ++search) {
-        code = contactd_wheel_get_evidence(wheel, searches[search], &n, v, &converged);
-        tell_whole(n, code);
-        tell(v[0], code);
-        tell_whole(converged, code);
+        tell_whole_field(wheel, searches[search], ".iterations");
+        tell_field(wheel, searches[search], ".residual");
+        tell_whole_field(wheel, searches[search], ".converged");
     }
     tell_wheel_warnings(wheel);
-    code = contactd_wheel_get_patches(wheel, &n);
-    tell_whole(n, code);
-    for (int32_t patch = 0; patch < n; ++patch) tell_patch(wheel, patch);
+    tell_whole_field(wheel, "", "patches");
+    contactd_get(wheel, "patches", &patches);
+    for (int patch = 0; patch < patches; ++patch) tell_patch(wheel, patch);
 }
 
 #endif

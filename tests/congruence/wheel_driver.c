@@ -11,91 +11,174 @@
 
 static contactd_wheel* wheel;
 
+/* What a slice takes over: the line that set the profile of wheel and rail last; and the slices that there are. */
+static char profiles[2][1000];
+static int slices[2];
+
 /* --- what a line says ---------------------------------------------------------------------------------------- */
 
-static int32_t body(int i) {
-    const char* bodies[] = {"wheel", "rail", NULL};
-    return word(i, bodies);
+/* The number behind each word goes to the next of these paths. */
+static const struct {
+    const char *word, *paths[6];
+} numbers[] = {
+    {"track", {"setup.track.gauge", "setup.track.gauge_height", "setup.track.cant"}},
+    {"rail_origin", {"setup.track.rail_origin.y", "setup.track.rail_origin.z"}},
+    {"roller", {"setup.track.roller_radius"}},
+    {"wheelset",
+     {"setup.wheelset.flange_back_distance", "setup.wheelset.flange_back_position", "setup.wheelset.nominal_radius"}},
+    {"mu", {"setup.friction.mu"}},
+    {"elements", {"setup.dx", "setup.dy", "setup.dq"}},
+    {"patch_rules",
+     {"setup.patches.angle_separate", "setup.patches.distance_separate", "setup.patches.distance_combine",
+      "setup.patches.distance_turn", "setup.patches.locus_step"}},
+    {"position", {"state.position.y", "state.position.z", "state.position.roll", "state.position.yaw"}},
+    {"x", {"state.position.x"}},
+    {"pitch_angle", {"state.position.pitch"}},
+    {"velocity",
+     {"state.velocity.x", "state.velocity.y", "state.velocity.z", "state.velocity.roll", "state.velocity.yaw",
+      "state.velocity.pitch"}},
+    {"deviation", {"state.rail.y", "state.rail.z", "state.rail.roll"}},
+    {"deviation_rate", {"state.rail.y_velocity", "state.rail.z_velocity", "state.rail.roll_velocity"}},
+    {"rail_forces", {"state.rail.Fy", "state.rail.Fz"}},
+    {"roller_pitch", {"state.roller_pitch"}},
+    {"Fz", {"state.Fz"}},
+    {"Fx", {"state.Fx"}},
+    {"derivatives", {"state.derivatives"}},
+};
+
+static const struct {
+    const char *word, *path, *zero, *one; /* where the line has 0 or 1 */
+} keywords[] = {
+    {"side", "setup.side", NULL, NULL},
+    {"model", "setup.model", NULL, NULL},
+    {"conformal", "setup.conformal", NULL, NULL},
+    {"bilinear", "setup.wheel_surface", "exact", "bilinear"},
+    {"slip_of_surfaces", "setup.rigid_slip", "plane", "surfaces"},
+    {"mesh_search", "setup.patches.search", "locus", "mesh"},
+};
+
+/* Sets or reads the field below `prefix`. */
+static int32_t set_below(const char* prefix, const char* field_name, double value) {
+    char path[200];
+    snprintf(path, sizeof path, "%s.%s", prefix, field_name);
+    return contactd_set(wheel, path, value);
 }
 
-/* Words from i on, by turns to both lists; how many each has. */
-static int32_t pairs(int i, double* first, double* second) {
+static int32_t first(int32_t code, int32_t next) {
+    return code != CONTACTD_OK ? code : next;
+}
+
+/* Words from i on as numbers; how many. */
+static int32_t all_numbers(int i, double* made) {
     int32_t n = 0;
-    for (; i + 1 < count; i += 2, ++n) {
-        first[n] = number(i);
-        second[n] = number(i + 1);
-    }
+    for (; i < count; ++i) made[n++] = number(i);
     return n;
+}
+
+static int32_t set_numbers(const char* path, int i) {
+    double made[most_words];
+    return contactd_set_array(wheel, path, made, all_numbers(i, made));
 }
 
 /* --- setters ------------------------------------------------------------------------------------------------- */
 
-static int32_t set_profile(void) {
-    double y[most_words], z[most_words];
-    int32_t n;
-    if (is("rail_60e1")) return contactd_wheel_set_rail_60e1(wheel, number(1));
-    if (is("arc")) return contactd_wheel_set_arc(wheel, body(1), number(2), number(3), number(4), number(5));
-    if (is("cone")) return contactd_wheel_set_cone(wheel, body(1), number(2), number(3), number(4));
+static const char* body(int i) {
+    return strcmp(words[i], "wheel") == 0 ? "setup.bodies.lower" : "setup.bodies.upper";
+}
+
+/* What the line says is the profile at `path`; -1: it says something else. */
+static int32_t set_profile_at(const char* path) {
+    char field_name[200];
+    int32_t code;
+    if (is("rail_60e1")) return set_below(path, "rail_60e1.inclination", number(1));
     if (is("points")) {
-        n = pairs(2, y, z);
-        return contactd_wheel_set_points(wheel, body(1), y, z, n, 0);
+        snprintf(field_name, sizeof field_name, "%s.points", path);
+        return set_numbers(field_name, 2);
     }
-    if (is("add_slice")) return contactd_wheel_add_slice(wheel, number(1));
-    if (is("add_wheel_slice")) return contactd_wheel_add_wheel_slice(wheel, number(1));
-    if (is("clear_wheel_slices")) return contactd_wheel_clear_wheel_slices(wheel);
-    return -1;
+    if (!is("arc") && !is("cone")) return -1;
+    code = is("arc") ? set_below(path, "arc.radius", number(2)) : CONTACTD_OK;
+    snprintf(field_name, sizeof field_name, "%s.slope", words[0]);
+    code = first(code, set_below(path, field_name, number(count - 3)));
+    snprintf(field_name, sizeof field_name, "%s.%s.ends", path, words[0]);
+    return first(code, set_numbers(field_name, count - 2));
+}
+
+static int32_t set_profile(void) {
+    const int of_rail = is("rail_60e1") || (count > 1 && strcmp(words[1], "rail") == 0);
+    const int32_t code = set_profile_at(of_rail ? "setup.rail" : "setup.wheel");
+    char* kept = profiles[of_rail];
+    if (code == -1) return -1;
+    *kept = '\0';
+    for (int i = 0; i < count; ++i) strcat(strcat(kept, words[i]), " ");
+    return code;
+}
+
+static int32_t add_slice(int of_rail) {
+    char path[100];
+    int32_t code;
+    snprintf(path, sizeof path, "setup.%s_slices[%d]", of_rail ? "rail" : "wheel", slices[of_rail]++);
+    code = set_below(path, of_rail ? "x" : "angle", number(1));
+    if (code != CONTACTD_OK || profiles[of_rail][0] == '\0') return code;
+    strcat(path, ".profile");
+    char line[sizeof profiles[0]];
+    strcpy(line, profiles[of_rail]);
+    split(line);
+    return set_profile_at(path);
+}
+
+static int32_t clear_wheel_slices(void) {
+    slices[0] = 0;
+    return contactd_clear(wheel, "setup.wheel_slices");
+}
+
+static int32_t set_springs(void) {
+    int32_t code = contactd_clear(wheel, "setup.track.springs");
+    if (number(1) != 0) code = first(code, contactd_set(wheel, "setup.track.springs.y", number(1)));
+    if (number(2) != 0) code = first(code, contactd_set(wheel, "setup.track.springs.z", number(2)));
+    return code;
+}
+
+static int32_t set_tolerance(void) {
+    const char* above = strcmp(words[1], "force") == 0 ? "setup" : "setup.settings";
+    char path[100];
+    snprintf(path, sizeof path, "%s.%s", above, words[1]);
+    return first(set_below(path, "tolerance", number(2)), set_below(path, "max_iterations", whole(3)));
 }
 
 static int32_t set_up(void) {
-    const char* sides[] = {"left", "right", NULL};
-    const char* models[] = {"full", "hertz", "fastsim", NULL};
-    const char* laws[] = {"linear", "exponential", NULL};
-    const char* conformals[] = {"off", "half_space", "rotated", NULL};
-    const char* solvers[] = {"normal", "tangential", "outer", "force", NULL};
-    double angle[most_words], mu[most_words];
-    int32_t n;
-    if (is("side")) return contactd_wheel_set_side(wheel, word(1, sides));
-    if (is("track")) return contactd_wheel_set_track(wheel, number(1), number(2), number(3));
-    if (is("rail_origin")) return contactd_wheel_set_rail_origin(wheel, number(1), number(2));
-    if (is("roller")) return contactd_wheel_set_roller(wheel, number(1));
-    if (is("springs")) return contactd_wheel_set_springs(wheel, number(1), number(2));
-    if (is("wheelset")) return contactd_wheel_set_wheelset(wheel, number(1), number(2), number(3));
-    if (is("material")) return contactd_wheel_set_material(wheel, body(1), number(2), number(3));
-    if (is("rigid")) return contactd_wheel_set_rigid(wheel, body(1));
-    if (is("model")) return contactd_wheel_set_model(wheel, word(1, models));
-    if (is("mu")) return contactd_wheel_set_mu(wheel, number(1));
-    if (is("mu_by_angle")) {
-        n = pairs(2, angle, mu);
-        return contactd_wheel_set_mu_by_angle(wheel, angle, mu, n, whole(1));
-    }
-    if (is("kinetic")) return contactd_wheel_set_kinetic(wheel, word(1, laws), number(2), number(3));
-    if (is("frictionless")) return contactd_wheel_set_frictionless(wheel);
-    if (is("elements")) return contactd_wheel_set_elements(wheel, number(1), number(2), number(3));
-    if (is("patch_rules"))
-        return contactd_wheel_set_patch_rules(wheel, number(1), number(2), number(3), number(4), number(5));
-    if (is("bilinear")) return contactd_wheel_set_bilinear(wheel, whole(1));
-    if (is("slip_of_surfaces")) return contactd_wheel_set_slip_of_surfaces(wheel, whole(1));
-    if (is("mesh_search")) return contactd_wheel_set_mesh_search(wheel, whole(1));
-    if (is("conformal")) return contactd_wheel_set_conformal(wheel, word(1, conformals));
-    if (is("tolerance")) return contactd_wheel_set_tolerance(wheel, word(1, solvers), number(2), whole(3));
+    if (is("springs")) return set_springs();
+    if (is("material")) return first(set_below(body(1), "G", number(2)), set_below(body(1), "nu", number(3)));
+    if (is("rigid")) return set_below(body(1), "rigid", 1);
+    if (is("mu_by_angle"))
+        return first(set_numbers("setup.friction.mu", 2),
+                     contactd_set(wheel, "setup.friction.along_profile", number(1)));
+    if (is("kinetic"))
+        return first(first(contactd_set_word(wheel, "setup.friction.kinetic.law", words[1]),
+                           contactd_set(wheel, "setup.friction.kinetic.mu", number(2))),
+                     contactd_set(wheel, "setup.friction.kinetic.slip_velocity", number(3)));
+    if (is("frictionless")) return contactd_clear(wheel, "setup.friction");
+    if (is("clear_forces")) return first(contactd_clear(wheel, "state.Fz"), contactd_clear(wheel, "state.Fx"));
+    if (is("tolerance")) return set_tolerance();
+    if (is("add_slice")) return add_slice(1);
+    if (is("add_wheel_slice")) return add_slice(0);
+    if (is("clear_wheel_slices")) return clear_wheel_slices();
     return set_profile();
 }
 
-static int32_t move(void) {
-    if (is("position")) return contactd_wheel_set_position(wheel, number(1), number(2), number(3), number(4));
-    if (is("x")) return contactd_wheel_set_x(wheel, number(1));
-    if (is("pitch_angle")) return contactd_wheel_set_pitch_angle(wheel, number(1));
-    if (is("velocity"))
-        return contactd_wheel_set_velocity(wheel, number(1), number(2), number(3), number(4), number(5), number(6));
-    if (is("deviation")) return contactd_wheel_set_deviation(wheel, number(1), number(2), number(3));
-    if (is("deviation_rate")) return contactd_wheel_set_deviation_rate(wheel, number(1), number(2), number(3));
-    if (is("rail_forces")) return contactd_wheel_set_rail_forces(wheel, number(1), number(2));
-    if (is("roller_pitch")) return contactd_wheel_set_roller_pitch(wheel, number(1));
-    if (is("Fz")) return contactd_wheel_set_Fz(wheel, number(1));
-    if (is("Fx")) return contactd_wheel_set_Fx(wheel, number(1));
-    if (is("clear_forces")) return contactd_wheel_clear_forces(wheel);
-    if (is("derivatives")) return contactd_wheel_want_derivatives(wheel, whole(1));
-    return -1;
+static int32_t set(void) {
+    int32_t code = CONTACTD_OK;
+    for (size_t k = 0; k < sizeof keywords / sizeof keywords[0]; ++k)
+        if (is(keywords[k].word)) {
+            const char* word = keywords[k].zero == NULL ? words[1] : whole(1) != 0 ? keywords[k].one : keywords[k].zero;
+            return contactd_set_word(wheel, keywords[k].path, word);
+        }
+    for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; ++k) {
+        if (!is(numbers[k].word)) continue;
+        for (int i = 0; i < 6 && numbers[k].paths[i] != NULL; ++i)
+            code = first(code, contactd_set(wheel, numbers[k].paths[i], number(i + 1)));
+        return code;
+    }
+    return set_up();
 }
 
 static void solve(void) {
@@ -114,7 +197,9 @@ static void next_case(void) {
     if (contactd_wheel_new(place, &wheel) != CONTACTD_OK) exit(3);
     refused = CONTACTD_OK;
     snprintf(name, sizeof name, "%s", words[1]);
-    for (int32_t array = CONTACTD_DIVISION; array <= CONTACTD_GAP; ++array) contactd_wheel_want(wheel, array, 1);
+    for (int which = 0; which < wheel_arrays; ++which) contactd_want(wheel, arrays[which], 1);
+    profiles[0][0] = profiles[1][0] = '\0';
+    slices[0] = slices[1] = 0;
 }
 
 static void take(void) {
@@ -123,9 +208,7 @@ static void take(void) {
     } else if (is("solve")) {
         solve();
     } else {
-        int32_t code = set_up();
-        if (code == -1) code = move();
-        note_setter(wheel, code);
+        note_setter(wheel, set());
     }
 }
 

@@ -75,9 +75,9 @@ contains
     end subroutine
 
     ! The next line that says something.
-    logical function next_line(unit)
+    logical function next_line(unit, line)
         integer, intent(in) :: unit
-        character(1000) :: line
+        character(1000), intent(out) :: line
         integer :: status
         do
             read (unit, "(a)", iostat=status) line

@@ -30,14 +30,6 @@ static int32_t whole(int i) {
     return i < count ? (int32_t)strtol(words[i], NULL, 10) : -1;
 }
 
-/* The place of a word in a list. */
-static int32_t word(int i, const char* list[]) {
-    for (int32_t n = 0; i < count && list[n] != NULL; ++n)
-        if (strcmp(words[i], list[n]) == 0) return n;
-    fprintf(stderr, "%s: %s has no such word\n", name, words[0]);
-    exit(2);
-}
-
 static void note(const void* handle, int32_t code) {
     if (code == CONTACTD_OK || refused != CONTACTD_OK) return;
     refused = code;
@@ -53,6 +45,12 @@ static void note_setter(const void* handle, int32_t code) {
     note(handle, code);
 }
 
+static void split(char* line) {
+    count = 0;
+    for (char* next = strtok(line, " \r\n"); next != NULL && count < most_words; next = strtok(NULL, " \r\n"))
+        words[count++] = next;
+}
+
 /* "WHERE CASES": opens the place, and has each line of the file taken that says something. */
 static int read_cases(int arguments, char** argument, void (*take)(void)) {
     char line[1000];
@@ -62,9 +60,7 @@ static int read_cases(int arguments, char** argument, void (*take)(void)) {
         return 2;
     }
     while (fgets(line, sizeof line, cases) != NULL) {
-        count = 0;
-        for (char* next = strtok(line, " \r\n"); next != NULL && count < most_words; next = strtok(NULL, " \r\n"))
-            words[count++] = next;
+        split(line);
         if (count > 0) take();
     }
     fclose(cases);

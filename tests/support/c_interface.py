@@ -14,7 +14,7 @@ Call = Callable[..., list[float]]
 
 
 @contextmanager
-def _handle(new: str, free: str, prefix: str) -> Iterator[Call]:
+def _handle(new: str, free: str) -> Iterator[Call]:
     library = ctypes.CDLL(str(LIBRARY))
     library.contactd_last_error.restype = ctypes.c_char_p
     connection, handle = ctypes.c_void_p(), ctypes.c_void_p()
@@ -22,13 +22,15 @@ def _handle(new: str, free: str, prefix: str) -> Iterator[Call]:
     assert getattr(library, new)(connection, ctypes.byref(handle)) == 0
 
     def call(name: str, *inputs: float | bytes, out: str = "") -> list[float]:
-        """`out`: d for a double, i for an integer, 6 for six doubles in an array."""
-        of = {"d": ctypes.c_double, "i": ctypes.c_int32, "6": ctypes.c_double * 6}
-        places = [of[letter]() for letter in out]
-        converted = [ctypes.c_double(value) if isinstance(value, float) else value for value in inputs]
-        code = getattr(library, prefix + name)(handle, *converted, *map(ctypes.byref, places))
+        """`out`: d for a double, i for an integer; or [n] for n doubles in an array, whose number the call is told."""
+        of = {"d": ctypes.c_double, "i": ctypes.c_int32}
+        count = int(out[1:-1]) if out.startswith("[") else 0
+        places = [(ctypes.c_double * count)()] if count else [of[letter]() for letter in out]
+        given = [ctypes.c_double(value) if isinstance(value, float) else value for value in inputs]
+        results = [places[0], count] if count else map(ctypes.byref, places)
+        code = getattr(library, "contactd_" + name)(handle, *given, *results)
         assert code == 0, library.contactd_last_error(handle)
-        return [value for place in places for value in (place if out == "6" else [place.value])]
+        return list(places[0]) if count else [place.value for place in places]
 
     try:
         yield call
@@ -38,8 +40,37 @@ def _handle(new: str, free: str, prefix: str) -> Iterator[Call]:
 
 
 def contact() -> AbstractContextManager[Call]:
-    return _handle("contactd_new", "contactd_free", "contactd_")
+    return _handle("contactd_new", "contactd_free")
 
 
-def wheel() -> AbstractContextManager[Call]:
-    return _handle("contactd_wheel_new", "contactd_wheel_free", "contactd_wheel_")
+class Wheel:
+    """A wheel on its rail, whose fields have paths."""
+
+    def __init__(self, call: Call) -> None:
+        self._call = call
+
+    def set(self, fields: dict[str, float]) -> None:
+        for path, value in fields.items():
+            self._call("set", path.encode(), float(value))
+
+    def clear(self, path: str) -> None:
+        self._call("clear", path.encode())
+
+    def set_word(self, path: str, word: str) -> None:
+        self._call("set_word", path.encode(), word.encode())
+
+    def solve(self) -> None:
+        self._call("wheel_solve")
+
+    def get(self, path: str) -> float:
+        return self._call("get", path.encode(), out="d")[0]
+
+    def array(self, path: str) -> list[float]:
+        count = int(self._call("length", path.encode(), out="i")[0])
+        return self._call("get_array", path.encode(), out=f"[{count}]")
+
+
+@contextmanager
+def wheel() -> Iterator[Wheel]:
+    with _handle("contactd_wheel_new", "contactd_wheel_free") as call:
+        yield Wheel(call)

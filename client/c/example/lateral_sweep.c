@@ -20,31 +20,43 @@ static void check(int32_t code, const void* handle) {
     exit(1);
 }
 
-static contactd_wheel* made_wheel(contactd_connection* connection, int32_t side) {
+static void set(contactd_wheel* wheel, const char* path, double value) {
+    check(contactd_set(wheel, path, value), wheel);
+}
+
+static double get(contactd_wheel* wheel, const char* path) {
+    double value;
+    check(contactd_get(wheel, path, &value), wheel);
+    return value;
+}
+
+static contactd_wheel* made_wheel(contactd_connection* connection, const char* side) {
     contactd_wheel* wheel;
     check(contactd_wheel_new(connection, &wheel), connection);
-    check(contactd_wheel_set_side(wheel, side), wheel);
-    check(contactd_wheel_set_elements(wheel, 0.5, 0.5, 0), wheel);
-    check(contactd_wheel_set_velocity(wheel, 20e3, 0, 0, 0, 0, -20e3 / 460), wheel);
-    check(contactd_wheel_set_Fz(wheel, 80e3), wheel);
+    check(contactd_set_word(wheel, "setup.side", side), wheel);
+    set(wheel, "setup.dx", 0.5);
+    set(wheel, "setup.dy", 0.5);
+    set(wheel, "state.velocity.x", 20e3);
+    set(wheel, "state.velocity.pitch", -20e3 / 460);
+    set(wheel, "state.Fz", 80e3);
     return wheel;
 }
 
 static void show(contactd_wheel* wheel, const char* side, double y) {
-    double forces[6], z, pitch, at_x, at_y, at_z, angle, approach, pmax;
-    int32_t patches, patch, converged;
-    check(contactd_wheel_set_position(wheel, y, 0, 0, 2.4e-3 * y), wheel);
+    double forces[6], place[4];
+    char path[80];
+    int patch;
+    set(wheel, "state.position.y", y);
+    set(wheel, "state.position.yaw", 2.4e-3 * y);
     check(contactd_wheel_solve(wheel), wheel);
-    check(contactd_wheel_get_motion(wheel, &z, &pitch), wheel);
-    check(contactd_wheel_get_forces(wheel, CONTACTD_IN_TRACK, forces), wheel);
-    check(contactd_wheel_get_converged(wheel, &converged), wheel);
-    check(contactd_wheel_get_patches(wheel, &patches), wheel);
-    printf("y %2.0f mm, %s: z %8.5f mm, Fx %11.4f N, Fy %11.4f N, Fz %11.4f N%s\n", y, side, z, forces[0], forces[1],
-           forces[2], converged ? "" : " (not converged)");
-    for (patch = 0; patch < patches; ++patch) {
-        check(contactd_wheel_get_place(wheel, patch, &at_x, &at_y, &at_z, &angle), wheel);
-        check(contactd_wheel_get_pressure(wheel, patch, &approach, &pmax), wheel);
-        printf("    patch at y %9.4f mm, %7.4f rad, pmax %9.4f N/mm^2\n", at_y, angle, pmax);
+    check(contactd_get_array(wheel, "forces.track", forces, 6), wheel);
+    printf("y %2.0f mm, %s: z %8.5f mm, Fx %11.4f N, Fy %11.4f N, Fz %11.4f N%s\n", y, side, get(wheel, "z"), forces[0],
+           forces[1], forces[2], get(wheel, "converged") ? "" : " (not converged)");
+    for (patch = 0; patch < get(wheel, "patches"); ++patch) {
+        sprintf(path, "patches[%d].place.reference", patch); /* x, y, z and angle */
+        check(contactd_get_array(wheel, path, place, 4), wheel);
+        sprintf(path, "patches[%d].solution.pmax", patch);
+        printf("    patch at y %9.4f mm, %7.4f rad, pmax %9.4f N/mm^2\n", place[1], place[3], get(wheel, path));
     }
 }
 
@@ -53,8 +65,8 @@ int main(int argc, char** argv) {
     contactd_wheel *left, *right;
     int y;
     check(contactd_open(argc > 1 ? argv[1] : "tcp://127.0.0.1:5555", &connection), NULL);
-    left = made_wheel(connection, CONTACTD_LEFT);
-    right = made_wheel(connection, CONTACTD_RIGHT);
+    left = made_wheel(connection, "left");
+    right = made_wheel(connection, "right");
     for (y = 0; y <= 6; ++y) {
         show(left, "left ", y);
         show(right, "right", y);

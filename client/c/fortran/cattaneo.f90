@@ -20,7 +20,7 @@ program cattaneo
     call check(contactd_set_approach(contact, 0.02d0)) ! mm
     call check(contactd_set_mu(contact, 0.4d0))
     call check(contactd_set_shift(contact, 0.00817d0 / 2, 0d0, 0d0)) ! mm in each step
-    call check(contactd_want(contact, contactd_pressure, 1))
+    call check(contactd_want(contact, "pressure", 1))
     call check(contactd_start(contact))
     do step = 1, 2
         call advance()
@@ -38,7 +38,7 @@ contains
         call check(contactd_get_step(contact, number))
         call check(contactd_get_forces(contact, Fn, Fx, Fy, Mz))
         call check(contactd_get_counts(contact, all, adhesion, slip, border))
-        call check(contactd_get_array(contact, contactd_pressure, pressure, size(pressure, kind=c_int32_t)))
+        call check(contactd_get_array(contact, "pressure", pressure, size(pressure, kind=c_int32_t)))
         print "(a, i0, a, es16.9, a, es16.9, a, i0, a, i0, a)", "step ", number, ": Fn ", Fn, " N, Fx ", Fx, " N, ", &
             adhesion, " elements stick, ", slip, " slip"
         if (abs(sum(pressure) * 0.06d0**2 - Fn) > 1d-9 * Fn) error stop "the pressures do not sum up to Fn"

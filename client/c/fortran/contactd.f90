@@ -7,11 +7,10 @@
 !     code = contactd_set_mu(contact, 0.3d0)
 !     if (code /= contactd_ok) print *, contactd_last_error(contact)
 !
-! Compile contactd_calls.f90 and contactd_wheel_calls.f90 first. Texts are Fortran's, of any length; arrays over the grid have the shape (nx, ny).
+! Compile contactd_calls.f90 first. Texts are Fortran's, of any length; arrays over the grid have the shape (nx, ny).
 module contactd
     use, intrinsic :: iso_c_binding
     use contactd_calls
-    use contactd_wheel_calls
     implicit none
 
     integer(c_int32_t), parameter :: contactd_ok = 0, contactd_cancelled = 1, contactd_unknown = 2, &
@@ -33,27 +32,17 @@ module contactd
     integer(c_int32_t), parameter :: contactd_normal = 0, contactd_tangential = 1, contactd_outer = 2, &
         contactd_force = 3
     integer(c_int32_t), parameter :: contactd_exterior = 0, contactd_adhesion = 1, contactd_slip = 2
-    integer(c_int32_t), parameter :: contactd_division = 0, contactd_pressure = 1, &
-        contactd_traction_x = 2, contactd_traction_y = 3, contactd_slip_x = 4, contactd_slip_y = 5
     integer(c_int32_t), parameter :: contactd_of_fx = 0, contactd_of_fy = 1, contactd_of_mz = 2, &
         contactd_of_fn = 3, contactd_of_approach = 4
     integer(c_int32_t), parameter :: contactd_by_x = 0, contactd_by_y = 1, contactd_by_turn = 2, &
         contactd_by_load = 3, contactd_by_mu = 4
-    integer(c_int32_t), parameter :: contactd_left = 0, contactd_right = 1
     integer(c_int32_t), parameter :: contactd_wheel = 0, contactd_rail = 1
-    integer(c_int32_t), parameter :: contactd_in_track = 0, contactd_in_rail = 1, contactd_in_wheelset = 2
-    integer(c_int32_t), parameter :: contactd_pitch = 4, contactd_roll = 5, contactd_rail_shift = 6
-    integer(c_int32_t), parameter :: contactd_gap = 6
-    integer(c_int32_t), parameter :: contactd_by_position_y = 0, contactd_by_position_z = 1, &
-        contactd_by_position_roll = 2, contactd_by_position_yaw = 3, contactd_by_velocity_x = 4, &
-        contactd_by_velocity_y = 5, contactd_by_velocity_z = 6, contactd_by_velocity_roll = 7, &
-        contactd_by_velocity_yaw = 8, contactd_by_velocity_pitch = 9
     integer(c_int32_t), parameter :: contactd_log_debug = 0, contactd_log_info = 1, &
         contactd_log_warning = 2, contactd_log_error = 3
 
     private :: version_c, code_name_c, last_error_c, last_field_c, last_reason_c, open_c, set_keys_c
-    private :: set_c, set_word_c, clear_c, get_c, get_word_c
-    private :: get_warning_c, get_origin_c, set_profile_file_c, wheel_get_warning_c, wheel_set_file_c, strlen, text_of, copy_text
+    private :: set_c, set_word_c, set_array_c, clear_c, get_c, get_word_c, get_array_c, length_c, want_c, path_c
+    private :: get_warning_c, get_origin_c, set_profile_file_c, wheel_read_profile_c, strlen, text_of, copy_text
 
 contains
 
@@ -122,6 +111,39 @@ contains
         code = get_word_c(handle, trim(path) // c_null_char, buffer, size(buffer, kind=c_int32_t))
         call copy_text(code, buffer, text)
     end function
+    ! `values` has any rank: the fields of an entry, or the elements along x, lie along its first dimension.
+    integer(c_int32_t) function contactd_set_array(handle, path, values, count) result(code)
+        type(c_ptr), intent(in) :: handle
+        character(*), intent(in) :: path
+        integer(c_int32_t), intent(in) :: count
+        real(c_double), intent(in) :: values(*)
+        code = set_array_c(handle, trim(path) // c_null_char, values, count)
+    end function
+    integer(c_int32_t) function contactd_get_array(handle, path, values, count) result(code)
+        type(c_ptr), intent(in) :: handle
+        character(*), intent(in) :: path
+        integer(c_int32_t), intent(in) :: count
+        real(c_double), intent(out) :: values(*)
+        code = get_array_c(handle, trim(path) // c_null_char, values, count)
+    end function
+    integer(c_int32_t) function contactd_length(handle, path, count) result(code)
+        type(c_ptr), intent(in) :: handle
+        character(*), intent(in) :: path
+        integer(c_int32_t), intent(out) :: count
+        code = length_c(handle, trim(path) // c_null_char, count)
+    end function
+    integer(c_int32_t) function contactd_want(handle, array, wanted) result(code)
+        type(c_ptr), intent(in) :: handle
+        character(*), intent(in) :: array
+        integer(c_int32_t), intent(in) :: wanted
+        code = want_c(handle, trim(array) // c_null_char, wanted)
+    end function
+    integer(c_int32_t) function contactd_path(handle, path, id) result(code)
+        type(c_ptr), intent(in) :: handle
+        character(*), intent(in) :: path
+        integer(c_int32_t), intent(out) :: id
+        code = path_c(handle, trim(path) // c_null_char, id)
+    end function
     ! The number of a warning counts from 0, as in C. What does not fit `text` is cut off.
     integer(c_int32_t) function contactd_get_warning(contact, index, text) result(code)
         type(c_ptr), intent(in) :: contact
@@ -140,22 +162,11 @@ contains
         call copy_text(code, buffer, text)
     end function
 
-    integer(c_int32_t) function contactd_wheel_get_warning(wheel, index, text) result(code)
+    integer(c_int32_t) function contactd_wheel_read_profile(wheel, path, file) result(code)
         type(c_ptr), intent(in) :: wheel
-        integer(c_int32_t), intent(in) :: index
-        character(*), intent(out) :: text
-        character(c_char) :: buffer(len(text) + 1)
-        code = wheel_get_warning_c(wheel, index, buffer, size(buffer, kind=c_int32_t))
-        call copy_text(code, buffer, text)
+        character(*), intent(in) :: path, file
+        code = wheel_read_profile_c(wheel, trim(path) // c_null_char, trim(file) // c_null_char)
     end function
-    integer(c_int32_t) function contactd_wheel_set_file(wheel, body, path, smoothing_length) result(code)
-        type(c_ptr), intent(in) :: wheel
-        integer(c_int32_t), intent(in) :: body
-        character(*), intent(in) :: path
-        real(c_double), intent(in) :: smoothing_length
-        code = wheel_set_file_c(wheel, body, trim(path) // c_null_char, smoothing_length)
-    end function
-
     integer(c_int32_t) function contactd_set_profile_file(contact, body, kind, path, smoothing_length, depth, from) &
         result(code)
         type(c_ptr), intent(in) :: contact

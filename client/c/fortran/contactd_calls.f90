@@ -234,9 +234,6 @@ module contactd_calls
         integer(c_int32_t) function contactd_get_derivative(contact, of, by, value) bind(c)
             import; type(c_ptr), value :: contact; integer(c_int32_t), value :: of, by; real(c_double), intent(out) :: value
         end function
-        integer(c_int32_t) function contactd_want(contact, array, wanted) bind(c)
-            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: array, wanted
-        end function
         integer(c_int32_t) function contactd_set_step_timeout(contact, seconds) bind(c)
             import; type(c_ptr), value :: contact; real(c_double), value :: seconds
         end function
@@ -287,14 +284,6 @@ module contactd_calls
         integer(c_int32_t) function contactd_get_warnings(contact, count) bind(c)
             import; type(c_ptr), value :: contact; integer(c_int32_t), intent(out) :: count
         end function
-        integer(c_int32_t) function contactd_get_array(contact, array, values, length) bind(c)
-            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: array
-            real(c_double), intent(out) :: values(*); integer(c_int32_t), value :: length
-        end function
-        integer(c_int32_t) function contactd_get_division(contact, division, length) bind(c)
-            import; type(c_ptr), value :: contact; integer(c_int32_t), intent(out) :: division(*)
-            integer(c_int32_t), value :: length
-        end function
 
         ! Those with texts, under other names: contactd.f90 has them with Fortran's.
         type(c_ptr) function version_c() bind(c, name="contactd_version")
@@ -342,6 +331,54 @@ module contactd_calls
         integer(c_int32_t) function get_word_c(handle, path, text, length) bind(c, name="contactd_get_word")
             import; type(c_ptr), value :: handle; character(c_char), intent(in) :: path(*)
             character(c_char), intent(out) :: text(*); integer(c_int32_t), value :: length
+        end function
+        integer(c_int32_t) function set_array_c(handle, path, values, count) bind(c, name="contactd_set_array")
+            import; type(c_ptr), value :: handle; character(c_char), intent(in) :: path(*)
+            real(c_double), intent(in) :: values(*); integer(c_int32_t), value :: count
+        end function
+        integer(c_int32_t) function get_array_c(handle, path, values, count) bind(c, name="contactd_get_array")
+            import; type(c_ptr), value :: handle; character(c_char), intent(in) :: path(*)
+            real(c_double), intent(out) :: values(*); integer(c_int32_t), value :: count
+        end function
+        integer(c_int32_t) function length_c(handle, path, count) bind(c, name="contactd_length")
+            import; type(c_ptr), value :: handle; character(c_char), intent(in) :: path(*)
+            integer(c_int32_t), intent(out) :: count
+        end function
+        integer(c_int32_t) function want_c(handle, array, wanted) bind(c, name="contactd_want")
+            import; type(c_ptr), value :: handle; character(c_char), intent(in) :: array(*)
+            integer(c_int32_t), value :: wanted
+        end function
+        integer(c_int32_t) function path_c(handle, path, id) bind(c, name="contactd_path")
+            import; type(c_ptr), value :: handle; character(c_char), intent(in) :: path(*)
+            integer(c_int32_t), intent(out) :: id
+        end function
+        integer(c_int32_t) function contactd_set_at(handle, id, value) bind(c)
+            import; type(c_ptr), value :: handle; integer(c_int32_t), value :: id; real(c_double), value :: value
+        end function
+        integer(c_int32_t) function contactd_get_at(handle, id, value) bind(c)
+            import; type(c_ptr), value :: handle; integer(c_int32_t), value :: id
+            real(c_double), intent(out) :: value
+        end function
+        integer(c_int32_t) function contactd_wheel_new(connection, wheel) bind(c)
+            import; type(c_ptr), value :: connection; type(c_ptr), intent(out) :: wheel
+        end function
+        integer(c_int32_t) function contactd_wheel_free(wheel) bind(c)
+            import; type(c_ptr), value :: wheel
+        end function
+        integer(c_int32_t) function contactd_wheel_solve(wheel) bind(c)
+            import; type(c_ptr), value :: wheel
+        end function
+        integer(c_int32_t) function contactd_wheel_solve_wheelset(right, left) bind(c)
+            import; type(c_ptr), value :: right, left
+        end function
+        integer(c_int32_t) function contactd_wheel_cancel(wheel) bind(c)
+            import; type(c_ptr), value :: wheel
+        end function
+        integer(c_int32_t) function contactd_wheel_set_timeout(wheel, seconds) bind(c)
+            import; type(c_ptr), value :: wheel; real(c_double), value :: seconds
+        end function
+        integer(c_int32_t) function wheel_read_profile_c(wheel, path, file) bind(c, name="contactd_wheel_read_profile")
+            import; type(c_ptr), value :: wheel; character(c_char), intent(in) :: path(*), file(*)
         end function
         integer(c_size_t) function strlen(text) bind(c)
             import; type(c_ptr), value :: text

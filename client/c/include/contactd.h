@@ -82,41 +82,13 @@ enum { CONTACTD_STEADY = 0, CONTACTD_TRANSIENT = 1 };   /* kind of rolling */
 enum { CONTACTD_LINEAR = 0, CONTACTD_EXPONENTIAL = 1 }; /* law of kinetic friction */
 enum { CONTACTD_NORMAL = 0, CONTACTD_TANGENTIAL = 1, CONTACTD_OUTER = 2, CONTACTD_FORCE = 3 }; /* solvers */
 enum { CONTACTD_EXTERIOR = 0, CONTACTD_ADHESION = 1, CONTACTD_SLIP = 2 };                      /* of an element */
-/* Arrays. */
-enum {
-    CONTACTD_DIVISION = 0, /* into words of an element */
-    CONTACTD_PRESSURE = 1,
-    CONTACTD_TRACTION_X = 2,
-    CONTACTD_TRACTION_Y = 3,
-    CONTACTD_SLIP_X = 4,
-    CONTACTD_SLIP_Y = 5
-};
 
 /* Derivatives: of an answer, by an input. Along x and y stand xi and eta of rolling, or the shift; turn is phi, or the
  * rotation; load is the approach or Fn, whichever is prescribed. */
 enum { CONTACTD_OF_FX = 0, CONTACTD_OF_FY = 1, CONTACTD_OF_MZ = 2, CONTACTD_OF_FN = 3, CONTACTD_OF_APPROACH = 4 };
 enum { CONTACTD_BY_X = 0, CONTACTD_BY_Y = 1, CONTACTD_BY_TURN = 2, CONTACTD_BY_LOAD = 3, CONTACTD_BY_MU = 4 };
 
-/* Wheels on rails: sides in the direction of travel, bodies, coordinates of forces, a solver more, an array more. */
-enum { CONTACTD_LEFT = 0, CONTACTD_RIGHT = 1 };
-enum { CONTACTD_WHEEL = 0, CONTACTD_RAIL = 1 };
-enum { CONTACTD_IN_TRACK = 0, CONTACTD_IN_RAIL = 1, CONTACTD_IN_WHEELSET = 2 };
-/* The searches for a pitch rate, for the roll of a wheelset, and for where a rail on springs is. */
-enum { CONTACTD_PITCH = 4, CONTACTD_ROLL = 5, CONTACTD_RAIL_SHIFT = 6 };
-enum { CONTACTD_GAP = 6 }; /* undeformed distances */
-/* Inputs of their derivatives: parts of the position, and of the velocity. */
-enum {
-    CONTACTD_BY_POSITION_Y = 0,
-    CONTACTD_BY_POSITION_Z = 1,
-    CONTACTD_BY_POSITION_ROLL = 2,
-    CONTACTD_BY_POSITION_YAW = 3,
-    CONTACTD_BY_VELOCITY_X = 4,
-    CONTACTD_BY_VELOCITY_Y = 5,
-    CONTACTD_BY_VELOCITY_Z = 6,
-    CONTACTD_BY_VELOCITY_ROLL = 7,
-    CONTACTD_BY_VELOCITY_YAW = 8,
-    CONTACTD_BY_VELOCITY_PITCH = 9
-};
+enum { CONTACTD_WHEEL = 0, CONTACTD_RAIL = 1 }; /* whose profile bounds a section */
 
 enum { CONTACTD_LOG_DEBUG = 0, CONTACTD_LOG_INFO = 1, CONTACTD_LOG_WARNING = 2, CONTACTD_LOG_ERROR = 3 };
 
@@ -147,17 +119,34 @@ CONTACTD_API const char* contactd_last_reason(const void* handle); /* "FIELD_INV
  * path, value, and what would be right; a path that does not exist with the names that do. A path is read once for each
  * handle, so that it may be used in a loop.
  *
- * Numbers, flags (0 or 1) and whole numbers; a field that may be left out is there from then on. Inputs of contacts
- * have functions of their own (CONTACTD_UNIMPLEMENTED). */
+ * Numbers, flags (0 or 1) and whole numbers; a field that may be left out is there from then on, and a list gets its
+ * next entry where that is named. Inputs of contacts have functions of their own (CONTACTD_UNIMPLEMENTED). */
 CONTACTD_API int32_t contactd_set(void* handle, const char* path, double value);
-/* One of the words that the field has, such as "setup.model" "hertz". */
+/* One of the keywords that the field has, such as "setup.model" "hertz". */
 CONTACTD_API int32_t contactd_set_word(void* handle, const char* path, const char* word);
-/* Leaves a field out again that may be: "setup.friction": without friction; "state.Fz": z is prescribed. */
+/* All numbers of an object in the order of its fields, as "state.velocity"; or of a list, entry by entry: as many as
+ * there are, "setup.friction.mu" an angle and a coefficient each, "setup.rail.points" y and z. */
+CONTACTD_API int32_t contactd_set_array(void* handle, const char* path, const double* values, int32_t count);
+/* Leaves a field out again that may be: "setup.friction": without friction; "state.Fz": z is prescribed; a list. */
 CONTACTD_API int32_t contactd_clear(void* handle, const char* path);
 /* Reads the last solve or step; a list gives its length. CONTACTD_NOT_FOUND: the solution does not have it. */
 CONTACTD_API int32_t contactd_get(void* handle, const char* path, double* value);
-/* `text`, of `length` bytes with its end. */
+/* `text`, of `length` bytes with its end, into which what is longer is cut. */
 CONTACTD_API int32_t contactd_get_word(void* handle, const char* path, char* text, int32_t length);
+/* All numbers of an object or a list, as contactd_set_array; or of an array over the grid that contactd_want asked for,
+ * as "patches[0].solution.pressure": element_division has CONTACTD_EXTERIOR, _ADHESION and _SLIP, slip is all zero
+ * without friction. `count` must be that of contactd_length. */
+CONTACTD_API int32_t contactd_get_array(void* handle, const char* path, double* values, int32_t count);
+CONTACTD_API int32_t contactd_length(void* handle, const char* path, int32_t* count);
+/* Whether solves or steps from now on bring along an array over the grid (1), or not (0, as at first): "pressure",
+ * "traction_x", "traction_y", "slip_x", "slip_y", "element_division"; of wheels also "gap", the undeformed distances,
+ * which the model full has. */
+CONTACTD_API int32_t contactd_want(void* handle, const char* array, int32_t wanted);
+
+/* For loops in which a text costs too much: *id stands for the path, with this handle and as long as it lives. */
+CONTACTD_API int32_t contactd_path(void* handle, const char* path, int32_t* id);
+CONTACTD_API int32_t contactd_set_at(void* handle, int32_t id, double value);
+CONTACTD_API int32_t contactd_get_at(void* handle, int32_t id, double* value);
 
 /* --- connections --------------------------------------------------------------------------------------------- */
 /* `where`: a daemon, "ipc:///path" or "tcp://host:port", or "local", in process (libcontactd-local only). Nothing is
@@ -239,7 +228,7 @@ CONTACTD_API int32_t contactd_set_section(contactd_contact* contact, int32_t bod
                                           int32_t count);
 /* What lies below the profile of a CONTACTD_RAIL, or above that of a CONTACTD_WHEEL, to a level cut at `depth` from its
  * origin; the first column begins at `from`, along the outline from y = 0. Points and files as of
- * contactd_wheel_set_points, _file: z of a profile is down. */
+ * "setup.rail.points" of a wheel: z of a profile is down. */
 CONTACTD_API int32_t contactd_set_profile_points(contactd_contact* contact, int32_t body, int32_t kind, const double* y,
                                                  const double* z, int32_t count, double smoothing_length, double depth,
                                                  double from);
@@ -316,8 +305,6 @@ CONTACTD_API int32_t contactd_clear_forces(contactd_contact* contact); /* neithe
 /* Of each element, beside that of the motion: (mm), of rolling over the distance rolled. */
 CONTACTD_API int32_t contactd_set_rigid_slip(contactd_contact* contact, const double* x, const double* y,
                                              int32_t count);
-/* Whether steps bring this array along (1) or not (0, as at first). */
-CONTACTD_API int32_t contactd_want(contactd_contact* contact, int32_t array, int32_t wanted);
 /* Whether steps have derivatives (1) or not (0, as at first). */
 CONTACTD_API int32_t contactd_want_derivatives(contactd_contact* contact, int32_t wanted);
 /* Of a step, instead of the connection's. */
@@ -354,199 +341,56 @@ CONTACTD_API int32_t contactd_get_discretisation(contactd_contact* contact, int3
 /* Sentences that a user of the results should know: how many, and one (from 0) into text[length], cut to fit. */
 CONTACTD_API int32_t contactd_get_warnings(contactd_contact* contact, int32_t* count);
 CONTACTD_API int32_t contactd_get_warning(contactd_contact* contact, int32_t index, char* text, int32_t length);
-/* Arrays that were wanted: length = nx*ny. Slip is all zero without friction. */
-CONTACTD_API int32_t contactd_get_array(contactd_contact* contact, int32_t array, double* values, int32_t length);
-CONTACTD_API int32_t contactd_get_division(contactd_contact* contact, int32_t* division, int32_t length);
 /* Where the coefficients came from, after contactd_start: "closed_form", "memory", "disk", "built" or "given";
  * CONTACTD_NOT_FOUND of rigid bodies and quick models. `body`: CONTACTD_UPPER, _LOWER, or _PAIR. */
 CONTACTD_API int32_t contactd_get_origin(contactd_contact* contact, int32_t body, char* text, int32_t length);
 
 /* --- wheels on rails ----------------------------------------------------------------------------------------- */
-/* From profiles and the position of a wheelset to patches and forces (docs/wheel-rail.md has coordinates and signs):
+/* From profiles and the position of a wheelset to patches and forces (docs/wheel-rail.md has coordinates and signs).
+ * All that is set and read is named by its path:
  *
  *     contactd_wheel_new(connection, &wheel);
- *     contactd_wheel_set_velocity(wheel, 20e3, 0, 0, 0, 0, -20e3 / 460);
- *     contactd_wheel_set_Fz(wheel, 80e3);
+ *     contactd_set(wheel, "state.velocity.x", 20e3);
+ *     contactd_set(wheel, "state.velocity.pitch", -20e3 / 460);
+ *     contactd_set(wheel, "state.Fz", 80e3);
  *     while (...) {
- *         contactd_wheel_set_position(wheel, y, 0, roll, yaw);
+ *         contactd_set(wheel, "state.position.y", y);
  *         contactd_wheel_solve(wheel);
- *         contactd_wheel_get_forces(wheel, CONTACTD_IN_TRACK, forces);
+ *         contactd_get_array(wheel, "forces.track", forces, 6);
  *     }
  *
  * There is nothing to start: a wheel that was made is a right one, S1002 on 60E1 at 1/40, gauge 1435, of steel, with
  * mu = 0.3 and elements of 0.2 mm, and all of it can be set at any time. What is set holds until it is set anew. A
  * wheel whose set-up stays keeps its profiles and operators, with a daemon in a session of its own; a solve carries
- * nothing else over to the next one. Lengths are in mm, angles in rad, forces in N on the rail. */
+ * nothing else over to the next one. Lengths are in mm, angles in rad, forces in N on the rail.
+ *
+ * Profiles are those of a right side, of left wheels, too: y to the field side, z down. Naming a field of a shape makes
+ * the profile one: "setup.wheel.s1002" (1), "setup.rail.rail_60e1.inclination", "setup.rail.arc.radius", .slope and
+ * .ends (from y to y), "setup.wheel.cone.slope" and .ends, "setup.rail.points" and beside them .smoothing_length,
+ * .unit, .mirror_y and .mirror_z. Slices have one each: "setup.wheel_slices[0].angle",
+ * "setup.wheel_slices[0].profile.points". Bodies are elastic or rigid: "setup.bodies.upper.G" and .nu, or .rigid (1),
+ * of the rail; lower of the wheel. One number is enough for "setup.friction.mu". Numbers of profiles and bodies have no
+ * bounds before the wheel is solved. */
 /* Sets *wheel to NULL when it fails. */
 CONTACTD_API int32_t contactd_wheel_new(contactd_connection* connection, contactd_wheel** wheel);
 /* The handle is none afterwards, unless another thread uses it (CONCURRENT_USE). */
 CONTACTD_API int32_t contactd_wheel_free(contactd_wheel* wheel);
-/* No contact is an answer: no patches. So is what has not converged: contactd_wheel_get_converged. A solve that fails
- * leaves the results of the one before. */
+/* Makes the profile that `path` names, as "setup.rail" or "setup.rail_slices[0].profile", that of a file: Simpack
+ * (.prr, .prw), MiniProf (.ban, .whl), or two columns. It is read now, and here. */
+CONTACTD_API int32_t contactd_wheel_read_profile(contactd_wheel* wheel, const char* path, const char* file);
+/* No contact is an answer: no patches. So is what has not converged: the result "converged". A solve that fails leaves
+ * the results of the one before. */
 CONTACTD_API int32_t contactd_wheel_solve(contactd_wheel* wheel);
-/* Both wheels of a wheelset that is free to roll, at the height and the roll at which each presses on its rail as its
- * contactd_wheel_set_Fz says. Position, velocity and pitch rate of a roller are said of both alike, but z and roll,
- * where the right wheel's tell where to start; no longitudinal force and no derivatives. Each wheel then has its
- * results, which converged when both wheels and the search for the roll did. The timeout and the failures are those of
- * the right wheel; either is cancelled for both. */
+/* Both wheels of a wheelset that is free to roll, at the height and the roll at which each presses on its rail by its
+ * "state.Fz". Position, velocity and pitch rate of a roller are the same for both, but z and roll, where the right
+ * wheel's tell where to start; no longitudinal force and no derivatives. Each wheel then has its results, which
+ * converged when both wheels and the search for the roll did. The timeout and the failures are those of the right
+ * wheel; either is cancelled for both. */
 CONTACTD_API int32_t contactd_wheel_solve_wheelset(contactd_wheel* right, contactd_wheel* left);
 /* From any thread: the solve that runs ends with CONTACTD_CANCELLED soon. Does nothing when none runs. */
 CONTACTD_API int32_t contactd_wheel_cancel(contactd_wheel* wheel);
 /* Of a solve, instead of the connection's (s). */
 CONTACTD_API int32_t contactd_wheel_set_timeout(contactd_wheel* wheel, double seconds);
-
-/* The set-up. Profiles are those of a right side, of left wheels, too: y to the field side, z down. `body`:
- * CONTACTD_WHEEL or CONTACTD_RAIL. */
-CONTACTD_API int32_t contactd_wheel_set_side(contactd_wheel* wheel, int32_t side);
-CONTACTD_API int32_t contactd_wheel_set_s1002(contactd_wheel* wheel);
-CONTACTD_API int32_t contactd_wheel_set_rail_60e1(contactd_wheel* wheel, double inclination); /* a slope: 1/40 */
-/* An arc through the origin, with the slope dz/dy there; radius > 0 falls off to both sides. From y to y. */
-CONTACTD_API int32_t contactd_wheel_set_arc(contactd_wheel* wheel, int32_t body, double radius, double slope,
-                                            double from, double to);
-CONTACTD_API int32_t contactd_wheel_set_cone(contactd_wheel* wheel, int32_t body, double slope, double from, double to);
-/* Points in the order of the curve: y[count], z[count]. smoothing_length: wavelength of which half the amplitude is
- * smoothed away; 0: none. docs/profiles.md says what is made of them. */
-CONTACTD_API int32_t contactd_wheel_set_points(contactd_wheel* wheel, int32_t body, const double* y, const double* z,
-                                               int32_t count, double smoothing_length);
-/* Of a file: Simpack (.prr, .prw), MiniProf (.ban, .whl), or two columns. It is read now, and here. */
-CONTACTD_API int32_t contactd_wheel_set_file(contactd_wheel* wheel, int32_t body, const char* path,
-                                             double smoothing_length);
-/* The rail varies along the track: what its profile is set to now, it has at x. By ascending x, two or more. */
-CONTACTD_API int32_t contactd_wheel_add_slice(contactd_wheel* wheel, double x);
-CONTACTD_API int32_t contactd_wheel_clear_slices(contactd_wheel* wheel);
-/* The wheel is not round: what its profile is set to now, it has at this angle about the axle, from z to x. By
- * ascending angles within a turn, two or more; after the last one the first one comes again.
- * contactd_wheel_set_pitch_angle says how far the wheel has turned. */
-CONTACTD_API int32_t contactd_wheel_add_wheel_slice(contactd_wheel* wheel, double angle);
-CONTACTD_API int32_t contactd_wheel_clear_wheel_slices(contactd_wheel* wheel); /* of the wheel only */
-/* Where the rails lie: by their gauge, measured gauge_height below their tops, and the cant of the profiles; or where
- * the profile's origin is, from the centre of the track to the field side. What is said last holds; roller and springs
- * stay. */
-CONTACTD_API int32_t contactd_wheel_set_track(contactd_wheel* wheel, double gauge, double gauge_height, double cant);
-CONTACTD_API int32_t contactd_wheel_set_rail_origin(contactd_wheel* wheel, double y, double z);
-/* A roller in place of the rail; 0: a rail. */
-CONTACTD_API int32_t contactd_wheel_set_roller(contactd_wheel* wheel, double radius);
-/* Springs hold a rail without mass against the ground (N/mm); 0, as at first: it is rigid in this direction. */
-CONTACTD_API int32_t contactd_wheel_set_springs(contactd_wheel* wheel, double y, double z);
-/* Between the backs of the flanges; y of a flange's back in its profile; radius of the wheel where its profile has
- * z = 0. */
-CONTACTD_API int32_t contactd_wheel_set_wheelset(contactd_wheel* wheel, double flange_back_distance,
-                                                 double flange_back_position, double nominal_radius);
-CONTACTD_API int32_t contactd_wheel_set_material(contactd_wheel* wheel, int32_t body, double G, double nu);
-CONTACTD_API int32_t contactd_wheel_set_rigid(contactd_wheel* wheel, int32_t body);
-CONTACTD_API int32_t contactd_wheel_set_model(contactd_wheel* wheel, int32_t model);
-/* Friction: one coefficient; or some by the angle of the rail's surface, angle[count] ascending, mu[count], straight
- * lines between; along_profile: 1, row by row; 0: one for each patch. Or none. */
-CONTACTD_API int32_t contactd_wheel_set_mu(contactd_wheel* wheel, double mu);
-CONTACTD_API int32_t contactd_wheel_set_mu_by_angle(contactd_wheel* wheel, const double* angle, const double* mu,
-                                                    int32_t count, int32_t along_profile);
-CONTACTD_API int32_t contactd_wheel_set_kinetic(contactd_wheel* wheel, int32_t law, double mu, double slip_velocity);
-CONTACTD_API int32_t contactd_wheel_set_frictionless(contactd_wheel* wheel);
-/* Size of the elements along and across the track, and step of rolling (0: dx). */
-CONTACTD_API int32_t contactd_wheel_set_elements(contactd_wheel* wheel, double dx, double dy, double dq);
-/* What becomes of regions of overlap that lie close to each other; at first pi/2, 8, 4, 12, 0.3. */
-CONTACTD_API int32_t contactd_wheel_set_patch_rules(contactd_wheel* wheel, double angle_separate,
-                                                    double distance_separate, double distance_combine,
-                                                    double distance_turn, double locus_step);
-/* 1: the wheel is evaluated between the corners of a mesh; 0, as at first: exactly. */
-CONTACTD_API int32_t contactd_wheel_set_bilinear(contactd_wheel* wheel, int32_t bilinear);
-/* 1: elements slip by the motion of both surfaces there, for conformal contact; 0: by creepages, as in a plane. */
-CONTACTD_API int32_t contactd_wheel_set_slip_of_surfaces(contactd_wheel* wheel, int32_t of_surfaces);
-/* 1: regions of overlap are found on a mesh seen from above, for rails that curve along the track, too; 0: by a locus.
- */
-CONTACTD_API int32_t contactd_wheel_set_mesh_search(contactd_wheel* wheel, int32_t mesh);
-/* 0, as at first: contacts lie in planes. Otherwise they are curved across the track, half-way between wheel and rail,
- * with the coefficients of half-spaces that lie flat (1) or turn from row to row (2), or of both cross-sections by
- * finite elements (3); 4: as 2 where a plane would be left by more than 0.24 rad, else as 0. */
-CONTACTD_API int32_t contactd_wheel_set_conformal(contactd_wheel* wheel, int32_t conformal);
-/* `solver`: CONTACTD_NORMAL, _TANGENTIAL, _OUTER, or _FORCE, the search for z. */
-CONTACTD_API int32_t contactd_wheel_set_tolerance(contactd_wheel* wheel, int32_t solver, double tolerance,
-                                                  int32_t max_iterations);
-
-/* The state; each function leaves alone what the others say. Of the wheelset's centre, from where it stands in the
- * middle with its tape circles on the plane of the track; roll turns y to z, yaw x to y. */
-CONTACTD_API int32_t contactd_wheel_set_position(contactd_wheel* wheel, double y, double z, double roll, double yaw);
-CONTACTD_API int32_t contactd_wheel_set_x(contactd_wheel* wheel, double x); /* along the track, where the rail varies */
-/* How far the wheelset has turned about its axle, where a wheel is not round: with the slice of angle -pitch below. Not
- * how fast: that is of contactd_wheel_set_velocity. */
-CONTACTD_API int32_t contactd_wheel_set_pitch_angle(contactd_wheel* wheel, double pitch);
-/* Of the centre (mm/s) and about its own axes (rad/s): rolling forwards has a pitch rate near -x/nominal_radius. */
-CONTACTD_API int32_t contactd_wheel_set_velocity(contactd_wheel* wheel, double x, double y, double z, double roll,
-                                                 double yaw, double pitch);
-/* Of the rail from where it should lie, in track coordinates; and how fast that changes. */
-CONTACTD_API int32_t contactd_wheel_set_deviation(contactd_wheel* wheel, double y, double z, double roll);
-CONTACTD_API int32_t contactd_wheel_set_deviation_rate(contactd_wheel* wheel, double y, double z, double roll);
-/* What acts on a rail on springs beside wheel and springs, in track coordinates; 0 where it is rigid. */
-CONTACTD_API int32_t contactd_wheel_set_rail_forces(contactd_wheel* wheel, double Fy, double Fz);
-CONTACTD_API int32_t contactd_wheel_set_roller_pitch(contactd_wheel* wheel, double pitch); /* of a roller (rad/s) */
-/* Forces prescribed: the vertical one on the rail, which z is found for, and the longitudinal one, which the pitch rate
- * is found for. */
-CONTACTD_API int32_t contactd_wheel_set_Fz(contactd_wheel* wheel, double Fz);
-CONTACTD_API int32_t contactd_wheel_set_Fx(contactd_wheel* wheel, double Fx);
-/* z and pitch rate are prescribed; what acts on the rail beside stays. */
-CONTACTD_API int32_t contactd_wheel_clear_forces(contactd_wheel* wheel);
-/* Whether patches bring this array along, CONTACTD_GAP, too (1), or not (0, as at first). */
-CONTACTD_API int32_t contactd_wheel_want(contactd_wheel* wheel, int32_t array, int32_t wanted);
-CONTACTD_API int32_t contactd_wheel_want_derivatives(contactd_wheel* wheel, int32_t wanted);
-
-/* Results of the last solve. Height and pitch rate of the wheelset, as prescribed or found. */
-CONTACTD_API int32_t contactd_wheel_get_motion(contactd_wheel* wheel, double* z, double* pitch);
-CONTACTD_API int32_t contactd_wheel_get_roll(contactd_wheel* wheel, double* roll); /* the same of the roll */
-/* By how much a rail on springs has given way, beside its deviation, in track coordinates; CONTACTD_NOT_FOUND: it has
- * no springs. */
-CONTACTD_API int32_t contactd_wheel_get_rail_shift(contactd_wheel* wheel, double* y, double* z);
-/* Least vertical distance of wheel and rail, < 0 where they overlap; CONTACTD_NOT_FOUND where they are not above each
- * other. */
-CONTACTD_API int32_t contactd_wheel_get_clearance(contactd_wheel* wheel, double* clearance);
-/* forces[6]: Fx, Fy, Fz (N) and Mx, My, Mz (N mm), about the origin of the coordinates, CONTACTD_IN_TRACK, _IN_RAIL or
- * _IN_WHEELSET. */
-CONTACTD_API int32_t contactd_wheel_get_forces(contactd_wheel* wheel, int32_t coordinates, double* forces);
-/* forces[6] in track coordinates, by CONTACTD_BY_POSITION_... or _VELOCITY_...; CONTACTD_NOT_FOUND where there are
- * none: not wanted, no contact, not converged. */
-CONTACTD_API int32_t contactd_wheel_get_derivative(contactd_wheel* wheel, int32_t by, double* forces);
-CONTACTD_API int32_t contactd_wheel_get_converged(contactd_wheel* wheel, int32_t* converged);
-/* Of a search, CONTACTD_FORCE, _PITCH, _ROLL or _RAIL_SHIFT: solves, what was left (of a roll mm between the heights of
- * the wheels), whether that is enough; CONTACTD_NOT_FOUND: it did not run. */
-CONTACTD_API int32_t contactd_wheel_get_evidence(contactd_wheel* wheel, int32_t solver, int32_t* iterations,
-                                                 double* residual, int32_t* converged);
-CONTACTD_API int32_t contactd_wheel_get_warnings(contactd_wheel* wheel, int32_t* count);
-CONTACTD_API int32_t contactd_wheel_get_warning(contactd_wheel* wheel, int32_t index, char* text, int32_t length);
-/* Patches, from the right to the left; `patch` counts from 0. */
-CONTACTD_API int32_t contactd_wheel_get_patches(contactd_wheel* wheel, int32_t* count);
-/* The origin of its contact coordinates, on the rail in track coordinates, and the angle of its plane. */
-CONTACTD_API int32_t contactd_wheel_get_place(contactd_wheel* wheel, int32_t patch, double* x, double* y, double* z,
-                                              double* angle);
-/* Elements, their size, and the corner of element (0, 0), in contact coordinates. */
-CONTACTD_API int32_t contactd_wheel_get_grid(contactd_wheel* wheel, int32_t patch, int32_t* nx, int32_t* ny, double* dx,
-                                             double* dy, double* x0, double* y0);
-/* The rows of a curved contact, length = ny: their middles in track coordinates, and their inclinations;
- * CONTACTD_NOT_FOUND of one that lies in a plane. */
-CONTACTD_API int32_t contactd_wheel_get_rows(contactd_wheel* wheel, int32_t patch, double* y, double* z, double* angle,
-                                             int32_t length);
-CONTACTD_API int32_t contactd_wheel_get_creepages(contactd_wheel* wheel, int32_t patch, double* xi, double* eta,
-                                                  double* phi, double* velocity);
-/* Of curvature, > 0 where convex, infinite where straight. */
-CONTACTD_API int32_t contactd_wheel_get_radii(contactd_wheel* wheel, int32_t patch, double* wheel_along,
-                                              double* wheel_across, double* rail_along, double* rail_across);
-/* In contact coordinates: normal, longitudinal and lateral force, and moment about the normal. */
-CONTACTD_API int32_t contactd_wheel_get_contact_forces(contactd_wheel* wheel, int32_t patch, double* Fn, double* Fx,
-                                                       double* Fs, double* Mn);
-/* forces[6] as contactd_wheel_get_forces. */
-CONTACTD_API int32_t contactd_wheel_get_patch_forces(contactd_wheel* wheel, int32_t patch, int32_t coordinates,
-                                                     double* forces);
-CONTACTD_API int32_t contactd_wheel_get_pressure(contactd_wheel* wheel, int32_t patch, double* approach, double* pmax);
-CONTACTD_API int32_t contactd_wheel_get_areas(contactd_wheel* wheel, int32_t patch, double* in_contact,
-                                              double* adhesion, double* slip);
-/* Dissipated by rolling (N mm/s); CONTACTD_NOT_FOUND without friction. */
-CONTACTD_API int32_t contactd_wheel_get_frictional_power(contactd_wheel* wheel, int32_t patch, double* power);
-CONTACTD_API int32_t contactd_wheel_get_counts(contactd_wheel* wheel, int32_t patch, int32_t* in_contact,
-                                               int32_t* adhesion, int32_t* slip, int32_t* border);
-/* Arrays that were wanted: length = nx*ny of the patch. Slip is all zero without friction, and CONTACTD_GAP is of model
- * full only. */
-CONTACTD_API int32_t contactd_wheel_get_array(contactd_wheel* wheel, int32_t patch, int32_t array, double* values,
-                                              int32_t length);
-CONTACTD_API int32_t contactd_wheel_get_division(contactd_wheel* wheel, int32_t patch, int32_t* division,
-                                                 int32_t length);
 
 #ifdef __cplusplus
 }

@@ -7,10 +7,11 @@
  *     contactd('step', contact);
  *     [Fn, Fx, Fy, Mz] = contactd('get_forces', contact);
  *     p = contactd('get_array', contact, 'pressure', 25, 25);
+ *     contactd('set', wheel, 'setup.track.gauge', 1435);
  *
  * Arguments are those of the header; its words are texts in lower case, as 'both' for CONTACTD_BOTH. What the functions
- * put into the caller's memory is returned. A code that is not 0 is an error 'contactd:INVALID_ARGUMENT', ..., with the
- * library's sentence. Arrays over the grid are nx x ny.
+ * put into the caller's memory is returned, an array as a column unless the call says rows and columns, as nx and ny. A
+ * code that is not 0 is an error 'contactd:INVALID_ARGUMENT', ..., with the library's sentence.
  *
  *     mex contactd_mex.c -output contactd -lcontactd          (MATLAB)
  *     mkoctfile --mex contactd_mex.c -o contactd -lcontactd   (Octave)
@@ -64,33 +65,8 @@ static const struct {
     {"tangential", CONTACTD_TANGENTIAL},
     {"outer", CONTACTD_OUTER},
     {"force", CONTACTD_FORCE},
-    {"division", CONTACTD_DIVISION},
-    {"pressure", CONTACTD_PRESSURE},
-    {"traction_x", CONTACTD_TRACTION_X},
-    {"traction_y", CONTACTD_TRACTION_Y},
-    {"slip_x", CONTACTD_SLIP_X},
-    {"slip_y", CONTACTD_SLIP_Y},
-    {"left", CONTACTD_LEFT},
-    {"right", CONTACTD_RIGHT},
     {"wheel", CONTACTD_WHEEL},
     {"rail", CONTACTD_RAIL},
-    {"in_track", CONTACTD_IN_TRACK},
-    {"in_rail", CONTACTD_IN_RAIL},
-    {"in_wheelset", CONTACTD_IN_WHEELSET},
-    {"pitch", CONTACTD_PITCH},
-    {"roll", CONTACTD_ROLL},
-    {"rail_shift", CONTACTD_RAIL_SHIFT},
-    {"gap", CONTACTD_GAP},
-    {"by_position_y", CONTACTD_BY_POSITION_Y},
-    {"by_position_z", CONTACTD_BY_POSITION_Z},
-    {"by_position_roll", CONTACTD_BY_POSITION_ROLL},
-    {"by_position_yaw", CONTACTD_BY_POSITION_YAW},
-    {"by_velocity_x", CONTACTD_BY_VELOCITY_X},
-    {"by_velocity_y", CONTACTD_BY_VELOCITY_Y},
-    {"by_velocity_z", CONTACTD_BY_VELOCITY_Z},
-    {"by_velocity_roll", CONTACTD_BY_VELOCITY_ROLL},
-    {"by_velocity_yaw", CONTACTD_BY_VELOCITY_YAW},
-    {"by_velocity_pitch", CONTACTD_BY_VELOCITY_PITCH},
 };
 
 /* The call that runs: MATLAB is one thread. */
@@ -178,7 +154,6 @@ static void print_line(void* user, int32_t level, const char* text) {
 
 #include "contactd_mex_calls.h"
 #include "contactd_mex_section_calls.h"
-#include "contactd_mex_wheel_calls.h"
 
 void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
     char command[longest_text], where[longest_text];
@@ -203,7 +178,6 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
     }
     handle = handle_in(prhs[1], 2);
     if (!call_of_field(command, plhs) && !call_of_connection(command, plhs) && !call_that_sets(command) &&
-        !call_of_section(command, nlhs, plhs) && !call_that_reads(command, nlhs, plhs) &&
-        !call_that_sets_wheel(command) && !call_that_reads_wheel(command, nlhs, plhs))
+        !call_of_section(command, nlhs, plhs) && !call_that_reads(command, nlhs, plhs) && !call_of_wheel(command))
         mexErrMsgIdAndTxt("contactd:arguments", "There is no function '%s'.", command);
 }

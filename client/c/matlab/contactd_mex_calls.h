@@ -7,40 +7,81 @@
         return 1;                            \
     }
 
+/* All numbers of a result: a column or, where the call says rows and columns, so many of them. */
+static mxArray* read_array(const char* path) {
+    void* of = (void*)(uintptr_t)handle;
+    const int is_shaped = given_count > 3;
+    int32_t count = 0, rows, columns;
+    mxArray* values;
+    check(contactd_length(of, path, &count));
+    rows = is_shaped ? whole(1) : count;
+    columns = is_shaped ? whole(2) : 1;
+    if (rows < 0 || columns < 0 || (int64_t)rows * columns != count)
+        mexErrMsgIdAndTxt("contactd:arguments", "'%s' has %d numbers.", path, (int)count);
+    values = mxCreateDoubleMatrix((mwSize)rows, (mwSize)columns, mxREAL);
+    check(contactd_get_array(of, path, mxGetPr(values), count));
+    return values;
+}
+
 /* Fields by their paths. */
 static int call_of_field(const char* command, mxArray* plhs[]) {
+    static const char* const commands[] = {"set", "set_word", "set_array", "clear",  "want",
+                                           "get", "get_word", "get_array", "length", "path"};
     void* of = (void*)(uintptr_t)handle;
     char path[longest_text], text[longest_text];
     double value = 0;
-    if (!strcmp(command, "set")) {
-        read_text(argument(0), 3, path);
-        check(contactd_set(of, path, number(1)));
-        return 1;
-    }
-    if (!strcmp(command, "set_word")) {
-        read_text(argument(0), 3, path);
-        read_text(argument(1), 4, text);
-        check(contactd_set_word(of, path, text));
-        return 1;
-    }
-    if (!strcmp(command, "clear")) {
-        read_text(argument(0), 3, path);
-        check(contactd_clear(of, path));
-        return 1;
-    }
-    if (!strcmp(command, "get")) {
-        read_text(argument(0), 3, path);
-        check(contactd_get(of, path, &value));
+    int32_t whole_number = 0;
+    size_t i = 0;
+    CALL(set_at, of, whole(0), number(1))
+    if (!strcmp(command, "get_at")) {
+        check(contactd_get_at(of, whole(0), &value));
         plhs[0] = mxCreateDoubleScalar(value);
         return 1;
     }
-    if (!strcmp(command, "get_word")) {
-        read_text(argument(0), 3, path);
+    while (i < sizeof commands / sizeof commands[0] && strcmp(command, commands[i])) ++i;
+    if (i == sizeof commands / sizeof commands[0]) return 0;
+    read_text(argument(0), 3, path);
+    if (!strcmp(command, "set")) {
+        check(contactd_set(of, path, number(1)));
+    } else if (!strcmp(command, "set_word")) {
+        read_text(argument(1), 4, text);
+        check(contactd_set_word(of, path, text));
+    } else if (!strcmp(command, "set_array")) {
+        check(contactd_set_array(of, path, array(1), length(1, 1)));
+    } else if (!strcmp(command, "clear")) {
+        check(contactd_clear(of, path));
+    } else if (!strcmp(command, "want")) {
+        check(contactd_want(of, path, whole(1)));
+    } else if (!strcmp(command, "get")) {
+        check(contactd_get(of, path, &value));
+        plhs[0] = mxCreateDoubleScalar(value);
+    } else if (!strcmp(command, "get_word")) {
         check(contactd_get_word(of, path, text, longest_text));
         plhs[0] = mxCreateString(text);
-        return 1;
+    } else if (!strcmp(command, "get_array")) {
+        plhs[0] = read_array(path);
+    } else {
+        check(!strcmp(command, "path") ? contactd_path(of, path, &whole_number)
+                                       : contactd_length(of, path, &whole_number));
+        plhs[0] = mxCreateDoubleScalar(whole_number);
     }
-    return 0;
+    return 1;
+}
+
+/* Wheels on rails. */
+static int call_of_wheel(const char* command) {
+    contactd_wheel* w = (contactd_wheel*)(uintptr_t)handle;
+    char path[longest_text], file[longest_text];
+    CALL(wheel_free, w)
+    CALL(wheel_solve, w)
+    CALL(wheel_solve_wheelset, w, (contactd_wheel*)(uintptr_t)handle_in(argument(0), 3))
+    CALL(wheel_cancel, w)
+    CALL(wheel_set_timeout, w, number(0))
+    if (strcmp(command, "wheel_read_profile")) return 0;
+    read_text(argument(0), 3, path);
+    read_text(argument(1), 4, file);
+    check(contactd_wheel_read_profile(w, path, file));
+    return 1;
 }
 
 static int call_of_connection(const char* command, mxArray* plhs[]) {
@@ -116,7 +157,6 @@ static int call_that_sets(const char* command) {
     CALL(set_Fy, c, number(0))
     CALL(clear_forces, c)
     CALL(set_rigid_slip, c, array(0), array(1), length(0, 1))
-    CALL(want, c, whole(0), whole(1))
     CALL(set_step_timeout, c, number(0))
     return 0;
 }
@@ -147,21 +187,6 @@ static void put(const double* results, int count, int nlhs, mxArray* plhs[]) {
         plhs[0] = mxCreateString(text);      \
         return 1;                            \
     }
-
-/* nx x ny values of an array, or of the division. */
-static mxArray* read_array(contactd_contact* c, int32_t which, int32_t nx, int32_t ny) {
-    const int32_t count = nx > 0 && ny > 0 && nx <= 2147483647 / ny ? nx * ny : 0;
-    const mwSize size[2] = {(mwSize)(count ? nx : 0), (mwSize)(count ? ny : 0)};
-    mxArray* values;
-    if (which == CONTACTD_DIVISION) {
-        values = mxCreateNumericArray(2, size, mxINT32_CLASS, mxREAL);
-        check(contactd_get_division(c, (int32_t*)mxGetData(values), count));
-    } else {
-        values = mxCreateNumericArray(2, size, mxDOUBLE_CLASS, mxREAL);
-        check(contactd_get_array(c, which, mxGetPr(values), count));
-    }
-    return values;
-}
 
 static int call_that_reads(const char* command, int nlhs, mxArray* plhs[]) {
     contactd_contact* c = (contactd_contact*)(uintptr_t)handle;
@@ -196,10 +221,6 @@ static int call_that_reads(const char* command, int nlhs, mxArray* plhs[]) {
         check(contactd_get_discretisation(c, n, x + 1, x + 2, x + 3));
         x[0] = n[0];
         put(x, 4, nlhs, plhs);
-        return 1;
-    }
-    if (!strcmp(command, "get_array")) {
-        plhs[0] = read_array(c, whole(0), whole(1), whole(2));
         return 1;
     }
     return 0;

@@ -4,16 +4,20 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "contactd/fields/contact.hpp"
 #include "contactd/fields/wheel_rail_setup.hpp"
 #include "contactd/fields/wheel_rail_solution.hpp"
-#include "contactd/fields/wheel_rail_state.hpp"
 #include "edge.hpp"
+#include "field_array.hpp"
+#include "wheel_fields.hpp"
 
 using namespace contactd::c;
 using contactd::FieldPath;
 using contactd::FieldType;
+using contactd::InvalidArgument;
+using contactd::SolutionField;
 
 namespace {
 
@@ -28,15 +32,7 @@ struct ContactTotals {
     bool converged = false;
 };
 
-const FieldType& type_of_input() {
-    static const std::array list{contactd::fields::field<&WheelInput::setup>("setup"),
-                                 contactd::fields::field<&WheelInput::state>("state"),
-                                 contactd::fields::field<&WheelInput::gap>("gap")};
-    static const FieldType type = contactd::fields::object_type(list);
-    return type;
-}
-
-const FieldType& type_of_wheel_totals() {
+const FieldType& type_of_totals(const Wheel&) {
     static const std::array list{contactd::fields::field<&WheelTotals::converged>("converged"),
                                  contactd::fields::field<&WheelTotals::frictional_power>("frictional_power"),
                                  contactd::fields::field<&WheelTotals::roll>("roll"),
@@ -45,77 +41,124 @@ const FieldType& type_of_wheel_totals() {
     return type;
 }
 
-const FieldType& type_of_contact_totals() {
+const FieldType& type_of_totals(const Contact&) {
     static const std::array list{contactd::fields::field<&ContactTotals::converged>("converged")};
     static const FieldType type = contactd::fields::object_type(list);
     return type;
 }
 
-bool begins_below(const FieldType& type, std::string_view path) {
-    const std::string_view first = path.substr(0, path.find_first_of(".["));
-    return std::ranges::find(type.fields, first, &contactd::Field::name) != type.fields.end();
+Roots results(const Contact& contact) {
+    static const std::array roots{&type_of_totals(contact), &contactd::type_of<contactd::ContactSolution>()};
+    return roots;
+}
+Roots results(const Wheel& wheel) {
+    static const std::array roots{&type_of_totals(wheel), &contactd::type_of<contactd::WheelRailSolution>()};
+    return roots;
 }
 
-/// Calls `read` with the path and the struct of the results that it begins in.
-template <class Totals, class Solution, class Read>
-void read_result(Called& object, const Solution& solution, const FieldType& type_of_totals, const Totals& totals,
-                 const std::string& path, const Read& read) {
-    if (begins_below(type_of_totals, path))
-        read(object.paths.find(type_of_totals, path), &totals);
-    else
-        read(object.paths.find(contactd::type_of<Solution>(), path), &solution);
+const RootedPath& path_of(PathCache& paths, Roots roots, const PathName& name) {
+    if (const auto* id = std::get_if<std::int32_t>(&name)) return paths.at(roots, *id);
+    return paths.find(roots, given(std::get<const char*>(name), "path"));
 }
+
+// --- arrays over the grid --------------------------------------------------------------------------------------------
+
+/// In the order of SolutionField, and the one of wheels beside these.
+constexpr std::array<std::string_view, 7> arrays{"element_division", "pressure", "traction_x", "traction_y",
+                                                 "slip_x",           "slip_y",   "gap"};
+constexpr std::size_t gap = 6;
+
+std::size_t array_named(std::string_view name) {
+    return static_cast<std::size_t>(std::ranges::find(arrays, name) - arrays.begin());
+}
+
+/// How many values an array of that path has: slip is empty without friction, and stands for zeros.
+std::size_t elements_of(Contact& contact, const FieldPath&, const void*) {
+    return contact.said.problem.grid.size();
+}
+std::size_t elements_of(Wheel& wheel, const FieldPath& path, const void* root) {
+    const std::string grid = path.text().substr(0, path.text().find('.')) + ".place.grid.n";
+    const auto along = [&](const char* axis) {
+        return number_at(wheel.paths.find(results(wheel), grid + axis).path, root).value_or(0);
+    };
+    return static_cast<std::size_t>(along("x") * along("y"));
+}
+
+void require_gap(const Contact&) {}
+void require_gap(const Wheel& wheel) {
+    wheel.require_gap();
+}
+
+/// The numbers that the path leads to. Throws StatusError (NO_RESULT) where there are none, or an array was not wanted.
+template <class Object>
+std::vector<double> read_numbers(Object& object, const FieldPath& path, const void* root) {
+    std::optional<std::vector<double>> numbers = numbers_at(path, root);
+    if (!numbers) throw nothing_of(path.text().c_str());
+    if (!is_grid_array(path.type())) return *numbers;
+    const std::size_t array = array_named(path.field().name);
+    if (array == gap)
+        require_gap(object);
+    else
+        object.require(static_cast<SolutionField>(array));
+    if (!numbers->empty()) return *numbers;
+    if (array == gap) throw nothing_of("undeformed distances: a simplified model solved it");
+    return std::vector<double>(elements_of(object, path, root));
+}
+
+// --- reading and changing --------------------------------------------------------------------------------------------
 
 void* as_contact(void* handle) {
     return contacts().find_any(handle) ? handle : nullptr;
 }
 
-/// Calls `read` with the path and what holds the results of a contact or a wheel.
+/// Calls `read` with the object, the path, and what holds its results.
 template <class Read>
-std::int32_t read(void* handle, const char* text, const Read& read) {
-    const auto path = [&] { return std::string(given(text, "path")); };
+std::int32_t read(void* handle, const PathName& name, const Read& read) {
+    const auto read_below = [&](auto& object, const auto& solution, const auto& totals) {
+        const RootedPath& found = path_of(object.paths, results(object), name);
+        const bool is_total = found.root == &type_of_totals(object);
+        read(object, found.path, is_total ? static_cast<const void*>(&totals) : &solution);
+    };
     if (as_contact(handle) != nullptr)
         return with(static_cast<contactd_contact*>(handle), [&](Contact& contact) {
             const contactd::ContactSolution& solution = contact.result().reply.solution;
-            read_result(contact, solution, type_of_contact_totals(), ContactTotals{solution.converged()}, path(), read);
+            read_below(contact, solution, ContactTotals{solution.converged()});
         });
     return with(static_cast<contactd_wheel*>(handle), [&](Wheel& wheel) {
         const contactd::WheelRailSolution& solution = wheel.solution();
-        const WheelTotals totals{wheel.converged(), solution.frictional_power(), wheel.roll(), wheel.roll_search()};
-        read_result(wheel, solution, type_of_wheel_totals(), totals, path(), read);
+        read_below(wheel, solution,
+                   WheelTotals{wheel.converged(), solution.frictional_power(), wheel.roll(), wheel.roll_search()});
     });
+}
+
+[[noreturn]] void refuse_input_of_contact() {
+    throw contactd::StatusError(contactd::StatusCode::unimplemented, "NO_PATHS",
+                                "Inputs of a contact are set by functions of their own, as contactd_set_material; "
+                                "paths are for its results.");
 }
 
 /// Calls `change` with the path and the inputs of a wheel. Whatever it refuses leaves them as they were.
 template <class Change>
-std::int32_t change(void* handle, const char* text, const Change& change) {
+std::int32_t change(void* handle, const PathName& name, const Change& change) {
     if (as_contact(handle) != nullptr)
-        return with(static_cast<contactd_contact*>(handle), [](Contact&) {
-            throw contactd::StatusError(contactd::StatusCode::unimplemented, "NO_PATHS",
-                                        "Inputs of a contact are set by functions of their own, as "
-                                        "contactd_set_material; paths are for its results.");
-        });
+        return with(static_cast<contactd_contact*>(handle), [](Contact&) { refuse_input_of_contact(); });
     return with(static_cast<contactd_wheel*>(handle),
-                [&](Wheel& wheel) { change(wheel.paths.find(type_of_input(), given(text, "path")), &wheel.said); });
+                [&](Wheel& wheel) { change(path_of(wheel.paths, Wheel::inputs(), name).path, &wheel.said); });
 }
 
-}  // namespace
-
-std::int32_t contactd_set(void* handle, const char* path, double value) {
-    return change(handle, path, [&](const FieldPath& field, void* root) { contactd::set_number(field, root, value); });
+std::int32_t set(void* handle, const PathName& name, double value) {
+    return change(handle, name, [&](const FieldPath& field, void* root) {
+        if (&field.type() != &contactd::type_of<std::vector<contactd::FrictionAtAngle>>())
+            return contactd::set_number(field, root, value);
+        // One coefficient is the same at every angle, and refused by the name of the whole, as on the wire.
+        const contactd::Field& mu = contactd::type_of<contactd::FrictionAtAngle>().fields.back();
+        check_number(mu, value, field.text());
+        set_numbers(field, root, std::array{0.0, value});
+    });
 }
 
-std::int32_t contactd_set_word(void* handle, const char* path, const char* word) {
-    return change(handle, path,
-                  [&](const FieldPath& field, void* root) { contactd::set_text(field, root, given(word, "word")); });
-}
-
-std::int32_t contactd_clear(void* handle, const char* path) {
-    return change(handle, path, [&](const FieldPath& field, void* root) { field.clear(root); });
-}
-
-std::int32_t contactd_get(void* handle, const char* path, double* value) {
-    return read(handle, path, [&](const FieldPath& field, const void* root) {
+std::int32_t get(void* handle, const PathName& name, double* value) {
+    return read(handle, name, [&](auto&, const FieldPath& field, const void* root) {
         given(value, "value");
         const std::optional<double> found = contactd::number_at(field, root);
         if (!found) throw nothing_of(field.text().c_str());
@@ -123,10 +166,103 @@ std::int32_t contactd_get(void* handle, const char* path, double* value) {
     });
 }
 
+void want(contactd::SolutionFields& fields, std::size_t array, bool wanted) {
+    const auto field = static_cast<SolutionField>(array);
+    std::erase(fields, field);
+    if (wanted) fields.push_back(field);
+}
+
+/// One of the first `count` arrays.
+std::size_t wanted_array(const char* name, std::size_t count) {
+    const std::size_t array = array_named(given(name, "array"));
+    if (array < count) return array;
+    std::string known;
+    for (std::size_t k = 0; k < count; ++k) known += (k == 0 ? "" : ", ") + std::string(arrays[k]);
+    throw InvalidArgument("array", "is \"" + std::string(name) + "\"; it must be one of " + known);
+}
+
+}  // namespace
+
+std::int32_t contactd_set(void* handle, const char* path, double value) {
+    return set(handle, path, value);
+}
+
+std::int32_t contactd_set_word(void* handle, const char* path, const char* word) {
+    return change(handle, path,
+                  [&](const FieldPath& field, void* root) { contactd::set_text(field, root, given(word, "word")); });
+}
+
+std::int32_t contactd_set_array(void* handle, const char* path, const double* values, std::int32_t count) {
+    return change(handle, path, [&](const FieldPath& field, void* root) {
+        set_numbers(field, root, array(values, count, "values"));
+    });
+}
+
+std::int32_t contactd_clear(void* handle, const char* path) {
+    return change(handle, path, [&](const FieldPath& field, void* root) { field.clear(root); });
+}
+
+std::int32_t contactd_get(void* handle, const char* path, double* value) {
+    return get(handle, path, value);
+}
+
 std::int32_t contactd_get_word(void* handle, const char* path, char* text, std::int32_t length) {
-    return read(handle, path, [&](const FieldPath& field, const void* root) {
+    return read(handle, path, [&](auto&, const FieldPath& field, const void* root) {
         const std::optional<std::string> found = contactd::text_at(field, root);
         if (!found) throw nothing_of(field.text().c_str());
         put_text(*found, text, length);
+    });
+}
+
+std::int32_t contactd_get_array(void* handle, const char* path, double* values, std::int32_t count) {
+    return read(handle, path, [&](auto& object, const FieldPath& field, const void* root) {
+        const std::vector<double> found = read_numbers(object, field, root);
+        if (count < 0 || static_cast<std::size_t>(count) != found.size())
+            throw InvalidArgument("count", "is " + std::to_string(count) + "; " + field.text() + " has " +
+                                               std::to_string(found.size()) + " numbers");
+        if (!found.empty()) std::ranges::copy(found, given(values, "values"));
+    });
+}
+
+std::int32_t contactd_length(void* handle, const char* path, std::int32_t* count) {
+    return read(handle, path, [&](auto& object, const FieldPath& field, const void* root) {
+        *given(count, "count") = static_cast<std::int32_t>(read_numbers(object, field, root).size());
+    });
+}
+
+std::int32_t contactd_path(void* handle, const char* path, std::int32_t* id) {
+    const auto number = [&](auto& object, Roots roots) {
+        *given(id, "id") = object.paths.number(roots, given(path, "path"));
+    };
+    if (as_contact(handle) != nullptr)
+        return with(static_cast<contactd_contact*>(handle),
+                    [&](Contact& contact) { number(contact, results(contact)); });
+    return with(static_cast<contactd_wheel*>(handle), [&](Wheel& wheel) {
+        const bool is_input = PathCache::begins_below(type_of_wheel_input(), given(path, "path"));
+        number(wheel, is_input ? Wheel::inputs() : results(wheel));
+    });
+}
+
+std::int32_t contactd_set_at(void* handle, std::int32_t id, double value) {
+    return set(handle, id, value);
+}
+
+std::int32_t contactd_get_at(void* handle, std::int32_t id, double* value) {
+    return get(handle, id, value);
+}
+
+std::int32_t contactd_want(void* handle, const char* array, std::int32_t wanted) {
+    if (as_contact(handle) != nullptr)
+        return with(static_cast<contactd_contact*>(handle), [&](Contact& contact) {
+            const std::size_t named = wanted_array(array, gap);
+            want(contact.said.fields, named, word(wanted, 1, "wanted") != 0);
+        });
+    return with(static_cast<contactd_wheel*>(handle), [&](Wheel& wheel) {
+        const std::size_t named = wanted_array(array, arrays.size());
+        const bool is_wanted = word(wanted, 1, "wanted") != 0;
+        if (named == gap)
+            wheel.said.gap = is_wanted;
+        else
+            want(wheel.said.fields, named, is_wanted);
     });
 }

@@ -7,7 +7,6 @@ using namespace contactd::c;
 using contactd::Gap;
 using contactd::KineticFriction;
 using contactd::MotionKind;
-using contactd::SolutionField;
 
 namespace {
 
@@ -147,13 +146,4 @@ std::int32_t contactd_set_rigid_slip(contactd_contact* contact, const double* x,
 
 std::int32_t contactd_want_derivatives(contactd_contact* contact, std::int32_t wanted) {
     return load(contact, [&](Said& said) { said.derivatives = word(wanted, 1, "wanted") != 0; });
-}
-
-std::int32_t contactd_want(contactd_contact* contact, std::int32_t array, std::int32_t wanted) {
-    return load(contact, [&](Said& said) {
-        const auto field = static_cast<SolutionField>(word(array, CONTACTD_SLIP_Y, "array"));
-        word(wanted, 1, "wanted");
-        std::erase(said.fields, field);
-        if (wanted != 0) said.fields.push_back(field);
-    });
 }

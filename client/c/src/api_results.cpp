@@ -1,11 +1,8 @@
 // contactd.h: the results of the last step.
-#include <algorithm>
-
 #include "edge.hpp"
 
 using namespace contactd::c;
 using contactd::ContactSolution;
-using contactd::SolutionField;
 using contactd::SolverEvidence;
 
 namespace {
@@ -30,13 +27,6 @@ const SolverEvidence* evidence_of(const ContactSolution& solution, std::int32_t 
                        : solver == CONTACTD_OUTER    ? all.outer
                                                      : all.force;
     return some ? &*some : nullptr;
-}
-
-void require(const Contact& contact, SolutionField field) {
-    const std::vector<SolutionField>& wanted = contact.result().fields;
-    if (std::find(wanted.begin(), wanted.end(), field) == wanted.end())
-        throw contactd::StatusError(contactd::StatusCode::failed_precondition, no_result,
-                                    "The last step did not bring this array along; contactd_want asks for it before.");
 }
 
 }  // namespace
@@ -154,23 +144,6 @@ std::int32_t contactd_get_warnings(contactd_contact* contact, std::int32_t* coun
 
 std::int32_t contactd_get_warning(contactd_contact* contact, std::int32_t index, char* text, std::int32_t length) {
     return read(contact, [&](const ContactSolution& solution) { put_warning(solution.warnings, index, text, length); });
-}
-
-std::int32_t contactd_get_array(contactd_contact* contact, std::int32_t array, double* values, std::int32_t length) {
-    return with(contact, [&](Contact& asked) {
-        given(values, "values");
-        const auto field = double_field(word(array, CONTACTD_SLIP_Y, "array"), "contactd_get_division");
-        require(asked, field);
-        put_array(array_of(asked.result().reply.solution, field), asked.said.problem.grid, values, length);
-    });
-}
-
-std::int32_t contactd_get_division(contactd_contact* contact, std::int32_t* division, std::int32_t length) {
-    return with(contact, [&](Contact& asked) {
-        given(division, "division");
-        require(asked, SolutionField::element_division);
-        put_division(asked.result().reply.solution, asked.said.problem.grid, division, length);
-    });
 }
 
 std::int32_t contactd_get_origin(contactd_contact* contact, std::int32_t body, char* text, std::int32_t length) {

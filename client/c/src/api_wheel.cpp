@@ -1,21 +1,15 @@
-// contactd.h: wheels on rails from their making to their end, and where they are.
-#include <algorithm>
+// contactd.h: wheels on rails from their making to their end.
+#include <filesystem>
 #include <memory>
+#include <utility>
 
+#include "contactd/fields/profile_spec.hpp"
+#include "contactd/read_profile.hpp"
 #include "edge.hpp"
+#include "wheel_fields.hpp"
 
 using namespace contactd::c;
-using contactd::SolutionField;
-using contactd::WheelRailState;
-
-namespace {
-
-template <class Body>
-std::int32_t state(contactd_wheel* wheel, const Body& body) {
-    return with(wheel, [&](Wheel& changed) { body(changed.said.state); });
-}
-
-}  // namespace
+using contactd::InvalidArgument;
 
 std::int32_t contactd_wheel_new(contactd_connection* connection, contactd_wheel** wheel) {
     return with(connection, [&](Connection& made_with) {
@@ -28,95 +22,33 @@ std::int32_t contactd_wheel_free(contactd_wheel* wheel) {
     return with(wheel, [&](Wheel&) { wheels().remove(wheel); });
 }
 
+std::int32_t contactd_wheel_read_profile(contactd_wheel* wheel, const char* path, const char* file) {
+    using contactd::ProfileKind;
+    return with(wheel, [&](Wheel& changed) {
+        const contactd::FieldPath& profile = changed.paths.find(Wheel::inputs(), given(path, "path")).path;
+        if (&profile.type() != &contactd::type_of<contactd::ProfileSpec>())
+            throw InvalidArgument(profile.text(),
+                                  "is no profile; setup.wheel and setup.rail are, and profile of each slice");
+        const auto kind = profile.text().starts_with("setup.rail") ? ProfileKind::rail : ProfileKind::wheel;
+        contactd::ProfileSpec read = contactd::read_profile(std::filesystem::path(given(file, "file")), kind);
+        *static_cast<contactd::ProfileSpec*>(profile.make(&changed.said)) = std::move(read);
+    });
+}
+
 std::int32_t contactd_wheel_solve(contactd_wheel* wheel) {
     return with(wheel, [](Wheel& solved) { solved.solve(); });
 }
 
+std::int32_t contactd_wheel_solve_wheelset(contactd_wheel* right, contactd_wheel* left) {
+    return with(right, [&](Wheel& right_wheel) {
+        const std::shared_ptr<Wheel> left_wheel = wheels().find(left);
+        if (left_wheel.get() == &right_wheel)
+            throw InvalidArgument("left", "is the right wheel, too; make another one");
+        const Turn turn(left_wheel->user);
+        Wheel::solve_wheelset(right_wheel, *left_wheel);
+    });
+}
+
 std::int32_t contactd_wheel_cancel(contactd_wheel* wheel) {
     return cancel(wheels(), wheel);
-}
-
-std::int32_t contactd_wheel_set_position(contactd_wheel* wheel, double y, double z, double roll, double yaw) {
-    return state(wheel, [&](WheelRailState& changed) {
-        contactd::WheelsetPosition position = changed.position;  // x and pitch stay
-        position.y = finite(y, "state.position.y");
-        position.z = finite(z, "state.position.z");
-        position.roll = finite(roll, "state.position.roll");
-        position.yaw = finite(yaw, "state.position.yaw");
-        changed.position = position;
-    });
-}
-
-std::int32_t contactd_wheel_set_x(contactd_wheel* wheel, double x) {
-    return state(wheel, [&](WheelRailState& changed) { changed.position.x = finite(x, "state.position.x"); });
-}
-
-std::int32_t contactd_wheel_set_pitch_angle(contactd_wheel* wheel, double pitch) {
-    return state(wheel,
-                 [&](WheelRailState& changed) { changed.position.pitch = finite(pitch, "state.position.pitch"); });
-}
-
-std::int32_t contactd_wheel_set_velocity(contactd_wheel* wheel, double x, double y, double z, double roll, double yaw,
-                                         double pitch) {
-    return state(wheel, [&](WheelRailState& changed) {
-        changed.velocity = {finite(x, "state.velocity.x"),     finite(y, "state.velocity.y"),
-                            finite(z, "state.velocity.z"),     finite(roll, "state.velocity.roll"),
-                            finite(yaw, "state.velocity.yaw"), finite(pitch, "state.velocity.pitch")};
-    });
-}
-
-std::int32_t contactd_wheel_set_deviation(contactd_wheel* wheel, double y, double z, double roll) {
-    return state(wheel, [&](WheelRailState& changed) {
-        contactd::RailDeviation rail = changed.rail;  // its velocity and what acts on it stay
-        rail.y = finite(y, "state.rail.y");
-        rail.z = finite(z, "state.rail.z");
-        rail.roll = finite(roll, "state.rail.roll");
-        changed.rail = rail;
-    });
-}
-
-std::int32_t contactd_wheel_set_deviation_rate(contactd_wheel* wheel, double y, double z, double roll) {
-    return state(wheel, [&](WheelRailState& changed) {
-        contactd::RailDeviation rail = changed.rail;
-        rail.y_velocity = finite(y, "state.rail.y_velocity");
-        rail.z_velocity = finite(z, "state.rail.z_velocity");
-        rail.roll_velocity = finite(roll, "state.rail.roll_velocity");
-        changed.rail = rail;
-    });
-}
-
-std::int32_t contactd_wheel_set_roller_pitch(contactd_wheel* wheel, double pitch) {
-    return state(wheel, [&](WheelRailState& changed) { changed.roller_pitch = finite(pitch, "state.roller_pitch"); });
-}
-
-std::int32_t contactd_wheel_set_Fz(contactd_wheel* wheel, double Fz) {
-    return state(wheel, [&](WheelRailState& changed) { changed.Fz = finite(Fz, "state.Fz"); });
-}
-
-std::int32_t contactd_wheel_set_Fx(contactd_wheel* wheel, double Fx) {
-    return state(wheel, [&](WheelRailState& changed) { changed.Fx = finite(Fx, "state.Fx"); });
-}
-
-std::int32_t contactd_wheel_clear_forces(contactd_wheel* wheel) {
-    return state(wheel, [](WheelRailState& changed) {
-        changed.Fz.reset();
-        changed.Fx.reset();
-    });
-}
-
-std::int32_t contactd_wheel_want(contactd_wheel* wheel, std::int32_t array, std::int32_t wanted) {
-    return with(wheel, [&](Wheel& changed) {
-        if (word(array, CONTACTD_GAP, "array") == CONTACTD_GAP) {
-            changed.said.gap = wanted != 0;
-            return;
-        }
-        const auto field = static_cast<SolutionField>(array);
-        auto& fields = changed.said.fields;
-        std::erase(fields, field);
-        if (wanted != 0) fields.push_back(field);
-    });
-}
-
-std::int32_t contactd_wheel_want_derivatives(contactd_wheel* wheel, std::int32_t wanted) {
-    return state(wheel, [&](WheelRailState& changed) { changed.derivatives = wanted != 0; });
 }

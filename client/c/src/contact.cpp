@@ -1,5 +1,6 @@
 #include "contact.hpp"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -110,6 +111,13 @@ const Result& Contact::result() const {
         throw StatusError(StatusCode::failed_precondition, no_result,
                           "There are no results yet; contactd_step makes them.");
     return *result_;
+}
+
+void Contact::require(SolutionField field) const {
+    const SolutionFields& fields = result().fields;
+    if (std::ranges::find(fields, field) == fields.end())
+        throw StatusError(StatusCode::failed_precondition, no_result,
+                          "The last step did not bring this array along; contactd_want asks for it before.");
 }
 
 const IcUses& Contact::ics() const {

@@ -42,6 +42,8 @@ class Contact : public Called {
 
     /// Of the last step. Throws StatusError (NO_RESULT) when there is none.
     const Result& result() const;
+    /// Throws StatusError (NO_RESULT) when the last step was not asked for the array.
+    void require(SolutionField field) const;
     const IcUses& ics() const;
     /// Where the columns of a section lie that are the rows of the grid.
     std::vector<StripFrame> frames(const Section& section);

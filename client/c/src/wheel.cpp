@@ -1,17 +1,25 @@
 #include "wheel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
+
+#include "wheel_fields.hpp"
 
 namespace contactd::c {
 namespace {
 
 StatusError not_brought() {
     return {StatusCode::failed_precondition, no_result,
-            "The last solve did not bring this array along; contactd_wheel_want asks for it before."};
+            "The last solve did not bring this array along; contactd_want asks for it before."};
 }
 
 }  // namespace
+
+Roots Wheel::inputs() {
+    static const std::array roots{&type_of_wheel_input()};
+    return roots;
+}
 
 void Wheel::solve() {
     if (!open_) open_ = backend_->open_wheel(settings_);
@@ -42,14 +50,6 @@ const Wheel::Result& Wheel::result() const {
 
 const WheelRailSolution& Wheel::solution() const {
     return result().solution;
-}
-
-const WheelRailPatch& Wheel::patch(std::int32_t number) const {
-    const auto& patches = solution().patches;
-    if (number < 0 || static_cast<std::size_t>(number) >= patches.size())
-        throw InvalidArgument("patch", "is " + std::to_string(number) + "; there are " +
-                                           std::to_string(patches.size()) + " patches, from 0 on");
-    return patches[static_cast<std::size_t>(number)];
 }
 
 void Wheel::require(SolutionField field) const {

@@ -15,7 +15,8 @@ class Wheel : public Called {
    public:
     explicit Wheel(const Connection& connection) : Called(connection) {}
 
-    WheelInput said;  ///< the setters write here
+    WheelInput said;        ///< the setters write here
+    static Roots inputs();  ///< of the paths below it
     std::optional<std::chrono::milliseconds> timeout;
 
     void solve();
@@ -30,8 +31,6 @@ class Wheel : public Called {
     /// Where the roll was found.
     const std::optional<SolverEvidence>& roll_search() const { return result().roll_search; }
     bool converged() const { return solution().converged() && (!roll_search() || roll_search()->converged); }
-    /// One of its patches, from 0. Throws InvalidArgument ("patch") when there is none of this number.
-    const WheelRailPatch& patch(std::int32_t number) const;
     /// Throws StatusError (NO_RESULT) when the last solve was not asked for the array.
     void require(SolutionField field) const;
     void require_gap() const;

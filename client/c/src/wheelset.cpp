@@ -24,14 +24,14 @@ void check_same_motion(const WheelRailState& right, const WheelRailState& left) 
 }
 
 double vertical_force(const WheelRailState& state, const char* field) {
-    if (!state.Fz) throw InvalidArgument(field, "is not given; contactd_wheel_set_Fz says it of each wheel");
+    if (!state.Fz) throw InvalidArgument(field, "is not given; contactd_set says \"state.Fz\" of each wheel");
     return *state.Fz;
 }
 
 void check_side(const WheelInput& wheel, Side side, const char* which) {
     if (wheel.setup.side != side)
-        throw InvalidArgument(
-            "setup.side", std::string("is the other one of the ") + which + " wheel; contactd_wheel_set_side sets it");
+        throw InvalidArgument("setup.side",
+                              std::string("is the other one of the ") + which + " wheel; contactd_set_word sets it");
 }
 
 void check_no_more(const WheelRailState& state) {

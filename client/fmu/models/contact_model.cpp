@@ -15,7 +15,7 @@ consteval std::size_t at(std::string_view name) {
 enum { steady, transient, shift };  // motion_words
 
 /// What a step leaves to the next.
-constexpr std::int32_t arrays[] = {CONTACTD_PRESSURE, CONTACTD_TRACTION_X, CONTACTD_TRACTION_Y};
+constexpr const char* arrays[] = {"pressure", "traction_x", "traction_y"};
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void ContactModel::start(const Values& values, const Carried& from) {
                                     static_cast<std::int32_t>(from.pressure.size())),
               c);
     say(c, values, {});
-    for (const std::int32_t array : arrays) check(contactd_want(c, array, goes_on), c);
+    for (const char* array : arrays) check(contactd_want(c, array, goes_on), c);
     check(contactd_start(c), c);
     contact_ = std::move(contact);
     from_ = from;
@@ -149,7 +149,7 @@ void ContactModel::step_again(const char* what) {
     check(contactd_step_again(contact_.get()), contact_.get());
 }
 
-std::vector<double> ContactModel::array(std::int32_t which) {
+std::vector<double> ContactModel::array(const char* which) {
     std::vector<double> values(elements_);
     check(contactd_get_array(contact_.get(), which, values.data(), static_cast<std::int32_t>(elements_)),
           contact_.get());
@@ -159,11 +159,11 @@ std::vector<double> ContactModel::array(std::int32_t which) {
 Carried ContactModel::carried() {
     if (!has_history_ || !made_) return from_;
     if (!wants_arrays_) {
-        for (const std::int32_t which : arrays) check(contactd_want(contact_.get(), which, 1), contact_.get());
+        for (const char* which : arrays) check(contactd_want(contact_.get(), which, 1), contact_.get());
         step_again("tractions");
         wants_arrays_ = true;
     }
-    return {{}, array(CONTACTD_PRESSURE), array(CONTACTD_TRACTION_X), array(CONTACTD_TRACTION_Y)};
+    return {{}, array(arrays[0]), array(arrays[1]), array(arrays[2])};
 }
 
 void ContactModel::cancel() {

@@ -26,7 +26,7 @@ class ContactModel final : public Model {
     static void say_motion(contactd_contact* c, const Values& values, std::optional<double> size);
     static void read(contactd_contact* c, Values& values);
     ContactHandle made(const Values& values) const;
-    std::vector<double> array(std::int32_t which);
+    std::vector<double> array(const char* which);
     /// The last step, solved anew for what it has to bring along. `what` for the sentence when that cannot be.
     void step_again(const char* what);
 

@@ -65,11 +65,10 @@ std::string WheelModel::doubts(const Values& values) const {
     if (values.whole(at("vertical")) == 0) text += " of " + std::to_string(values[at("load.Fz")]) + " N";
     text += ".";
     contactd_wheel* w = wheel_.get();
-    std::int32_t warnings = 0;
-    check(contactd_wheel_get_warnings(w, &warnings), w);
-    for (std::int32_t k = 0; k < warnings; ++k) {
+    for (int k = 0; k < read_field(w, "warnings"); ++k) {
         char warning[1000] = {};
-        if (contactd_wheel_get_warning(w, k, warning, sizeof warning) == CONTACTD_OK)
+        const std::string path = "warnings[" + std::to_string(k) + "]";
+        if (contactd_get_word(w, path.c_str(), warning, sizeof warning) == CONTACTD_OK)
             text += std::string(" ") + warning;
     }
     return text;
@@ -77,74 +76,48 @@ std::string WheelModel::doubts(const Values& values) const {
 
 void WheelModel::say(const Values& v) {
     contactd_wheel* w = wheel_.get();
-    check(contactd_wheel_set_position(w, v[at("position.y")], v[at("position.z")], v[at("position.roll")],
-                                      v[at("position.yaw")]),
-          w);
-    check(contactd_wheel_set_x(w, v[at("position.x")]), w);
-    check(contactd_wheel_set_velocity(w, v[at("velocity.x")], v[at("velocity.y")], v[at("velocity.z")],
-                                      v[at("velocity.roll")], v[at("velocity.yaw")], v[at("velocity.pitch")]),
-          w);
-    check(contactd_wheel_set_deviation(w, v[at("deviation.y")], v[at("deviation.z")], v[at("deviation.roll")]), w);
-    check(contactd_wheel_set_deviation_rate(w, v[at("deviation_rate.y")], v[at("deviation_rate.z")],
-                                            v[at("deviation_rate.roll")]),
-          w);
-    check(contactd_wheel_set_roller_pitch(w, v[at("roller.pitch")]), w);
+    const auto set = [&](const char* path, double value) { set_field(w, path, value); };
+    const auto clear = [&](const char* path) { check(contactd_clear(w, path), w); };
     set_fields(w, v, Role::input);
-    check(contactd_wheel_clear_forces(w), w);
-    if (v.whole(at("vertical")) == 0) check(contactd_wheel_set_Fz(w, v[at("load.Fz")]), w);
-    if (v.is(at("prescribe_Fx"))) check(contactd_wheel_set_Fx(w, v[at("load.Fx")]), w);
-    if (v.is(at("friction.none"))) return check(contactd_wheel_set_frictionless(w), w);
-    check(contactd_wheel_set_mu(w, v[at("friction.mu")]), w);
-    if (const int law = v.whole(at("friction.kinetic.law")); law > 0)
-        check(contactd_wheel_set_kinetic(w, law - 1, v[at("friction.kinetic.mu")],
-                                         v[at("friction.kinetic.slip_velocity")]),
-              w);
+    v.whole(at("vertical")) == 0 ? set("state.Fz", v[at("load.Fz")]) : clear("state.Fz");
+    v.is(at("prescribe_Fx")) ? set("state.Fx", v[at("load.Fx")]) : clear("state.Fx");
+    if (v.is(at("friction.none"))) return clear("setup.friction");
+    if (v.whole(at("friction.kinetic.law")) == 0) return;
+    const std::string law(word_at(wheel_variables[at("friction.kinetic.law")], v[at("friction.kinetic.law")]));
+    check(contactd_set_word(w, "setup.friction.kinetic.law", law.c_str()), w);
+    set("setup.friction.kinetic.mu", v[at("friction.kinetic.mu")]);
+    set("setup.friction.kinetic.slip_velocity", v[at("friction.kinetic.slip_velocity")]);
 }
 
 void WheelModel::read(Values& values) {
     contactd_wheel* w = wheel_.get();
+    const Variable& coordinates = wheel_variables[at("coordinates")];
+    const std::string path = "forces." + std::string(word_at(coordinates, values[at("coordinates")]));
     double forces[6] = {};
-    check(contactd_wheel_get_forces(w, values.whole(at("coordinates")), forces), w);
+    check(contactd_get_array(w, path.c_str(), forces, 6), w);
     for (std::size_t part = 0; part < 6; ++part) values[forces_told[part]] = forces[part];
-    check(contactd_wheel_get_motion(w, &values[at("z")], &values[at("pitch_rate")]), w);
-    if (!found(contactd_wheel_get_clearance(w, &values[at("clearance")]), w)) values[at("clearance")] = 0;
-    std::int32_t converged = 0;
-    check(contactd_wheel_get_converged(w, &converged), w);
-    values[at("converged")] = converged;
     read_fields(w, values);
     read_patches(values);
 }
 
 void WheelModel::read_patches(Values& values) {
     contactd_wheel* w = wheel_.get();
-    std::int32_t patches = 0;
-    check(contactd_wheel_get_patches(w, &patches), w);
     constexpr std::size_t first = at("patch[1].x");
     constexpr std::size_t sums[] = {at("pmax"), at("area.contact"), at("area.adhesion"), at("area.slip"), at("power")};
     for (const std::size_t sum : sums) values[sum] = 0;
     std::fill(values.numbers.begin() + first, values.numbers.end(), 0);
-    for (std::int32_t patch = 0; patch < patches; ++patch) {
-        double place[4], forces[4], approach, pmax, area[3], creepages[3], velocity, power = 0;
-        check(contactd_wheel_get_place(w, patch, place, place + 1, place + 2, place + 3), w);
-        check(contactd_wheel_get_contact_forces(w, patch, forces, forces + 1, forces + 2, forces + 3), w);
-        check(contactd_wheel_get_pressure(w, patch, &approach, &pmax), w);
-        check(contactd_wheel_get_areas(w, patch, area, area + 1, area + 2), w);
-        check(contactd_wheel_get_creepages(w, patch, creepages, creepages + 1, creepages + 2, &velocity), w);
-        if (!found(contactd_wheel_get_frictional_power(w, patch, &power), w)) power = 0;
-        values[at("pmax")] = std::max(values[at("pmax")], pmax);
-        values[at("area.contact")] += area[0];
-        values[at("area.adhesion")] += area[1];
-        values[at("area.slip")] += area[2];
-        values[at("power")] += power;
+    for (int patch = 0; patch < values.whole(at("patches")); ++patch) {
+        const std::string path = "patches[" + std::to_string(patch) + "].";
+        values[at("pmax")] = std::max(values[at("pmax")], read_field(w, path + "solution.pmax"));
+        values[at("area.contact")] += read_field(w, path + "solution.area.contact");
+        values[at("area.adhesion")] += read_field(w, path + "solution.area.adhesion");
+        values[at("area.slip")] += read_field(w, path + "solution.area.slip");
+        values[at("power")] += read_field(w, path + "solution.frictional_power");
         if (patch >= patches_told) continue;
-        // In the order of detail::patch_parts.
-        const double told[] = {place[0],  place[1], place[2], place[3],     forces[0],    forces[1],    forces[2],
-                               forces[3], pmax,     area[0],  creepages[0], creepages[1], creepages[2], power};
-        static_assert(std::size(told) == detail::patch_values);
-        std::copy(std::begin(told), std::end(told),
-                  values.numbers.begin() + static_cast<std::ptrdiff_t>(first + patch * detail::patch_values));
+        for (std::size_t part = 0; part < detail::patch_values; ++part)
+            values[first + static_cast<std::size_t>(patch) * detail::patch_values + part] =
+                read_field(w, path + std::string(detail::patch_parts[part].path));
     }
-    values[at("patches")] = patches;
 }
 
 void WheelModel::cancel() {

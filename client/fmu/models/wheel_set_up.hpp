@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "handles.hpp"
 
@@ -10,9 +11,13 @@ namespace contactd::fmu {
 /// All parameters. Throws Failure, also for a file that cannot be read, naming the variable.
 void set_up(contactd_wheel* wheel, const Values& values, const std::filesystem::path& resources);
 
-/// The variables of this role that are fields by their paths (wheel_fields.hpp).
+void set_field(contactd_wheel* wheel, const std::string& path, double value);
+/// A result, or 0 where the solution does not have it.
+double read_field(contactd_wheel* wheel, const std::string& path);
+
+/// The variables of this role that are fields by their paths.
 void set_fields(contactd_wheel* wheel, const Values& values, Role role);
-/// Those that are outputs; 0 where the solution has none.
+/// Those that are outputs.
 void read_fields(contactd_wheel* wheel, Values& values);
 
 }  // namespace contactd::fmu

@@ -27,10 +27,10 @@ struct Variable {
     std::string_view unit{};                   ///< of reals; one of `units`, or none
     double start = 0;                          ///< but of texts, which start empty unless `text` says otherwise
     std::string_view text{};                   ///< what a text starts with
-    const Enumeration* enumeration = nullptr;  ///< of enumerations, and of integers in the place of one
+    const Enumeration* enumeration = nullptr;  ///< of enumerations, of integers in the place of one, of keyword_at
     std::string_view same_as{};                ///< of such an integer: the enumeration's name
     std::string_view says{};                   ///< a sentence or two
-    std::string_view path{};                   ///< of a field that contactd.h sets or reads by its path
+    std::string_view path{};                   ///< of a field that contactd.h sets or reads; its words are keywords
     bool zero_is_absent = false;               ///< of such a field: it may be left out, and is where it is 0
 };
 
@@ -65,6 +65,22 @@ constexpr Variable word(std::string_view name, const Enumeration& of, int start,
     return {.name = name, .type = Type::enumeration, .start = double(start), .enumeration = &of, .says = says};
 }
 
+/// A variable that is a field of contactd.h.
+constexpr Variable at_path(std::string_view path, Variable variable) {
+    variable.path = path;
+    return variable;
+}
+/// The same of one that may be left out, and is where it is 0.
+constexpr Variable absent_at_zero(std::string_view path, Variable variable) {
+    variable.zero_is_absent = true;
+    return at_path(path, variable);
+}
+/// A boolean that stands for one of two keywords.
+constexpr Variable keyword_at(std::string_view path, const Enumeration& keywords, Variable variable) {
+    variable.enumeration = &keywords;
+    return at_path(path, variable);
+}
+
 /// Of an integer in the place of an enumeration: what that says, holds.
 inline constexpr int as_the_enumeration = -1;
 
@@ -76,6 +92,11 @@ constexpr Variable number(std::string_view name, std::string_view as, const Enum
             .enumeration = &of,
             .same_as = as,
             .says = says};
+}
+
+/// The keyword that a value of such a variable stands for.
+constexpr std::string_view word_at(const Variable& variable, double value) {
+    return variable.enumeration->words[static_cast<std::size_t>(value)];
 }
 
 /// The value reference of a name. Throws for one that is not in the list.

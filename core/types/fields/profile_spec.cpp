@@ -20,7 +20,8 @@ namespace {
 template <>
 const FieldType& type_of<ProfileSpec>() {
     static const auto list = std::to_array<Field>({
-        fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<S1002>>("s1002"),
+        fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<S1002>>(
+            "s1002", {.bounds = {.least = 1, .most = 1}}),
         fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<Rail60E1>>("rail_60e1"),
         fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<ArcProfile>>("arc"),
         fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<ConeProfile>>("cone"),

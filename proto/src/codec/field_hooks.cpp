@@ -232,7 +232,7 @@ const FieldHook* hook_of(const FieldType& type) {
         FieldHook{&type_of<Gap>(), write_gap, nullptr},
         FieldHook{&custom_type<Material>(), write_material, read_material},
         FieldHook{&custom_type<Section>(), write_section, read_section},
-        FieldHook{&custom_type<std::vector<ProfilePoint>>(), write_points, read_points},
+        FieldHook{&type_of<std::vector<ProfilePoint>>(), write_points, read_points},
         FieldHook{&custom_type<std::vector<StripFrame>>(), write_frames, read_frames},
         FieldHook{&custom_type<std::vector<ElementState>>(), nullptr, nullptr},
         FieldHook{&custom_type<Motion>(), nullptr, nullptr},

@@ -3,6 +3,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -42,6 +43,9 @@ class Handle {
     contactd_contact* handle_ = nullptr;
 };
 
+/// All that contactd_want knows of contacts.
+inline constexpr std::array every_array{"element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y"};
+
 inline constexpr int across = 12, elements = across * across;
 
 /// Two bodies of rubber and a sphere, on 12 x 12 elements: what all cases have in common.
@@ -70,8 +74,8 @@ inline Read stepped(contactd_contact* contact) {
     return read(contact);
 }
 
-inline std::vector<double> array_of(contactd_contact* contact, std::int32_t array) {
+inline std::vector<double> array_of(contactd_contact* contact, const char* path) {
     std::vector<double> values(elements, -1);
-    require_ok(contactd_get_array(contact, array, values.data(), elements), contact);
+    require_ok(contactd_get_array(contact, path, values.data(), elements), contact);
     return values;
 }

@@ -82,7 +82,6 @@ inline std::map<std::string, Call> every_call(Arguments& a) {
         {"contactd_set_Fy", [](C c) { return contactd_set_Fy(c, 0); }},
         {"contactd_clear_forces", [](C c) { return contactd_clear_forces(c); }},
         {"contactd_set_rigid_slip", [&a](C c) { return contactd_set_rigid_slip(c, a.in, a.in, 4); }},
-        {"contactd_want", [](C c) { return contactd_want(c, CONTACTD_PRESSURE, 1); }},
         {"contactd_set_step_timeout", [](C c) { return contactd_set_step_timeout(c, 10); }},
         {"contactd_get_step", [=](C c) { return contactd_get_step(c, n); }},
         {"contactd_get_forces", [=](C c) { return contactd_get_forces(c, x, y, z, w); }},
@@ -99,8 +98,6 @@ inline std::map<std::string, Call> every_call(Arguments& a) {
         {"contactd_get_discretisation", [=](C c) { return contactd_get_discretisation(c, n, x, y, z); }},
         {"contactd_get_warnings", [=](C c) { return contactd_get_warnings(c, n); }},
         {"contactd_get_warning", [&a](C c) { return contactd_get_warning(c, 0, a.text, 8); }},
-        {"contactd_get_array", [=](C c) { return contactd_get_array(c, CONTACTD_PRESSURE, x, 4); }},
-        {"contactd_get_division", [=](C c) { return contactd_get_division(c, n, 4); }},
         {"contactd_get_origin", [&a](C c) { return contactd_get_origin(c, CONTACTD_UPPER, a.text, 8); }},
     };
 }

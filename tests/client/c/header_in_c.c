@@ -4,5 +4,5 @@
 /* What a C compiler makes of the words. */
 int words_in_c(void);
 int words_in_c(void) {
-    return CONTACTD_SLIP_Y + (int)sizeof(contactd_log) * 0;
+    return CONTACTD_SLIP + (int)sizeof(contactd_log) * 0;
 }

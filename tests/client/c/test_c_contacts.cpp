@@ -47,13 +47,11 @@ TEST_CASE("A contact in C shifts as one in C++ does, array by array", "[c]") {
     set_sphere(contact);
     REQUIRE(contactd_set_mu(contact, 0.4) == CONTACTD_OK);
     REQUIRE(contactd_set_shift(contact, 0.004, 0, 0) == CONTACTD_OK);
-    for (std::int32_t array = CONTACTD_DIVISION; array <= CONTACTD_SLIP_Y; ++array)
-        REQUIRE(contactd_want(contact, array, 1) == CONTACTD_OK);
+    for (const char* array : every_array) REQUIRE(contactd_want(contact, array, 1) == CONTACTD_OK);
     require_ok(contactd_start(contact), contact);
 
     contactd::StepInput input;
-    for (int field = 0; field <= CONTACTD_SLIP_Y; ++field)
-        input.fields.push_back(static_cast<contactd::SolutionField>(field));
+    input.fields = contactd::all_solution_fields;
     for (const double x : {0.004, -0.007}) {
         shift.rigid_shift.x = x;
         input.motion = shift;
@@ -61,15 +59,13 @@ TEST_CASE("A contact in C shifts as one in C++ does, array by array", "[c]") {
         REQUIRE(contactd_set_shift(contact, x, 0, 0) == CONTACTD_OK);
 
         CHECK(stepped(contact) == read(solution));
-        CHECK(array_of(contact, CONTACTD_PRESSURE) == solution.pressure);
-        CHECK(array_of(contact, CONTACTD_TRACTION_X) == solution.traction_x);
-        CHECK(array_of(contact, CONTACTD_TRACTION_Y) == solution.traction_y);
-        CHECK(array_of(contact, CONTACTD_SLIP_X) == solution.slip_x);
-        CHECK(array_of(contact, CONTACTD_SLIP_Y) == solution.slip_y);
-        std::vector<std::int32_t> division(elements);
-        REQUIRE(contactd_get_division(contact, division.data(), elements) == CONTACTD_OK);
-        CHECK(std::equal(division.begin(), division.end(), solution.element_division.begin(),
-                         [](std::int32_t a, contactd::ElementState b) { return a == static_cast<std::int32_t>(b); }));
+        CHECK(array_of(contact, "pressure") == solution.pressure);
+        CHECK(array_of(contact, "traction_x") == solution.traction_x);
+        CHECK(array_of(contact, "traction_y") == solution.traction_y);
+        CHECK(array_of(contact, "slip_x") == solution.slip_x);
+        CHECK(array_of(contact, "slip_y") == solution.slip_y);
+        CHECK(std::ranges::equal(array_of(contact, "element_division"), solution.element_division,
+                                 [](double a, contactd::ElementState b) { return a == static_cast<int>(b); }));
         std::int32_t all = 0, adhesion = 0, slip = 0, border = 0, number = 0, ran = 0, converged = 0, warnings = 0;
         double area = 0, adhesion_area = 0, slip_area = 0, work = 0, residual = 0, y = 1, rotation = 1, back = 0;
         REQUIRE(contactd_get_counts(contact, &all, &adhesion, &slip, &border) == CONTACTD_OK);
@@ -158,7 +154,7 @@ TEST_CASE("A contact goes back to a state, its results with it, and comes to the
     set_sphere(contact);
     REQUIRE(contactd_set_mu(contact, 0.4) == CONTACTD_OK);
     REQUIRE(contactd_set_shift(contact, 0.004, 0, 0) == CONTACTD_OK);
-    REQUIRE(contactd_want(contact, CONTACTD_TRACTION_X, 1) == CONTACTD_OK);
+    REQUIRE(contactd_want(contact, "traction_x", 1) == CONTACTD_OK);
     require_ok(contactd_start(contact), contact);
     std::int32_t start = 0, state = 0, number = -1;
     REQUIRE(contactd_save(contact, &start) == CONTACTD_OK);
@@ -166,7 +162,7 @@ TEST_CASE("A contact goes back to a state, its results with it, and comes to the
     REQUIRE(contactd_save(contact, &state) == CONTACTD_OK);
     CHECK(state != start);
     const Read second = stepped(contact);
-    const auto tractions = array_of(contact, CONTACTD_TRACTION_X);
+    const auto tractions = array_of(contact, "traction_x");
 
     REQUIRE(contactd_restore(contact, state) == CONTACTD_OK);
 
@@ -174,7 +170,7 @@ TEST_CASE("A contact goes back to a state, its results with it, and comes to the
     REQUIRE(contactd_get_step(contact, &number) == CONTACTD_OK);
     CHECK(number == 1);
     CHECK(stepped(contact) == second);
-    CHECK(array_of(contact, CONTACTD_TRACTION_X) == tractions);
+    CHECK(array_of(contact, "traction_x") == tractions);
     CHECK(first != second);
     REQUIRE(contactd_restore(contact, start) == CONTACTD_OK);
     double pmax = 0;

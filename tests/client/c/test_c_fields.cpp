@@ -1,12 +1,13 @@
-// Fields by their paths: what is set so is what the functions of its own set, what is read is what they read, and what
-// is wrong is refused at once.
+// Fields by their paths: by texts, ids or many at once they are the same, and what is wrong is refused at once.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "c_wheel.hpp"
 
@@ -30,18 +31,6 @@ struct LocalWheel {
     }
 };
 
-double get(contactd_wheel* wheel, const std::string& path) {
-    double value = 0;
-    require_ok(contactd_get(wheel, path.c_str(), &value), wheel);
-    return value;
-}
-
-std::array<double, 6> forces_of(contactd_wheel* wheel) {
-    std::array<double, 6> forces{};
-    require_ok(contactd_wheel_get_forces(wheel, CONTACTD_IN_TRACK, forces.data()), wheel);
-    return forces;
-}
-
 void refused(std::int32_t code, contactd_wheel* wheel, const std::string& field, const std::string& sentence) {
     CHECK(code == CONTACTD_INVALID_ARGUMENT);
     CHECK(contactd_last_field(wheel) == field);
@@ -50,52 +39,98 @@ void refused(std::int32_t code, contactd_wheel* wheel, const std::string& field,
 
 }  // namespace
 
-TEST_CASE("What is set by its path is what its function sets", "[c]") {
+TEST_CASE("What is set means the same, whichever way it is named", "[c]") {
     using Setting = std::function<void(contactd_wheel*)>;
-    const auto set = [](const char* path, double value) -> Setting {
-        return [=](contactd_wheel* w) { require_ok(contactd_set(w, path, value), w); };
+    const auto by_id = [](const char* path, double value) -> Setting {
+        return [=](contactd_wheel* w) {
+            std::int32_t id = -1;
+            require_ok(contactd_path(w, path, &id), w);
+            require_ok(contactd_set_at(w, id, value), w);
+        };
     };
-    const auto word = [](const char* path, const char* keyword) -> Setting {
-        return [=](contactd_wheel* w) { require_ok(contactd_set_word(w, path, keyword), w); };
+    const auto field = [](const char* path, double value) -> Setting {
+        return [=](contactd_wheel* w) { set(w, path, value); };
     };
-    const auto both = [](const Setting& first, const Setting& second) -> Setting {
-        return [=](contactd_wheel* w) { first(w), second(w); };
+    const auto array = [](const char* path, const Numbers& values) -> Setting {
+        return [=](contactd_wheel* w) { set_array(w, path, values); };
     };
-    const auto [by_path, by_function] = GENERATE_COPY(table<Setting, Setting>(
-        {{set("state.position.y", 3), [](contactd_wheel* w) { contactd_wheel_set_position(w, 3, 0, 0, 4.8e-3); }},
-         {set("setup.track.springs.z", 1e5), [](contactd_wheel* w) { contactd_wheel_set_springs(w, 0, 1e5); }},
-         {set("setup.track.roller_radius", 400), [](contactd_wheel* w) { contactd_wheel_set_roller(w, 400); }},
-         {word("setup.side", "left"), [](contactd_wheel* w) { contactd_wheel_set_side(w, CONTACTD_LEFT); }},
-         {word("setup.model", "fastsim"), [](contactd_wheel* w) { contactd_wheel_set_model(w, CONTACTD_FASTSIM); }},
-         {word("setup.conformal", "auto"), [](contactd_wheel* w) { contactd_wheel_set_conformal(w, 4); }},
-         {both(set("setup.friction.kinetic.slip_velocity", 100), set("setup.friction.kinetic.mu", 0.1)),
-          [](contactd_wheel* w) { contactd_wheel_set_kinetic(w, CONTACTD_EXPONENTIAL, 0.1, 100); }}}));
-    const LocalWheel one, other;
-    by_path(one.wheel);
-    by_function(other.wheel);
-    require_ok(contactd_wheel_solve(one.wheel), one.wheel);
-    require_ok(contactd_wheel_solve(other.wheel), other.wheel);
-    CHECK(forces_of(one.wheel) == forces_of(other.wheel));
+    const auto fields = [](std::vector<std::pair<std::string, double>> all) -> Setting {
+        return [=](contactd_wheel* w) {
+            for (const auto& [path, value] : all) set(w, path, value);
+        };
+    };
+    const auto [one_way, other_way] = GENERATE_COPY(table<Setting, Setting>(
+        {{by_id("state.position.y", 3), field("state.position.y", 3)},
+         {array("setup.track.springs", {1e5, 2e5}),
+          fields({{"setup.track.springs.z", 2e5}, {"setup.track.springs.y", 1e5}})},
+         {array("setup.friction.mu", {-0.2, 0.1, 0.1, 0.4}), fields({{"setup.friction.mu[0].angle", -0.2},
+                                                                     {"setup.friction.mu[0].mu", 0.1},
+                                                                     {"setup.friction.mu[1].angle", 0.1},
+                                                                     {"setup.friction.mu[1].mu", 0.4}})},
+         {field("setup.friction.mu", 0.2), array("setup.friction.mu", {0, 0.2})},
+         {array("setup.wheel.cone", {-0.05, -30, 30}), fields({{"setup.wheel.cone.ends.from", -30},
+                                                               {"setup.wheel.cone.ends.to", 30},
+                                                               {"setup.wheel.cone.slope", -0.05}})},
+         {array("setup.bodies.lower", {60000, 0.3, 0}),
+          fields({{"setup.bodies.lower.rigid", 1}, {"setup.bodies.lower.nu", 0.3}, {"setup.bodies.lower.G", 60000}})},
+         {fields({{"setup.wheel.arc.radius", -300}, {"setup.wheel.s1002", 1}, {"setup.dx", 0.8}}),
+          field("setup.dx", 0.8)}}));
+    const LocalWheel one, other, without;
+    one_way(one.wheel);
+    other_way(other.wheel);
+    CHECK(solved(one.wheel) == solved(other.wheel));
+    CHECK(solved(one.wheel) != solved(without.wheel));
 }
 
-TEST_CASE("What is read by its path is what its function reads", "[c]") {
+TEST_CASE("What is read is the same, whichever way it is named", "[c]") {
     const LocalWheel local;
     contactd_wheel* const w = local.wheel;
-    require_ok(contactd_set(w, "setup.track.springs.y", 1e5), w);
+    set(w, "setup.track.springs.y", 1e5);
     require_ok(contactd_wheel_solve(w), w);
-    const std::array<double, 6> forces = forces_of(w);
-    CHECK(get(w, "forces.track.Fx") == forces[0]);
-    CHECK(get(w, "forces.track.Mz") == forces[5]);
+    const Numbers forces = get_array(w, "forces"), track = get_array(w, "forces.track");
+    CHECK(get(w, "forces.track.Fx") == track[0]);
+    CHECK(get(w, "forces.track.Mz") == track[5]);
+    CHECK(std::equal(track.begin(), track.end(), forces.begin()));
     CHECK(get(w, "patches") == 1);
     CHECK(get(w, "converged") == 1);
-    double xi = 0, eta = 0, phi = 0, velocity = 0, power = 0, y = 0, z = 0;
-    require_ok(contactd_wheel_get_creepages(w, 0, &xi, &eta, &phi, &velocity), w);
-    CHECK(get(w, "patches[0].place.creepages.phi") == phi);
-    require_ok(contactd_wheel_get_frictional_power(w, 0, &power), w);
-    CHECK(get(w, "frictional_power") == power);
-    require_ok(contactd_wheel_get_rail_shift(w, &y, &z), w);
-    CHECK(get(w, "rail_shift.y") == y);
+    CHECK(get_array(w, "patches[0].place.creepages")[2] == get(w, "patches[0].place.creepages.phi"));
+    CHECK(get(w, "frictional_power") == get(w, "patches[0].solution.frictional_power"));
+    CHECK(get_array(w, "rail_shift")[0] == get(w, "rail_shift.y"));
     CHECK(get(w, "patches[0].solution.evidence.normal.converged") == 1);
+    const Numbers pressure = get_array(w, "patches[0].solution.pressure");
+    CHECK(*std::ranges::max_element(pressure) == get(w, "patches[0].solution.pmax"));
+    const Numbers division = get_array(w, "patches[0].solution.element_division");
+    CHECK(static_cast<double>(std::ranges::count(division, CONTACTD_SLIP)) ==
+          get(w, "patches[0].solution.elements.slip"));
+    std::int32_t id = -1;
+    double value = 0;
+    require_ok(contactd_path(w, "rail_shift.y", &id), w);
+    for (const double springs : {1e5, 2e5}) {
+        set(w, "setup.track.springs.y", springs);
+        require_ok(contactd_wheel_solve(w), w);
+        require_ok(contactd_get_at(w, id, &value), w);
+        CHECK(value == get(w, "rail_shift.y"));
+    }
+}
+
+TEST_CASE("An id stays that of its path, however many paths there are", "[c]") {
+    const LocalWheel local;
+    contactd_wheel* const w = local.wheel;
+    std::int32_t first = -1, last = -1, again = -1;
+    require_ok(contactd_path(w, "state.position.yaw", &first), w);
+    require_ok(contactd_wheel_solve(w), w);
+    double value = 0;
+    for (int k = 0; k < 1500; ++k)
+        CHECK(contactd_get(w, ("patches[" + std::to_string(k + 1) + "].gap").c_str(), &value) != CONTACTD_OK);
+    require_ok(contactd_path(w, "state.position.roll", &last), w);
+    require_ok(contactd_path(w, "state.position.yaw", &again), w);
+    CHECK(again == first);
+    CHECK(last != first);
+    require_ok(contactd_set_at(w, first, 0.01), w);
+    require_ok(contactd_set_at(w, last, 0.001), w);
+    const LocalWheel other;
+    set(other.wheel, {{"state.position.yaw", 0.01}, {"state.position.roll", 0.001}});
+    CHECK(solved(w) == solved(other.wheel));
 }
 
 TEST_CASE("What was set can be left out again", "[c]") {
@@ -103,12 +138,12 @@ TEST_CASE("What was set can be left out again", "[c]") {
     contactd_wheel* const w = local.wheel;
     require_ok(contactd_clear(w, "setup.friction"), w);
     require_ok(contactd_wheel_solve(w), w);
-    CHECK(forces_of(w)[0] == 0);
+    CHECK(get(w, "forces.track.Fx") == 0);
     double power = 0;
     CHECK(contactd_get(w, "frictional_power", &power) == CONTACTD_NOT_FOUND);
     require_ok(contactd_set(w, "setup.friction.along_profile", 0), w);
     require_ok(contactd_wheel_solve(w), w);
-    CHECK(forces_of(w)[0] != 0);
+    CHECK(get(w, "forces.track.Fx") != 0);
 }
 
 TEST_CASE("A path or a value that is wrong is refused at once, and changes nothing", "[c]") {
@@ -121,8 +156,10 @@ TEST_CASE("A path or a value that is wrong is refused at once, and changes nothi
     refused(contactd_set(w, "setup.track.cant", 3), w, "setup.track.cant", "it must lie in [-0.5, 0.5] rad");
     refused(contactd_set(w, "setup.track.cant", NAN), w, "setup.track.cant", "is nan");
     refused(contactd_set(w, "setup.track", 1), w, "setup.track", "name one of its fields");
-    refused(contactd_set(w, "setup.friction.mu", 0.3), w, "setup.friction.mu", "is a list");
-    refused(contactd_set(w, "setup.wheel", 1), w, "setup.wheel", "a function of its own");
+    refused(contactd_set(w, "setup.friction.mu", -0.3), w, "setup.friction.mu", "is -0.3");
+    refused(contactd_set(w, "setup.wheel_slices", 1), w, "setup.wheel_slices", "is a list");
+    refused(contactd_set(w, "setup.wheel", 1), w, "setup.wheel", "name one of its fields");
+    refused(contactd_set(w, "setup.wheel.circle", 1), w, "setup.wheel.circle", "s1002, rail_60e1, arc");
     refused(contactd_set(w, "setup.model", 1), w, "setup.model", "takes a word");
     refused(contactd_set(w, "setup.force.max_iterations", 1.5), w, "setup.force.max_iterations", "a whole number");
     refused(contactd_set(w, "state.derivatives", 2), w, "state.derivatives", "0 or 1");
@@ -164,6 +201,16 @@ TEST_CASE("Results of a contact are read by their paths, its inputs are not set 
     REQUIRE(contactd_get_word(contact, "evidence.discretisation.source", text, 16) == CONTACTD_OK);
     CHECK(std::string(text) == "hertz");
     CHECK(contactd_set(contact, "Fn", 1) == CONTACTD_UNIMPLEMENTED);
+    CHECK(contactd_get_array(contact, "pressure", &value, 1) == CONTACTD_FAILED_PRECONDITION);
+    REQUIRE(contactd_want(contact, "pressure", 1) == CONTACTD_OK);
+    CHECK(contactd_want(contact, "gap", 1) == CONTACTD_INVALID_ARGUMENT);
+    REQUIRE(contactd_step(contact) == CONTACTD_OK);
+    std::int32_t count = 0, id = -1;
+    REQUIRE(contactd_length(contact, "pressure", &count) == CONTACTD_OK);
+    CHECK(count == 12 * 12);
+    REQUIRE(contactd_path(contact, "forces.Fn", &id) == CONTACTD_OK);
+    REQUIRE(contactd_get_at(contact, id, &value) == CONTACTD_OK);
+    CHECK(value > 0);
     CHECK(contactd_get(nullptr, "pmax", &value) == CONTACTD_INVALID_ARGUMENT);
     CHECK(contactd_free(contact) == CONTACTD_OK);
     CHECK(contactd_get(contact, "pmax", &value) == CONTACTD_INVALID_ARGUMENT);

@@ -90,7 +90,7 @@ def test_the_example_in_octave_is_that_in_c(shared_daemon):
         ("contactd('set_model', uint64(7), 'quick')", "contactd:arguments", "'quick' is no word of contactd.h."),
         ("contactd('set_model', uint64(7), 0.5)", "contactd:arguments", "Argument 3 must be a whole number."),
         ("contactd('set_gap', uint64(7), 'a')", "contactd:arguments", "Argument 3 must be an array of doubles."),
-        ("contactd('get_array', uint64(7), 'pressure', -1, 3)", "contactd:INVALID_ARGUMENT", "contact is none"),
+        ("contactd('get_array', uint64(7), 'pressure', -1, 3)", "contactd:INVALID_ARGUMENT", "is none that was made"),
     ],
 )
 def test_octave_tells_what_went_wrong(call, error, sentence):

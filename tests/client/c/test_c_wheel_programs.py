@@ -28,17 +28,18 @@ FLAT_ON_SPRINGS = """
 int main(int argc, char **argv) {{
     contactd_connection *connection;
     contactd_wheel *wheel;
-    double y, z, residual, forces[6];
-    int32_t solves, converged;
+    double y, z, Fy, solves, converged;
     int i;
     if (argc != 2 || contactd_open(argv[1], &connection) || contactd_wheel_new(connection, &wheel)) return 1;
-    contactd_wheel_set_elements(wheel, 0.5, 0.5, 0);
-    contactd_wheel_set_velocity(wheel, 20e3, 0, 0, 0, 0, -20e3 / 460);
-    contactd_wheel_set_Fz(wheel, 8e4);
+    contactd_set(wheel, "setup.dx", 0.5);
+    contactd_set(wheel, "setup.dy", 0.5);
+    contactd_set(wheel, "state.velocity.x", 20e3);
+    contactd_set(wheel, "state.velocity.pitch", -20e3 / 460);
+    contactd_set(wheel, "state.Fz", 8e4);
     {flat}
     {springs}
-    if (contactd_wheel_get_forces(wheel, CONTACTD_IN_TRACK, forces)) return 1;
-    printf("%.9g %.9g %.9g %d\\n", y, z, forces[1], (int)converged);
+    if (contactd_get(wheel, "forces.track.Fy", &Fy)) return 1;
+    printf("%.9g %.9g %.9g %d\\n", y, z, Fy, (int)converged);
     contactd_wheel_free(wheel);
     return contactd_close(connection);
 }}
@@ -47,8 +48,8 @@ int main(int argc, char **argv) {{
 
 def test_the_flat_and_the_springs_on_the_page_are_those_of_python(shared_daemon, tmp_path):
     snippets = re.findall(r"^```c\n(.*?)^```", (ROOT / "docs" / "c.md").read_text(), re.MULTILINE | re.DOTALL)
-    (flat,) = (code for code in snippets if "add_wheel_slice" in code)
-    (springs,) = (code for code in snippets if "set_springs" in code)
+    (flat,) = (code for code in snippets if "wheel_slices" in code)
+    (springs,) = (code for code in snippets if "track.springs" in code)
     source = tmp_path / "flat.c"
     source.write_text(FLAT_ON_SPRINGS.format(flat=flat, springs=springs))
     include = ROOT / "client" / "c" / "include"
@@ -102,13 +103,13 @@ def test_the_sweep_in_c_is_that_in_python_and_in_process(shared_daemon):
 def test_octave_solves_a_wheelset(shared_daemon):
     ended = octave(
         f"c = contactd('open', '{shared_daemon.endpoint}'); w = {{}};"
-        "for side = {'left', 'right'}, w{end + 1} = contactd('wheel_new', c); contactd('wheel_set_side', w{end}, side{1});"
-        "contactd('wheel_set_elements', w{end}, 1, 1, 0); contactd('wheel_set_Fz', w{end}, 1e4);"
-        "contactd('wheel_set_velocity', w{end}, 2000, 0, 0, 0, 0, -2000 / 460); end;"
+        "for side = {'left', 'right'}, w{end + 1} = contactd('wheel_new', c); contactd('set_word', w{end}, 'setup.side', side{1});"
+        "contactd('set', w{end}, 'setup.dx', 1); contactd('set', w{end}, 'setup.dy', 1); contactd('set', w{end}, 'state.Fz', 1e4);"
+        "contactd('set_array', w{end}, 'state.velocity', [2000 0 0 0 0 -2000 / 460]); end;"
         "contactd('wheel_solve_wheelset', w{2}, w{1});"
-        "for k = 1:2, F = contactd('wheel_get_forces', w{k}, 'in_track');"
-        "printf('%.12g %.12g\\n', F(3), contactd('wheel_get_roll', w{k})); end;"
-        "contactd('wheel_get_evidence', w{1}, 'roll'); contactd('wheel_solve_wheelset', w{1}, 7);"
+        "for k = 1:2, F = contactd('get_array', w{k}, 'forces.track');"
+        "printf('%.12g %.12g\\n', F(3), contactd('get', w{k}, 'roll')); end;"
+        "contactd('get', w{1}, 'roll_search.residual'); contactd('wheel_solve_wheelset', w{1}, 7);"
     )
     assert "Argument 3 must be what" in ended.stderr
     left, right = ([float(number) for number in line.split()] for line in ended.stdout.splitlines())
@@ -121,16 +122,16 @@ def test_octave_solves_a_wheelset(shared_daemon):
 def test_octave_has_wheels_that_are_not_round_and_rails_on_springs(shared_daemon):
     ended = octave(
         f"c = contactd('open', '{shared_daemon.endpoint}'); w = contactd('wheel_new', c);"
-        "contactd('wheel_set_elements', w, 1, 1, 0); contactd('wheel_set_Fz', w, 1e4);"
+        "contactd('set', w, 'setup.dx', 1); contactd('set', w, 'setup.dy', 1); contactd('set', w, 'state.Fz', 1e4);"
         "contactd('set', w, 'setup.track.springs.y', 1e4); contactd('set', w, 'setup.track.springs.z', 5e4);"
-        "contactd('set_word', w, 'setup.side', 'left'); contactd('clear', w, 'state.Fx');"
-        "contactd('wheel_set_rail_forces', w, 0, 2e3);"
-        "for k = -3:3, d = max(0, 0.4 - 0.2 * abs(k)); contactd('wheel_set_points', w, 'wheel', [-20 50], [-d -d], 0);"
-        "contactd('wheel_add_wheel_slice', w, 0.03 * k); end;"
-        "for pitch = [0 1], contactd('wheel_set_pitch_angle', w, pitch); contactd('wheel_solve', w);"
-        "[y, z] = contactd('wheel_get_rail_shift', w); [n, left, good] = contactd('wheel_get_evidence', w, 'rail_shift');"
-        "printf('%.10g %.10g %d\\n', contactd('get', w, 'z'), contactd('get', w, 'rail_shift.z'), good); end;"
-        "contactd('wheel_clear_wheel_slices', w); contactd('wheel_free', w); contactd('close', c);"
+        "contactd('set_word', w, 'setup.side', 'left'); contactd('clear', w, 'state.Fx'); contactd('set', w, 'state.rail.Fz', 2e3);"
+        "for k = 0:6, d = max(0, 0.4 - 0.2 * abs(k - 3)); at = sprintf('setup.wheel_slices[%d]', k);"
+        "contactd('set', w, [at '.angle'], 0.03 * (k - 3));"
+        "contactd('set_array', w, [at '.profile.points'], [-20 50; -d -d]); end;"
+        "for pitch = [0 1], contactd('set', w, 'state.position.pitch', pitch); contactd('wheel_solve', w);"
+        "printf('%.10g %.10g %d\\n', contactd('get', w, 'z'), contactd('get', w, 'rail_shift.z'),"
+        "contactd('get', w, 'rail_search.converged')); end;"
+        "contactd('clear', w, 'setup.wheel_slices'); contactd('wheel_free', w); contactd('close', c);"
     )
     assert ended.returncode == 0, ended.stderr
     flat, round_ = ([float(number) for number in line.split()] for line in ended.stdout.splitlines())
@@ -143,11 +144,11 @@ def test_octave_has_wheels_that_are_not_round_and_rails_on_springs(shared_daemon
 def test_octave_solves_a_wheel_on_its_rail(shared_daemon):
     ended = octave(
         f"c = contactd('open', '{shared_daemon.endpoint}'); w = contactd('wheel_new', c);"
-        "contactd('wheel_set_elements', w, 1, 1, 0); contactd('wheel_set_side', w, 'right');"
-        "contactd('wheel_set_velocity', w, 2000, 0, 0, 0, 0, -2000 / 460); contactd('wheel_set_Fz', w, 1e4);"
-        "contactd('wheel_want', w, 'pressure', 1); contactd('wheel_solve', w);"
-        "F = contactd('wheel_get_forces', w, 'in_track'); p = contactd('wheel_get_array', w, 0, 'pressure');"
-        "[nx, ny] = contactd('wheel_get_grid', w, 0); [approach, pmax] = contactd('wheel_get_pressure', w, 0);"
+        "contactd('set', w, 'setup.dx', 1); contactd('set', w, 'setup.dy', 1); contactd('set_word', w, 'setup.side', 'right');"
+        "contactd('set_array', w, 'state.velocity', [2000 0 0 0 0 -2000 / 460]); contactd('set', w, 'state.Fz', 1e4);"
+        "contactd('want', w, 'pressure', 1); contactd('wheel_solve', w); F = contactd('get_array', w, 'forces.track');"
+        "nx = contactd('get', w, 'patches[0].place.grid.nx'); ny = contactd('get', w, 'patches[0].place.grid.ny');"
+        "p = contactd('get_array', w, 'patches[0].solution.pressure', nx, ny); pmax = contactd('get', w, 'patches[0].solution.pmax');"
         "printf('%d %d %d %.10g %.10g\\n', numel(F), all(size(p) == [nx ny]), max(p(:)) == pmax, F(3), sum(p(:)));"
         "contactd('wheel_free', w); contactd('close', c);"
     )

@@ -28,71 +28,73 @@ struct Case {
 };
 
 const std::vector<Case>& cases() {
-    static const double angles[2] = {-1.2, -0.2}, mus[2] = {0.1, 0.35};
     static const std::vector<Case> all{
         {"in the middle", [](contactd_wheel* w) { set_rolling(w, 0); }},
         {"two regions in one patch", [](contactd_wheel* w) { set_rolling(w, 5); }},
         {"a left wheel with derivatives",
          [](contactd_wheel* w) {
              set_rolling(w, 2);
-             require_ok(contactd_wheel_set_side(w, CONTACTD_LEFT), w);
-             require_ok(contactd_wheel_want_derivatives(w, 1), w);
+             set_word(w, "setup.side", "left");
+             set(w, "state.derivatives", 1);
          }},
         {"fastsim, with a longitudinal force",
          [](contactd_wheel* w) {
              set_rolling(w, 1);
-             require_ok(contactd_wheel_set_model(w, CONTACTD_FASTSIM), w);
-             require_ok(contactd_wheel_set_Fx(w, 500), w);
+             set_word(w, "setup.model", "fastsim");
+             set(w, "state.Fx", 500);
          }},
         {"friction by the angle, falling with slip",
          [](contactd_wheel* w) {
              set_rolling(w, 8);
-             require_ok(contactd_wheel_set_mu_by_angle(w, angles, mus, 2, 1), w);
-             require_ok(contactd_wheel_set_kinetic(w, CONTACTD_EXPONENTIAL, 0.08, 500), w);
+             set_array(w, "setup.friction.mu", {-1.2, 0.1, -0.2, 0.35});
+             set(w, {{"setup.friction.along_profile", 1}, {"setup.friction.kinetic.mu", 0.08}});
+             set_word(w, "setup.friction.kinetic.law", "exponential");
+             set(w, "setup.friction.kinetic.slip_velocity", 500);
          }},
         {"no contact",
          [](contactd_wheel* w) {
              set_rolling(w, 0);
-             require_ok(contactd_wheel_clear_forces(w), w);
-             require_ok(contactd_wheel_set_position(w, 0, -1, 0, 0), w);
+             clear(w, "state.Fz");
+             set(w, {{"state.position.y", 0},
+                     {"state.position.z", -1},
+                     {"state.position.roll", 0},
+                     {"state.position.yaw", 0}});
          }},
         {"a cone on arcs that vary along the track",
          [](contactd_wheel* w) {
              set_rolling(w, 0);
-             require_ok(contactd_wheel_set_cone(w, CONTACTD_WHEEL, -0.05, -30, 30), w);
-             require_ok(contactd_wheel_set_rail_origin(w, 750, 0), w);
-             require_ok(contactd_wheel_set_arc(w, CONTACTD_RAIL, 300, 0, -30, 30), w);
-             require_ok(contactd_wheel_add_slice(w, -500), w);
-             require_ok(contactd_wheel_set_arc(w, CONTACTD_RAIL, 200, 0, -30, 30), w);
-             require_ok(contactd_wheel_add_slice(w, 500), w);
-             require_ok(contactd_wheel_set_x(w, 100), w);
+             set_cone(w, "setup.wheel", -0.05);
+             set(w, {{"setup.track.rail_origin.y", 750}, {"setup.track.rail_origin.z", 0}});
+             set(w, "setup.rail_slices[0].x", -500);
+             set_arc(w, "setup.rail_slices[0].profile", 300);
+             set(w, "setup.rail_slices[1].x", 500);
+             set_arc(w, "setup.rail_slices[1].profile", 200);
+             set(w, "state.position.x", 100);
          }},
         {"a contact that is curved, found on a mesh",
          [](contactd_wheel* w) {
              set_rolling(w, 7.5);
-             require_ok(contactd_wheel_set_mesh_search(w, 1), w);
-             require_ok(contactd_wheel_set_conformal(w, 1), w);
+             set_word(w, "setup.patches.search", "mesh");
+             set_word(w, "setup.conformal", "half_space");
          }},
         {"a contact that turns from row to row",
          [](contactd_wheel* w) {
              set_rolling(w, 6.5);
-             require_ok(contactd_wheel_set_conformal(w, 2), w);
+             set_word(w, "setup.conformal", "rotated");
          }},
         {"a roller, of points, under a rigid wheel",
          [](contactd_wheel* w) {
-             Numbers y, z;
-             for (int k = -60; k <= 60; ++k) {
-                 y.push_back(0.5 * k);
-                 z.push_back(300 - std::sqrt(300 * 300 - 0.25 * k * k));
-             }
+             Numbers points;
+             for (int k = -60; k <= 60; ++k)
+                 points.insert(points.end(), {0.5 * k, 300 - std::sqrt(300 * 300 - 0.25 * k * k)});
              set_rolling(w, 0);
-             require_ok(contactd_wheel_set_points(w, CONTACTD_RAIL, y.data(), z.data(), 121, 3), w);
-             require_ok(contactd_wheel_set_cone(w, CONTACTD_WHEEL, -0.025, -30, 30), w);
-             require_ok(contactd_wheel_set_rail_origin(w, 750, 0), w);
-             require_ok(contactd_wheel_set_roller(w, 500), w);
-             require_ok(contactd_wheel_set_rigid(w, CONTACTD_WHEEL), w);
-             require_ok(contactd_wheel_set_velocity(w, 0, 0, 0, 0, 0, -4), w);
-             require_ok(contactd_wheel_set_roller_pitch(w, 4 * 460.0 / 500), w);
+             set_array(w, "setup.rail.points", points);
+             set(w, "setup.rail.smoothing_length", 3);
+             set_cone(w, "setup.wheel", -0.025);
+             set(w, {{"setup.track.rail_origin.y", 750}, {"setup.track.rail_origin.z", 0}});
+             set(w, {{"setup.track.roller_radius", 500}, {"setup.bodies.lower.rigid", 1}});
+             set_array(w, "state.velocity", {0, 0, 0, 0, 0, -4});
+             set(w, "state.roller_pitch", 4 * 460.0 / 500);
          }},
     };
     return all;
@@ -134,52 +136,45 @@ TEST_CASE("In process and with a daemon wheels have the same answers to the last
 TEST_CASE("A wheel on its rail is as the benchmark has it", "[c]") {
     const Place here("local");
     const WheelHandle w(here);
-    require_ok(contactd_wheel_set_velocity(w, 2000, 0, 0, 0, 0, -4.2534857), w);  // A-2.2, case 17
-    require_ok(contactd_wheel_set_position(w, 8, 0, -0.008606, 0.0192), w);
-    require_ok(contactd_wheel_set_Fz(w, 1e4), w);
+    set_array(w, "state.velocity", {2000, 0, 0, 0, 0, -4.2534857});  // A-2.2, case 17
+    set(w, {{"state.position.y", 8},
+            {"state.position.z", 0},
+            {"state.position.roll", -0.008606},
+            {"state.position.yaw", 0.0192}});
+    set(w, "state.Fz", 1e4);
     require_ok(contactd_wheel_solve(w), w);
-    double forces[6], z, pitch, Fn, Fx, Fs, Mn;
-    std::int32_t iterations = 0, converged = 0;
-    double residual = 1;
-    require_ok(contactd_wheel_get_motion(w, &z, &pitch), w);
-    require_ok(contactd_wheel_get_forces(w, CONTACTD_IN_TRACK, forces), w);
-    require_ok(contactd_wheel_get_contact_forces(w, 0, &Fn, &Fx, &Fs, &Mn), w);
-    require_ok(contactd_wheel_get_evidence(w, CONTACTD_FORCE, &iterations, &residual, &converged), w);
-    CHECK(z == Approx(-6.2615).margin(1e-3));
-    CHECK(pitch == -4.2534857);
-    CHECK(forces[2] == Approx(1e4).epsilon(1e-5));
-    CHECK(Fn == Approx(12720).epsilon(1e-3));
-    CHECK(Fx == Approx(-2070).margin(4));
-    CHECK(Fs == Approx(-3195).margin(4));
-    CHECK(iterations > 0);
-    CHECK(converged == 1);
-    CHECK(residual <= 1e-6);
-    CHECK(contactd_wheel_get_evidence(w, CONTACTD_PITCH, &iterations, &residual, &converged) == CONTACTD_NOT_FOUND);
-    CHECK(contactd_wheel_get_evidence(w, CONTACTD_NORMAL, &iterations, &residual, &converged) ==
-          CONTACTD_INVALID_ARGUMENT);
+    CHECK(get(w, "z") == Approx(-6.2615).margin(1e-3));
+    CHECK(get(w, "pitch") == -4.2534857);
+    CHECK(get(w, "forces.track.Fz") == Approx(1e4).epsilon(1e-5));
+    CHECK(get(w, "patches[0].solution.forces.Fn") == Approx(12720).epsilon(1e-3));
+    CHECK(get(w, "patches[0].solution.forces.Fx") == Approx(-2070).margin(4));
+    CHECK(get(w, "patches[0].solution.forces.Fy") == Approx(-3195).margin(4));
+    CHECK(get(w, "force.iterations") > 0);
+    CHECK(get(w, "force.converged") == 1);
+    CHECK(get(w, "force.residual") <= 1e-6);
+    CHECK_FALSE(has(w, "pitch_search.residual"));
 }
 
 TEST_CASE("A profile of a file is that of its points", "[c]") {
     const Place here("local");
     const WheelHandle from_file(here), from_points(here);
     const auto file = std::filesystem::temp_directory_path() / ("wheel-" + std::to_string(::getpid()) + ".txt");
-    Numbers y, z;
+    Numbers points;
     {
         std::ofstream text(file);
         text.precision(17);
         for (int k = -60; k <= 60; ++k) {
-            y.push_back(0.5 * k);
-            z.push_back(0.25 * k * k / 600);
-            text << y.back() << ' ' << z.back() << '\n';
+            points.insert(points.end(), {0.5 * k, 0.25 * k * k / 600});
+            text << 0.5 * k << ' ' << points.back() << '\n';
         }
     }
     for (contactd_wheel* w : {static_cast<contactd_wheel*>(from_file), static_cast<contactd_wheel*>(from_points)}) {
         set_rolling(w, 0);
-        require_ok(contactd_wheel_set_cone(w, CONTACTD_WHEEL, -0.05, -30, 30), w);
-        require_ok(contactd_wheel_set_rail_origin(w, 750, 0), w);
+        set_cone(w, "setup.wheel", -0.05);
+        set(w, {{"setup.track.rail_origin.y", 750}, {"setup.track.rail_origin.z", 0}});
     }
-    require_ok(contactd_wheel_set_file(from_file, CONTACTD_RAIL, file.c_str(), 0), from_file);
-    require_ok(contactd_wheel_set_points(from_points, CONTACTD_RAIL, y.data(), z.data(), 121, 0), from_points);
+    require_ok(contactd_wheel_read_profile(from_file, "setup.rail", file.c_str()), from_file);
+    set_array(from_points, "setup.rail.points", points);
     std::filesystem::remove(file);
     CHECK(solved(from_file) == solved(from_points));
 }
@@ -188,39 +183,40 @@ TEST_CASE("What is not there to be read is said", "[c]") {
     const Place here("local");
     const WheelHandle w(here);
     double x[6];
-    std::int32_t n = 0;
-    require_ok(contactd_wheel_set_position(w, 2000, 0, 0, 0), w);
+    set(w, "state.position.y", 2000);
     require_ok(contactd_wheel_solve(w), w);
-    CHECK(contactd_wheel_get_clearance(w, x) == CONTACTD_NOT_FOUND);
-    CHECK(contactd_wheel_get_derivative(w, CONTACTD_BY_POSITION_Z, x) == CONTACTD_NOT_FOUND);
-    CHECK(contactd_wheel_get_pressure(w, 0, x, x + 1) == CONTACTD_INVALID_ARGUMENT);
-    CHECK(contactd_last_field(w) == std::string("patch"));
-    CHECK(contactd_wheel_get_forces(w, 3, x) == CONTACTD_INVALID_ARGUMENT);
-    CHECK(contactd_wheel_get_forces(w, CONTACTD_IN_TRACK, nullptr) == CONTACTD_INVALID_ARGUMENT);
-    CHECK(contactd_wheel_get_derivative(w, 10, x) == CONTACTD_INVALID_ARGUMENT);
-    CHECK(contactd_wheel_get_warnings(w, &n) == CONTACTD_OK);
-    CHECK(n > 0);
-    CHECK(contactd_wheel_get_warning(w, n, nullptr, 0) == CONTACTD_INVALID_ARGUMENT);
+    for (const char* path : {"clearance", "derivatives.position.z.Fx", "patches[0].solution.pmax", "rail_shift.y"})
+        CHECK(contactd_get(w, path, x) == CONTACTD_NOT_FOUND);
+    CHECK(contactd_get_array(w, "derivatives.position.z", x, 6) == CONTACTD_NOT_FOUND);
+    CHECK(contactd_get_array(w, "forces.ground", x, 6) == CONTACTD_INVALID_ARGUMENT);
+    CHECK(contactd_get_array(w, "forces.track", nullptr, 6) == CONTACTD_INVALID_ARGUMENT);
+    CHECK(contactd_last_field(w) == std::string("values"));
+    CHECK(contactd_get_array(w, "forces.track", x, 5) == CONTACTD_INVALID_ARGUMENT);
+    CHECK(contactd_last_field(w) == std::string("count"));
+    CHECK(get(w, "warnings") > 0);
+    CHECK(contactd_get_word(w, "warnings[0]", nullptr, 0) == CONTACTD_INVALID_ARGUMENT);
 
-    require_ok(contactd_wheel_set_elements(w, 1, 1, 0), w);
-    require_ok(contactd_wheel_set_position(w, 0, 0.2, 0, 0), w);
+    set(w, {{"setup.dx", 1}, {"setup.dy", 1}, {"state.position.y", 0}, {"state.position.z", 0.2}});
     require_ok(contactd_wheel_solve(w), w);
-    CHECK(contactd_wheel_get_array(w, 0, CONTACTD_PRESSURE, x, 6) == CONTACTD_FAILED_PRECONDITION);
-    CHECK(std::string(contactd_last_error(w)).find("contactd_wheel_want") != std::string::npos);
-    CHECK(contactd_wheel_get_array(w, 0, CONTACTD_GAP, x, 6) == CONTACTD_FAILED_PRECONDITION);
-    require_ok(contactd_wheel_want(w, CONTACTD_PRESSURE, 1), w);
-    CHECK(contactd_wheel_get_array(w, 0, CONTACTD_PRESSURE, x, 6) == CONTACTD_FAILED_PRECONDITION);
+    const auto pressure = [&] { return contactd_get_array(w, "patches[0].solution.pressure", x, 6); };
+    CHECK(pressure() == CONTACTD_FAILED_PRECONDITION);
+    CHECK(std::string(contactd_last_error(w)).find("contactd_want") != std::string::npos);
+    CHECK(contactd_get_array(w, "patches[0].gap", x, 6) == CONTACTD_FAILED_PRECONDITION);
+    require_ok(contactd_want(w, "pressure", 1), w);
+    CHECK(pressure() == CONTACTD_FAILED_PRECONDITION);
     require_ok(contactd_wheel_solve(w), w);
-    CHECK(contactd_wheel_get_array(w, 0, CONTACTD_PRESSURE, x, 6) == CONTACTD_INVALID_ARGUMENT);
-    CHECK(contactd_last_field(w) == std::string("length"));
-    CHECK(contactd_wheel_get_array(w, 0, CONTACTD_DIVISION, x, 6) == CONTACTD_INVALID_ARGUMENT);
+    CHECK(pressure() == CONTACTD_INVALID_ARGUMENT);
+    CHECK(contactd_last_field(w) == std::string("count"));
 
-    require_ok(contactd_wheel_set_velocity(w, 2000, 0, 0, 0, 0, -4), w);
+    set_array(w, "state.velocity", {2000, 0, 0, 0, 0, -4});
     require_ok(contactd_wheel_solve(w), w);
-    CHECK(contactd_wheel_get_frictional_power(w, 0, x) == CONTACTD_OK);
-    require_ok(contactd_wheel_set_frictionless(w), w);
+    CHECK(has(w, "patches[0].solution.frictional_power"));
+    clear(w, "setup.friction");
+    require_ok(contactd_want(w, "slip_x", 1), w);
     require_ok(contactd_wheel_solve(w), w);
-    CHECK(contactd_wheel_get_frictional_power(w, 0, x) == CONTACTD_NOT_FOUND);
+    CHECK_FALSE(has(w, "patches[0].solution.frictional_power"));
+    const Numbers slip = get_array(w, "patches[0].solution.slip_x");
+    CHECK(slip == Numbers(get_array(w, "patches[0].solution.pressure").size()));
 }
 
 TEST_CASE("A solve that is refused leaves the results of the one before", "[c]") {
@@ -230,17 +226,14 @@ TEST_CASE("A solve that is refused leaves the results of the one before", "[c]")
     const WheelHandle w(place);
     set_rolling(w, 0);
     require_ok(contactd_wheel_solve(w), w);
-    double before[6], after[6];
-    require_ok(contactd_wheel_get_forces(w, CONTACTD_IN_TRACK, before), w);
-    const double points[2] = {0, 1};
-    require_ok(contactd_wheel_set_points(w, CONTACTD_RAIL, points, points, 1, 0), w);
+    const Numbers before = get_array(w, "forces");
+    set_array(w, "setup.rail.points", {0, 0});
     CHECK(contactd_wheel_solve(w) == CONTACTD_INVALID_ARGUMENT);
     CHECK(contactd_last_field(w) == std::string("setup.rail.points"));
-    require_ok(contactd_wheel_get_forces(w, CONTACTD_IN_TRACK, after), w);
-    CHECK(before[1] == after[1]);
-    require_ok(contactd_wheel_set_rail_60e1(w, 0.025), w);
-    require_ok(contactd_wheel_clear_forces(w), w);
-    require_ok(contactd_wheel_set_position(w, 0, 20, 0, 0), w);
+    CHECK(get_array(w, "forces") == before);
+    set(w, "setup.rail.rail_60e1.inclination", 0.025);
+    clear(w, "state.Fz");
+    set(w, {{"state.position.y", 0}, {"state.position.z", 20}, {"state.position.roll", 0}, {"state.position.yaw", 0}});
     CHECK(contactd_wheel_solve(w) == CONTACTD_INVALID_ARGUMENT);
     CHECK(contactd_last_field(w) == std::string("state.position.z"));
 }
@@ -251,12 +244,10 @@ TEST_CASE("A wheel that a thread uses refuses every call of another, and is canc
     const Place place(where == "local" ? where : daemon.endpoint());
     const WheelHandle w(place);
     set_rolling(w, 0);
-    require_ok(contactd_wheel_set_elements(w, 0.05, 0.05, 0), w);
-    require_ok(contactd_wheel_want_derivatives(w, 1), w);
+    set(w, {{"setup.dx", 0.05}, {"setup.dy", 0.05}});
+    set(w, "state.derivatives", 1);
     Solving solving(w);
-    std::int32_t n = 0;
-    while (!solving.ended &&
-           (contactd_wheel_get_patches(w, &n), contactd_last_reason(w) != std::string("CONCURRENT_USE")))
+    while (!solving.ended && (contactd_want(w, "gap", 1), contactd_last_reason(w) != std::string("CONCURRENT_USE")))
         std::this_thread::sleep_for(1ms);
     WheelArguments arguments;
     for (const auto& [name, call] : every_wheel_call(arguments)) {
@@ -273,8 +264,8 @@ TEST_CASE("A wheel that a thread uses refuses every call of another, and is canc
     require_ok(contactd_wheel_set_timeout(w, 0.05), w);
     CHECK(contactd_wheel_solve(w) == CONTACTD_DEADLINE_EXCEEDED);
     require_ok(contactd_wheel_set_timeout(w, 60), w);
-    require_ok(contactd_wheel_want_derivatives(w, 0), w);
-    require_ok(contactd_wheel_set_elements(w, 1, 1, 0), w);
+    set(w, "state.derivatives", 0);
+    set(w, {{"setup.dx", 1}, {"setup.dy", 1}});
     CHECK(contactd_wheel_cancel(w) == CONTACTD_OK);  // nothing runs: nothing happens
     require_ok(contactd_wheel_solve(w), w);
 }
@@ -290,7 +281,8 @@ TEST_CASE("The log tells of the warnings of a wheel", "[c]") {
                    &told),
                place);
     const WheelHandle w(place);
-    require_ok(contactd_wheel_set_position(w, 2000, 0, 0, 0), w);
+    set(w,
+        {{"state.position.y", 2000}, {"state.position.z", 0}, {"state.position.roll", 0}, {"state.position.yaw", 0}});
     require_ok(contactd_wheel_solve(w), w);
     CHECK(told.starts_with("No part of the wheel is above the rail"));
 }
@@ -306,7 +298,10 @@ TEST_CASE("Without a log warnings go to standard error, each once, and NULL sile
             const Place place("local");
             if (silenced) require_ok(contactd_set_log(place, nullptr, nullptr), place);
             const WheelHandle w(place);
-            require_ok(contactd_wheel_set_position(w, 2000, 0, 0, 0), w);
+            set(w, {{"state.position.y", 2000},
+                    {"state.position.z", 0},
+                    {"state.position.roll", 0},
+                    {"state.position.yaw", 0}});
             require_ok(contactd_wheel_solve(w), w);
             require_ok(contactd_wheel_solve(w), w);
         }

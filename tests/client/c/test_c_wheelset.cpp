@@ -9,12 +9,11 @@
 #include <thread>
 #include <vector>
 
+#include "c_wheel.hpp"
 #include "client/cpp/own_daemon.hpp"
-#include "every_wheel_call.hpp"
 
 using namespace std::chrono_literals;
 using Catch::Approx;
-using Numbers = std::vector<double>;
 
 namespace {
 
@@ -23,14 +22,14 @@ constexpr double velocity = 2000, radius = 460;
 /// A right and a left wheel that roll under forces of their own.
 struct Wheelset {
     explicit Wheelset(contactd_connection* place, double y = 4) : right(place), left(place) {
-        require_ok(contactd_wheel_set_side(left, CONTACTD_LEFT), left);
+        set_word(left, "setup.side", "left");
         for (contactd_wheel* w : {static_cast<contactd_wheel*>(right), static_cast<contactd_wheel*>(left)}) {
-            require_ok(contactd_wheel_set_elements(w, 1, 1, 0), w);
-            require_ok(contactd_wheel_set_velocity(w, velocity, 0, 0, 0, 0, -velocity / radius), w);
-            require_ok(contactd_wheel_set_position(w, y, 0, 0, 2.4e-3 * y), w);
+            set(w, {{"setup.dx", 1}, {"setup.dy", 1}});
+            set_array(w, "state.velocity", {velocity, 0, 0, 0, 0, -velocity / radius});
+            set(w, {{"state.position.y", y}, {"state.position.yaw", 2.4e-3 * y}});
         }
-        require_ok(contactd_wheel_set_Fz(right, 1.2e4), right);
-        require_ok(contactd_wheel_set_Fz(left, 0.9e4), left);
+        set(right, "state.Fz", 1.2e4);
+        set(left, "state.Fz", 0.9e4);
     }
     std::int32_t solve() const { return contactd_wheel_solve_wheelset(right, left); }
 
@@ -39,34 +38,24 @@ struct Wheelset {
 
 /// What a wheel has of the last solve.
 Numbers results(contactd_wheel* w) {
-    Numbers all(5);
-    double x[6] = {};
-    std::int32_t n[3] = {}, patches = 0;
-    require_ok(contactd_wheel_get_motion(w, &all[0], &all[1]), w);
-    require_ok(contactd_wheel_get_roll(w, &all[2]), w);
-    require_ok(contactd_wheel_get_evidence(w, CONTACTD_ROLL, n, &all[3], n + 1), w);
-    require_ok(contactd_wheel_get_converged(w, n + 2), w);
-    require_ok(contactd_wheel_get_patches(w, &patches), w);
-    all.insert(all.end(), n, n + 3);
-    for (const std::int32_t coordinates : {CONTACTD_IN_TRACK, CONTACTD_IN_RAIL, CONTACTD_IN_WHEELSET}) {
-        require_ok(contactd_wheel_get_forces(w, coordinates, x), w);
-        all.insert(all.end(), x, x + 6);
-    }
-    for (std::int32_t patch = 0; patch < patches; ++patch) {
-        require_ok(contactd_wheel_get_grid(w, patch, n, n + 1, x, x + 1, x + 2, x + 3), w);
-        require_ok(contactd_wheel_get_creepages(w, patch, x, x + 1, x + 2, x + 3), w);
-        all.insert(all.end(), x, x + 4);
-        Numbers values(static_cast<std::size_t>(n[0] * n[1]));
-        if (contactd_wheel_get_array(w, patch, CONTACTD_PRESSURE, values.data(), n[0] * n[1]) == CONTACTD_OK)
-            all.insert(all.end(), values.begin(), values.end());
+    Numbers all;
+    const auto take = [&](const std::string& path) {
+        const Numbers more = get_array(w, path);
+        all.insert(all.end(), more.begin(), more.end());
+    };
+    for (const char* path : {"z", "pitch", "roll", "converged", "forces"}) take(path);
+    all.insert(all.end(), {get(w, "roll_search.iterations"), get(w, "roll_search.residual")});
+    for (int k = 0; k < get(w, "patches"); ++k) {
+        const std::string patch = "patches[" + std::to_string(k) + "].", pressure = patch + "solution.pressure";
+        take(patch + "place.creepages");
+        std::int32_t elements = 0;
+        if (contactd_length(w, pressure.c_str(), &elements) == CONTACTD_OK) take(pressure);
     }
     return all;
 }
 
 double vertical_force(contactd_wheel* w) {
-    double forces[6] = {};
-    require_ok(contactd_wheel_get_forces(w, CONTACTD_IN_TRACK, forces), w);
-    return forces[2];
+    return get(w, "forces.track.Fz");
 }
 
 void refuses(const Wheelset& wheelset, const std::string& field) {
@@ -83,14 +72,14 @@ TEST_CASE("In process and with a daemon wheelsets have the same answers to the l
     for (const double y : {0.0, 4.0}) {
         const Wheelset own(here, y), remote(there, y);
         for (const Wheelset* one : {&own, &remote}) {
-            require_ok(contactd_wheel_want(one->left, CONTACTD_PRESSURE, 1), one->left);
-            require_ok(contactd_wheel_set_mu(one->left, 0.2), one->left);
+            require_ok(contactd_want(one->left, "pressure", 1), one->left);
+            set(one->left, "setup.friction.mu", 0.2);
             require_ok(one->solve(), one->right);
         }
         CHECK(results(own.right) == results(remote.right));
         CHECK(results(own.left) == results(remote.left));
         double pressure = 0;
-        CHECK(contactd_wheel_get_array(own.right, 0, CONTACTD_PRESSURE, &pressure, 1) ==
+        CHECK(contactd_get_array(own.right, "patches[0].solution.pressure", &pressure, 1) ==
               CONTACTD_FAILED_PRECONDITION);  // only the left wheel wanted it
     }
 }
@@ -101,27 +90,23 @@ TEST_CASE("Each wheel of a wheelset presses as told, and is as by itself where t
     require_ok(wheelset.solve(), wheelset.right);
     CHECK(vertical_force(wheelset.right) == Approx(1.2e4).epsilon(1e-5));
     CHECK(vertical_force(wheelset.left) == Approx(0.9e4).epsilon(1e-5));
-    double roll = 1, z = 1, pitch = 0, again = 0, residual = 1;
-    std::int32_t solves = 0, converged = 0;
-    require_ok(contactd_wheel_get_roll(wheelset.right, &roll), wheelset.right);
-    require_ok(contactd_wheel_get_motion(wheelset.right, &z, &pitch), wheelset.right);
-    require_ok(contactd_wheel_get_evidence(wheelset.left, CONTACTD_ROLL, &solves, &residual, &converged),
-               wheelset.left);
+    const double roll = get(wheelset.right, "roll"), z = get(wheelset.right, "z");
     CHECK(roll != 0);
-    CHECK(solves > 1);
-    CHECK(converged == 1);
+    CHECK(get(wheelset.left, "roll_search.iterations") > 1);
+    CHECK(get(wheelset.left, "roll_search.converged") == 1);
 
     for (contactd_wheel* w :
          {static_cast<contactd_wheel*>(wheelset.right), static_cast<contactd_wheel*>(wheelset.left)}) {
-        require_ok(contactd_wheel_set_position(w, 4, z, roll, 2.4e-3 * 4), w);
+        set(w, {{"state.position.y", 4},
+                {"state.position.z", z},
+                {"state.position.roll", roll},
+                {"state.position.yaw", 2.4e-3 * 4}});
         const double together = vertical_force(w);
         require_ok(contactd_wheel_solve(w), w);
         CHECK(vertical_force(w) == Approx(together).epsilon(1e-5));
-        require_ok(contactd_wheel_get_motion(w, &again, &pitch), w);
-        CHECK(again == Approx(z).margin(1e-4));
-        CHECK(contactd_wheel_get_evidence(w, CONTACTD_ROLL, &solves, &residual, &converged) == CONTACTD_NOT_FOUND);
-        require_ok(contactd_wheel_get_roll(w, &again), w);
-        CHECK(again == roll);
+        CHECK(get(w, "z") == Approx(z).margin(1e-4));
+        CHECK_FALSE(has(w, "roll_search.residual"));
+        CHECK(get(w, "roll") == roll);
     }
 }
 
@@ -139,25 +124,27 @@ TEST_CASE("Wheels that make no wheelset are refused by the field that is wrong",
     CHECK(contactd_wheel_solve_wheelset(wheelset.right, other.left) == CONTACTD_INVALID_ARGUMENT);
     CHECK(contactd_last_field(wheelset.right) == std::string("left"));
 
-    require_ok(contactd_wheel_set_position(left, 4, -3, 0.01, 2.4e-3 * 4), left);  // where to start: may differ
+    set(left, {{"state.position.y", 4},
+               {"state.position.z", -3},
+               {"state.position.roll", 0.01},
+               {"state.position.yaw", 2.4e-3 * 4}});  // where to start: may differ
     require_ok(wheelset.solve(), wheelset.right);
-    require_ok(contactd_wheel_set_position(left, 3, 0, 0, 2.4e-3 * 4), left);
+    set(left, {{"state.position.y", 3}, {"state.position.yaw", 2.4e-3 * 4}});
     refuses(wheelset, "state.position");
-    require_ok(contactd_wheel_set_position(left, 4, 0, 0, 2.4e-3 * 4), left);
-    require_ok(contactd_wheel_set_roller_pitch(left, 1), left);
+    set(left, {{"state.position.y", 4}, {"state.position.yaw", 2.4e-3 * 4}});
+    set(left, "state.roller_pitch", 1);
     refuses(wheelset, "state.roller_pitch");
-    require_ok(contactd_wheel_set_roller_pitch(left, 0), left);
-    require_ok(contactd_wheel_set_Fx(left, 10), left);
+    set(left, "state.roller_pitch", 0);
+    set(left, "state.Fx", 10);
     refuses(wheelset, "state.Fx");
-    require_ok(contactd_wheel_clear_forces(left), left);
+    clear(left, "state.Fx");
+    clear(left, "state.Fz");
     refuses(wheelset, "state.Fz_left");
-    require_ok(contactd_wheel_set_Fz(left, -1), left);
-    refuses(wheelset, "state.Fz_left");
-    require_ok(contactd_wheel_set_Fz(left, 1e4), left);
-    require_ok(contactd_wheel_want_derivatives(left, 1), left);
+    set(left, "state.Fz", 1e4);
+    set(left, "state.derivatives", 1);
     refuses(wheelset, "state.derivatives");
-    require_ok(contactd_wheel_want_derivatives(left, 0), left);
-    require_ok(contactd_wheel_set_velocity(left, 1, 0, 0, 0, 0, 0), left);
+    set(left, "state.derivatives", 0);
+    set_array(left, "state.velocity", {1, 0, 0, 0, 0, 0});
     refuses(wheelset, "state.velocity");
 }
 
@@ -166,7 +153,7 @@ TEST_CASE("A wheelset is cancelled by either of its wheels, and holds both meanw
     const Wheelset wheelset(here);
     for (contactd_wheel* w :
          {static_cast<contactd_wheel*>(wheelset.left), static_cast<contactd_wheel*>(wheelset.right)}) {
-        require_ok(contactd_wheel_set_elements(w, 0.05, 0.05, 0), w);
+        set(w, {{"setup.dx", 0.05}, {"setup.dy", 0.05}});
         std::atomic<bool> ended = false;
         std::int32_t code = -1;
         std::jthread solving([&] {
@@ -177,7 +164,7 @@ TEST_CASE("A wheelset is cancelled by either of its wheels, and holds both meanw
         });
         std::int32_t of_left = CONTACTD_OK;
         while (!ended && of_left != CONTACTD_FAILED_PRECONDITION) {  // until the solve has its turn
-            of_left = contactd_wheel_set_side(wheelset.left, CONTACTD_LEFT);
+            of_left = contactd_set_word(wheelset.left, "setup.side", "left");
             std::this_thread::sleep_for(1ms);
         }
         CHECK(of_left == CONTACTD_FAILED_PRECONDITION);

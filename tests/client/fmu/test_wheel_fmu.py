@@ -13,11 +13,9 @@ COARSE = {"elements.dx": 0.5, "elements.dy": 0.5}
 PITCH = -20e3 / 460
 
 
-def set_up(call, y):
-    call("set_elements", 0.5, 0.5, 0.0)
-    call("set_velocity", 20e3, 0.0, 0.0, 0.0, 0.0, PITCH)
-    call("set_Fz", 80e3)
-    call("set_position", float(y), 0.0, 0.0, 1e-3 * y)
+def set_up(direct, y):
+    direct.set({"setup.dx": 0.5, "setup.dy": 0.5, "state.velocity.x": 20e3, "state.velocity.pitch": PITCH, "state.Fz": 80e3})
+    direct.set({"state.position.y": y, "state.position.yaw": 1e-3 * y})
 
 
 def values_at(y):
@@ -26,21 +24,20 @@ def values_at(y):
 
 def test_positions_across_the_track_answer_as_the_c_interface_to_the_last_bit(wheel):
     fmu = wheel().start(COARSE)
-    with c_interface.wheel() as call:
+    with c_interface.wheel() as direct:
         for y in (-3, 0, 2, 5):
-            set_up(call, y)
-            call("solve")
+            set_up(direct, y)
+            direct.solve()
             outputs = fmu.step(values_at(y))
-            assert [outputs[name] for name in FORCES] == call("get_forces", 0, out="6")
-            assert [outputs["z"], outputs["pitch_rate"]] == call("get_motion", out="dd")
-            assert outputs["clearance"] == call("get_clearance", out="d")[0]
-            (patches,) = call("get_patches", out="i")
-            assert outputs["patches"] == patches >= 1
-            power = [call("get_frictional_power", patch, out="d")[0] for patch in range(patches)]
-            assert outputs["power"] == sum(power) > 0
-            assert outputs["pmax"] == max(call("get_pressure", patch, out="dd")[1] for patch in range(patches))
-            assert outputs["area.contact"] == sum(call("get_areas", patch, out="ddd")[0] for patch in range(patches))
-            place, of = call("get_place", 0, out="dddd"), call("get_contact_forces", 0, out="dddd")
+            assert [outputs[name] for name in FORCES] == direct.array("forces.track")
+            assert [outputs["z"], outputs["pitch_rate"]] == [direct.get("z"), direct.get("pitch")]
+            assert outputs["clearance"] == direct.get("clearance")
+            assert outputs["patches"] == direct.get("patches") >= 1
+            patches = [f"patches[{patch}]" for patch in range(outputs["patches"])]
+            assert outputs["power"] == sum(direct.get(f"{patch}.solution.frictional_power") for patch in patches) > 0
+            assert outputs["pmax"] == max(direct.get(f"{patch}.solution.pmax") for patch in patches)
+            assert outputs["area.contact"] == sum(direct.get(f"{patch}.solution.area.contact") for patch in patches)
+            place, of = direct.array("patches[0].place.reference"), direct.array("patches[0].solution.forces")
             assert [
                 outputs[f"patch[1].{name}"] for name in ("x", "y", "z", "angle", "Fn", "Fx", "Fs", "Mn")
             ] == place + of
@@ -133,14 +130,13 @@ def test_derivatives_are_those_of_the_c_interface(wheel):
     names += [f"velocity.{part}" for part in ("x", "y", "z", "roll", "yaw", "pitch")]
     told = {name: fmu.derivatives(FORCES, name) for name in names}
     assert fmu.outputs() == before
-    with c_interface.wheel() as call:
-        set_up(call, 1)
-        call("clear_forces")
-        call("set_model", 2)
-        call("set_position", 1.0, z, 0.0, 1e-3)
-        call("want_derivatives", 1)
-        call("solve")
-        assert told == {name: call("get_derivative", k, out="6") for k, name in enumerate(names)}
+    with c_interface.wheel() as direct:
+        set_up(direct, 1)
+        direct.clear("state.Fz")
+        direct.set_word("setup.model", "fastsim")
+        direct.set({"state.position.z": z, "state.derivatives": 1})
+        direct.solve()
+        assert told == {name: direct.array(f"derivatives.{name}") for name in names}
     step = fmu.step(position)
     assert step == before
 
@@ -178,11 +174,9 @@ def test_a_massless_flexible_rail_deflects_by_its_load_over_its_stiffness(wheel)
 def test_fields_are_those_of_the_c_interface_to_the_last_bit(wheel):
     fmu = wheel().start({**COARSE, "patches.distance_combine": 2.0, "track.springs.z": 1e5})
     outputs = fmu.step({**values_at(5), "position.pitch": 0.4})
-    with c_interface.wheel() as call:
-        set_up(call, 5)
-        call("set_patch_rules", math.pi / 2, 8.0, 2.0, 12.0, 0.3)
-        call("set_springs", 0.0, 1e5)
-        call("set_pitch_angle", 0.4)
-        call("solve")
-        assert [outputs[name] for name in FORCES] == call("get_forces", 0, out="6")
-        assert outputs["rail_shift.z"] == call("get_rail_shift", out="dd")[1]
+    with c_interface.wheel() as direct:
+        set_up(direct, 5)
+        direct.set({"setup.patches.distance_combine": 2, "setup.track.springs.z": 1e5, "state.position.pitch": 0.4})
+        direct.solve()
+        assert [outputs[name] for name in FORCES] == direct.array("forces.track")
+        assert outputs["rail_shift.z"] == direct.get("rail_shift.z")

@@ -1,0 +1,560 @@
+/* Written by ./dev generate from proto/schema: edit it there. */
+/* Paths of fields and keywords for contactd.h. An entry of a list has its number printed in place of %d:
+ *
+ *     snprintf(path, sizeof path, CONTACTD_PATH_PATCHES_SOLUTION_PMAX, patch);
+ */
+#ifndef CONTACTD_PATHS_H
+#define CONTACTD_PATHS_H
+
+/* --- inputs of a wheel --- */
+#define CONTACTD_PATH_SETUP "setup"
+#define CONTACTD_PATH_SETUP_SIDE "setup.side"
+#define CONTACTD_PATH_SETUP_WHEEL "setup.wheel"
+#define CONTACTD_PATH_SETUP_WHEEL_S1002 "setup.wheel.s1002"
+#define CONTACTD_PATH_SETUP_WHEEL_RAIL_60E1 "setup.wheel.rail_60e1"
+#define CONTACTD_PATH_SETUP_WHEEL_RAIL_60E1_INCLINATION "setup.wheel.rail_60e1.inclination"
+#define CONTACTD_PATH_SETUP_WHEEL_ARC "setup.wheel.arc"
+#define CONTACTD_PATH_SETUP_WHEEL_ARC_RADIUS "setup.wheel.arc.radius" /* mm */
+#define CONTACTD_PATH_SETUP_WHEEL_ARC_SLOPE "setup.wheel.arc.slope"
+#define CONTACTD_PATH_SETUP_WHEEL_ARC_ENDS "setup.wheel.arc.ends"
+#define CONTACTD_PATH_SETUP_WHEEL_ARC_ENDS_FROM "setup.wheel.arc.ends.from"
+#define CONTACTD_PATH_SETUP_WHEEL_ARC_ENDS_TO "setup.wheel.arc.ends.to"
+#define CONTACTD_PATH_SETUP_WHEEL_CONE "setup.wheel.cone"
+#define CONTACTD_PATH_SETUP_WHEEL_CONE_SLOPE "setup.wheel.cone.slope"
+#define CONTACTD_PATH_SETUP_WHEEL_CONE_ENDS "setup.wheel.cone.ends"
+#define CONTACTD_PATH_SETUP_WHEEL_CONE_ENDS_FROM "setup.wheel.cone.ends.from"
+#define CONTACTD_PATH_SETUP_WHEEL_CONE_ENDS_TO "setup.wheel.cone.ends.to"
+#define CONTACTD_PATH_SETUP_WHEEL_POINTS "setup.wheel.points"
+#define CONTACTD_PATH_SETUP_WHEEL_UNIT "setup.wheel.unit"
+#define CONTACTD_PATH_SETUP_WHEEL_MIRROR_Y "setup.wheel.mirror_y"
+#define CONTACTD_PATH_SETUP_WHEEL_MIRROR_Z "setup.wheel.mirror_z"
+#define CONTACTD_PATH_SETUP_WHEEL_SMOOTHING_LENGTH "setup.wheel.smoothing_length" /* mm */
+#define CONTACTD_PATH_SETUP_RAIL "setup.rail"
+#define CONTACTD_PATH_SETUP_RAIL_S1002 "setup.rail.s1002"
+#define CONTACTD_PATH_SETUP_RAIL_RAIL_60E1 "setup.rail.rail_60e1"
+#define CONTACTD_PATH_SETUP_RAIL_RAIL_60E1_INCLINATION "setup.rail.rail_60e1.inclination"
+#define CONTACTD_PATH_SETUP_RAIL_ARC "setup.rail.arc"
+#define CONTACTD_PATH_SETUP_RAIL_ARC_RADIUS "setup.rail.arc.radius" /* mm */
+#define CONTACTD_PATH_SETUP_RAIL_ARC_SLOPE "setup.rail.arc.slope"
+#define CONTACTD_PATH_SETUP_RAIL_ARC_ENDS "setup.rail.arc.ends"
+#define CONTACTD_PATH_SETUP_RAIL_ARC_ENDS_FROM "setup.rail.arc.ends.from"
+#define CONTACTD_PATH_SETUP_RAIL_ARC_ENDS_TO "setup.rail.arc.ends.to"
+#define CONTACTD_PATH_SETUP_RAIL_CONE "setup.rail.cone"
+#define CONTACTD_PATH_SETUP_RAIL_CONE_SLOPE "setup.rail.cone.slope"
+#define CONTACTD_PATH_SETUP_RAIL_CONE_ENDS "setup.rail.cone.ends"
+#define CONTACTD_PATH_SETUP_RAIL_CONE_ENDS_FROM "setup.rail.cone.ends.from"
+#define CONTACTD_PATH_SETUP_RAIL_CONE_ENDS_TO "setup.rail.cone.ends.to"
+#define CONTACTD_PATH_SETUP_RAIL_POINTS "setup.rail.points"
+#define CONTACTD_PATH_SETUP_RAIL_UNIT "setup.rail.unit"
+#define CONTACTD_PATH_SETUP_RAIL_MIRROR_Y "setup.rail.mirror_y"
+#define CONTACTD_PATH_SETUP_RAIL_MIRROR_Z "setup.rail.mirror_z"
+#define CONTACTD_PATH_SETUP_RAIL_SMOOTHING_LENGTH "setup.rail.smoothing_length" /* mm */
+#define CONTACTD_PATH_SETUP_RAIL_SLICES "setup.rail_slices"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_X "setup.rail_slices[%d].x" /* mm */
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE "setup.rail_slices[%d].profile"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_S1002 "setup.rail_slices[%d].profile.s1002"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_RAIL_60E1 "setup.rail_slices[%d].profile.rail_60e1"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_RAIL_60E1_INCLINATION \
+    "setup.rail_slices[%d].profile.rail_60e1.inclination"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_ARC "setup.rail_slices[%d].profile.arc"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_ARC_RADIUS "setup.rail_slices[%d].profile.arc.radius" /* mm */
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_ARC_SLOPE "setup.rail_slices[%d].profile.arc.slope"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_ARC_ENDS "setup.rail_slices[%d].profile.arc.ends"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_ARC_ENDS_FROM "setup.rail_slices[%d].profile.arc.ends.from"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_ARC_ENDS_TO "setup.rail_slices[%d].profile.arc.ends.to"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_CONE "setup.rail_slices[%d].profile.cone"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_CONE_SLOPE "setup.rail_slices[%d].profile.cone.slope"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_CONE_ENDS "setup.rail_slices[%d].profile.cone.ends"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_CONE_ENDS_FROM "setup.rail_slices[%d].profile.cone.ends.from"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_CONE_ENDS_TO "setup.rail_slices[%d].profile.cone.ends.to"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_POINTS "setup.rail_slices[%d].profile.points"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_UNIT "setup.rail_slices[%d].profile.unit"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_MIRROR_Y "setup.rail_slices[%d].profile.mirror_y"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_MIRROR_Z "setup.rail_slices[%d].profile.mirror_z"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_SMOOTHING_LENGTH \
+    "setup.rail_slices[%d].profile.smoothing_length" /* mm */
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES "setup.wheel_slices"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_ANGLE "setup.wheel_slices[%d].angle" /* rad */
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE "setup.wheel_slices[%d].profile"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_S1002 "setup.wheel_slices[%d].profile.s1002"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_RAIL_60E1 "setup.wheel_slices[%d].profile.rail_60e1"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_RAIL_60E1_INCLINATION \
+    "setup.wheel_slices[%d].profile.rail_60e1.inclination"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_ARC "setup.wheel_slices[%d].profile.arc"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_ARC_RADIUS "setup.wheel_slices[%d].profile.arc.radius" /* mm */
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_ARC_SLOPE "setup.wheel_slices[%d].profile.arc.slope"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_ARC_ENDS "setup.wheel_slices[%d].profile.arc.ends"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_ARC_ENDS_FROM "setup.wheel_slices[%d].profile.arc.ends.from"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_ARC_ENDS_TO "setup.wheel_slices[%d].profile.arc.ends.to"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_CONE "setup.wheel_slices[%d].profile.cone"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_CONE_SLOPE "setup.wheel_slices[%d].profile.cone.slope"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_CONE_ENDS "setup.wheel_slices[%d].profile.cone.ends"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_CONE_ENDS_FROM "setup.wheel_slices[%d].profile.cone.ends.from"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_CONE_ENDS_TO "setup.wheel_slices[%d].profile.cone.ends.to"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_POINTS "setup.wheel_slices[%d].profile.points"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_UNIT "setup.wheel_slices[%d].profile.unit"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_MIRROR_Y "setup.wheel_slices[%d].profile.mirror_y"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_MIRROR_Z "setup.wheel_slices[%d].profile.mirror_z"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_SMOOTHING_LENGTH \
+    "setup.wheel_slices[%d].profile.smoothing_length" /* mm */
+#define CONTACTD_PATH_SETUP_TRACK "setup.track"
+#define CONTACTD_PATH_SETUP_TRACK_GAUGE "setup.track.gauge"               /* mm */
+#define CONTACTD_PATH_SETUP_TRACK_GAUGE_HEIGHT "setup.track.gauge_height" /* mm */
+#define CONTACTD_PATH_SETUP_TRACK_CANT "setup.track.cant"                 /* rad */
+#define CONTACTD_PATH_SETUP_TRACK_RAIL_ORIGIN "setup.track.rail_origin"
+#define CONTACTD_PATH_SETUP_TRACK_RAIL_ORIGIN_Y "setup.track.rail_origin.y" /* mm */
+#define CONTACTD_PATH_SETUP_TRACK_RAIL_ORIGIN_Z "setup.track.rail_origin.z" /* mm */
+#define CONTACTD_PATH_SETUP_TRACK_ROLLER_RADIUS "setup.track.roller_radius" /* mm */
+#define CONTACTD_PATH_SETUP_TRACK_SPRINGS "setup.track.springs"
+#define CONTACTD_PATH_SETUP_TRACK_SPRINGS_Y "setup.track.springs.y" /* N/mm */
+#define CONTACTD_PATH_SETUP_TRACK_SPRINGS_Z "setup.track.springs.z" /* N/mm */
+#define CONTACTD_PATH_SETUP_WHEELSET "setup.wheelset"
+#define CONTACTD_PATH_SETUP_WHEELSET_FLANGE_BACK_DISTANCE "setup.wheelset.flange_back_distance" /* mm */
+#define CONTACTD_PATH_SETUP_WHEELSET_FLANGE_BACK_POSITION "setup.wheelset.flange_back_position" /* mm */
+#define CONTACTD_PATH_SETUP_WHEELSET_NOMINAL_RADIUS "setup.wheelset.nominal_radius"             /* mm */
+#define CONTACTD_PATH_SETUP_BODIES "setup.bodies"
+#define CONTACTD_PATH_SETUP_BODIES_UPPER "setup.bodies.upper"
+#define CONTACTD_PATH_SETUP_BODIES_UPPER_G "setup.bodies.upper.G" /* N/mm^2 */
+#define CONTACTD_PATH_SETUP_BODIES_UPPER_NU "setup.bodies.upper.nu"
+#define CONTACTD_PATH_SETUP_BODIES_UPPER_RIGID "setup.bodies.upper.rigid"
+#define CONTACTD_PATH_SETUP_BODIES_LOWER "setup.bodies.lower"
+#define CONTACTD_PATH_SETUP_BODIES_LOWER_G "setup.bodies.lower.G" /* N/mm^2 */
+#define CONTACTD_PATH_SETUP_BODIES_LOWER_NU "setup.bodies.lower.nu"
+#define CONTACTD_PATH_SETUP_BODIES_LOWER_RIGID "setup.bodies.lower.rigid"
+#define CONTACTD_PATH_SETUP_MODEL "setup.model"
+#define CONTACTD_PATH_SETUP_FRICTION "setup.friction"
+#define CONTACTD_PATH_SETUP_FRICTION_MU "setup.friction.mu"
+#define CONTACTD_PATH_SETUP_FRICTION_MU_ANGLE "setup.friction.mu[%d].angle" /* rad */
+#define CONTACTD_PATH_SETUP_FRICTION_MU_MU "setup.friction.mu[%d].mu"
+#define CONTACTD_PATH_SETUP_FRICTION_ALONG_PROFILE "setup.friction.along_profile"
+#define CONTACTD_PATH_SETUP_FRICTION_KINETIC "setup.friction.kinetic"
+#define CONTACTD_PATH_SETUP_FRICTION_KINETIC_LAW "setup.friction.kinetic.law"
+#define CONTACTD_PATH_SETUP_FRICTION_KINETIC_MU "setup.friction.kinetic.mu"
+#define CONTACTD_PATH_SETUP_FRICTION_KINETIC_SLIP_VELOCITY "setup.friction.kinetic.slip_velocity" /* mm/s */
+#define CONTACTD_PATH_SETUP_DX "setup.dx"                                                         /* mm */
+#define CONTACTD_PATH_SETUP_DY "setup.dy"                                                         /* mm */
+#define CONTACTD_PATH_SETUP_DQ "setup.dq"                                                         /* mm */
+#define CONTACTD_PATH_SETUP_PATCHES "setup.patches"
+#define CONTACTD_PATH_SETUP_PATCHES_ANGLE_SEPARATE "setup.patches.angle_separate"       /* rad */
+#define CONTACTD_PATH_SETUP_PATCHES_DISTANCE_SEPARATE "setup.patches.distance_separate" /* mm */
+#define CONTACTD_PATH_SETUP_PATCHES_DISTANCE_COMBINE "setup.patches.distance_combine"   /* mm */
+#define CONTACTD_PATH_SETUP_PATCHES_DISTANCE_TURN "setup.patches.distance_turn"         /* mm */
+#define CONTACTD_PATH_SETUP_PATCHES_LOCUS_STEP "setup.patches.locus_step"
+#define CONTACTD_PATH_SETUP_PATCHES_SEARCH "setup.patches.search"
+#define CONTACTD_PATH_SETUP_WHEEL_SURFACE "setup.wheel_surface"
+#define CONTACTD_PATH_SETUP_RIGID_SLIP "setup.rigid_slip"
+#define CONTACTD_PATH_SETUP_CONFORMAL "setup.conformal"
+#define CONTACTD_PATH_SETUP_SETTINGS "setup.settings"
+#define CONTACTD_PATH_SETUP_SETTINGS_NORMAL "setup.settings.normal"
+#define CONTACTD_PATH_SETUP_SETTINGS_NORMAL_TOLERANCE "setup.settings.normal.tolerance"
+#define CONTACTD_PATH_SETUP_SETTINGS_NORMAL_MAX_ITERATIONS "setup.settings.normal.max_iterations"
+#define CONTACTD_PATH_SETUP_SETTINGS_TANGENTIAL "setup.settings.tangential"
+#define CONTACTD_PATH_SETUP_SETTINGS_TANGENTIAL_TOLERANCE "setup.settings.tangential.tolerance"
+#define CONTACTD_PATH_SETUP_SETTINGS_TANGENTIAL_MAX_ITERATIONS "setup.settings.tangential.max_iterations"
+#define CONTACTD_PATH_SETUP_SETTINGS_TANGENTIAL_SOLVER "setup.settings.tangential.solver"
+#define CONTACTD_PATH_SETUP_SETTINGS_OUTER "setup.settings.outer"
+#define CONTACTD_PATH_SETUP_SETTINGS_OUTER_TOLERANCE "setup.settings.outer.tolerance"
+#define CONTACTD_PATH_SETUP_SETTINGS_OUTER_MAX_ITERATIONS "setup.settings.outer.max_iterations"
+#define CONTACTD_PATH_SETUP_FORCE "setup.force"
+#define CONTACTD_PATH_SETUP_FORCE_TOLERANCE "setup.force.tolerance"
+#define CONTACTD_PATH_SETUP_FORCE_MAX_ITERATIONS "setup.force.max_iterations"
+#define CONTACTD_PATH_STATE "state"
+#define CONTACTD_PATH_STATE_POSITION "state.position"
+#define CONTACTD_PATH_STATE_POSITION_Y "state.position.y"         /* mm */
+#define CONTACTD_PATH_STATE_POSITION_Z "state.position.z"         /* mm */
+#define CONTACTD_PATH_STATE_POSITION_ROLL "state.position.roll"   /* rad */
+#define CONTACTD_PATH_STATE_POSITION_YAW "state.position.yaw"     /* rad */
+#define CONTACTD_PATH_STATE_POSITION_X "state.position.x"         /* mm */
+#define CONTACTD_PATH_STATE_POSITION_PITCH "state.position.pitch" /* rad */
+#define CONTACTD_PATH_STATE_VELOCITY "state.velocity"
+#define CONTACTD_PATH_STATE_VELOCITY_X "state.velocity.x"         /* mm/s */
+#define CONTACTD_PATH_STATE_VELOCITY_Y "state.velocity.y"         /* mm/s */
+#define CONTACTD_PATH_STATE_VELOCITY_Z "state.velocity.z"         /* mm/s */
+#define CONTACTD_PATH_STATE_VELOCITY_ROLL "state.velocity.roll"   /* rad/s */
+#define CONTACTD_PATH_STATE_VELOCITY_YAW "state.velocity.yaw"     /* rad/s */
+#define CONTACTD_PATH_STATE_VELOCITY_PITCH "state.velocity.pitch" /* rad/s */
+#define CONTACTD_PATH_STATE_RAIL "state.rail"
+#define CONTACTD_PATH_STATE_RAIL_Y "state.rail.y"                         /* mm */
+#define CONTACTD_PATH_STATE_RAIL_Z "state.rail.z"                         /* mm */
+#define CONTACTD_PATH_STATE_RAIL_ROLL "state.rail.roll"                   /* rad */
+#define CONTACTD_PATH_STATE_RAIL_Y_VELOCITY "state.rail.y_velocity"       /* mm/s */
+#define CONTACTD_PATH_STATE_RAIL_Z_VELOCITY "state.rail.z_velocity"       /* mm/s */
+#define CONTACTD_PATH_STATE_RAIL_ROLL_VELOCITY "state.rail.roll_velocity" /* rad/s */
+#define CONTACTD_PATH_STATE_RAIL_FY "state.rail.Fy"                       /* N */
+#define CONTACTD_PATH_STATE_RAIL_FZ "state.rail.Fz"                       /* N */
+#define CONTACTD_PATH_STATE_ROLLER_PITCH "state.roller_pitch"             /* rad/s */
+#define CONTACTD_PATH_STATE_FZ "state.Fz"                                 /* N */
+#define CONTACTD_PATH_STATE_FX "state.Fx"                                 /* N */
+#define CONTACTD_PATH_STATE_DERIVATIVES "state.derivatives"
+
+/* --- results of a wheel --- */
+#define CONTACTD_PATH_Z "z"                 /* mm */
+#define CONTACTD_PATH_PITCH "pitch"         /* rad/s */
+#define CONTACTD_PATH_CLEARANCE "clearance" /* mm */
+#define CONTACTD_PATH_FORCES "forces"
+#define CONTACTD_PATH_FORCES_TRACK "forces.track"
+#define CONTACTD_PATH_FORCES_TRACK_FX "forces.track.Fx" /* N */
+#define CONTACTD_PATH_FORCES_TRACK_FY "forces.track.Fy" /* N */
+#define CONTACTD_PATH_FORCES_TRACK_FZ "forces.track.Fz" /* N */
+#define CONTACTD_PATH_FORCES_TRACK_MX "forces.track.Mx" /* N mm */
+#define CONTACTD_PATH_FORCES_TRACK_MY "forces.track.My" /* N mm */
+#define CONTACTD_PATH_FORCES_TRACK_MZ "forces.track.Mz" /* N mm */
+#define CONTACTD_PATH_FORCES_RAIL "forces.rail"
+#define CONTACTD_PATH_FORCES_RAIL_FX "forces.rail.Fx" /* N */
+#define CONTACTD_PATH_FORCES_RAIL_FY "forces.rail.Fy" /* N */
+#define CONTACTD_PATH_FORCES_RAIL_FZ "forces.rail.Fz" /* N */
+#define CONTACTD_PATH_FORCES_RAIL_MX "forces.rail.Mx" /* N mm */
+#define CONTACTD_PATH_FORCES_RAIL_MY "forces.rail.My" /* N mm */
+#define CONTACTD_PATH_FORCES_RAIL_MZ "forces.rail.Mz" /* N mm */
+#define CONTACTD_PATH_FORCES_WHEELSET "forces.wheelset"
+#define CONTACTD_PATH_FORCES_WHEELSET_FX "forces.wheelset.Fx" /* N */
+#define CONTACTD_PATH_FORCES_WHEELSET_FY "forces.wheelset.Fy" /* N */
+#define CONTACTD_PATH_FORCES_WHEELSET_FZ "forces.wheelset.Fz" /* N */
+#define CONTACTD_PATH_FORCES_WHEELSET_MX "forces.wheelset.Mx" /* N mm */
+#define CONTACTD_PATH_FORCES_WHEELSET_MY "forces.wheelset.My" /* N mm */
+#define CONTACTD_PATH_FORCES_WHEELSET_MZ "forces.wheelset.Mz" /* N mm */
+#define CONTACTD_PATH_PATCHES "patches"
+#define CONTACTD_PATH_PATCHES_PLACE "patches[%d].place"
+#define CONTACTD_PATH_PATCHES_PLACE_REFERENCE "patches[%d].place.reference"
+#define CONTACTD_PATH_PATCHES_PLACE_REFERENCE_X "patches[%d].place.reference.x"         /* mm */
+#define CONTACTD_PATH_PATCHES_PLACE_REFERENCE_Y "patches[%d].place.reference.y"         /* mm */
+#define CONTACTD_PATH_PATCHES_PLACE_REFERENCE_Z "patches[%d].place.reference.z"         /* mm */
+#define CONTACTD_PATH_PATCHES_PLACE_REFERENCE_ANGLE "patches[%d].place.reference.angle" /* rad */
+#define CONTACTD_PATH_PATCHES_PLACE_REGIONS "patches[%d].place.regions"
+#define CONTACTD_PATH_PATCHES_PLACE_REGIONS_REFERENCE "patches[%d].place.regions[%d].reference"
+#define CONTACTD_PATH_PATCHES_PLACE_REGIONS_REFERENCE_X "patches[%d].place.regions[%d].reference.x"         /* mm */
+#define CONTACTD_PATH_PATCHES_PLACE_REGIONS_REFERENCE_Y "patches[%d].place.regions[%d].reference.y"         /* mm */
+#define CONTACTD_PATH_PATCHES_PLACE_REGIONS_REFERENCE_Z "patches[%d].place.regions[%d].reference.z"         /* mm */
+#define CONTACTD_PATH_PATCHES_PLACE_REGIONS_REFERENCE_ANGLE "patches[%d].place.regions[%d].reference.angle" /* rad */
+#define CONTACTD_PATH_PATCHES_PLACE_REGIONS_X "patches[%d].place.regions[%d].x"
+#define CONTACTD_PATH_PATCHES_PLACE_REGIONS_X_FROM "patches[%d].place.regions[%d].x.from"
+#define CONTACTD_PATH_PATCHES_PLACE_REGIONS_X_TO "patches[%d].place.regions[%d].x.to"
+#define CONTACTD_PATH_PATCHES_PLACE_REGIONS_Y "patches[%d].place.regions[%d].y"
+#define CONTACTD_PATH_PATCHES_PLACE_REGIONS_Y_FROM "patches[%d].place.regions[%d].y.from"
+#define CONTACTD_PATH_PATCHES_PLACE_REGIONS_Y_TO "patches[%d].place.regions[%d].y.to"
+#define CONTACTD_PATH_PATCHES_PLACE_REGIONS_Z "patches[%d].place.regions[%d].z"
+#define CONTACTD_PATH_PATCHES_PLACE_REGIONS_Z_FROM "patches[%d].place.regions[%d].z.from"
+#define CONTACTD_PATH_PATCHES_PLACE_REGIONS_Z_TO "patches[%d].place.regions[%d].z.to"
+#define CONTACTD_PATH_PATCHES_PLACE_REGIONS_PENETRATION "patches[%d].place.regions[%d].penetration" /* mm */
+#define CONTACTD_PATH_PATCHES_PLACE_REGIONS_SIZE "patches[%d].place.regions[%d].size"               /* mm^4 */
+#define CONTACTD_PATH_PATCHES_PLACE_SHARES "patches[%d].place.shares"
+#define CONTACTD_PATH_PATCHES_PLACE_GRID "patches[%d].place.grid"
+#define CONTACTD_PATH_PATCHES_PLACE_GRID_NX "patches[%d].place.grid.nx"
+#define CONTACTD_PATH_PATCHES_PLACE_GRID_NY "patches[%d].place.grid.ny"
+#define CONTACTD_PATH_PATCHES_PLACE_GRID_DX "patches[%d].place.grid.dx"         /* mm */
+#define CONTACTD_PATH_PATCHES_PLACE_GRID_DY "patches[%d].place.grid.dy"         /* mm */
+#define CONTACTD_PATH_PATCHES_PLACE_GRID_X0 "patches[%d].place.grid.x0"         /* mm */
+#define CONTACTD_PATH_PATCHES_PLACE_GRID_Y0 "patches[%d].place.grid.y0"         /* mm */
+#define CONTACTD_PATH_PATCHES_PLACE_APPROACH "patches[%d].place.approach"       /* mm */
+#define CONTACTD_PATH_PATCHES_PLACE_PENETRATION "patches[%d].place.penetration" /* mm */
+#define CONTACTD_PATH_PATCHES_PLACE_CREEPAGES "patches[%d].place.creepages"
+#define CONTACTD_PATH_PATCHES_PLACE_CREEPAGES_XI "patches[%d].place.creepages.xi"
+#define CONTACTD_PATH_PATCHES_PLACE_CREEPAGES_ETA "patches[%d].place.creepages.eta"
+#define CONTACTD_PATH_PATCHES_PLACE_CREEPAGES_PHI "patches[%d].place.creepages.phi"           /* rad/mm */
+#define CONTACTD_PATH_PATCHES_PLACE_CREEPAGES_CHI "patches[%d].place.creepages.chi"           /* rad */
+#define CONTACTD_PATH_PATCHES_PLACE_CREEPAGES_VELOCITY "patches[%d].place.creepages.velocity" /* mm/s */
+#define CONTACTD_PATH_PATCHES_PLACE_RADII "patches[%d].place.radii"
+#define CONTACTD_PATH_PATCHES_PLACE_RADII_WHEEL_ALONG "patches[%d].place.radii.wheel_along"   /* mm */
+#define CONTACTD_PATH_PATCHES_PLACE_RADII_WHEEL_ACROSS "patches[%d].place.radii.wheel_across" /* mm */
+#define CONTACTD_PATH_PATCHES_PLACE_RADII_RAIL_ALONG "patches[%d].place.radii.rail_along"     /* mm */
+#define CONTACTD_PATH_PATCHES_PLACE_RADII_RAIL_ACROSS "patches[%d].place.radii.rail_across"   /* mm */
+#define CONTACTD_PATH_PATCHES_PLACE_ROWS "patches[%d].place.rows"
+#define CONTACTD_PATH_PATCHES_PLACE_ROWS_Y "patches[%d].place.rows[%d].y"         /* mm */
+#define CONTACTD_PATH_PATCHES_PLACE_ROWS_Z "patches[%d].place.rows[%d].z"         /* mm */
+#define CONTACTD_PATH_PATCHES_PLACE_ROWS_ANGLE "patches[%d].place.rows[%d].angle" /* rad */
+#define CONTACTD_PATH_PATCHES_GAP "patches[%d].gap"
+#define CONTACTD_PATH_PATCHES_SOLUTION "patches[%d].solution"
+#define CONTACTD_PATH_PATCHES_SOLUTION_APPROACH "patches[%d].solution.approach" /* mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FORCES "patches[%d].solution.forces"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FORCES_FN "patches[%d].solution.forces.Fn" /* N */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FORCES_FX "patches[%d].solution.forces.Fx" /* N */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FORCES_FY "patches[%d].solution.forces.Fy" /* N */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FORCES_MZ "patches[%d].solution.forces.Mz" /* N mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_RESULTANT "patches[%d].solution.resultant"
+#define CONTACTD_PATH_PATCHES_SOLUTION_RESULTANT_FX "patches[%d].solution.resultant.Fx" /* N */
+#define CONTACTD_PATH_PATCHES_SOLUTION_RESULTANT_FY "patches[%d].solution.resultant.Fy" /* N */
+#define CONTACTD_PATH_PATCHES_SOLUTION_RESULTANT_FZ "patches[%d].solution.resultant.Fz" /* N */
+#define CONTACTD_PATH_PATCHES_SOLUTION_RESULTANT_MX "patches[%d].solution.resultant.Mx" /* N mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_RESULTANT_MY "patches[%d].solution.resultant.My" /* N mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_RESULTANT_MZ "patches[%d].solution.resultant.Mz" /* N mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_PMAX "patches[%d].solution.pmax"                 /* N/mm^2 */
+#define CONTACTD_PATH_PATCHES_SOLUTION_AREA "patches[%d].solution.area"
+#define CONTACTD_PATH_PATCHES_SOLUTION_AREA_CONTACT "patches[%d].solution.area.contact"   /* mm^2 */
+#define CONTACTD_PATH_PATCHES_SOLUTION_AREA_ADHESION "patches[%d].solution.area.adhesion" /* mm^2 */
+#define CONTACTD_PATH_PATCHES_SOLUTION_AREA_SLIP "patches[%d].solution.area.slip"         /* mm^2 */
+#define CONTACTD_PATH_PATCHES_SOLUTION_ELEMENTS "patches[%d].solution.elements"
+#define CONTACTD_PATH_PATCHES_SOLUTION_ELEMENTS_CONTACT "patches[%d].solution.elements.contact"
+#define CONTACTD_PATH_PATCHES_SOLUTION_ELEMENTS_ADHESION "patches[%d].solution.elements.adhesion"
+#define CONTACTD_PATH_PATCHES_SOLUTION_ELEMENTS_SLIP "patches[%d].solution.elements.slip"
+#define CONTACTD_PATH_PATCHES_SOLUTION_ELEMENTS_BORDER "patches[%d].solution.elements.border"
+#define CONTACTD_PATH_PATCHES_SOLUTION_ELEMENT_DIVISION "patches[%d].solution.element_division"
+#define CONTACTD_PATH_PATCHES_SOLUTION_PRESSURE "patches[%d].solution.pressure"
+#define CONTACTD_PATH_PATCHES_SOLUTION_TRACTION_X "patches[%d].solution.traction_x"
+#define CONTACTD_PATH_PATCHES_SOLUTION_TRACTION_Y "patches[%d].solution.traction_y"
+#define CONTACTD_PATH_PATCHES_SOLUTION_SLIP_X "patches[%d].solution.slip_x"
+#define CONTACTD_PATH_PATCHES_SOLUTION_SLIP_Y "patches[%d].solution.slip_y"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FRICTIONAL_WORK "patches[%d].solution.frictional_work"   /* N mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FRICTIONAL_POWER "patches[%d].solution.frictional_power" /* N mm/s */
+#define CONTACTD_PATH_PATCHES_SOLUTION_WARNINGS "patches[%d].solution.warnings"
+#define CONTACTD_PATH_PATCHES_SOLUTION_WARNINGS_AT "patches[%d].solution.warnings[%d]"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE "patches[%d].solution.evidence"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_NORMAL "patches[%d].solution.evidence.normal"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_NORMAL_ITERATIONS "patches[%d].solution.evidence.normal.iterations"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_NORMAL_RESIDUAL "patches[%d].solution.evidence.normal.residual"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_NORMAL_CONVERGED "patches[%d].solution.evidence.normal.converged"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_NORMAL_SECONDS "patches[%d].solution.evidence.normal.seconds" /* s */
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_TANGENTIAL "patches[%d].solution.evidence.tangential"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_TANGENTIAL_ITERATIONS \
+    "patches[%d].solution.evidence.tangential.iterations"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_TANGENTIAL_RESIDUAL "patches[%d].solution.evidence.tangential.residual"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_TANGENTIAL_CONVERGED \
+    "patches[%d].solution.evidence.tangential.converged"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_TANGENTIAL_SECONDS \
+    "patches[%d].solution.evidence.tangential.seconds" /* s */
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_TANGENTIAL_SOLVER "patches[%d].solution.evidence.tangential_solver"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_OUTER "patches[%d].solution.evidence.outer"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_OUTER_ITERATIONS "patches[%d].solution.evidence.outer.iterations"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_OUTER_RESIDUAL "patches[%d].solution.evidence.outer.residual"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_OUTER_CONVERGED "patches[%d].solution.evidence.outer.converged"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_OUTER_SECONDS "patches[%d].solution.evidence.outer.seconds" /* s */
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_FORCE "patches[%d].solution.evidence.force"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_FORCE_ITERATIONS "patches[%d].solution.evidence.force.iterations"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_FORCE_RESIDUAL "patches[%d].solution.evidence.force.residual"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_FORCE_CONVERGED "patches[%d].solution.evidence.force.converged"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_FORCE_SECONDS "patches[%d].solution.evidence.force.seconds" /* s */
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DERIVATIVES "patches[%d].solution.evidence.derivatives"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DERIVATIVES_ITERATIONS \
+    "patches[%d].solution.evidence.derivatives.iterations"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DERIVATIVES_RESIDUAL \
+    "patches[%d].solution.evidence.derivatives.residual"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DERIVATIVES_CONVERGED \
+    "patches[%d].solution.evidence.derivatives.converged"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DERIVATIVES_SECONDS \
+    "patches[%d].solution.evidence.derivatives.seconds" /* s */
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DISCRETISATION "patches[%d].solution.evidence.discretisation"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DISCRETISATION_ELEMENTS_ACROSS \
+    "patches[%d].solution.evidence.discretisation.elements_across"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DISCRETISATION_FORCE_ERROR \
+    "patches[%d].solution.evidence.discretisation.force_error"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DISCRETISATION_PMAX_ERROR \
+    "patches[%d].solution.evidence.discretisation.pmax_error"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DISCRETISATION_SOURCE \
+    "patches[%d].solution.evidence.discretisation.source"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DISCRETISATION_ROLLING_ERROR \
+    "patches[%d].solution.evidence.discretisation.rolling_error"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DISCRETISATION_COMPLIANCE_RATIO \
+    "patches[%d].solution.evidence.discretisation.compliance_ratio"
+#define CONTACTD_PATH_PATCHES_FORCES "patches[%d].forces"
+#define CONTACTD_PATH_PATCHES_FORCES_TRACK "patches[%d].forces.track"
+#define CONTACTD_PATH_PATCHES_FORCES_TRACK_FX "patches[%d].forces.track.Fx" /* N */
+#define CONTACTD_PATH_PATCHES_FORCES_TRACK_FY "patches[%d].forces.track.Fy" /* N */
+#define CONTACTD_PATH_PATCHES_FORCES_TRACK_FZ "patches[%d].forces.track.Fz" /* N */
+#define CONTACTD_PATH_PATCHES_FORCES_TRACK_MX "patches[%d].forces.track.Mx" /* N mm */
+#define CONTACTD_PATH_PATCHES_FORCES_TRACK_MY "patches[%d].forces.track.My" /* N mm */
+#define CONTACTD_PATH_PATCHES_FORCES_TRACK_MZ "patches[%d].forces.track.Mz" /* N mm */
+#define CONTACTD_PATH_PATCHES_FORCES_RAIL "patches[%d].forces.rail"
+#define CONTACTD_PATH_PATCHES_FORCES_RAIL_FX "patches[%d].forces.rail.Fx" /* N */
+#define CONTACTD_PATH_PATCHES_FORCES_RAIL_FY "patches[%d].forces.rail.Fy" /* N */
+#define CONTACTD_PATH_PATCHES_FORCES_RAIL_FZ "patches[%d].forces.rail.Fz" /* N */
+#define CONTACTD_PATH_PATCHES_FORCES_RAIL_MX "patches[%d].forces.rail.Mx" /* N mm */
+#define CONTACTD_PATH_PATCHES_FORCES_RAIL_MY "patches[%d].forces.rail.My" /* N mm */
+#define CONTACTD_PATH_PATCHES_FORCES_RAIL_MZ "patches[%d].forces.rail.Mz" /* N mm */
+#define CONTACTD_PATH_PATCHES_FORCES_WHEELSET "patches[%d].forces.wheelset"
+#define CONTACTD_PATH_PATCHES_FORCES_WHEELSET_FX "patches[%d].forces.wheelset.Fx" /* N */
+#define CONTACTD_PATH_PATCHES_FORCES_WHEELSET_FY "patches[%d].forces.wheelset.Fy" /* N */
+#define CONTACTD_PATH_PATCHES_FORCES_WHEELSET_FZ "patches[%d].forces.wheelset.Fz" /* N */
+#define CONTACTD_PATH_PATCHES_FORCES_WHEELSET_MX "patches[%d].forces.wheelset.Mx" /* N mm */
+#define CONTACTD_PATH_PATCHES_FORCES_WHEELSET_MY "patches[%d].forces.wheelset.My" /* N mm */
+#define CONTACTD_PATH_PATCHES_FORCES_WHEELSET_MZ "patches[%d].forces.wheelset.Mz" /* N mm */
+#define CONTACTD_PATH_FRICTIONAL_POWER "frictional_power"                         /* N mm/s */
+#define CONTACTD_PATH_FORCE "force"
+#define CONTACTD_PATH_FORCE_ITERATIONS "force.iterations"
+#define CONTACTD_PATH_FORCE_RESIDUAL "force.residual"
+#define CONTACTD_PATH_FORCE_CONVERGED "force.converged"
+#define CONTACTD_PATH_FORCE_SECONDS "force.seconds" /* s */
+#define CONTACTD_PATH_PITCH_SEARCH "pitch_search"
+#define CONTACTD_PATH_PITCH_SEARCH_ITERATIONS "pitch_search.iterations"
+#define CONTACTD_PATH_PITCH_SEARCH_RESIDUAL "pitch_search.residual"
+#define CONTACTD_PATH_PITCH_SEARCH_CONVERGED "pitch_search.converged"
+#define CONTACTD_PATH_PITCH_SEARCH_SECONDS "pitch_search.seconds" /* s */
+#define CONTACTD_PATH_RAIL_SHIFT "rail_shift"
+#define CONTACTD_PATH_RAIL_SHIFT_Y "rail_shift.y" /* mm */
+#define CONTACTD_PATH_RAIL_SHIFT_Z "rail_shift.z" /* mm */
+#define CONTACTD_PATH_RAIL_SEARCH "rail_search"
+#define CONTACTD_PATH_RAIL_SEARCH_ITERATIONS "rail_search.iterations"
+#define CONTACTD_PATH_RAIL_SEARCH_RESIDUAL "rail_search.residual"
+#define CONTACTD_PATH_RAIL_SEARCH_CONVERGED "rail_search.converged"
+#define CONTACTD_PATH_RAIL_SEARCH_SECONDS "rail_search.seconds" /* s */
+#define CONTACTD_PATH_DERIVATIVES "derivatives"
+#define CONTACTD_PATH_DERIVATIVES_POSITION "derivatives.position"
+#define CONTACTD_PATH_DERIVATIVES_POSITION_Y "derivatives.position.y"
+#define CONTACTD_PATH_DERIVATIVES_POSITION_Y_FX "derivatives.position.y.Fx" /* N */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_Y_FY "derivatives.position.y.Fy" /* N */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_Y_FZ "derivatives.position.y.Fz" /* N */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_Y_MX "derivatives.position.y.Mx" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_Y_MY "derivatives.position.y.My" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_Y_MZ "derivatives.position.y.Mz" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_Z "derivatives.position.z"
+#define CONTACTD_PATH_DERIVATIVES_POSITION_Z_FX "derivatives.position.z.Fx" /* N */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_Z_FY "derivatives.position.z.Fy" /* N */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_Z_FZ "derivatives.position.z.Fz" /* N */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_Z_MX "derivatives.position.z.Mx" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_Z_MY "derivatives.position.z.My" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_Z_MZ "derivatives.position.z.Mz" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_ROLL "derivatives.position.roll"
+#define CONTACTD_PATH_DERIVATIVES_POSITION_ROLL_FX "derivatives.position.roll.Fx" /* N */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_ROLL_FY "derivatives.position.roll.Fy" /* N */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_ROLL_FZ "derivatives.position.roll.Fz" /* N */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_ROLL_MX "derivatives.position.roll.Mx" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_ROLL_MY "derivatives.position.roll.My" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_ROLL_MZ "derivatives.position.roll.Mz" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_YAW "derivatives.position.yaw"
+#define CONTACTD_PATH_DERIVATIVES_POSITION_YAW_FX "derivatives.position.yaw.Fx" /* N */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_YAW_FY "derivatives.position.yaw.Fy" /* N */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_YAW_FZ "derivatives.position.yaw.Fz" /* N */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_YAW_MX "derivatives.position.yaw.Mx" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_YAW_MY "derivatives.position.yaw.My" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_POSITION_YAW_MZ "derivatives.position.yaw.Mz" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY "derivatives.velocity"
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_X "derivatives.velocity.x"
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_X_FX "derivatives.velocity.x.Fx" /* N */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_X_FY "derivatives.velocity.x.Fy" /* N */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_X_FZ "derivatives.velocity.x.Fz" /* N */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_X_MX "derivatives.velocity.x.Mx" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_X_MY "derivatives.velocity.x.My" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_X_MZ "derivatives.velocity.x.Mz" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_Y "derivatives.velocity.y"
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_Y_FX "derivatives.velocity.y.Fx" /* N */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_Y_FY "derivatives.velocity.y.Fy" /* N */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_Y_FZ "derivatives.velocity.y.Fz" /* N */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_Y_MX "derivatives.velocity.y.Mx" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_Y_MY "derivatives.velocity.y.My" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_Y_MZ "derivatives.velocity.y.Mz" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_Z "derivatives.velocity.z"
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_Z_FX "derivatives.velocity.z.Fx" /* N */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_Z_FY "derivatives.velocity.z.Fy" /* N */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_Z_FZ "derivatives.velocity.z.Fz" /* N */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_Z_MX "derivatives.velocity.z.Mx" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_Z_MY "derivatives.velocity.z.My" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_Z_MZ "derivatives.velocity.z.Mz" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_ROLL "derivatives.velocity.roll"
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_ROLL_FX "derivatives.velocity.roll.Fx" /* N */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_ROLL_FY "derivatives.velocity.roll.Fy" /* N */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_ROLL_FZ "derivatives.velocity.roll.Fz" /* N */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_ROLL_MX "derivatives.velocity.roll.Mx" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_ROLL_MY "derivatives.velocity.roll.My" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_ROLL_MZ "derivatives.velocity.roll.Mz" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_YAW "derivatives.velocity.yaw"
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_YAW_FX "derivatives.velocity.yaw.Fx" /* N */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_YAW_FY "derivatives.velocity.yaw.Fy" /* N */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_YAW_FZ "derivatives.velocity.yaw.Fz" /* N */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_YAW_MX "derivatives.velocity.yaw.Mx" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_YAW_MY "derivatives.velocity.yaw.My" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_YAW_MZ "derivatives.velocity.yaw.Mz" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_PITCH "derivatives.velocity.pitch"
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_PITCH_FX "derivatives.velocity.pitch.Fx" /* N */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_PITCH_FY "derivatives.velocity.pitch.Fy" /* N */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_PITCH_FZ "derivatives.velocity.pitch.Fz" /* N */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_PITCH_MX "derivatives.velocity.pitch.Mx" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_PITCH_MY "derivatives.velocity.pitch.My" /* N mm */
+#define CONTACTD_PATH_DERIVATIVES_VELOCITY_PITCH_MZ "derivatives.velocity.pitch.Mz" /* N mm */
+#define CONTACTD_PATH_WARNINGS "warnings"
+#define CONTACTD_PATH_WARNINGS_AT "warnings[%d]"
+#define CONTACTD_PATH_CONVERGED "converged"
+#define CONTACTD_PATH_ROLL "roll" /* rad */
+#define CONTACTD_PATH_ROLL_SEARCH "roll_search"
+#define CONTACTD_PATH_ROLL_SEARCH_ITERATIONS "roll_search.iterations"
+#define CONTACTD_PATH_ROLL_SEARCH_RESIDUAL "roll_search.residual"
+#define CONTACTD_PATH_ROLL_SEARCH_CONVERGED "roll_search.converged"
+#define CONTACTD_PATH_ROLL_SEARCH_SECONDS "roll_search.seconds" /* s */
+
+/* --- results of a contact --- */
+#define CONTACTD_PATH_APPROACH "approach"   /* mm */
+#define CONTACTD_PATH_FORCES_FN "forces.Fn" /* N */
+#define CONTACTD_PATH_FORCES_FX "forces.Fx" /* N */
+#define CONTACTD_PATH_FORCES_FY "forces.Fy" /* N */
+#define CONTACTD_PATH_FORCES_MZ "forces.Mz" /* N mm */
+#define CONTACTD_PATH_RESULTANT "resultant"
+#define CONTACTD_PATH_RESULTANT_FX "resultant.Fx" /* N */
+#define CONTACTD_PATH_RESULTANT_FY "resultant.Fy" /* N */
+#define CONTACTD_PATH_RESULTANT_FZ "resultant.Fz" /* N */
+#define CONTACTD_PATH_RESULTANT_MX "resultant.Mx" /* N mm */
+#define CONTACTD_PATH_RESULTANT_MY "resultant.My" /* N mm */
+#define CONTACTD_PATH_RESULTANT_MZ "resultant.Mz" /* N mm */
+#define CONTACTD_PATH_PMAX "pmax"                 /* N/mm^2 */
+#define CONTACTD_PATH_AREA "area"
+#define CONTACTD_PATH_AREA_CONTACT "area.contact"   /* mm^2 */
+#define CONTACTD_PATH_AREA_ADHESION "area.adhesion" /* mm^2 */
+#define CONTACTD_PATH_AREA_SLIP "area.slip"         /* mm^2 */
+#define CONTACTD_PATH_ELEMENTS "elements"
+#define CONTACTD_PATH_ELEMENTS_CONTACT "elements.contact"
+#define CONTACTD_PATH_ELEMENTS_ADHESION "elements.adhesion"
+#define CONTACTD_PATH_ELEMENTS_SLIP "elements.slip"
+#define CONTACTD_PATH_ELEMENTS_BORDER "elements.border"
+#define CONTACTD_PATH_ELEMENT_DIVISION "element_division"
+#define CONTACTD_PATH_PRESSURE "pressure"
+#define CONTACTD_PATH_TRACTION_X "traction_x"
+#define CONTACTD_PATH_TRACTION_Y "traction_y"
+#define CONTACTD_PATH_SLIP_X "slip_x"
+#define CONTACTD_PATH_SLIP_Y "slip_y"
+#define CONTACTD_PATH_FRICTIONAL_WORK "frictional_work" /* N mm */
+#define CONTACTD_PATH_EVIDENCE "evidence"
+#define CONTACTD_PATH_EVIDENCE_NORMAL "evidence.normal"
+#define CONTACTD_PATH_EVIDENCE_NORMAL_ITERATIONS "evidence.normal.iterations"
+#define CONTACTD_PATH_EVIDENCE_NORMAL_RESIDUAL "evidence.normal.residual"
+#define CONTACTD_PATH_EVIDENCE_NORMAL_CONVERGED "evidence.normal.converged"
+#define CONTACTD_PATH_EVIDENCE_NORMAL_SECONDS "evidence.normal.seconds" /* s */
+#define CONTACTD_PATH_EVIDENCE_TANGENTIAL "evidence.tangential"
+#define CONTACTD_PATH_EVIDENCE_TANGENTIAL_ITERATIONS "evidence.tangential.iterations"
+#define CONTACTD_PATH_EVIDENCE_TANGENTIAL_RESIDUAL "evidence.tangential.residual"
+#define CONTACTD_PATH_EVIDENCE_TANGENTIAL_CONVERGED "evidence.tangential.converged"
+#define CONTACTD_PATH_EVIDENCE_TANGENTIAL_SECONDS "evidence.tangential.seconds" /* s */
+#define CONTACTD_PATH_EVIDENCE_TANGENTIAL_SOLVER "evidence.tangential_solver"
+#define CONTACTD_PATH_EVIDENCE_OUTER "evidence.outer"
+#define CONTACTD_PATH_EVIDENCE_OUTER_ITERATIONS "evidence.outer.iterations"
+#define CONTACTD_PATH_EVIDENCE_OUTER_RESIDUAL "evidence.outer.residual"
+#define CONTACTD_PATH_EVIDENCE_OUTER_CONVERGED "evidence.outer.converged"
+#define CONTACTD_PATH_EVIDENCE_OUTER_SECONDS "evidence.outer.seconds" /* s */
+#define CONTACTD_PATH_EVIDENCE_FORCE "evidence.force"
+#define CONTACTD_PATH_EVIDENCE_FORCE_ITERATIONS "evidence.force.iterations"
+#define CONTACTD_PATH_EVIDENCE_FORCE_RESIDUAL "evidence.force.residual"
+#define CONTACTD_PATH_EVIDENCE_FORCE_CONVERGED "evidence.force.converged"
+#define CONTACTD_PATH_EVIDENCE_FORCE_SECONDS "evidence.force.seconds" /* s */
+#define CONTACTD_PATH_EVIDENCE_DERIVATIVES "evidence.derivatives"
+#define CONTACTD_PATH_EVIDENCE_DERIVATIVES_ITERATIONS "evidence.derivatives.iterations"
+#define CONTACTD_PATH_EVIDENCE_DERIVATIVES_RESIDUAL "evidence.derivatives.residual"
+#define CONTACTD_PATH_EVIDENCE_DERIVATIVES_CONVERGED "evidence.derivatives.converged"
+#define CONTACTD_PATH_EVIDENCE_DERIVATIVES_SECONDS "evidence.derivatives.seconds" /* s */
+#define CONTACTD_PATH_EVIDENCE_DISCRETISATION "evidence.discretisation"
+#define CONTACTD_PATH_EVIDENCE_DISCRETISATION_ELEMENTS_ACROSS "evidence.discretisation.elements_across"
+#define CONTACTD_PATH_EVIDENCE_DISCRETISATION_FORCE_ERROR "evidence.discretisation.force_error"
+#define CONTACTD_PATH_EVIDENCE_DISCRETISATION_PMAX_ERROR "evidence.discretisation.pmax_error"
+#define CONTACTD_PATH_EVIDENCE_DISCRETISATION_SOURCE "evidence.discretisation.source"
+#define CONTACTD_PATH_EVIDENCE_DISCRETISATION_ROLLING_ERROR "evidence.discretisation.rolling_error"
+#define CONTACTD_PATH_EVIDENCE_DISCRETISATION_COMPLIANCE_RATIO "evidence.discretisation.compliance_ratio"
+
+/* --- keywords --- */
+#define CONTACTD_WORD_CONFORMAL_OFF "off"
+#define CONTACTD_WORD_CONFORMAL_HALF_SPACE "half_space"
+#define CONTACTD_WORD_CONFORMAL_ROTATED "rotated"
+#define CONTACTD_WORD_CONFORMAL_FEM "fem"
+#define CONTACTD_WORD_CONFORMAL_AUTO "auto"
+#define CONTACTD_WORD_CONTACT_SEARCH_LOCUS "locus"
+#define CONTACTD_WORD_CONTACT_SEARCH_MESH "mesh"
+#define CONTACTD_WORD_ERROR_SOURCE_HERTZ "hertz"
+#define CONTACTD_WORD_ERROR_SOURCE_ESTIMATE "estimate"
+#define CONTACTD_WORD_MODEL_FULL "full"
+#define CONTACTD_WORD_MODEL_HERTZ "hertz"
+#define CONTACTD_WORD_MODEL_FASTSIM "fastsim"
+#define CONTACTD_WORD_RIGID_SLIP_PLANE "plane"
+#define CONTACTD_WORD_RIGID_SLIP_SURFACES "surfaces"
+#define CONTACTD_WORD_SIDE_LEFT "left"
+#define CONTACTD_WORD_SIDE_RIGHT "right"
+#define CONTACTD_WORD_SLIP_LAW_LINEAR "linear"
+#define CONTACTD_WORD_SLIP_LAW_EXPONENTIAL "exponential"
+#define CONTACTD_WORD_TANGENTIAL_SOLVER_NEWTON "newton"
+#define CONTACTD_WORD_TANGENTIAL_SOLVER_TANGCG "tangcg"
+#define CONTACTD_WORD_WHEEL_SURFACE_EXACT "exact"
+#define CONTACTD_WORD_WHEEL_SURFACE_BILINEAR "bilinear"
+
+#endif

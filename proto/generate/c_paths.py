@@ -1,0 +1,95 @@
+"""contactd/paths.h: the paths and keywords of the C interface as constants, so that a compiler finds a wrong one."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from .cpp import NOTE, formatted
+from .declarations import ROOT, Declarations, Schema, is_custom
+
+TARGET = ROOT / "client" / "c" / "include" / "contactd" / "paths.h"
+#: What paths begin with in contactd.h, and the schema there.
+INPUTS = [
+    ("setup", "definitions.json#/definitions/wheel_rail_setup"),
+    ("state", "definitions.json#/definitions/wheel_rail_state"),
+]
+RESULTS = [
+    ("", "wheelrail.solve.result.json#"),
+    ("roll", "wheelrail.wheelset.result.json#/properties/roll"),
+    ("roll_search", "wheelrail.wheelset.result.json#/properties/roll_search"),
+]
+CONTACT = [("", "contact.solve.result.json#")]
+#: Forms of their own on the wire of which contactd.h has the fields all the same.
+WITH_FIELDS = re.compile(r"setup\.bodies\b")
+#: The length of a list, which has a path.
+NO_TOTALS = {"contacts"}
+HEAD = """/* Paths of fields and keywords for contactd.h. An entry of a list has its number printed in place of %d:
+ *
+ *     snprintf(path, sizeof path, CONTACTD_PATH_PATCHES_SOLUTION_PMAX, patch);
+ */
+#ifndef CONTACTD_PATHS_H
+#define CONTACTD_PATHS_H
+"""
+
+
+def c_files(declarations: Declarations) -> dict[Path, str]:
+    enums: set[str] = set()
+    lines = [NOTE.replace("// ", "/* ").replace(".\n", ". */\n").rstrip(), HEAD]
+    known: set[str] = set()
+    for title, roots in (("inputs of a wheel", INPUTS), ("results of a wheel", RESULTS), ("results of a contact", CONTACT)):
+        lines.append(f"/* --- {title} --- */")
+        for root, reference in roots:
+            schema = declarations.resolved({"$ref": reference})
+            for path, field in [(root, schema)] * bool(root) + list(_fields(declarations, schema, f"{root}." if root else "")):
+                if "enum" in field and "x-cpp" in field:
+                    enums.add(field["x-cpp"])
+                if path not in known:
+                    lines.append(_path(path, field))
+                known.add(path)
+        lines.append("")
+    lines.append("/* --- keywords --- */")
+    for name in sorted(enums):
+        lines += [f'#define CONTACTD_WORD_{_upper(name.removesuffix('Kind'))}_{_upper(word)} "{word}"' for word in declarations.enums[name].keywords]
+    return {TARGET: formatted("\n".join([*lines, "", "#endif", ""]))}
+
+
+def _fields(declarations: Declarations, schema: Schema, above: str) -> Iterator[tuple[str, Schema]]:
+    """What contactd.h has below a schema, each before what is below it."""
+    for name, given in schema.get("properties", {}).items():
+        field, path = declarations.resolved(given), above + name
+        if "x-partial" in field:  # the struct has all fields
+            field = declarations.schemas[field["x-cpp"]]
+        is_beside_struct = "x-derived" in field and ("." in path or name in NO_TOTALS)
+        if is_beside_struct or not _has_path(declarations, field, path):
+            continue
+        yield path, field
+        if _is_array(field):
+            continue
+        if "x-cpp-items" in field:
+            yield from ((f"{path}.{name}", field["items"]) for name in field["x-cpp-items"])
+            continue
+        items = declarations.resolved(field.get("items") or {})
+        if items.get("type") == "string":
+            yield f"{path}[%d]", items
+        yield from _fields(declarations, items or field, f"{path}[%d]." if items else f"{path}.")
+
+
+def _has_path(declarations: Declarations, field: Schema, path: str) -> bool:
+    value = declarations.resolved(field.get("items") or {}) or field
+    return _is_array(field) or not is_custom(value) or bool(WITH_FIELDS.match(path))
+
+
+def _is_array(field: Schema) -> bool:
+    return "$array" in field.get("properties", {})
+
+
+def _path(path: str, field: Schema) -> str:
+    unit = f" /* {field['x-unit']} */" if "x-unit" in field else ""
+    name = path.removesuffix("[%d]") + "_at" * path.endswith("[%d]")
+    return f'#define CONTACTD_PATH_{_upper(name.replace("[%d]", ""))} "{path}"{unit}'
+
+
+def _upper(name: str) -> str:
+    return re.sub(r"(?<=[a-z])(?=[A-Z][a-z])", "_", name).replace(".", "_").replace("::", "_").upper()
