@@ -98,14 +98,14 @@ class Declarations:
                     self._declare(self.resolved(schema))
 
     def resolved(self, schema: Schema) -> Schema:
-        """What a reference leads to, with what stands beside it; the way to a member is that of one place."""
+        """What a reference leads to, with what stands beside it, without what is so at one place only."""
         if "$ref" not in schema:
             return schema
         file, _, pointer = schema["$ref"].partition("#")
         target: Any = self._documents[file]
         for step in filter(None, pointer.split("/")):
             target = target[step]
-        there = {key: value for key, value in self.resolved(target).items() if key != "x-cpp-at"}
+        there = {key: value for key, value in self.resolved(target).items() if key not in ("x-cpp-at", "x-derived")}
         return {**there, **{key: value for key, value in schema.items() if key != "$ref"}}
 
     def _declare(self, schema: Schema) -> None:
@@ -142,7 +142,7 @@ class Declarations:
         return Field(
             name,
             value.get("x-cpp"),
-            is_custom(value),
+            "x-cpp-list" not in schema and is_custom(value),
             schema.get("x-cpp-at"),
             schema.get("x-cpp-none"),
             Bounds(**bounds),
@@ -156,7 +156,7 @@ def is_custom(schema: Schema) -> bool:
     """Whether a value has another form on the wire than that of a plain one, or of the fields of a struct."""
     if "x-cpp" in schema:
         return not {"enum", "const", "x-cpp-items"} & set(schema) and not _has_fields(schema)
-    if "enum" in schema or "x-cpp-list" in schema:
+    if "enum" in schema:
         return False
     return not _types(schema) or bool(_types(schema) - {"number", "integer", "boolean", "string"})
 

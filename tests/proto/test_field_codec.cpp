@@ -8,12 +8,14 @@
 #include "contactd/error.hpp"
 #include "contactd/fields/conicity.hpp"
 #include "contactd/fields/contact_setup.hpp"
+#include "contactd/fields/derivatives.hpp"
 #include "contactd/fields/friction.hpp"
 #include "contactd/fields/gap.hpp"
 #include "contactd/fields/ic_spec.hpp"
 #include "contactd/fields/ic_table.hpp"
 #include "contactd/fields/profile_spec.hpp"
 #include "contactd/fields/session.hpp"
+#include "contactd/fields/solve_reply.hpp"
 #include "contactd/fields/wheel_rail_setup.hpp"
 #include "contactd/fields/wheel_rail_solution.hpp"
 #include "contactd/fields/wheel_rail_state.hpp"
@@ -27,7 +29,8 @@ using nlohmann::json;
 TEMPLATE_TEST_CASE("Every field comes back from the wire as it was", "[fields]", WheelRailSetup, WheelRailState,
                    WheelsetState, WheelRailFriction, KineticFriction, ContactSettings, PatchRules, Track,
                    ContactReference, Creepages, ContactRow, Wrench, WheelRailDerivatives, RailShift, Discretisation,
-                   Rolling, RigidContact, WheelsetContacts, ConicityRequest, FemSpec, Extent) {
+                   Rolling, RigidContact, WheelsetContacts, ConicityRequest, FemSpec, Extent, Derivatives,
+                   OperatorUse) {
     const auto value = with_random_fields<TestType>(GENERATE(range(0u, 20u)));
     ArrayWriter arrays(ArrayEncoding::list);
     const json written = write_fields(value, MemberPath("value"), {&arrays});

@@ -91,8 +91,8 @@ const FieldType& type_of<ProfilesOfSides>() {
 template <>
 const FieldType& type_of<PlacedProfiles>() {
     static const auto list = std::to_array<Field>({
-        fields::custom_field<&PlacedProfiles::wheel>("wheel", {.required = true}),
-        fields::custom_field<&PlacedProfiles::rail>("rail", {.required = true}),
+        fields::field<&PlacedProfiles::wheel>("wheel", {.required = true}),
+        fields::field<&PlacedProfiles::rail>("rail", {.required = true}),
         fields::field<&PlacedProfiles::wheel_origin>("wheel_origin", {.unit = "mm", .required = true}),
         fields::field<&PlacedProfiles::rail_origin>("rail_origin", {.required = true}),
     });

@@ -76,7 +76,7 @@ const FieldType& type_of<ContactSolution>() {
         fields::field<&ContactSolution::frictional_work>("frictional_work", {.unit = "N mm"}),
         fields::field<&ContactSolution::frictional_power>("frictional_power", {.unit = "N mm/s"}),
         fields::custom_field<&ContactSolution::motion>("motion"),
-        fields::custom_field<&ContactSolution::derivatives>("derivatives"),
+        fields::field<&ContactSolution::derivatives>("derivatives"),
         fields::field<&ContactSolution::warnings>("warnings", {.required = true}),
         fields::field<&ContactSolution::evidence>("evidence", {.required = true}),
     });

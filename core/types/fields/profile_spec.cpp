@@ -25,8 +25,8 @@ const FieldType& type_of<ProfileSpec>() {
         fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<Rail60E1>>("rail_60e1"),
         fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<ArcProfile>>("arc"),
         fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<ConeProfile>>("cone"),
-        fields::custom_field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<ProfilePoints>,
-                                   &ProfilePoints::points>("points"),
+        fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<ProfilePoints>,
+                            &ProfilePoints::points>("points"),
         fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<ProfilePoints>, &ProfilePoints::unit>(
             "unit", {.bounds = {.least = 1e-06, .most = 1e+06}}),
         fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<ProfilePoints>,

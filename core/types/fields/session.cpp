@@ -5,6 +5,18 @@
 #include <array>
 
 namespace contactd {
+namespace {
+
+// A member that the schema does not declare makes the number of these names wrong.
+[[maybe_unused]] void all_of(const SessionInfo& all) {
+    [[maybe_unused]] const auto& [step_, lease_seconds_, states_, bytes_, grid_, motion_, side_, ics_] = all;
+}
+[[maybe_unused]] void all_of(const SessionReply& all) {
+    [[maybe_unused]] const auto& [session_, lease_seconds_, ics_, bytes_] = all;
+}
+
+}  // namespace
+
 template <>
 const FieldType& type_of<FrictionFields<ContactProblem>>() {
     static const auto list = std::to_array<Field>({
@@ -41,6 +53,36 @@ const FieldType& type_of<FrictionFields<StepInput>>() {
         fields::field_along<StepInput, &StepInput::motion, fields::alternative<Shift>, &Shift::force>("force"),
         fields::field_along<StepInput, &StepInput::motion, fields::alternative<Rolling>>("rolling"),
         fields::field_along<StepInput, &StepInput::rigid_slip>("rigid_slip"),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<SessionInfo>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&SessionInfo::step>("step", {.bounds = {.least = 0}, .required = true}),
+        fields::field<&SessionInfo::lease_seconds>(
+            "lease_seconds", {.bounds = {.least = 0, .least_excluded = true}, .unit = "s", .required = true}),
+        fields::field<&SessionInfo::states>("states", {.bounds = {.least = 0}, .required = true}),
+        fields::field<&SessionInfo::bytes>("bytes", {.bounds = {.least = 0}, .required = true}),
+        fields::field<&SessionInfo::grid>("grid"),
+        fields::field<&SessionInfo::motion>("motion"),
+        fields::field<&SessionInfo::side>("side"),
+        fields::field<&SessionInfo::ics>("ics", {.required = true}),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<SessionReply>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&SessionReply::session>("session", {.required = true}),
+        fields::field<&SessionReply::lease_seconds>(
+            "lease_seconds", {.bounds = {.least = 0, .least_excluded = true}, .unit = "s", .required = true}),
+        fields::field<&SessionReply::ics>("ics", {.required = true}),
+        fields::field<&SessionReply::bytes>("bytes", {.bounds = {.least = 0}, .required = true}),
     });
     static const FieldType type = fields::object_type(list);
     return type;

@@ -1,8 +1,7 @@
 // `evidence` of a table.
-#include "codec_parts.hpp"
+#include "codec_evidence.hpp"
 #include "contactd/fields/ic_table.hpp"
 #include "contactd/proto/codec.hpp"
-#include "field_codec.hpp"
 
 namespace contactd::proto {
 
@@ -10,8 +9,8 @@ using nlohmann::json;
 
 // Of a closed form, and of a table that came with a request, there is no build to speak of; and errors are known where
 // there is a closed form to compare with, or an estimate.
-json encode_evidence(const IcEvidence& evidence) {
-    json result = write_answer(evidence, MemberPath("evidence"));
+json write_evidence(const IcEvidence& evidence, const MemberPath& path) {
+    json result = write_object(type_of<IcEvidence>(), &evidence, path, {});
     const bool is_built = evidence.elements > 0;
     if (is_built)
         result.emplace("load_cases", json::array());
@@ -23,6 +22,10 @@ json encode_evidence(const IcEvidence& evidence) {
         for (const char* error : {"errors", "errors_estimated"}) result.erase(error);
     if (!evidence.imported) result.erase("imported");
     return result;
+}
+
+json encode_evidence(const IcEvidence& evidence) {
+    return write_answer(evidence, MemberPath("evidence"));
 }
 
 IcEvidence decode_evidence(const json& source) {

@@ -1,8 +1,10 @@
 // Tables that leave and enter: ic.export, and coefficients given with contact.solve.
 #include "codec_parts.hpp"
+#include "contactd/fields/ic_reply.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/import_codec.hpp"
 #include "contactd/proto/status.hpp"
+#include "field_codec.hpp"
 
 namespace contactd::proto {
 namespace {
@@ -11,9 +13,6 @@ using nlohmann::json;
 using Shape = std::vector<std::size_t>;
 
 constexpr std::size_t table_axes = 4;
-constexpr Words<FileFormat, 3> formats{
-    {{"hdf5", FileFormat::hdf5}, {"contents", FileFormat::contents}, {"contact", FileFormat::contact}}};
-
 std::string text_of(const Shape& shape) {
     return json(shape).dump();
 }
@@ -55,7 +54,7 @@ GivenIcs decode_given_ics(const json& source, const Frames& frames, const Grid& 
 
 json encode_ic_export(const IcExport& wanted) {
     json params = encode_ic_spec(wanted.spec);
-    params["format"] = word_for(formats, wanted.format);
+    params["format"] = name_of(wanted.format);
     if (wanted.lower) params["lower"] = encode_material(*wanted.lower);
     return params;
 }
@@ -69,26 +68,28 @@ IcExport decode_ic_export(const json& params, const Frames& frames) {
     wanted.spec = decode_ic_spec(params, frames);
     if (wanted.spec.line_contact)
         throw invalid_field("ics.line_contact", "is nothing that these files can say; ic.get answers such a table");
-    wanted.format = meaning_of(params["format"], formats);
+    read_name(params["format"], wanted.format);
     if (params.contains("lower")) wanted.lower = decode_material(params["lower"]);
     return wanted;
 }
 
 json encode_hdf5_reply(std::span<const unsigned char> file, const IcUse& body, ArrayWriter& arrays) {
-    return {{"format", "hdf5"}, {"file", arrays.write(file, {file.size()})}, {"ics", {{"upper", encode_use(body)}}}};
+    return {{"format", "hdf5"},
+            {"file", arrays.write(file, {file.size()})},
+            {"ics", write_answer(IcUses{body}, MemberPath("ics"))}};
 }
 
 json encode_contents_reply(const FileContents& contents, const IcUse& body, ArrayWriter& arrays) {
     json result = encode_file_contents(contents, arrays);
     result["format"] = "contents";
-    result["ics"] = {{"upper", encode_use(body)}};
+    result["ics"] = write_answer(IcUses{body}, MemberPath("ics"));
     return result;
 }
 
 json encode_contact_text_reply(std::string text, const IcUse& upper, const IcUse& lower) {
     return {{"format", "contact"},
             {"text", std::move(text)},
-            {"ics", {{"upper", encode_use(upper)}, {"lower", encode_use(lower)}}}};
+            {"ics", write_answer(IcUses{upper, lower}, MemberPath("ics"))}};
 }
 
 std::string decode_ic_file(const json& result, const Frames& frames) {
@@ -99,14 +100,15 @@ std::string decode_ic_file(const json& result, const Frames& frames) {
 }
 
 json encode_import_reply(const IcImport& imported) {
-    return {{"spec", encode_ic_spec(imported.spec)}, {"ics", encode_use(imported.use)}, {"new", imported.is_new}};
+    return {{"spec", encode_ic_spec(imported.spec)},
+            {"ics", write_answer(imported.use, MemberPath("ics"))},
+            {"new", imported.is_new}};
 }
 
 IcImport decode_import_reply(const json& result) {
-    const json& use = result["ics"];
-    return {decode_ic_spec(result["spec"]),
-            {use["origin"].get<std::string>(), use["key"].get<std::string>(), decode_evidence(use["evidence"])},
-            result["new"].get<bool>()};
+    IcImport imported{decode_ic_spec(result["spec"]), {}, result["new"].get<bool>()};
+    read_fields(result["ics"], imported.use, MemberPath("ics"));
+    return imported;
 }
 
 }  // namespace contactd::proto

@@ -26,25 +26,6 @@ void read_name(const nlohmann::json& word, Enum& value) {
     if (!from_name(word.get<std::string>(), value)) throw Error("The word " + word.dump() + " is unknown.");
 }
 
-/// The words that stand for enumerators on the wire, where nothing else needs them.
-template <class Enum, std::size_t n>
-using Words = std::array<std::pair<std::string_view, Enum>, n>;
-
-template <class Enum, std::size_t n>
-std::string_view word_for(const Words<Enum, n>& words, Enum value) {
-    for (const auto& [word, meaning] : words)
-        if (meaning == value) return word;
-    throw Error("An enumerator has no word on the wire.");
-}
-
-/// The enumerator for `word`, which has passed its schema.
-template <class Enum, std::size_t n>
-Enum meaning_of(const nlohmann::json& word, const Words<Enum, n>& words) {
-    for (const auto& [known, meaning] : words)
-        if (word.get_ref<const std::string&>() == known) return meaning;
-    throw Error("The word " + word.dump() + " is unknown.");
-}
-
 /// The shape [ny, nx] of arrays over a grid.
 inline std::vector<std::size_t> shape_of(const Grid& grid) {
     return {static_cast<std::size_t>(grid.ny), static_cast<std::size_t>(grid.nx)};
@@ -79,9 +60,6 @@ nlohmann::json encode_fem(const FemSpec& fem);
 /// The fields that are there; the others stay as they are.
 void decode_fem(const nlohmann::json& json, FemSpec& fem);
 
-nlohmann::json encode_derivatives(const Derivatives& derivatives);
-Derivatives decode_derivatives(const nlohmann::json& json);
-
 /// Coefficients that the request itself holds, which cover `grid`. Throws StatusError (ARRAY_INVALID).
 /// `field` is where they stand.
 nlohmann::json encode_given_ics(const GivenIcs& ics, ArrayWriter& arrays);
@@ -95,8 +73,6 @@ void decode_bodies(const nlohmann::json& params, const Frames& frames, ContactSe
 nlohmann::json encode_opening(const ContactProblem& problem, ArrayWriter& arrays);
 ContactProblem decode_opening(const nlohmann::json& params, const Frames& frames);
 
-nlohmann::json encode_use(const IcUse& use);
-
 /// What a result holds of a solution, but for its arrays. Throws Error for numbers that are not finite.
 nlohmann::json encode_summary(const ContactSolution& solution, const Grid& grid);
 void decode_summary(const nlohmann::json& result, ContactSolution& solution);
@@ -106,10 +82,6 @@ void encode_arrays(const ContactSolution& solution, const SolutionFields& fields
 /// Reads those that there are; an empty `shape` is that of the first one. Throws StatusError (ARRAY_INVALID).
 void decode_arrays(const nlohmann::json& result, const Frames& frames, std::vector<std::size_t> shape,
                    ContactSolution& solution);
-
-/// `ics` of a result.
-nlohmann::json encode_uses(const IcUses& uses);
-IcUses decode_uses(const nlohmann::json& json);
 
 /// Motion as it stands in a result.
 nlohmann::json encode_motion(const Motion& motion);

@@ -7,7 +7,6 @@
 
 #include "codec_parts.hpp"
 #include "contactd/fields/session.hpp"
-#include "contactd/fields/wheel_rail_setup.hpp"
 #include "contactd/proto/status.hpp"
 #include "field_codec.hpp"
 
@@ -15,8 +14,6 @@ namespace contactd::proto {
 namespace {
 
 using nlohmann::json;
-
-constexpr Words<MotionKind, 2> motions{{{"shift", MotionKind::shift}, {"rolling", MotionKind::rolling}}};
 
 /// All components of the force are said, so that none of session.open stays by accident.
 void say_force(json& motion) {
@@ -64,40 +61,24 @@ SessionSpec decode_session_spec(const json& params, const Frames& frames) {
 }
 
 json encode_session_reply(const SessionReply& reply) {
-    return {{"session", reply.session},
-            {"lease_seconds", reply.lease_seconds},
-            {"step", 0},
-            {"ics", encode_uses(reply.ics)},
-            {"bytes", reply.bytes}};
+    json result = write_answer(reply, MemberPath("session"));
+    result["step"] = 0;
+    return result;
 }
 
 SessionReply decode_session_reply(const json& result) {
-    return {result["session"].get<std::string>(), result["lease_seconds"].get<double>(),
-            result["bytes"].get<std::size_t>(), decode_uses(result["ics"])};
+    SessionReply reply;
+    read_fields(result, reply, MemberPath("session"));
+    return reply;
 }
 
 json encode_session_info(const SessionInfo& info) {
-    json result{{"step", info.step},
-                {"lease_seconds", info.lease_seconds},
-                {"states", info.states},
-                {"bytes", info.bytes},
-                {"ics", encode_uses(info.ics)}};
-    if (info.grid) result["grid"] = encode_grid(*info.grid);
-    if (info.side) result["side"] = name_of(*info.side);
-    if (info.motion) result["motion"] = word_for(motions, *info.motion);
-    return result;
+    return write_answer(info, MemberPath("session"));
 }
 
 SessionInfo decode_session_info(const json& result) {
     SessionInfo info;
-    info.step = result["step"].get<long long>();
-    info.lease_seconds = result["lease_seconds"].get<double>();
-    info.states = result["states"].get<std::size_t>();
-    info.bytes = result["bytes"].get<std::size_t>();
-    if (result.contains("grid")) info.grid = decode_grid(result["grid"]);
-    if (result.contains("side")) read_name(result["side"], info.side.emplace());
-    info.ics = decode_uses(result["ics"]);
-    if (result.contains("motion")) info.motion = meaning_of(result["motion"], motions);
+    read_fields(result, info, MemberPath("session"));
     return info;
 }
 

@@ -4,7 +4,9 @@
 
 #include "codec_parts.hpp"
 #include "codec_section.hpp"
+#include "contactd/fields/subsurface_stress.hpp"
 #include "contactd/proto/codec.hpp"
+#include "field_codec.hpp"
 
 namespace contactd::proto {
 namespace {
@@ -13,7 +15,6 @@ using nlohmann::json;
 using Shape = std::vector<std::size_t>;
 using Values = std::vector<double>;
 
-constexpr Words<ContactBody, 2> bodies{{{"lower", ContactBody::lower}, {"upper", ContactBody::upper}}};
 constexpr std::size_t arrays_of_result = 7;
 constexpr std::size_t longest_axis = 4'000'000;  // of an array on the wire
 /// Squares of what is larger leave the range of a double.
@@ -97,25 +98,10 @@ void check_has_stresses(const Ics& ics) {
                             "the same");
 }
 
-LargestStress decode_largest(const json& source) {
-    return {source["von_mises"].get<double>(), source["x"].get<double>(), source["y"].get<double>(),
-            source["z"].get<double>()};
-}
-
-json encode_largest(const LargestStress& largest) {
-    return {{"von_mises", finite(largest.von_mises, "The largest von Mises stress")},
-            {"x", largest.x},
-            {"y", largest.y},
-            {"z", largest.z},
-            {"depth", largest.depth()}};
-}
-
 }  // namespace
 
 json encode_subsurface_request(const SubsurfaceRequest& request, ArrayWriter& arrays) {
-    json params{{"grid", encode_grid(request.grid)},
-                {"nu", finite(request.nu, "nu")},
-                {"body", word_for(bodies, request.body)}};
+    json params{{"grid", encode_grid(request.grid)}, {"nu", finite(request.nu, "nu")}, {"body", name_of(request.body)}};
     if (request.ics != Ics{}) params["ics"] = encode_ics(request.ics);
     for (const auto& [name, values] : tractions_of(request))
         if (!values->empty()) params[name] = write(*values, shape_of(request.grid), arrays);
@@ -135,7 +121,7 @@ SubsurfaceRequest decode_subsurface_request(const json& params, const Frames& fr
     SubsurfaceRequest request;
     request.grid = decode_grid(params["grid"]);
     request.nu = params["nu"].get<double>();
-    if (params.contains("body")) request.body = meaning_of(params["body"], bodies);
+    if (params.contains("body")) read_name(params["body"], request.body);
     if (params.contains("ics")) request.ics = decode_ics(params["ics"], frames);
     check_has_stresses(request.ics);
     if (params.contains("block"))
@@ -154,7 +140,8 @@ SubsurfaceRequest decode_subsurface_request(const json& params, const Frames& fr
 }
 
 json encode_subsurface_reply(const SubsurfaceReply& reply, ArrayWriter& arrays) {
-    json result{{"shape", reply.shape}, {"largest", encode_largest(reply.largest)}};
+    json result{{"shape", reply.shape}, {"largest", write_answer(reply.largest, MemberPath("largest"))}};
+    result["largest"]["depth"] = reply.largest.depth();
     for (const auto& [name, values] : components_of(reply.stress))
         result["stress"][name] = write(*values, reply.shape, arrays);
     result["von_mises"] = write(reply.stress.von_mises, reply.shape, arrays);
@@ -164,7 +151,7 @@ json encode_subsurface_reply(const SubsurfaceReply& reply, ArrayWriter& arrays) 
 SubsurfaceReply decode_subsurface_reply(const json& result, const Frames& frames) {
     SubsurfaceReply reply;
     reply.shape = result["shape"].get<Shape>();
-    reply.largest = decode_largest(result["largest"]);
+    read_fields(result["largest"], reply.largest, MemberPath("largest"));
     for (const auto& [name, values] : components_of(reply.stress))
         *values = read_array(result["stress"][name], frames, reply.shape, std::string("stress.") + name);
     Values& von_mises = reply.stress.von_mises;

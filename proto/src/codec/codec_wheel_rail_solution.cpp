@@ -73,23 +73,18 @@ WheelRailSolution decode_wheel_rail_solution(const json& result, const Frames& f
 }
 
 json encode_wheelset_solution(const WheelsetSolution& solution, const PatchFields& fields, ArrayWriter& arrays) {
-    return object({{"z", finite(solution.z, "z of the wheelset")},
-                   {"roll", finite(solution.roll, "The roll")},
-                   {"left", encode_wheel_rail_solution(solution.left, fields, arrays)},
-                   {"right", encode_wheel_rail_solution(solution.right, fields, arrays)},
-                   {"roll_search", write_answer(solution.roll_search, MemberPath("roll_search"))},
-                   {"warnings", solution.warnings},
-                   {"converged", solution.converged()}});
+    json result = write_answer(solution, MemberPath("solution"));
+    result["left"] = encode_wheel_rail_solution(solution.left, fields, arrays);
+    result["right"] = encode_wheel_rail_solution(solution.right, fields, arrays);
+    result["converged"] = solution.converged();
+    return result;
 }
 
 WheelsetSolution decode_wheelset_solution(const json& result, const Frames& frames) {
     WheelsetSolution solution;
-    solution.z = result["z"].get<double>();
-    solution.roll = result["roll"].get<double>();
+    read_fields(result, solution, MemberPath("solution"));
     solution.left = decode_wheel_rail_solution(result["left"], frames);
     solution.right = decode_wheel_rail_solution(result["right"], frames);
-    read_fields(result["roll_search"], solution.roll_search, MemberPath("roll_search"));
-    solution.warnings = result["warnings"].get<std::vector<std::string>>();
     return solution;
 }
 

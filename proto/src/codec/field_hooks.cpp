@@ -7,11 +7,13 @@
 #include <variant>
 #include <vector>
 
+#include "codec_evidence.hpp"
 #include "codec_parts.hpp"
 #include "codec_profile.hpp"
 #include "codec_section.hpp"
 #include "contactd/body.hpp"
 #include "contactd/fields/grid.hpp"
+#include "contactd/fields/ic_table.hpp"
 #include "contactd/fields/wheel_rail_setup.hpp"
 #include "contactd/fields/wheel_rail_solution.hpp"
 #include "contactd/proto/object.hpp"
@@ -213,14 +215,9 @@ void read_section(const json& source, void* value, const MemberPath& path, const
     as<Section>(value) = decode_section(source, with.frames, path.text());
 }
 
-// --- derivatives of contacts
-// -------------------------------------------------------------------------------------------
-json write_derivatives(const void* value, const MemberPath&, const Writing&) {
-    return encode_derivatives(as<Derivatives>(value));
-}
-
-void read_derivatives(const json& source, void* value, const MemberPath&, const Reading&) {
-    as<Derivatives>(value) = decode_derivatives(source);
+// --- tables ----------------------------------------------------------------------------------------------------------
+json write_ic_evidence(const void* value, const MemberPath& path, const Writing&) {
+    return write_evidence(as<IcEvidence>(value), path);
 }
 
 }  // namespace
@@ -237,7 +234,7 @@ const FieldHook* hook_of(const FieldType& type) {
         FieldHook{&custom_type<std::vector<ElementState>>(), nullptr, nullptr},
         FieldHook{&custom_type<Motion>(), nullptr, nullptr},
         FieldHook{&type_of<std::vector<WheelRailPatch>>(), nullptr, nullptr},
-        FieldHook{&custom_type<Derivatives>(), write_derivatives, read_derivatives},
+        FieldHook{&type_of<IcEvidence>(), write_ic_evidence, nullptr},
         FieldHook{&type_of<Grid>(), write_grid, read_grid},
         FieldHook{&type_of<ProfileSpec>(), write_profile, read_profile},
         FieldHook{&type_of<std::vector<RailSlice>>(), write_slices<RailSlice>, read_slices<RailSlice>},

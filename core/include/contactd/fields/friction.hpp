@@ -18,6 +18,11 @@ static_assert(static_cast<int>(RollingKind::steady) == 0);
 static_assert(static_cast<int>(RollingKind::transient) == 1);
 
 template <>
+inline constexpr auto enum_words<MotionKind> = std::to_array<std::string_view>({"shift", "rolling"});
+static_assert(static_cast<int>(MotionKind::shift) == 0);
+static_assert(static_cast<int>(MotionKind::rolling) == 1);
+
+template <>
 const FieldType& type_of<KineticFriction>();
 template <>
 const FieldType& type_of<RigidShift>();

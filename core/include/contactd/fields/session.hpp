@@ -6,6 +6,9 @@
 #include "contactd/fields/contact.hpp"
 #include "contactd/fields/friction.hpp"
 #include "contactd/fields/gap.hpp"
+#include "contactd/fields/grid.hpp"
+#include "contactd/fields/ic_reply.hpp"
+#include "contactd/fields/wheel_rail_setup.hpp"
 #include "contactd/session.hpp"
 
 namespace contactd {
@@ -17,6 +20,10 @@ template <>
 const FieldType& type_of<FrictionFields<ContactProblem>>();
 template <>
 const FieldType& type_of<FrictionFields<StepInput>>();
+template <>
+const FieldType& type_of<SessionInfo>();
+template <>
+const FieldType& type_of<SessionReply>();
 template <>
 const FieldType& type_of<StepInput>();
 
