@@ -11,7 +11,7 @@ import click
 
 __all__ = ["changed", "copied", "get", "parts", "put"]
 
-_PART = re.compile(r"([A-Za-z_$][\w$]*)((?:\[\d+\])*)")
+_PART = re.compile(r"([A-Za-z_$][\w$]*)((?:\[[0-9]{1,9}\])*)")
 
 
 def parts(path: str) -> list[str | int]:

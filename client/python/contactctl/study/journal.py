@@ -126,5 +126,11 @@ def _row(line: bytes) -> dict[str, Any] | None:
     checksum, _, text = line.partition(b" ")
     if checksum != b"%08x" % zlib.crc32(text):
         return None
-    row = json.loads(text)
-    return row if isinstance(row, dict) and "key" in row else None
+    try:
+        row = json.loads(text)
+    except (ValueError, RecursionError):  # of somebody who knows the checksum
+        return None
+    kinds = {"key": str, "code": int, "values": dict}
+    if not isinstance(row, dict) or not all(isinstance(row.get(name), kind) for name, kind in kinds.items()):
+        return None
+    return row if isinstance(row.get("answers", {}), dict) else None

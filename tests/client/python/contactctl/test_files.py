@@ -70,6 +70,12 @@ def test_arrays_of_objects_are_refused(tmp_path, file):
         read_object(file("a.yaml", "a: {$file: evil.npy}\n"))
 
 
+@pytest.mark.parametrize("path", ["", "a..b", "a[-1]", "a[" + "1" * 5000 + "]", "a[١]"])
+def test_what_is_no_path_is_refused(path):
+    with pytest.raises(click.UsageError, match="is no path of a field"):
+        put({}, path, 1)
+
+
 def test_paths_lead_into_objects_and_lists():
     document = {"ics": {"layers": [{"G": 1}, {"G": 2}]}}
     put(document, "ics.layers[1].G", 3)

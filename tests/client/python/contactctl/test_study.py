@@ -6,6 +6,7 @@ import random
 import resource
 import signal
 import time
+import zlib
 
 import numpy as np
 import pytest
@@ -286,6 +287,18 @@ def test_a_damaged_row_is_solved_again(tmp_path, capsys):
     with Journal(path) as journal:
         assert list(journal.rows) == ["a", "c"]
     assert "1 damaged lines" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "text",
+    [b"[" * 100_000, b'{"key": []}', b'{"key": "a"}', b'{"key": "a", "code": 0, "values": {}, "answers": 1}', b"\xff", b"1" * 5000],
+    ids=["deep", "a list as a key", "no values", "answers that are none", "no text", "long"],
+)
+def test_a_row_that_is_none_is_damaged_whatever_its_checksum_says(tmp_path, text):
+    path = tmp_path / "rows"
+    path.write_bytes(b"%08x %s\n" % (zlib.crc32(text), text))
+    with pytest.raises(Ended, match="is no file with rows of a study"):
+        Journal(path)
 
 
 def test_a_file_of_something_else_is_left_alone(tmp_path):
