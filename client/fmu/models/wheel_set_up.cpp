@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "place.hpp"
+#include "slices.hpp"
 #include "variables/wheel_variables.hpp"
 
 namespace contactd::fmu {
@@ -98,6 +99,13 @@ void set_up(contactd_wheel* w, const Values& values, const std::filesystem::path
         set_profile(w, values, of, resources);
         set_material(w, values, of);
     }
+    if (const std::string& slices = values.text(at("wheel.slices")); !slices.empty())
+        set_slices(w, {"setup.wheel_slices", "angle"}, "wheel.slices", slices, values[wheel.smoothing], resources);
+    if (const std::string& slices = values.text(at("rail.slices")); !slices.empty())
+        set_slices(w, {"setup.rail_slices", "x"}, "rail.slices", slices, values[rail.smoothing], resources);
+    if (const int angles = values.whole(at("friction.angles")); angles < 0 || angles > most_angles)
+        throw Failure("friction.angles is " + std::to_string(angles) + "; it must be 0 to " +
+                      std::to_string(most_angles) + ".");
     set_fields(w, values, Role::parameter);
     if (values.is(at("track.by_origin"))) {
         set_field(w, "setup.track.rail_origin.y", values[at("track.origin_y")]);

@@ -38,6 +38,9 @@ inline constexpr auto wheel_alone = std::to_array<Variable>({
     real("wheel.G", Role::parameter, "N/mm2", 82000, "Shear modulus of the wheel."),
     real("wheel.nu", Role::parameter, "", 0.28, "Poisson's ratio of the wheel."),
     boolean("wheel.rigid", Role::parameter, false, "The wheel does not deform."),
+    text("wheel.slices", "",
+         "File of an out-of-round wheel, in the place of wheel.profile: in each line an angle (rad) and the file of the "
+         "profile there, named as wheel.profile, or from the folder of the list on. Empty: a round wheel."),
     text("rail.profile", "60E1",
          "60E1, cone, arc, in any case, or a file (.prr, .ban, or two columns): a path, a URI, or a name in the FMU's "
          "resources."),
@@ -50,6 +53,14 @@ inline constexpr auto wheel_alone = std::to_array<Variable>({
     real("rail.G", Role::parameter, "N/mm2", 82000, "Shear modulus of the rail."),
     real("rail.nu", Role::parameter, "", 0.28, "Poisson's ratio of the rail."),
     boolean("rail.rigid", Role::parameter, false, "The rail does not deform."),
+    text("rail.slices", "",
+         "The same of a rail that varies along the track, with position.x (mm) for the angle; it needs track.by_origin."),
+    integer("friction.angles", Role::parameter, 0,
+            "How many of friction.angle[...] count, each with its friction.mu_at[...], in the place of friction.mu; 0: "
+            "friction.mu everywhere."),
+    at_path("setup.friction.along_profile",
+            boolean("friction.along_profile", Role::parameter, false,
+                    "The angle is that of the rail at each row of elements, not that of the patch; of model full.")),
     at_path("setup.track.gauge", real("track.gauge", Role::parameter, "mm", 1435, "Between the rails' gauge faces.")),
     at_path("setup.track.gauge_height", real("track.gauge_height", Role::parameter, "mm", 14,
                                              "Below the tops of the rails, where the gauge is measured.")),
@@ -144,6 +155,23 @@ inline constexpr auto wheel_alone = std::to_array<Variable>({
             boolean("converged", Role::output, false, "All solvers and searches reached their tolerance.")),
 });
 
+inline constexpr std::string_view friction_names[][2] = {
+    {"friction.angle[1]", "friction.mu_at[1]"}, {"friction.angle[2]", "friction.mu_at[2]"},
+    {"friction.angle[3]", "friction.mu_at[3]"}, {"friction.angle[4]", "friction.mu_at[4]"},
+    {"friction.angle[5]", "friction.mu_at[5]"}, {"friction.angle[6]", "friction.mu_at[6]"},
+};
+
+consteval auto friction_variables() {
+    std::array<Variable, 2 * std::size(friction_names)> all;
+    for (std::size_t k = 0; k < std::size(friction_names); ++k) {
+        all[2 * k] = real(friction_names[k][0], Role::parameter, "rad", 0,
+                          "Angle of the rail's surface from the horizontal, negative on the gauge side; ascending.");
+        all[2 * k + 1] = real(friction_names[k][1], Role::parameter, "", 0.3,
+                              "Coefficient of friction there; straight lines between, constant beyond.");
+    }
+    return all;
+}
+
 inline constexpr std::string_view patch_names[][patches_told] = {
     {"patch[1].x", "patch[2].x", "patch[3].x"},          {"patch[1].y", "patch[2].y", "patch[3].y"},
     {"patch[1].z", "patch[2].z", "patch[3].z"},          {"patch[1].angle", "patch[2].angle", "patch[3].angle"},
@@ -185,6 +213,11 @@ consteval auto patch_variables() {
 }  // namespace detail
 
 inline constexpr auto wheel_variables =
-    joined(joined(joined(common_variables, detail::wheel_alone), detail::wheel_fields), detail::patch_variables());
+    joined(joined(joined(joined(common_variables, detail::wheel_alone), detail::friction_variables()),
+                  detail::wheel_fields),
+           detail::patch_variables());
+
+/// How many angles have a coefficient of friction of their own.
+inline constexpr int most_angles = static_cast<int>(std::size(detail::friction_names));
 
 }  // namespace contactd::fmu

@@ -171,6 +171,58 @@ def test_a_massless_flexible_rail_deflects_by_its_load_over_its_stiffness(wheel)
     assert outputs["rail_shift.y"] == pytest.approx((outputs["Fy"] - 500) / 2e4, rel=1e-3)
 
 
+def test_friction_follows_the_angle_of_the_rail(wheel):
+    angles = {"friction.angle[1]": -0.8, "friction.mu_at[1]": 0.1, "friction.angle[2]": -0.2, "friction.mu_at[2]": 0.3}
+    fmu = wheel().start({**COARSE, "friction.angles": 2, "friction.along_profile": True, **angles})
+    outputs = fmu.step(values_at(7))
+    with c_interface.wheel() as direct:
+        set_up(direct, 7)
+        for k, (angle, mu) in enumerate(((-0.8, 0.1), (-0.2, 0.3))):
+            direct.set({f"setup.friction.mu[{k}].angle": angle, f"setup.friction.mu[{k}].mu": mu})
+        direct.set({"setup.friction.along_profile": 1})
+        direct.solve()
+        assert [outputs[name] for name in FORCES] == direct.array("forces.track")
+    assert outputs["Fx"] != wheel(name="everywhere").start(COARSE).step(values_at(7))["Fx"]
+
+
+def test_an_out_of_round_wheel_goes_down_over_its_flat(wheel, tmp_path):
+    depths = {-0.1: 0, -0.05: 0, -0.03: 0.3, 0: 0.5, 0.03: 0.3, 0.05: 0, 0.1: 0}
+    for k, depth in enumerate(depths.values()):
+        (tmp_path / f"slice {k}.txt").write_text(f"-40 {-depth}\n0 {-depth}\n40 {-depth}\n")
+    flat = tmp_path / "flat.txt"
+    flat.write_text("".join(f"{angle} slice {k}.txt\n" for k, angle in enumerate(depths)) + "\n")
+    fmu = wheel().start({**COARSE, "model": 2, "rail.profile": "arc", "track.by_origin": True, "wheel.slices": str(flat)})
+    on_flat, beside = (fmu.step({**values_at(0), "position.pitch": pitch}) for pitch in (0.0, 1.0))
+    assert on_flat["z"] > beside["z"] + 0.3
+    with c_interface.wheel() as direct:
+        set_up(direct, 0)
+        direct.set_word("setup.model", "fastsim")
+        direct.set({"setup.rail.arc.radius": 300, "setup.track.rail_origin.y": 750, "setup.track.rail_origin.z": 0})
+        for k, (angle, depth) in enumerate(depths.items()):
+            direct.set({f"setup.wheel_slices[{k}].angle": angle})
+            for at, y in enumerate((-40, 0, 40)):
+                point = f"setup.wheel_slices[{k}].profile.points[{at}]"
+                direct.set({f"{point}.y": y, f"{point}.z": -depth})
+        direct.solve()
+        assert [on_flat[name] for name in FORCES] == direct.array("forces.track")
+
+
+@pytest.mark.parametrize(
+    ("lines", "sentence"), [("0.1\n", "must have a number and the file"), ("\n0.1 nothing.txt\n", "line 2")]
+)
+def test_a_list_of_slices_that_is_wrong_is_refused_by_its_line(wheel, refused, tmp_path, lines, sentence):
+    (tmp_path / "list.txt").write_text(lines)
+    fmu = wheel()
+    fmu.enter({**COARSE, "wheel.slices": str(tmp_path / "list.txt")})
+    refused(fmu, fmu.slave.exitInitializationMode, "wheel.slices", sentence)
+
+
+def test_more_angles_of_friction_than_there_are_are_refused(wheel, refused):
+    fmu = wheel()
+    fmu.enter({**COARSE, "friction.angles": 7})
+    refused(fmu, fmu.slave.exitInitializationMode, "friction.angles", "0 to 6")
+
+
 def test_fields_are_those_of_the_c_interface_to_the_last_bit(wheel):
     fmu = wheel().start({**COARSE, "patches.distance_combine": 2.0, "track.springs.z": 1e5})
     outputs = fmu.step({**values_at(5), "position.pitch": 0.4})

@@ -1,0 +1,39 @@
+#include "slices.hpp"
+
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+#include "place.hpp"
+#include "wheel_set_up.hpp"
+
+namespace contactd::fmu {
+
+void set_slices(contactd_wheel* w, const Slices& slices, const std::string& variable, const std::string& name,
+                double smoothing_length, const std::filesystem::path& resources) {
+    const auto list = file_named(name, resources);
+    if (!list) throw Failure(variable + " is \"" + name + "\", which is no file; it must name a list of slices.");
+    std::ifstream file(*list);
+    std::size_t count = 0, number = 0;
+    for (std::string line; std::getline(file, line);) {
+        ++number;
+        if (word_of(line).empty()) continue;
+        std::istringstream words(line);
+        double place = 0;
+        std::string profile;
+        if (!(words >> place) || !std::getline(words, profile))
+            throw Failure(variable + ": line " + std::to_string(number) + " of " + list->string() +
+                          " must have a number and the file of a profile.");
+        std::optional<std::filesystem::path> found = file_named(profile, list->parent_path());
+        if (!found) found = file_named(profile, resources);
+        if (!found)
+            throw Failure(variable + ": line " + std::to_string(number) + " of " + list->string() +
+                          " names a profile that is no file:" + profile);
+        const std::string slice = slices.path + "[" + std::to_string(count++) + "].", shape = slice + "profile";
+        set_field(w, slice + slices.column, place);
+        check(contactd_wheel_read_profile(w, shape.c_str(), found->c_str()), w);
+        set_field(w, shape + ".smoothing_length", smoothing_length);
+    }
+}
+
+}  // namespace contactd::fmu
