@@ -263,3 +263,12 @@ def test_derivatives_are_asked_for_where_they_are_wanted():
     assert problem_params(PROBLEM.replace(derivatives=True))["derivatives"] is True
     with pytest.raises(TypeError, match="derivatives is 1; it must be of type bool"):
         PROBLEM.replace(derivatives=1)
+
+
+@pytest.mark.parametrize("section", [[1], "rail_60e1", 3])
+def test_a_section_that_is_no_mapping_is_refused_by_its_name(section):
+    problem = ContactProblem(
+        grid=Grid(2, 2, 1, 1), upper=Material(1, 0), gap=Paraboloid(50), approach=0.1, ics=AnalyticIcs("prism", section=section)
+    )
+    with pytest.raises(TypeError, match=r"ics\.section is .*; it must be of type Mapping"):
+        problem_params(problem)

@@ -123,6 +123,7 @@ def ics_params(ics: Ics) -> dict[str, Any]:
 
 def _section_params(section: Mapping[str, Any]) -> Mapping[str, Any]:
     """With the profile of a `profile_section` as the wire has it, should it be one of contactd.wheel_rail."""
+    check_type("ics.section", section, Mapping)
     said = section.get("profile_section")
     if not isinstance(said, Mapping) or "profile" not in said or isinstance(said["profile"], Mapping):
         return section
