@@ -30,6 +30,23 @@ function(contactd_library name)
   contactd_warnings(contactd_${name})
 endfunction()
 
+# contactd_unity(TARGET sources...): where CONTACTD_UNITY says so, the sources of each folder are compiled as one. They share what
+# costs more than they do: parsing the header of JSON, and instances of its templates. The `sources` stay alone: each has a
+# name that another one of its folder has, too. So do files with options of their own.
+function(contactd_unity target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${CONTACTD_UNITY} UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  list(REMOVE_ITEM sources "" ${ARGN})
+  foreach(source ${sources})
+    cmake_path(GET source PARENT_PATH folder)
+    string(MAKE_C_IDENTIFIER "${folder}" group)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${group}")
+  endforeach()
+  if(CONTACTD_UNITY)
+    target_compile_options(${target} PRIVATE -Wno-shadow)  # of a name of another file
+  endif()
+endfunction()
+
 # contactd_test(NAME sources...) makes a Catch2 program and registers its tests with ctest: one for each source that has test
 # cases, by its path below tests/ without the ending, and one more, labelled slow, for the source's cases with the tag [slow].
 function(contactd_test name)

@@ -3,7 +3,7 @@
   NAME      runs the files that have it in their path below tests/: integration/test_jobs, core/contact, client/python, rolling;
             where there is none, the files that have it in the name of a test
   --all     slow tests, too, and without a NAME also builds what no test needs, fuzz targets, benchmarks and random problems,
-            and runs what reads messages under sanitizers and fuzzers
+            and fuzzes what reads messages, under sanitizers
   OPTIONS   are handed to pytest
 """
 
@@ -23,11 +23,8 @@ ROOT = TESTS.parent
 BUILD = ROOT / "build" / "development"
 #: What the Python tests run.
 PROGRAMS = ("contactd", "contactd-ic", "contactd_local", "contactd-cpp-example", "contactd-c-examples", "contactd-fmus", "congruence-drivers")
-#: Short forms of `./dev sanitize` and `./dev fuzz`, for what reads messages: its bytes come from others.
-SHORT_FORMS = {
-    "sanitizers": ["./dev", "sanitize", "address", "proto"],
-    "fuzzing": ["./dev", "fuzz", "10", "request", "session", "reply", "array"],
-}
+#: What reads bytes of others, under AddressSanitizer and UBSan, ten seconds each.
+FUZZING = ["./dev", "fuzz", "10", "request", "session", "reply", "array"]
 #: No test needs them.
 EXTRAS = ("fuzz", "benchmarks", "random_problems")
 PROCESSORS = len(os.sched_getaffinity(0))
@@ -152,8 +149,7 @@ def main(arguments: Sequence[str]) -> int:
             fine = (0,) if chosen is None else (0, NO_TEST_LEFT)  # all that were named are slow
             run.part("Python tests", python_command(chosen, everything, options), fine)
         if chosen is None and everything:
-            for name, command in SHORT_FORMS.items():
-                run.part(name, command)
+            run.part("fuzzing", FUZZING)
     print(f"\033[1m==>\033[0m {', '.join(run.took)}", file=sys.stderr)
     if run.failed:
         print(f"dev: failed: {', '.join(run.failed)}", file=sys.stderr)

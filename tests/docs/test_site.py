@@ -24,7 +24,7 @@ from .site_pages import Site, code_colours, contrast
 ROOT = Path(__file__).parents[2]
 READABLE = 4.5  # WCAG 2, level AA
 
-pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]  # the site is built, with its notebooks
 
 
 @pytest.fixture(scope="module")

@@ -170,7 +170,7 @@ def test_options_that_make_no_sense_are_refused(options, complaint):
     assert complaint in ended.stderr
 
 
-@pytest.mark.slow
+@pytest.mark.slow  # integrates 2.5 seconds of motion
 @pytest.mark.timeout(600)
 def test_hunting_dies_down_below_the_critical_speed_grows_above_it_and_is_limited_by_the_flanges(bogie):
     with contactd.local(in_process=True) as client:

@@ -61,7 +61,7 @@ def test_the_page_has_the_costs_of_the_code():
     assert page.strip() == module.table(module.costs(BIN / "contactd")).strip(), "./dev docs writes it"
 
 
-@pytest.mark.slow
+@pytest.mark.slow  # solves the largest requests that the limits allow, to their ends
 @pytest.mark.timeout(600)
 @every_method
 def test_a_large_request_takes_no_more_than_it_states(daemons, example):
@@ -78,7 +78,7 @@ def test_a_large_request_takes_no_more_than_it_states(daemons, example):
     assert taken >= example["bytes"] / 8 - BESIDE, "a bound that says nothing"
 
 
-@pytest.mark.slow
+@pytest.mark.slow  # a daemon for each of the largest requests, twice
 @pytest.mark.timeout(300)
 @pytest.mark.parametrize("way", ["cancelled", "overdue"])
 @every_method
@@ -100,7 +100,7 @@ def test_the_worker_of_a_request_that_has_ended_is_free_soon(daemons, example, w
     assert least_of(seconds, SOON * SLOWER) < SOON * SLOWER
 
 
-@pytest.mark.slow
+@pytest.mark.slow  # a daemon for each of the largest requests
 @pytest.mark.timeout(300)
 @every_method
 def test_sigterm_ends_a_daemon_at_work_within_a_second_of_its_drain(daemons, example):

@@ -76,7 +76,7 @@ def left_in(folder):
     return [path.name for path in folder.iterdir() if not path.name.startswith("ompi.")]
 
 
-@pytest.mark.slow
+@pytest.mark.slow  # builds the table of the paper's finest block
 @pytest.mark.timeout(300)
 def test_the_demo_reaches_the_accuracy_of_the_paper_and_draws_a_picture(folder):
     demo = start(folder, "--bin", BIN, "--output", folder / "sub" / "picture.png")

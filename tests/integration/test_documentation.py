@@ -45,7 +45,7 @@ def test_the_first_call_of_a_readme(shared_daemon, page):
     assert 0 < -names["solution"].Fx < 0.4 * names["solution"].Fn
 
 
-@pytest.mark.slow
+@pytest.mark.slow  # the page's examples build tables by finite elements
 def test_the_guide_to_tables(shared, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)  # where an example writes files
     assert run_examples("ic-tables.md", shared)["evidence"].warnings[0].startswith("L_over_h is 40")

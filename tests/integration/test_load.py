@@ -22,7 +22,7 @@ def test_every_random_message_gets_one_status(daemons):
     assert growth < 20 << 20, f"memory grew by {growth} bytes in the second half"
 
 
-@pytest.mark.slow
+@pytest.mark.slow  # fifteen seconds of load
 @pytest.mark.timeout(180)
 def test_random_messages_with_large_grids_keep_a_daemon_within_its_bounds(daemons):
     less = {"limits": {"max_work_bytes": 1 << 30}}

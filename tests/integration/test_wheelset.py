@@ -123,7 +123,7 @@ def test_a_wheelset_that_leaves_the_track_ends_its_run(wheelset, shared):
         wheelset.runs.simulate(shared, "fastsim", 30, 0.01, integrate=broken)
 
 
-@pytest.mark.slow
+@pytest.mark.slow  # integrates 1.5 seconds of motion
 @pytest.mark.timeout(400)
 def test_hunting_dies_down_grows_and_is_limited_by_the_flanges(wheelset, shared_daemon):
     with Client(shared_daemon.endpoint) as client:

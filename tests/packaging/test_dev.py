@@ -172,7 +172,6 @@ def test_a_command_builds_what_it_runs(machine):
     assert machine.built("build", "production", "contactd")[-1] == "--build --preset production --target contactd"
     assert machine.built("fuzz", "10", "request")[-1] == "--build --preset fuzz --target fuzz_request"
     assert machine.built("fuzz")[-1] == "--build --preset fuzz"
-    assert machine.built("sanitize", "address", "proto")[-1] == "--build --preset sanitize --target test_proto"
     assert machine.built("build")[-1] == "--build --preset development"
 
 

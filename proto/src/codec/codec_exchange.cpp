@@ -13,7 +13,7 @@ using nlohmann::json;
 using Shape = std::vector<std::size_t>;
 
 constexpr std::size_t table_axes = 4;
-std::string text_of(const Shape& shape) {
+std::string in_json(const Shape& shape) {
     return json(shape).dump();
 }
 
@@ -34,13 +34,13 @@ GivenIcs decode_given_ics(const json& source, const Frames& frames, const Grid& 
     if (shape.size() == table_axes + 1)
         throw invalid_field(
             table_field,
-            "has shape " + text_of(shape) +
+            "has shape " + in_json(shape) +
                 ", that of a prism's columns, which no request brings along: give the file of ic.export "
                 "to ic.import, and name the section in ics (source fem, body prism)",
             reason::array_invalid);
     if (shape.size() != table_axes || shape[0] != 3 || shape[1] != 3 || shape[2] < ny || shape[3] < nx)
         throw invalid_field(table_field,
-                            "has shape " + text_of(shape) + "; it must be [3,3,ny,nx] with at least the grid's ny, " +
+                            "has shape " + in_json(shape) + "; it must be [3,3,ny,nx] with at least the grid's ny, " +
                                 std::to_string(ny) + ", and nx, " + std::to_string(nx),
                             reason::array_invalid);
     GivenIcs ics;

@@ -1,6 +1,5 @@
 #include "explain.hpp"
 
-#include <algorithm>
 #include <set>
 #include <string>
 #include <string_view>
@@ -16,11 +15,6 @@ using nlohmann::json;
 
 std::string joined(const std::string& path, const std::string& name) {
     return path.empty() ? shortened(name) : path + "." + shortened(name);
-}
-
-std::size_t characters(const std::string& text) {
-    const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; };
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins));
 }
 
 const json& nothing() {

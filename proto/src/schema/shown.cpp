@@ -1,5 +1,6 @@
 #include "shown.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "contactd/proto/message.hpp"
@@ -17,6 +18,11 @@ bool continues_character(char c) {
 }
 
 }  // namespace
+
+std::size_t characters(std::string_view text) {
+    const auto continuing = std::count_if(text.begin(), text.end(), continues_character);
+    return text.size() - static_cast<std::size_t>(continuing);
+}
 
 std::string shortened(std::string_view text, std::size_t limit) {
     constexpr std::string_view ellipsis = "...";

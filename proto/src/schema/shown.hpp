@@ -13,6 +13,9 @@ namespace contactd::proto {
 /// Longest quotation of something the sender wrote, in bytes.
 inline constexpr std::size_t max_shown = 60;
 
+/// How many characters a text of UTF-8 has.
+std::size_t characters(std::string_view text);
+
 /// At most `limit` bytes, cut between characters and marked when cut; control characters become spaces.
 std::string shortened(std::string_view text, std::size_t limit = max_shown);
 

@@ -37,9 +37,9 @@ std::string_view non_finite_word(std::string_view text, std::size_t at) {
 }
 
 /// Builds the document from the parser's events.
-class Reader : public nlohmann::json_sax<json> {
+class EventReader : public nlohmann::json_sax<json> {
    public:
-    Reader(std::string_view text, std::size_t max_values, json& root, std::string_view what)
+    EventReader(std::string_view text, std::size_t max_values, json& root, std::string_view what)
         : text_(text), max_values_(max_values), root_(root), what_(what) {}
 
     bool null() override { return put(nullptr); }
@@ -165,7 +165,7 @@ class Reader : public nlohmann::json_sax<json> {
 
 void read_json(std::string_view text, std::size_t max_values, json& root, std::string_view what) {
     root = json();
-    Reader reader(text, max_values, root, what);
+    EventReader reader(text, max_values, root, what);
     json::sax_parse(text.begin(), text.end(), &reader);
 }
 

@@ -20,11 +20,6 @@ constexpr std::size_t values_beside_arrays = 10'000;
                       what + " is " + std::to_string(is) + "; at most " + std::to_string(limit) + " are allowed.");
 }
 
-std::size_t characters(const std::string& text) {
-    const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; };
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins));
-}
-
 void find_id(const nlohmann::json& envelope, std::string& id_out) {
     if (!envelope.is_object()) return;
     const auto id = envelope.find("id");

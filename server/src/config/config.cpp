@@ -20,8 +20,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t max_values = 10'000;  // in a configuration: more than any needs
-
 const json& config_schema() {
     static const json schema = json::parse(config_schema_text);
     return schema;
@@ -151,7 +149,7 @@ Config config_from_file(const std::filesystem::path& path, const json& overrides
     text << file.rdbuf();
     try {
         json given;
-        proto::read_json(text.str(), max_values, given, "The configuration");
+        proto::read_json(text.str(), max_config_values, given, "The configuration");
         if (given.is_object()) given.merge_patch(overrides);
         return config_from_json(given);
     } catch (const Error& error) {

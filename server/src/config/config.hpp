@@ -98,6 +98,9 @@ struct Config {
     } shutdown;
 };
 
+/// Values that a configuration may have: more than any needs.
+inline constexpr std::size_t max_config_values = 10'000;
+
 /// Throws contactd::Error with every problem found, naming field, value and what would be right. `{}` gives the
 /// defaults.
 Config config_from_json(const nlohmann::json& json);

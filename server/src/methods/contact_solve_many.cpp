@@ -21,12 +21,12 @@ using nlohmann::json;
 /// Small problems that a worker solves before it is free for others.
 constexpr int small_at_once = 16;
 
-struct Batch;
-void conclude_check(Batch& batch);
+struct SolveBatch;
+void conclude_check(SolveBatch& batch);
 
 /// Several problems of one call.
-struct Batch : std::enable_shared_from_this<Batch> {
-    Batch(CallPtr its_call, const DaemonParts& its_parts) : call(std::move(its_call)), parts(its_parts) {}
+struct SolveBatch : std::enable_shared_from_this<SolveBatch> {
+    SolveBatch(CallPtr its_call, const DaemonParts& its_parts) : call(std::move(its_call)), parts(its_parts) {}
 
     const CallPtr call;
     const DaemonParts& parts;
@@ -40,11 +40,11 @@ struct Batch : std::enable_shared_from_this<Batch> {
 
     const json& problems() const { return call->request.params["problems"]; }
 };
-using BatchPtr = std::shared_ptr<Batch>;
-void admit(const BatchPtr& batch);
+using SolveBatchPtr = std::shared_ptr<SolveBatch>;
+void admit(const SolveBatchPtr& batch);
 
 /// Checks all problems together, each of which has passed its schema.
-void conclude_check(Batch& batch) {
+void conclude_check(SolveBatch& batch) {
     const proto::Request& request = batch.call->request;
     const Config& config = batch.parts.config;
     check_grid_limits(batch.problems(), config.max_grid_elements);
@@ -63,24 +63,24 @@ void conclude_check(Batch& batch) {
     batch.concluding = std::thread::id();
 }
 
-void take(const BatchPtr& batch);
+void take(const SolveBatchPtr& batch);
 
-void post(const BatchPtr& batch) {
+void post(const SolveBatchPtr& batch) {
     batch->parts.workers.post(ticket_of(batch->call), [batch] { take(batch); });
 }
 
 /// Each worker may come for some of its problems.
-void call_all(const BatchPtr& batch) {
+void call_all(const SolveBatchPtr& batch) {
     for (int worker = 0; worker < batch->parts.config.workers; ++worker) post(batch);
 }
 
 /// Now, while the workers that have come wait for the end of the check, or later, when they have gone.
-void admit(const BatchPtr& batch) {
+void admit(const SolveBatchPtr& batch) {
     batch->admitted = true;
     if (batch->concluding != std::this_thread::get_id()) call_all(batch);
 }
 
-void answer(const Batch& batch, std::vector<proto::ResultOrStatus> results) {
+void answer(const SolveBatch& batch, std::vector<proto::ResultOrStatus> results) {
     batch.job->end();
     if (batch.call->answered()) return;
     guarded(batch.call, [&] {
@@ -90,7 +90,7 @@ void answer(const Batch& batch, std::vector<proto::ResultOrStatus> results) {
     });
 }
 
-void finish(Batch& batch, std::size_t index, proto::ResultOrStatus result) {
+void finish(SolveBatch& batch, std::size_t index, proto::ResultOrStatus result) {
     batch.results[index] = std::move(result);
     const std::size_t all = batch.results.size(), finished = ++batch.finished;
     batch.reporter.report(
@@ -99,7 +99,7 @@ void finish(Batch& batch, std::size_t index, proto::ResultOrStatus result) {
 }
 
 /// Nothing when the problem cannot be solved as stated, which then is its result.
-std::optional<ContactProblem> read(Batch& batch, std::size_t index) {
+std::optional<ContactProblem> read(SolveBatch& batch, std::size_t index) {
     try {
         if (batch.job->cancelled() || batch.call->answered()) throw Cancelled("The batch was cancelled.");
         ContactProblem problem = proto::decode_problem(batch.problems()[index], batch.call->request.frames);
@@ -112,7 +112,7 @@ std::optional<ContactProblem> read(Batch& batch, std::size_t index) {
 }
 
 /// The task that solves the problem at `index`; `then` follows its result.
-SolveTask task_of(const BatchPtr& batch, std::size_t index, ContactProblem problem, std::function<void()> then) {
+SolveTask task_of(const SolveBatchPtr& batch, std::size_t index, ContactProblem problem, std::function<void()> then) {
     const Grid grid = problem.grid;
     const auto done = [=](const SolveReply& reply) {
         const SolutionFields fields = proto::decode_fields(batch->problems()[index], all_solution_fields);
@@ -127,7 +127,7 @@ SolveTask task_of(const BatchPtr& batch, std::size_t index, ContactProblem probl
 }
 
 /// In a worker: takes the next problems, as many as may run before others.
-void take(const BatchPtr& batch) {
+void take(const SolveBatchPtr& batch) {
     batch->call->check_deadline();
     if (batch->call->answered() || !batch->check.passed() || !batch->admitted) return;
     const std::size_t all = batch->problems().size();
@@ -147,7 +147,7 @@ void take(const BatchPtr& batch) {
 }  // namespace
 
 void queue_problems(const CallPtr& call, const DaemonParts& parts) {
-    call_all(std::make_shared<Batch>(call, parts));
+    call_all(std::make_shared<SolveBatch>(call, parts));
 }
 
 }  // namespace contactd::server

@@ -72,7 +72,7 @@ void describe(const CallPtr& call, const DaemonParts& parts) {
 }
 
 void metrics(const CallPtr& call, const DaemonParts& parts) {
-    call->succeed(to_json(collect_metrics(parts, false)));
+    call->succeed(server::to_json(collect_metrics(parts, false)));
 }
 
 void watch(const CallPtr& call, const DaemonParts& parts) {

@@ -116,7 +116,7 @@ SessionPtr session_of(const CallPtr& call, const DaemonParts& parts) {
     return parts.sessions.find(name_in(call));
 }
 
-void info(const CallPtr& call, const DaemonParts& parts) {
+void session_info(const CallPtr& call, const DaemonParts& parts) {
     const SessionPtr session = session_of(call, parts);
     SessionInfo reply = session->simulation().common();
     reply.step = session->step_number();
@@ -175,7 +175,7 @@ void add_session_methods(MethodTable& methods) {
                  .job = "step",
                  .is_small = is_small_step,
                  .handle = step});
-    methods.add({.name = "session.info", .in_session_order = true, .priority = high, .handle = info});
+    methods.add({.name = "session.info", .in_session_order = true, .priority = high, .handle = session_info});
     methods.add({.name = "session.step_many", .priority = high, .queue = queue_steps});
     methods.add({.name = "session.save", .in_session_order = true, .priority = high, .handle = save});
     methods.add({.name = "session.restore", .in_session_order = true, .priority = high, .handle = restore});

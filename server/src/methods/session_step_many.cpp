@@ -15,11 +15,11 @@ namespace {
 
 using nlohmann::json;
 
-struct Batch;
-void check_limits(const Batch& batch);
+struct StepBatch;
+void check_limits(const StepBatch& batch);
 
 /// Several steps of one call.
-struct Batch {
+struct StepBatch {
     CallPtr call;
     const DaemonParts& parts;
     std::vector<SessionPtr> sessions;  // null where there is none
@@ -29,9 +29,9 @@ struct Batch {
 
     const json& params(std::size_t index) const { return call->request.params["steps"][index]; }
 };
-using BatchPtr = std::shared_ptr<Batch>;
+using StepBatchPtr = std::shared_ptr<StepBatch>;
 
-void check_limits(const Batch& batch) {
+void check_limits(const StepBatch& batch) {
     const proto::Request& request = batch.call->request;
     proto::check_frames_used(request.params, request.frames);
     std::vector<ArrayAnswer> answers;
@@ -44,7 +44,7 @@ void check_limits(const Batch& batch) {
     check_cost(cost, batch.parts.config);
 }
 
-void answer(Batch& batch) {
+void answer(StepBatch& batch) {
     guarded(batch.call, [&] {
         proto::Frames frames;
         const json result = proto::encode_results("steps", std::move(batch.results), frames);
@@ -52,7 +52,7 @@ void answer(Batch& batch) {
     });
 }
 
-proto::ResultOrStatus solved(Batch& batch, std::size_t index) {
+proto::ResultOrStatus solved(StepBatch& batch, std::size_t index) {
     const std::shared_ptr<Job> job = batch.parts.jobs.create(origin_of(*batch.call, "step"), [] {});
     proto::ResultOrStatus result;
     const auto send = [&](const StepAnswer& answer) {
@@ -76,7 +76,7 @@ proto::ResultOrStatus solved(Batch& batch, std::size_t index) {
     return result;
 }
 
-void take(const BatchPtr& batch, std::size_t index) {
+void take(const StepBatchPtr& batch, std::size_t index) {
     batch->call->check_deadline();
     if (batch->call->answered()) return;
     if (!batch->check.passed()) return;
@@ -99,7 +99,7 @@ void queue_steps(const CallPtr& call, const DaemonParts& parts) {
         }
     }
     parts.counters.solves += static_cast<long long>(sessions.size());
-    const auto batch = BatchPtr(new Batch{call, parts, std::move(sessions)});
+    const auto batch = StepBatchPtr(new StepBatch{call, parts, std::move(sessions)});
     for (std::size_t i = 0; i < batch->sessions.size(); ++i) {
         auto work = [batch, i] { take(batch, i); };
         QueueTicket ticket = ticket_of(call);

@@ -52,7 +52,7 @@ WheelsetSetup wheelset_setup_of(const CallPtr& call) {
     return setup;
 }
 
-void solve(const CallPtr& call, const DaemonParts& parts) {
+void solve_wheel(const CallPtr& call, const DaemonParts& parts) {
     const nlohmann::json& params = call->request.params;
     const WheelRailSetup setup = setup_of(call);
     const WheelRailState state = proto::decode_wheel_rail_state(params.at("state"));
@@ -111,7 +111,7 @@ void locate(const CallPtr& call, const DaemonParts& parts) {
 }  // namespace
 
 void add_wheelrail_methods(MethodTable& methods) {
-    methods.add({.name = "wheelrail.solve", .job = "solve", .cost = cost_of_wheel_rail, .handle = solve});
+    methods.add({.name = "wheelrail.solve", .job = "solve", .cost = cost_of_wheel_rail, .handle = solve_wheel});
     methods.add({.name = "wheelrail.wheelset", .job = "solve", .cost = cost_of_wheel_rail, .handle = solve_wheelset});
     methods.add({.name = "wheelrail.geometry", .job = "solve", .cost = cost_of_geometry, .handle = locate});
 }

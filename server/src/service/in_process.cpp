@@ -19,11 +19,9 @@
 namespace contactd::server {
 namespace {
 
-constexpr std::size_t max_values = 10'000;  // in a configuration
-
 Config config_from_text(std::string_view text) {
     nlohmann::json given;
-    proto::read_json(text, max_values, given, "The configuration");
+    proto::read_json(text, max_config_values, given, "The configuration");
     return config_from_json(given);
 }
 

@@ -12,7 +12,7 @@
 namespace contactd::server {
 namespace {
 
-constexpr auto look_interval = std::chrono::milliseconds(100);
+constexpr auto scan_interval = std::chrono::milliseconds(100);
 
 /// Bytes that ever came through a connection; nothing when `fd` is no TCP socket, or none any more.
 std::optional<std::uint64_t> received_by(int fd) {
@@ -53,7 +53,7 @@ std::uint64_t UnfinishedInput::count() {
 
 void UnfinishedInput::enforce(Clock::time_point now) {
     if (now < next_look()) return;
-    next_look_ = now + look_interval;
+    next_look_ = now + scan_interval;
     for (std::uint64_t total = count(); total > max_bytes_;) {
         const auto most = std::max_element(connections_.begin(), connections_.end(), [](const auto& a, const auto& b) {
             return a.second.received - a.second.accounted < b.second.received - b.second.accounted;

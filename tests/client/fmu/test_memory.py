@@ -37,7 +37,7 @@ def of_wheel(k):
     return {"position.y": 0.05 * (k % 40), "load.Fz": 60e3 + 100 * (k % 13)}
 
 
-@pytest.mark.slow
+@pytest.mark.slow  # eleven thousand steps
 @pytest.mark.timeout(300)
 @pytest.mark.parametrize(("kind", "values", "vary"), [("contact", CONTACT, of_contact), ("wheel", WHEEL, of_wheel)])
 def test_ten_thousand_steps_leave_memory_flat(contact, wheel, kind, values, vary):

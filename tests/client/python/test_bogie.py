@@ -135,7 +135,7 @@ def test_a_wheelset_in_a_curve_sees_the_track_that_it_is_on(bogie):
     assert motion[8:] == pytest.approx((0, -speed / 460, speed / 300e3), abs=1e-9)
 
 
-@pytest.mark.slow
+@pytest.mark.slow  # 4200 steps, as the coach takes its time to come to rest
 @pytest.mark.timeout(300)
 def test_in_a_curve_the_rails_bear_what_the_cant_leaves(bogie):
     line = bogie.line.Line(curvature=1 / 600e3, cant=100, begin=5e3, transition=30e3, length=2e5)

@@ -63,6 +63,7 @@ TEST_CASE("The accuracy asked for is met on a half-space", "[fem][accuracy]") {
     CHECK_FALSE(record.evidence.errors_estimated);
 }
 
+// Slow: tables to a ten-thousandth.
 TEST_CASE("Four digits are reached", "[fem][accuracy][slow]") {
     IcSpec spec = accurate_spec(1e-4, 0.28, 1, 12);
     spec.load_shape = GENERATE(LoadShape::constant, LoadShape::bilinear);
@@ -74,6 +75,7 @@ TEST_CASE("A larger extent changes the coefficients by less than the accuracy's 
     CHECK(difference(small, cropped(build(large).table(), 8, 8), build(small).table()) < 1e-4);
 }
 
+// Slow: graded finite elements of the whole displacement beside each table.
 TEST_CASE("The accuracy asked for is met by a block", "[fem][accuracy][slow]") {
     IcSpec spec = accurate_spec(1e-2, GENERATE(0.28, 0.42), 1, 8);
     spec.body = BodyShape::block;
@@ -94,6 +96,7 @@ TEST_CASE("The accuracy asked for is met by a block", "[fem][accuracy][slow]") {
     CHECK(difference(spec, closed_form(accurate_spec(1e-2, spec.material.nu, 1, 8)), reference.table()) > 1e-2);
 }
 
+// Slow: a table to a thousandth.
 TEST_CASE("The error that a block's table states is no less than its difference to a finer table",
           "[fem][accuracy][slow]") {
     // Near the clamped edges of a nearly incompressible block, where finite elements have the hardest time.

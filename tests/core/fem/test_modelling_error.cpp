@@ -118,6 +118,7 @@ TEST_CASE("the modelling error of a block bounds what loads of all elements do",
     check_blocks(1, 4);
 }
 
+// Slow: 36 blocks.
 TEST_CASE("and that of many blocks", "[block][slow]") {
     check_blocks(5, 40);
 }
@@ -126,6 +127,7 @@ TEST_CASE("a block of one element has no modelling error", "[block]") {
     CHECK(stated(block_spec(1, 1, 1, 0.28, 20)) < 1e-9);
 }
 
+// Slow: finite elements in three dimensions, factorised.
 TEST_CASE("a load beside the middle of a block does what finite elements of another make say", "[block][slow]") {
     constexpr double L = 12, nu = 0.28;
     constexpr int ny = 5;

@@ -25,6 +25,7 @@ IcEvidence build(const IcSpec& spec) {
 
 }  // namespace
 
+// Slow: meshes of prisms with up to 131811 unknowns.
 TEST_CASE("Prisms meet the reference with diagonals that run outward", "[fem][prism][verification][slow]") {
     struct Row {
         const char* preset;
@@ -48,6 +49,7 @@ TEST_CASE("The error of prisms depends on the direction of the diagonals", "[fem
     CHECK_THAT(build(spec).errors.zz.value().origin, WithinRel(-2.0e-3, 0.02));
 }
 
+// Slow: four blocks on fine meshes of prisms.
 TEST_CASE("Every test on prisms reaches the target at the origin", "[fem][prism][verification][slow]") {
     const auto [preset, L_over_h] = GENERATE(std::pair{"paper-mesh2-test1", 40}, std::pair{"paper-mesh2-test2", 40},
                                              std::pair{"paper-mesh2-test3", 40}, std::pair{"paper-mesh2-test2", 640});
@@ -58,6 +60,7 @@ TEST_CASE("Every test on prisms reaches the target at the origin", "[fem][prism]
     CHECK(std::abs(evidence.errors.yy.value().origin) < target);
 }
 
+// Slow: factorises what it also iterates on.
 TEST_CASE("Both solvers find the same coefficients on prisms", "[fem][prism][verification][slow]") {
     // The paper blames ill-conditioned matrices for Mesh2's plateau; then they would not.
     IcSpec spec = paper_spec("paper-mesh2-test2", 512);
@@ -72,6 +75,7 @@ TEST_CASE("Both solvers find the same coefficients on prisms", "[fem][prism][ver
             CHECK_THAT(iterated(i, j, 1, 2), WithinAbs(direct(i, j, 1, 2), 1e-6 * scale));
 }
 
+// Slow: two blocks on fine meshes of prisms.
 TEST_CASE("Far data free prisms from the size of the block", "[fem][prism][verification][slow]") {
     IcSpec spec = paper_spec("paper-mesh2-test2", 8);
     spec.fem.far_boundary = FarBoundary::half_space;
@@ -83,6 +87,7 @@ TEST_CASE("Far data free prisms from the size of the block", "[fem][prism][verif
     CHECK_THAT(small.errors.zz.value().origin, WithinAbs(build(spec).errors.zz.value().origin, 2e-4));
 }
 
+// Slow: up to cubic elements.
 TEST_CASE("The error of prisms falls with their order", "[fem][prism][verification][slow]") {
     const auto [order, largest] = GENERATE(std::pair{1, 0.1}, std::pair{2, 7e-3}, std::pair{3, 7e-4});
     CAPTURE(order);
@@ -96,6 +101,7 @@ TEST_CASE("The error of prisms falls with their order", "[fem][prism][verificati
     }
 }
 
+// Slow: a factorised block, and contact on 160 x 160 elements.
 TEST_CASE("The Cattaneo problem with coefficients on prisms is within the paper's errors",
           "[fem][prism][verification][slow]") {
     const ContactProblem problem = test::cattaneo_problem(160);

@@ -46,7 +46,7 @@ def folder(own):
     return own
 
 
-@pytest.mark.slow
+@pytest.mark.slow  # runs every example of the page
 @pytest.mark.timeout(300)
 def test_the_examples_of_the_page_run_and_show_what_they_show(folder):
     found = list(examples())

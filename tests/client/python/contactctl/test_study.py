@@ -144,7 +144,7 @@ def test_a_study_that_cannot_be_meant_is_refused_before_anything_is_solved(lonel
     assert sentence in ended.err
 
 
-@pytest.mark.slow
+@pytest.mark.slow  # 2000 rows, begun four times
 @pytest.mark.timeout(240)
 def test_a_study_that_is_killed_three_times_has_every_row_once(own):
     own.write("study.yaml", "problem: contact.yaml\nvary:\n  approach: {from: 1e-3, to: 2e-2, count: 500}\n"
@@ -187,7 +187,7 @@ def test_a_daemon_that_comes_back_ends_no_study(daemons, own):
     assert len(json.loads(out)["rows"]) == 2000
 
 
-@pytest.mark.slow
+@pytest.mark.slow  # waits until the client gives the daemon up, and solves 2000 rows
 def test_a_daemon_that_stays_away_ends_it_with_3_and_keeps_its_rows(daemons, own):
     daemon = daemons.start("mortal")
     own.write("study.yaml", "problem: contact.yaml\nvary: {approach: {from: 1e-3, to: 2e-2, count: 2000}}\n")
@@ -219,7 +219,7 @@ def test_a_study_runs_without_a_daemon(lonely, words):
     assert "6 rows: 6 done" in lonely("study", "study.yaml", *words).out
 
 
-@pytest.mark.slow
+@pytest.mark.slow  # starts a cluster
 def test_a_study_runs_on_a_dask_cluster(own):
     own.write("study.yaml", STUDY)
     pytest.importorskip("distributed")

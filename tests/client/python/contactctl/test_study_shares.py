@@ -91,7 +91,7 @@ def test_a_share_writes_no_table(lonely, option):
     assert f"{option} no/where: there is no folder no." in ended.err
 
 
-@pytest.mark.slow
+@pytest.mark.slow  # 2000 rows, begun four times
 @pytest.mark.timeout(240)
 def test_two_shares_that_are_killed_three_times_have_every_row_once(lonely):
     lonely.write("study.yaml", "problem: contact.yaml\nvary:\n  approach: {from: 1e-3, to: 2e-2, count: 500}\n"

@@ -27,6 +27,7 @@ TEST_CASE("Contacts of random sections meet all contact conditions", "[section][
     check_sections(1, 12);
 }
 
+// Slow: 48 sections.
 TEST_CASE("So do more of them", "[section][random][slow]") {
     check_sections(13, 60);
 }

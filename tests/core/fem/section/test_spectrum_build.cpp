@@ -108,6 +108,7 @@ TEST_CASE("Tables of sections meet the reference within the error they state", "
     check_layers(1e-2);
 }
 
+// Slow: meshes for a thousandth and for a ten-thousandth, of each outline.
 TEST_CASE("So do finer tables", "[section][slow]") {
     const double accuracy = GENERATE(1e-3, 1e-4);
     check_references(accuracy);
