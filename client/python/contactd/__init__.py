@@ -24,7 +24,6 @@ from .calls.answer_warnings import ContactWarning
 from .calls.contact_session import Session
 from .calls.wheel_rail_session import WheelRailSession
 from .client import Client
-from .daemon import LocalDaemon, local
 from .errors import (
     Aborted,
     Cancelled,
@@ -51,6 +50,7 @@ from .errors import (
 from .extras import FUNCTIONS
 from .files.saved import load, save
 from .files.table_files import load_table, save_table
+from .local import LocalDaemon, local
 from .values.dictionaries import from_dict, to_dict
 from .values.evidence import IcEvidence, SectionEvidence, SolverEvidence, SolverSettings
 from .values.friction import Friction, KineticFriction, Rolling, Shift

@@ -1,0 +1,253 @@
+"""Contact without a service: the same client, for scripts and simulations that run alone."""
+
+from __future__ import annotations
+
+import json
+import os
+import select
+import shutil
+import subprocess
+import tempfile
+import time
+import weakref
+from collections.abc import Mapping
+from pathlib import Path
+from types import TracebackType
+from typing import TYPE_CHECKING, Any
+
+from .client import Client, ClientOptions
+from .errors import DaemonFailed
+from .refusals import public
+from .transport.connections import Lender
+from .transport.in_process import Engine, can_solve_here
+from .transport.lifeline import Lifeline
+from .transport.programs import checked, laid_over, program_of
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+__all__ = ["InProcessClient", "LocalDaemon", "local"]
+
+#: Of a configuration, what only a daemon has.
+_OF_DAEMONS = ("endpoint", "security", "methods", "log", "http", "shutdown")
+
+
+class _ClientOfItsOwn(Client):
+    """A client that has its daemon to itself, and ends it. Copies in other processes are clients as any others."""
+
+    def __init__(self, daemon: LocalDaemon) -> None:
+        super().__init__(daemon.endpoint)
+        self._end = weakref.finalize(self, daemon.close)
+
+    def close(self) -> None:
+        """Ends the connections and the daemon."""
+        super().close()
+        self._end()
+
+    def __reduce__(self) -> Any:
+        return _client_like, (self.__getstate__(),)
+
+
+def _client_like(state: dict[str, Any]) -> Client:
+    return Client(**state)
+
+
+@public
+def local(
+    program: str | Path | None = None,
+    *,
+    folder: str | Path | None = None,
+    config: Mapping[str, Any] | None = None,
+    in_process: bool | None = None,
+) -> Client:
+    """A client that needs no service::
+
+        with contactd.local() as client:
+            solution = client.solve(...)
+
+    Its sessions and tables end with the ``with`` block, or with ``client.close()``, which may be called twice.
+    Where the extension contactd_local is installed it solves in this process, and otherwise starts a private daemon: the
+    answers are the same, and so are the errors. `in_process` insists on one of the two. Who names the `program` or says
+    what only a daemon has in `config` (endpoint, security, methods, log, http, shutdown) gets a daemon.
+
+    `program`, `folder` and `config` are those of LocalDaemon. Tables by finite elements are kept in `folder`; without
+    one they go with the client. In process they are built by ``contactd-ic``, as CONTACTD_IC names it, the package
+    contactd-daemon has it, or PATH finds it, and the log goes to the logger ``contactd.local``.
+
+    A client that solves in process belongs to it: it cannot be pickled, and a process that is forked opens its own.
+
+    Raises DaemonFailed when the daemon or the engine cannot be started.
+    """
+    why = _needs_daemon(program, checked(config))
+    if in_process and why:
+        raise TypeError(f"local() was asked to solve in process, and {why}")
+    if in_process is None:
+        in_process = not why and can_solve_here()
+    if in_process:
+        if not can_solve_here():
+            raise DaemonFailed("contactd_local is not installed, which solving in process takes; local() needs it not.")
+        return InProcessClient(folder, config)
+    return _ClientOfItsOwn(LocalDaemon(program, folder=folder, config=config))
+
+
+def _needs_daemon(program: str | Path | None, config: Mapping[str, Any]) -> str:
+    """Why it takes a daemon; empty when it takes none."""
+    if program is not None:
+        return f"program is {str(program)!r}, a daemon"
+    own = [name for name in _OF_DAEMONS if name in config]
+    return f"config has {own[0]}, which only a daemon has" if own else ""
+
+
+def _short_temporary_folder() -> str:
+    # The path of a Unix socket holds 107 characters at most, and $TMPDIR may be long.
+    return tempfile.mkdtemp(prefix="contactd-", dir="/tmp" if len(tempfile.gettempdir()) > 70 else None)
+
+
+class LocalDaemon:
+    """Runs ``contactd`` on a private ipc endpoint, and ends it with the ``with`` block.
+
+    `program` is looked for on PATH when it is a name without a folder, and starts the `contactd-ic` beside it. Without one
+    it is the `contactd` of the package contactd-daemon, where that is installed, and otherwise that of PATH.
+    `folder` holds its configuration, log and store; without one a temporary folder is used and removed afterwards.
+    `config` is laid over the configuration written here, section by section. Signals of the terminal (Ctrl-C) reach
+    the caller only, who ends the daemon by leaving the block. When the caller is killed, or ends by SIGTERM without a
+    handler of its own, the daemon gets SIGTERM, and a temporary folder is removed. Processes forked from the caller can
+    use the daemon, but do not end it.
+    """
+
+    @public
+    def __init__(
+        self,
+        program: str | Path | None = None,
+        *,
+        folder: str | Path | None = None,
+        config: Mapping[str, Any] | None = None,
+        start_timeout: float = 30.0,
+    ) -> None:
+        config = checked(config)
+        self._temporary = folder is None
+        self.folder = Path(_short_temporary_folder() if folder is None else folder).absolute()
+        own = {"endpoint": f"ipc://{self.folder}/socket", "store": {"folder": str(self.folder / "store")}}
+        self.config = laid_over(own, config)
+        self.log_path = self.folder / "contactd.log"
+        self.endpoint = ""
+        self._owner = os.getpid()
+        self._lifeline: Lifeline | None = None
+        self.process = self._start(program_of("contactd") if program is None else str(program))
+        try:
+            self._lifeline = Lifeline(self.pid, self._configuration, self.folder if self._temporary else None)
+            self._wait_until_ready(start_timeout)
+        except BaseException:
+            self.close()
+            raise
+
+    def __repr__(self) -> str:
+        return f"<LocalDaemon at {self.endpoint or self.folder}, process {self.pid}>"
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a LocalDaemon cannot be pickled; hand on its endpoint, or a client of it: daemon.client()")
+
+    def __enter__(self) -> LocalDaemon:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, value: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        self.close()
+
+    @property
+    def pid(self) -> int:
+        """Process id."""
+        return self.process.pid
+
+    @property
+    def _configuration(self) -> Path:
+        return self.folder / "contactd.json"
+
+    @property
+    def log(self) -> str:
+        """What the daemon has logged so far."""
+        return self.log_path.read_text(errors="replace") if self.log_path.exists() else ""
+
+    def client(self, **options: Unpack[ClientOptions]) -> Client:
+        """A new client of this daemon; `options` as of Client."""
+        return Client(self.endpoint, **options)
+
+    @public
+    def stop(self, timeout: float = 30.0) -> int:
+        """Asks the daemon to end in order (SIGTERM) and returns its exit status.
+
+        Raises DaemonFailed when it has not ended within `timeout` seconds, after killing it, and in a process that was
+        forked from the one that started it.
+        """
+        if self._owner != os.getpid():
+            raise DaemonFailed(f"contactd was started by process {self._owner}, which alone can end it.")
+        if self._lifeline is not None:
+            self._lifeline.let_go()
+        if self.process.poll() is None:
+            self.process.terminate()
+        try:
+            return self.process.wait(timeout)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.process.wait()
+            raise DaemonFailed(f"contactd did not end within {timeout:g} s of SIGTERM and was killed.") from None
+        finally:
+            if self.process.stdout is not None:
+                self.process.stdout.close()
+
+    def close(self) -> None:
+        """Stops the daemon and removes the temporary folder. May be called twice; does nothing in a forked process."""
+        if self._owner != os.getpid():
+            return
+        try:
+            self.stop()
+        finally:
+            if self._temporary:
+                shutil.rmtree(self.folder, ignore_errors=True)
+
+    def _start(self, program: str) -> subprocess.Popen[bytes]:
+        self.folder.mkdir(parents=True, exist_ok=True)
+        self._configuration.write_text(json.dumps(self.config, indent=2) + "\n")
+        try:
+            with self.log_path.open("ab") as log:
+                return subprocess.Popen(
+                    [program, "--config", str(self._configuration)],
+                    stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=log, start_new_session=True,
+                )  # fmt: skip
+        except OSError as error:
+            if self._temporary:
+                shutil.rmtree(self.folder, ignore_errors=True)
+            advice = "" if os.sep in program else " Put it on PATH, or name it: LocalDaemon(program); pip install contactd-daemon brings one."
+            raise DaemonFailed(f"{program} cannot be started: {error.strerror}.{advice}") from None
+
+    def _wait_until_ready(self, timeout: float) -> None:
+        line, deadline = b"", time.monotonic() + timeout
+        assert self.process.stdout is not None
+        while not line.endswith(b"\n"):
+            patience = max(0.0, deadline - time.monotonic())
+            if not select.select([self.process.stdout], [], [], patience)[0]:
+                raise DaemonFailed(f"contactd was not ready within {timeout:g} s. Its log:\n{self.log}")
+            chunk = os.read(self.process.stdout.fileno(), 4096)
+            if not chunk:
+                status = self.process.wait()
+                raise DaemonFailed(f"contactd ended with status {status} before it was ready. Its log:\n{self.log}")
+            line += chunk
+        try:
+            self.endpoint = str(json.loads(line)["endpoint"])
+        except (ValueError, KeyError, TypeError):
+            raise DaemonFailed(f"contactd said {line!r} instead of being ready.") from None
+
+
+class InProcessClient(Client):
+    """A client that asks the engine in its own process. `folder` and `config` are those of contactd.local()."""
+
+    def __init__(self, folder: str | Path | None = None, config: Mapping[str, Any] | None = None) -> None:
+        self._folder, self._config = None if folder is None else Path(folder), config or {}
+        super().__init__("local")
+
+    def _lender(self) -> Lender:
+        return Engine(self._folder, self._config)
+
+    def __getstate__(self) -> dict[str, Any]:
+        raise TypeError("a client that solves in process cannot be pickled; one of a LocalDaemon can: daemon.client()")
