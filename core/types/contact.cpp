@@ -85,8 +85,13 @@ void check_gap(const ContactProblem& problem) {
     }
 }
 
+// Areas and approaches of smaller forces leave the range of a double.
+constexpr double least_force = 1e-100;
+
 void check_load(const ContactProblem& problem) {
     check_finite(problem.approach.value_or(0), "approach", "a length");
+    if (problem.Fn && *problem.Fn > 0 && *problem.Fn < least_force)
+        throw InvalidArgument("Fn", "is " + number_text(*problem.Fn) + "; it must be zero, or 1e-100 N at least");
     if (problem.Fn && !(std::isfinite(*problem.Fn) && *problem.Fn >= 0))
         throw InvalidArgument("Fn", "is " + number_text(*problem.Fn) + "; it must be a force, zero or positive");
 }

@@ -24,7 +24,6 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
-#include <sstream>
 
 #include "contactd/closed_form_record.hpp"
 #include "contactd/fem/ic_builder.hpp"
@@ -85,25 +84,33 @@ std::string on_first(const fem::Runtime& runtime, const std::function<std::strin
     return outcome;
 }
 
-/// The first line, or everything. Unbuffered, because the guard goes on reading where this ends.
+constexpr std::size_t most_spec_bytes = 16 << 20;
+
+/// The first line, or everything, up to what no spec has. Unbuffered, because the guard goes on reading where this
+/// ends.
 std::string read_standard_input(bool first_line_only) {
     std::string text;
     char c;
-    while (::read(STDIN_FILENO, &c, 1) == 1) {
+    while (text.size() <= most_spec_bytes && ::read(STDIN_FILENO, &c, 1) == 1) {
         if (first_line_only && c == '\n') break;
         text += c;
     }
     return text;
 }
 
+/// A device may never end.
 std::string read_spec(const Options& options) {
     if (options.spec == "-") return read_standard_input(options.exit_with_stdin);
     std::ifstream file(options.spec);
-    std::ostringstream text;
-    if (!(file && (text << file.rdbuf())))
+    std::string text(most_spec_bytes + 1, '\0');
+    file.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(file.gcount()));
+    if (text.empty())
         throw InvalidArgument("SPEC",
                               "is " + options.spec + "; there is no such file that can be read and is not empty");
-    return text.str();
+    if (text.size() > most_spec_bytes)
+        throw InvalidArgument("SPEC", "is " + options.spec + ", which is larger than 16 MiB; no spec is");
+    return text;
 }
 
 IcSpec parse_spec(const std::string& text) {

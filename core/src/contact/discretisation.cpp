@@ -101,6 +101,7 @@ std::optional<HertzContact> hertz_of(const ContactProblem& problem, const Contac
 }
 
 std::string percent(double part) {
+    if (part > 10) return "more than 1000 %";
     char text[32];
     std::snprintf(text, sizeof text, part < 0.1 ? "%.2g %%" : "%.0f %%", 100 * part);
     return text;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "contactd/ic_store.hpp"
+#include "global_heap.hpp"
 #include "hdf5_reader.hpp"
 
 namespace contactd {
@@ -107,6 +108,7 @@ std::vector<unsigned char> to_hdf5(const FileContents& contents) {
 }
 
 FileContents from_hdf5(std::span<const unsigned char> image) {
+    check_global_heaps(image);
     const std::scoped_lock lock(hdf5_mutex());
     H5::Exception::dontPrint();
     try {

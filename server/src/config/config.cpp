@@ -6,7 +6,6 @@
 #include <cstring>
 #include <fstream>
 #include <regex>
-#include <sstream>
 
 #include "config_schema.hpp"
 #include "contactd/error.hpp"
@@ -141,15 +140,29 @@ Config config_from_json(const json& given) {
     return config;
 }
 
-Config config_from_file(const std::filesystem::path& path, const json& overrides) {
+namespace {
+
+/// A device may never end.
+std::string read_configuration(const std::filesystem::path& path) {
+    constexpr std::size_t most_bytes = 1 << 20;
     std::ifstream file(path);
     if (!file) throw Error("The configuration " + path.string() + " cannot be read: " + std::strerror(errno) + ".");
     if (std::filesystem::is_directory(path)) throw Error("The configuration " + path.string() + " is a folder.");
-    std::ostringstream text;
-    text << file.rdbuf();
+    std::string text(most_bytes + 1, '\0');
+    file.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(file.gcount()));
+    if (text.size() > most_bytes)
+        throw Error("The configuration " + path.string() + " is larger than 1 MiB; no configuration is.");
+    return text;
+}
+
+}  // namespace
+
+Config config_from_file(const std::filesystem::path& path, const json& overrides) {
+    const std::string text = read_configuration(path);
     try {
         json given;
-        proto::read_json(text.str(), max_config_values, given, "The configuration");
+        proto::read_json(text, max_config_values, given, "The configuration");
         if (given.is_object()) given.merge_patch(overrides);
         return config_from_json(given);
     } catch (const Error& error) {

@@ -1,6 +1,7 @@
 // Files of strangers: HDF5 that is sound, with whatever it can do to whoever reads it.
 #include <H5Cpp.h>
 
+#include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
@@ -57,6 +58,15 @@ TEST_CASE("A file is read as it was written", "[hdf5]") {
         CHECK(read.datasets.at(path).shape == array.shape);
         CHECK(read.datasets.at(path).values == array.values);
     }
+}
+
+TEST_CASE("A heap whose objects never end is refused before HDF5 sees it", "[hdf5]") {
+    std::vector<unsigned char> image = to_hdf5(contents_of(record_of(fem_spec(5, 3))));
+    const std::string heap{'G', 'C', 'O', 'L', 1};
+    const auto at = std::search(image.begin(), image.end(), heap.begin(), heap.end());
+    REQUIRE(image.end() - at > 32);
+    std::fill_n(at + 16, 16, 0);  // index and size of the first object
+    CHECK_THROWS_MATCHES(from_hdf5(image), DamagedTable, MessageMatches(ContainsSubstring("an object without room")));
 }
 
 TEST_CASE("Data in other files are not read", "[hdf5]") {

@@ -183,6 +183,7 @@ TEST_CASE("A contact problem that cannot be solved names its field") {
     CHECK(refused_problem([](ContactProblem& p) { p.friction = FrictionLaw{{0.1, 0.2}}; }) == "friction.mu");
     CHECK(refused_problem([](ContactProblem& p) { p.approach.reset(), p.Fn = -1; }) == "Fn");
     CHECK(refused_problem([](ContactProblem& p) { p.approach.reset(), p.Fn = no_number; }) == "Fn");
+    CHECK(refused_problem([](ContactProblem& p) { p.approach.reset(), p.Fn = 5e-324; }) == "Fn");
     CHECK(refused_problem([](ContactProblem& p) { p.approach.reset(); }) == "approach");
     CHECK(refused_problem([](ContactProblem& p) { p.Fn = 1; }) == "Fn");
     CHECK(refused_problem([](ContactProblem& p) { p.approach.reset(), p.gap = SemiAxes{1, 1}; }) == "approach");

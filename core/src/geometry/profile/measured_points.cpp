@@ -51,7 +51,12 @@ void check_sense(const Points& points, ProfileKind kind) {
     std::nth_element(heights.begin(), median, heights.end());
     const double usual = *median, centre = (points.front().y + points.back().y) / 2;
     if (kind == ProfileKind::wheel) {
-        if (usual - upper->z > flange_height && usual - upper->z > 2 * (lower->z - usual))
+        // Where both faces were measured, what is lowest of a wheel that is upside down is the edge of a face.
+        constexpr double part_of_faces = 0.05;
+        const double faces = part_of_faces * (points.back().y - points.front().y);
+        const auto is_inside = [&](double y) { return y > points.front().y + faces && y < points.back().y - faces; };
+        const bool lies_on_faces = is_inside(upper->y) && !is_inside(lower->y);
+        if (usual - upper->z > flange_height && (lies_on_faces || usual - upper->z > 2 * (lower->z - usual)))
             throw InvalidArgument("profile.points",
                                   "rise to z = " + number_text(upper->z) + " at y = " + number_text(upper->y) +
                                       "; z points downwards, to the tip of the flange: change mirror_z");

@@ -133,6 +133,26 @@ TEST_CASE("points that make no profile are refused with what to do", "[profile]"
     bad = good;
     bad.mirror_z = true;
     refused(ProfileKind::wheel, bad, "change mirror_z");
+    // As deep on its faces as its flange is high.
+    const ProfilePoints with_faces{{{-70, -21},
+                                    {-69, 9},
+                                    {-60, 26},
+                                    {-55, 28},
+                                    {-48, 24},
+                                    {-40, 14},
+                                    {-36, 8},
+                                    {-30, 3.6},
+                                    {-20, 1.4},
+                                    {-10, .5},
+                                    {0, 0},
+                                    {20, -1},
+                                    {60, -3},
+                                    {66, -8},
+                                    {66.5, -20.5}}};
+    CHECK_NOTHROW(make_profile({ProfileKind::wheel, with_faces}));
+    bad = with_faces;
+    bad.mirror_z = true;
+    refused(ProfileKind::wheel, bad, "change mirror_z");
     bad = good;
     bad.mirror_y = true;
     refused(ProfileKind::wheel, bad, "the flange at y = 5");
