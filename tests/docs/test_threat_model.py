@@ -19,6 +19,7 @@ READERS = {
     "client/python/contactd/files/table_files.py": "`.npz`",
     "client/python/contactd/transport/curve.py": "keys",
     "client/fmu/instance/serialized.cpp": "saved states of FMUs",
+    "client/fmu/models/slices.cpp": "lists of slices",
     "core/src/store/ic_file.cpp": "IC file in the store",
     "core/types/profile_files/read_profile.cpp": "profiles",
     "proto/src/wire/key_file.cpp": "keys",

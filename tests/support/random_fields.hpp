@@ -41,7 +41,7 @@ inline void fill_fields(const FieldType& type, void* value, std::mt19937& random
         if (inner.kind == FieldKind::keyword)
             inner.set_integer(found, static_cast<int>(random() % inner.keywords.size()));
         if (inner.kind == FieldKind::text) *static_cast<std::string*>(found) = std::to_string(random());
-        // What else describes a profile holds points, which are of a custom type, or ends in an order.
+        // All other shapes hold points, which are of a custom type, or ends in an order.
         if (&inner == &type_of<ProfileSpec>())
             fill_fields(type_of<Rail60E1>(), &static_cast<ProfileSpec*>(found)->shape.emplace<Rail60E1>(), random);
         else

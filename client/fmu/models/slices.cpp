@@ -1,5 +1,6 @@
 #include "slices.hpp"
 
+#include <array>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -15,8 +16,10 @@ void set_slices(contactd_wheel* w, const Slices& slices, const std::string& vari
     if (!list) throw Failure(variable + " is \"" + name + "\", which is no file; it must name a list of slices.");
     std::ifstream file(*list);
     std::size_t count = 0, number = 0;
-    for (std::string line; std::getline(file, line);) {
+    std::array<char, 4096> text{};  // of one line: a device may never end it
+    while (file.getline(text.data(), text.size())) {
         ++number;
+        const std::string line = text.data();
         if (word_of(line).empty()) continue;
         std::istringstream words(line);
         double place = 0;
@@ -34,6 +37,9 @@ void set_slices(contactd_wheel* w, const Slices& slices, const std::string& vari
         check(contactd_wheel_read_profile(w, shape.c_str(), found->c_str()), w);
         set_field(w, shape + ".smoothing_length", smoothing_length);
     }
+    if (!file.eof())
+        throw Failure(variable + ": line " + std::to_string(number + 1) + " of " + list->string() +
+                      " cannot be read, or is longer than any.");
 }
 
 }  // namespace contactd::fmu

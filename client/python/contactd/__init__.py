@@ -52,7 +52,7 @@ from .files.saved import load, save
 from .files.table_files import load_table, save_table
 from .local import LocalDaemon, local
 from .values.dictionaries import from_dict, to_dict
-from .values.evidence import IcEvidence, SectionEvidence, SolverEvidence, SolverSettings
+from .values.evidence import IcEvidence, SectionEvidence, SolverEvidence, SolverSettings, TangentialSettings
 from .values.friction import Friction, KineticFriction, Rolling, Shift
 from .values.grid import Grid, Paraboloid, SemiAxes
 from .values.ics import AnalyticIcs, FemIcs, LineContact
@@ -135,6 +135,7 @@ __all__ = [
     "SubsurfaceStress",
     "TableFileError",
     "TableIcs",
+    "TangentialSettings",
     "TimeoutExpired",
     "Unauthenticated",
     "Unavailable",

@@ -22,9 +22,11 @@ __all__ = [
     "SectionEvidence",
     "SolverEvidence",
     "SolverSettings",
+    "TangentialSettings",
 ]
 
 Model = Literal["full", "hertz", "fastsim"]
+TangentialSolver = Literal["newton", "tangcg"]
 
 
 @dataclass(frozen=True)
@@ -38,6 +40,18 @@ class SolverSettings:
 
     tolerance: float | None = None
     max_iterations: int | None = None
+
+
+@dataclass(frozen=True)
+class TangentialSettings(SolverSettings):
+    """Settings of the solver that finds tractions under friction, and which it is.
+
+    Attributes:
+        solver: "newton" (default): Newton's method on the friction law, and where that does not get there, TangCG;
+            "tangcg": TangCG alone, of shifts and transient rolling.
+    """
+
+    solver: TangentialSolver | None = None
 
 
 @dataclass(frozen=True)
@@ -124,7 +138,9 @@ class ContactEvidence:
     Attributes:
         normal: NORM, which finds the pressures.
         ics: Where the coefficients came from, by "upper", "lower" or "pair".
-        tangential: Newton's method on the friction law, and TangCG where that stopped, which find the tractions.
+        tangential: The solver that finds the tractions.
+        tangential_solver: Which solver found them, "newton" or "tangcg": the one that `tangential` of the problem asks for,
+            or TangCG where Newton's method stopped.
         outer: The loop that bodies that differ and kinetic friction need; its residual is what further turns
             would change of the tractions, relative; of kinetic friction the last change.
         force: How the motion of a prescribed force was found: iterations of Newton's method on motion and tractions, and
@@ -143,6 +159,7 @@ class ContactEvidence:
     discretisation: Discretisation | None = None
     derivatives: SolverEvidence | None = None
     operators: OperatorUse | None = None
+    tangential_solver: TangentialSolver | None = None
 
 
 @dataclass(frozen=True)

@@ -94,7 +94,7 @@ class ContactProblem(Saved):
         lower_ics: The same of the lower body; None, and `lower` None too: as the upper one.
         friction: Friction and the motion; None: frictionless.
         normal: Stop test of NORM, for the pressures.
-        tangential: Stop test of Newton's method on the friction law, for the tractions.
+        tangential: Stopping criterion of the solver for the tractions; TangentialSettings chooses which that is.
         initial: Where the solvers start: tractions of a similar problem.
         Fn: Normal force (N), >= 0, instead of the approach, which is found then.
         model: "full": boundary elements; "hertz": closed forms of elliptic contact, and of line contact where `ics` says
