@@ -5,12 +5,14 @@
 #include "contactd/fields/ic_spec.hpp"
 #include "contactd/half_space.hpp"
 #include "contactd/rotated_strips.hpp"
+#include "contactd/strip_frames.hpp"
 #include "contactd/version.hpp"
 #include "influence/layered/layered_table.hpp"
 
 namespace contactd {
 
 IcRecord closed_form_record(const IcSpec& spec, const Observer& observer) {
+    (void)strip_frames(spec);  // refuses a bad section in the lengths of the request
     IcRecord record;
     record.spec = dimensionless(spec);
     const IcSpec& scaled = record.spec;
