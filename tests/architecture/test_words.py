@@ -155,16 +155,15 @@ def names_of_python(path):
 
 
 @cache
-def everyday_names():
-    """Of each folder the pairs of a file and a name with an everyday word, exceptions among them."""
-    found = {}
+def everyday_names(folder):
+    """The pairs of a file and a name with an everyday word, exceptions among them."""
+    found = set()
     for folders, suffixes, names_of in (
         ([*FOLDERS, *WITH_COMMENTS], (".cpp", ".hpp", ".h"), names_of_cpp),
         (PYTHON, (".py",), names_of_python),
     ):
-        for folder in folders:
-            pairs = {(str(path.relative_to(ROOT)), name) for path in files_of(folder, *suffixes) for name in names_of(path)}
-            found.setdefault(folder, set()).update(pairs)
+        if folder in folders:
+            found |= {(str(path.relative_to(ROOT)), name) for path in files_of(folder, *suffixes) for name in names_of(path)}
     return found
 
 
@@ -174,7 +173,7 @@ def allowed_by_file(file):
 
 @pytest.mark.parametrize("folder", sorted({*FOLDERS, *WITH_COMMENTS, *PYTHON}))
 def test_names_are_those_of_the_field(folder):
-    wrong = {pair for pair in everyday_names()[folder] if pair[1].rstrip("_") not in NAMES and not allowed_by_file(pair[0])}
+    wrong = {pair for pair in everyday_names(folder) if pair[1].rstrip("_") not in NAMES and not allowed_by_file(pair[0])}
     assert not wrong, "\n".join(f"{file}: {name}; the field says: {instead_of(name)}" for file, name in sorted(wrong))
 
 
@@ -198,7 +197,7 @@ def test_comments_begin_as_sentences(folder):
 
 
 def test_each_exception_is_needed():
-    pairs = set().union(*everyday_names().values())
+    pairs = set().union(*map(everyday_names, {*FOLDERS, *WITH_COMMENTS, *PYTHON}))
     assert not set(NAMES) - {name.rstrip("_") for _, name in pairs}
     needed = {pattern for file, name in pairs if name.rstrip("_") not in NAMES for pattern in allowed_by_file(file)}
     assert not set(FILES) - needed
