@@ -82,7 +82,8 @@ void WheelModel::say(const Values& v) {
     v.whole(at("vertical")) == 0 ? set("state.Fz", v[at("load.Fz")]) : clear("state.Fz");
     v.is(at("prescribe_Fx")) ? set("state.Fx", v[at("load.Fx")]) : clear("state.Fx");
     if (v.is(at("friction.none"))) return clear("setup.friction");
-    if (const std::int32_t angles = v.whole(at("friction.angles")); angles != 0)  // each angle is beside its coefficient
+    if (const std::int32_t angles = v.whole(at("friction.angles"));
+        angles != 0)  // each angle is beside its coefficient
         check(contactd_set_array(w, "setup.friction.mu", &v.numbers[at("friction.angle[1]")], 2 * angles), w);
     if (v.whole(at("friction.kinetic.law")) == 0) return;
     const std::string law(word_at(wheel_variables[at("friction.kinetic.law")], v[at("friction.kinetic.law")]));

@@ -38,9 +38,10 @@ inline constexpr auto wheel_alone = std::to_array<Variable>({
     real("wheel.G", Role::parameter, "N/mm2", 82000, "Shear modulus of the wheel."),
     real("wheel.nu", Role::parameter, "", 0.28, "Poisson's ratio of the wheel."),
     boolean("wheel.rigid", Role::parameter, false, "The wheel does not deform."),
-    text("wheel.slices", "",
-         "File of an out-of-round wheel, in the place of wheel.profile: in each line an angle (rad) and the file of the "
-         "profile there, named as wheel.profile, or from the folder of the list on. Empty: a round wheel."),
+    text(
+        "wheel.slices", "",
+        "File of an out-of-round wheel, in the place of wheel.profile: in each line an angle (rad) and the file of the "
+        "profile there, named as wheel.profile, or from the folder of the list on. Empty: a round wheel."),
     text("rail.profile", "60E1",
          "60E1, cone, arc, in any case, or a file (.prr, .ban, or two columns): a path, a URI, or a name in the FMU's "
          "resources."),
@@ -54,7 +55,8 @@ inline constexpr auto wheel_alone = std::to_array<Variable>({
     real("rail.nu", Role::parameter, "", 0.28, "Poisson's ratio of the rail."),
     boolean("rail.rigid", Role::parameter, false, "The rail does not deform."),
     text("rail.slices", "",
-         "The same of a rail that varies along the track, with position.x (mm) for the angle; it needs track.by_origin."),
+         "The same of a rail that varies along the track, with position.x (mm) for the angle; it needs "
+         "track.by_origin."),
     integer("friction.angles", Role::parameter, 0,
             "How many of friction.angle[...] count, each with its friction.mu_at[...], in the place of friction.mu; 0: "
             "friction.mu everywhere."),
@@ -212,10 +214,9 @@ consteval auto patch_variables() {
 }
 }  // namespace detail
 
-inline constexpr auto wheel_variables =
-    joined(joined(joined(joined(common_variables, detail::wheel_alone), detail::friction_variables()),
-                  detail::wheel_fields),
-           detail::patch_variables());
+inline constexpr auto wheel_variables = joined(
+    joined(joined(joined(common_variables, detail::wheel_alone), detail::friction_variables()), detail::wheel_fields),
+    detail::patch_variables());
 
 /// How many angles have a coefficient of friction of their own.
 inline constexpr int most_angles = static_cast<int>(std::size(detail::friction_names));

@@ -116,7 +116,8 @@ TEST_CASE("A configuration that is no JSON, no object or no file is refused with
     std::filesystem::remove(path);
     CHECK_THROWS_MATCHES(config_from_file(path.parent_path()), contactd::Error,
                          MessageMatches(ContainsSubstring("is a folder")));
-    CHECK_THROWS_MATCHES(config_from_file("/dev/zero"), contactd::Error, MessageMatches(ContainsSubstring("larger than 1 MiB")));
+    CHECK_THROWS_MATCHES(config_from_file("/dev/zero"), contactd::Error,
+                         MessageMatches(ContainsSubstring("larger than 1 MiB")));
     CHECK_THROWS_MATCHES(config_from_file(path), contactd::Error,
                          MessageMatches(ContainsSubstring("cannot be read: No such file")));
 }
