@@ -51,7 +51,8 @@ def c_files(declarations: Declarations) -> dict[Path, str]:
         lines.append("")
     lines.append("/* --- keywords --- */")
     for name in sorted(enums):
-        lines += [f'#define CONTACTD_WORD_{_upper(name.removesuffix('Kind'))}_{_upper(word)} "{word}"' for word in declarations.enums[name].keywords]
+        start = f"#define CONTACTD_WORD_{_upper(name.removesuffix('Kind'))}_"
+        lines += [f'{start}{_upper(word)} "{word}"' for word in declarations.enums[name].keywords]
     return {TARGET: formatted("\n".join([*lines, "", "#endif", ""]))}
 
 
