@@ -13,17 +13,23 @@ from .c_paths import c_files
 from .cpp import INCLUDE, SOURCES, cpp_files
 from .declarations import ROOT, Declarations
 from .fmu import fmu_files
+from .python import generated_modules, python_files
 
 
 def differing() -> dict[Path, str | None]:
     """The files whose text in the tree is another one than the generated; None where there should be no file."""
     declarations = Declarations()
-    generated = {**cpp_files(declarations), **c_files(declarations), **fmu_files(declarations)}
+    generated = {
+        **cpp_files(declarations),
+        **c_files(declarations),
+        **fmu_files(declarations),
+        **python_files(declarations),
+    }
     wrong: dict[Path, str | None] = {
         path: text for path, text in generated.items() if not path.exists() or path.read_text() != text
     }
-    for folder in (INCLUDE / "fields", SOURCES):
-        wrong.update((path, None) for path in folder.glob("*") if path not in generated)
+    written = [*(INCLUDE / "fields").glob("*"), *SOURCES.glob("*"), *generated_modules()]
+    wrong.update((path, None) for path in written if path not in generated)
     return wrong
 
 

@@ -16,6 +16,17 @@ named there has a form of its own on the wire, and so has an object with fields 
 `x-cpp-none`  the value of a number's member that the wire leaves out: 0 or infinity
 `x-cpp-owner` the structs that have an object's fields, where it is not a struct of its own; x-cpp names a view, then
 `x-partial`   an object that has some fields only of the struct that it names
+`x-python`    a field in Python, where that is not plain:
+               type      its type;  default: its default, both as code
+               keys      an object that is a tuple there: the names of its parts
+               flat      an object whose fields are those of the class around it
+               required  whether it must be there, where it differs
+`x-python-class` an object, or a list of words, in Python:
+               name, description  of the class, where they are not that of C++ and that of the object
+               bases, dataclass, keywords, examples: its bases, the arguments of the decorator, the name of the typed keyword
+                         arguments, and lines of code that its docstring shows
+               adds      fields that the client fills in, with their types and sentences
+               sends_defaults  fields that are left out have the defaults of the schema, not None
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """A field that is new to a wheel on its rail is declared in its struct and its schema, and nowhere else by hand.
 
 The tree is copied, and a number, a word and a signed number of an answer are added there. From two files each follow
-lists, bounds, messages, mirrored wheels, paths of the C interface and variables of FMUs.
+lists, bounds, messages, mirrored wheels, paths of the C interface, variables of FMUs and values of Python.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 COPIED = ["core/include", "core/types", "proto/schema", "proto/generate", "proto/include", "proto/src/codec", "client/fmu/variables"]
+COPIED += ["client/python/contactd"]
 PROGRAM = """
 #include <iostream>
 
@@ -51,6 +52,18 @@ int main() {
     mirror_fields(shift);
     std::cout << shift.y << " " << shift.z << " " << shift.probe << "\\n";
 }
+"""
+
+
+PYTHON = """
+from contactd.values.answers import read
+from contactd.values.wheel_rail.params import setup_params
+from contactd.wheel_rail import RailShift, Track, WheelRailSetup
+
+assert "probe: A number (mm). Default 1." in Track.__doc__, Track.__doc__
+track = Track(probe=3, probe_kind="second")
+assert setup_params(WheelRailSetup(track=track))["track"] == {"probe": 3, "probe_kind": "second"}
+assert read(RailShift, {"y": 1, "z": 2, "probe": 3}).probe == 3
 """
 
 
@@ -91,29 +104,39 @@ def run(command: list[str], folder: Path, environment: dict[str, str]) -> None:
     assert made.returncode == 0, made.stderr[-3000:]
 
 
-@pytest.mark.slow  # compiles a dozen files
-@pytest.mark.timeout(300)
-def test_a_new_field_follows_from_its_struct_and_its_schema(tmp_path: Path) -> None:
+@pytest.fixture
+def tree(tmp_path: Path) -> Path:
+    """One with the fields, and what is generated from them."""
     for folder in COPIED:
         shutil.copytree(ROOT / folder, tmp_path / folder)
     shutil.copy(ROOT / ".clang-format", tmp_path)
     add_fields(tmp_path)
     subprocess.run([sys.executable, "-B", "-m", "generate"], cwd=tmp_path / "proto", check=True)
+    return tmp_path
 
-    variables = (tmp_path / "client" / "fmu" / "variables" / "wheel_fields.hpp").read_text()
+
+def test_python_has_a_new_field(tree: Path) -> None:
+    ran = subprocess.run([sys.executable, "-B", "-c", PYTHON], cwd=tree / "client" / "python", capture_output=True, text=True)
+    assert ran.returncode == 0, ran.stderr
+
+
+@pytest.mark.slow  # compiles a dozen files
+@pytest.mark.timeout(300)
+def test_a_new_field_follows_from_its_struct_and_its_schema(tree: Path) -> None:
+    variables = (tree / "client" / "fmu" / "variables" / "wheel_fields.hpp").read_text()
     assert '.path = "setup.track.probe"' in variables
     assert '.path = "rail_shift.probe"' in variables
-    (tmp_path / "probe.cpp").write_text(PROGRAM)
+    (tree / "probe.cpp").write_text(PROGRAM)
     sources = ["probe.cpp", "proto/src/codec/field_codec.cpp", "core/types/field_path.cpp", "core/types/fields.cpp"]
-    sources += [str(path.relative_to(tmp_path)) for path in (tmp_path / "core" / "types" / "fields").glob("*.cpp")]
+    sources += [str(path.relative_to(tree)) for path in (tree / "core" / "types" / "fields").glob("*.cpp")]
     include = [f"-I{folder}" for folder in ("core/include", "core/types", "proto/include", "proto/src/codec")]
     # One by one, so that ccache has them from the last time.
     compiler = ["ccache", "c++"] if shutil.which("ccache") else ["c++"]
-    environment = {**os.environ, "CCACHE_BASEDIR": str(tmp_path), "CCACHE_NOHASHDIR": "1"}
+    environment = {**os.environ, "CCACHE_BASEDIR": str(tree), "CCACHE_NOHASHDIR": "1"}
     for source in sources:
-        run([*compiler, "-std=c++20", "-O0", "-Wall", "-Wextra", *include, "-c", source], tmp_path, environment)
-    run(["c++", *(f"{Path(source).stem}.o" for source in sources), "-o", "probe"], tmp_path, environment)
-    told = subprocess.run([tmp_path / "probe"], capture_output=True, text=True, check=True).stdout.splitlines()
+        run([*compiler, "-std=c++20", "-O0", "-Wall", "-Wextra", *include, "-c", source], tree, environment)
+    run(["c++", *(f"{Path(source).stem}.o" for source in sources), "-o", "probe"], tree, environment)
+    told = subprocess.run([tree / "probe"], capture_output=True, text=True, check=True).stdout.splitlines()
     assert told == ['3 1 "second"', "track.probe is 6; it must be zero or positive and at most 5 mm", "-1 2 -3"]
 
 

@@ -57,11 +57,11 @@ from .values.friction import Friction, KineticFriction, Rolling, Shift
 from .values.grid import Grid, Paraboloid, SemiAxes
 from .values.ics import AnalyticIcs, FemIcs, LineContact
 from .values.materials import Layer, LayeredBody, Material, RigidBody
-from .values.partial_solution import PartialSolution, StepInput, StepSolution
+from .values.partial_solution import PartialSolution, SavedState, StepInput, StepSolution
 from .values.problem import ContactColumns, ContactProblem, Estimate
 from .values.records import ImportedIc, QuarantinedIc, RecentPatch, RecentSolve, StoredIc
 from .values.registry import register
-from .values.service import Job, Limits, Progress, SavedState, ServerInfo, SessionSummary
+from .values.service import Job, Limits, Progress, ServerInfo, SessionSummary
 from .values.solution import ContactSolution
 from .values.subsurface import LargestStress, StressBlock, SubsurfaceStress
 from .values.tables import IcTable, TableIcs, combined_modulus

@@ -23,8 +23,8 @@ namespace {
     [[maybe_unused]] const auto& [contact_, adhesion_, slip_, border_] = all;
 }
 [[maybe_unused]] void all_of(const ContactEvidence& all) {
-    [[maybe_unused]] const auto& [normal_, tangential_, tangential_solver_, outer_, force_, derivatives_,
-                                  discretisation_] = all;
+    [[maybe_unused]] const auto& [normal_, tangential_, outer_, force_, discretisation_, derivatives_,
+                                  tangential_solver_] = all;
 }
 [[maybe_unused]] void all_of(const Discretisation& all) {
     [[maybe_unused]] const auto& [elements_across_, force_error_, pmax_error_, source_, rolling_error_,
@@ -124,11 +124,11 @@ const FieldType& type_of<ContactEvidence>() {
     static const auto list = std::to_array<Field>({
         fields::field<&ContactEvidence::normal>("normal", {.required = true}),
         fields::field<&ContactEvidence::tangential>("tangential"),
-        fields::field<&ContactEvidence::tangential_solver>("tangential_solver"),
         fields::field<&ContactEvidence::outer>("outer"),
         fields::field<&ContactEvidence::force>("force"),
-        fields::field<&ContactEvidence::derivatives>("derivatives"),
         fields::field<&ContactEvidence::discretisation>("discretisation"),
+        fields::field<&ContactEvidence::derivatives>("derivatives"),
+        fields::field<&ContactEvidence::tangential_solver>("tangential_solver"),
     });
     static const FieldType type = fields::object_type(list);
     return type;

@@ -49,8 +49,8 @@ namespace {
     [[maybe_unused]] const auto& [z_, clearance_, places_, warnings_] = all;
 }
 [[maybe_unused]] void all_of(const WheelRailSolution& all) {
-    [[maybe_unused]] const auto& [z_, pitch_, clearance_, forces_, patches_, force_, pitch_search_, rail_shift_,
-                                  rail_search_, derivatives_, warnings_, left_out_] = all;
+    [[maybe_unused]] const auto& [z_, pitch_, forces_, patches_, warnings_, clearance_, force_, pitch_search_,
+                                  rail_shift_, rail_search_, derivatives_, left_out_] = all;
 }
 [[maybe_unused]] void all_of(const WheelRailPatch& all) {
     [[maybe_unused]] const auto& [place_, gap_, solution_, forces_] = all;
@@ -236,15 +236,15 @@ const FieldType& type_of<WheelRailSolution>() {
     static const auto list = std::to_array<Field>({
         fields::field<&WheelRailSolution::z>("z", {.unit = "mm", .required = true}),
         fields::field<&WheelRailSolution::pitch>("pitch", {.unit = "rad/s", .required = true}),
-        fields::field<&WheelRailSolution::clearance>("clearance", {.unit = "mm"}),
         fields::field<&WheelRailSolution::forces>("forces", {.required = true}),
         fields::field<&WheelRailSolution::patches>("patches"),
+        fields::field<&WheelRailSolution::warnings>("warnings", {.required = true}),
+        fields::field<&WheelRailSolution::clearance>("clearance", {.unit = "mm"}),
         fields::field<&WheelRailSolution::force>("force"),
         fields::field<&WheelRailSolution::pitch_search>("pitch_search"),
         fields::field<&WheelRailSolution::rail_shift>("rail_shift"),
         fields::field<&WheelRailSolution::rail_search>("rail_search"),
         fields::field<&WheelRailSolution::derivatives>("derivatives"),
-        fields::field<&WheelRailSolution::warnings>("warnings", {.required = true}),
     });
     static const FieldType type = fields::object_type(list);
     return type;

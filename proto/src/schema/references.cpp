@@ -31,9 +31,9 @@ std::string path_of(const Reference& reference) {
 }
 
 /// What code is generated from, and a reader of messages need not know.
-constexpr std::array notes_of_sources{"x-cpp",      "x-cpp-at",   "x-cpp-items", "x-cpp-list",
-                                      "x-cpp-none", "x-cpp-only", "x-cpp-owner", "x-derived",
-                                      "x-fmu",      "x-parity",   "x-partial"};
+constexpr std::array notes_of_sources{"x-cpp",      "x-cpp-at",    "x-cpp-items",   "x-cpp-list", "x-cpp-none",
+                                      "x-cpp-only", "x-cpp-owner", "x-derived",     "x-fmu",      "x-parity",
+                                      "x-partial",  "x-python",    "x-python-class"};
 
 }  // namespace
 

@@ -9,7 +9,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from contactd import InvalidArgument, KineticFriction, Material, ProtocolError, RigidBody, SolverSettings
+from contactd import (
+    InvalidArgument,
+    KineticFriction,
+    Material,
+    ProtocolError,
+    RigidBody,
+    SolverSettings,
+    TangentialSettings,
+)
 from contactd.values.profiles import profile_params
 from contactd.values.wheel_rail.params import setup_params, state_params, wheelset_state_params
 from contactd.values.wheel_rail.solution import read_wheel_rail, read_wheelset
@@ -79,6 +87,16 @@ def test_all_fields_are_sent_as_the_schema_has_them():
     assert sent["wheel_slices"][1] == {"angle": 0.1, "profile": {"cone": {"slope": -0.05}}}
     assert sent["track"]["springs"] == {"y": 2e4, "z": 1e5}
     assert sent["force"] == {"tolerance": 1e-5, "max_iterations": 30}
+
+
+def test_the_solver_of_tractions_is_sent():
+    setup = WheelRailSetup(tangential=TangentialSettings(solver="tangcg"))
+    assert setup_params(setup)["settings"] == {"tangential": {"solver": "tangcg"}}
+
+
+def test_what_is_of_a_wrong_class_is_refused_where_it_stands():
+    with pytest.raises(TypeError, match=r"setup\.track\.springs is 5; it must be of type RailSprings"):
+        setup_params(WheelRailSetup(track=Track(springs=5)))  # type: ignore[arg-type]
 
 
 def test_a_wheel_of_another_material_stands_on_a_rail_of_steel():

@@ -188,9 +188,8 @@
 #define CONTACTD_PATH_STATE_DERIVATIVES "state.derivatives"
 
 /* --- results of a wheel --- */
-#define CONTACTD_PATH_Z "z"                 /* mm */
-#define CONTACTD_PATH_PITCH "pitch"         /* rad/s */
-#define CONTACTD_PATH_CLEARANCE "clearance" /* mm */
+#define CONTACTD_PATH_Z "z"         /* mm */
+#define CONTACTD_PATH_PITCH "pitch" /* rad/s */
 #define CONTACTD_PATH_FORCES "forces"
 #define CONTACTD_PATH_FORCES_TRACK "forces.track"
 #define CONTACTD_PATH_FORCES_TRACK_FX "forces.track.Fx" /* N */
@@ -372,7 +371,6 @@
     "patches[%d].solution.evidence.tangential.converged"
 #define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_TANGENTIAL_SECONDS \
     "patches[%d].solution.evidence.tangential.seconds" /* s */
-#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_TANGENTIAL_SOLVER "patches[%d].solution.evidence.tangential_solver"
 #define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_OUTER "patches[%d].solution.evidence.outer"
 #define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_OUTER_ITERATIONS "patches[%d].solution.evidence.outer.iterations"
 #define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_OUTER_RESIDUAL "patches[%d].solution.evidence.outer.residual"
@@ -383,15 +381,6 @@
 #define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_FORCE_RESIDUAL "patches[%d].solution.evidence.force.residual"
 #define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_FORCE_CONVERGED "patches[%d].solution.evidence.force.converged"
 #define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_FORCE_SECONDS "patches[%d].solution.evidence.force.seconds" /* s */
-#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DERIVATIVES "patches[%d].solution.evidence.derivatives"
-#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DERIVATIVES_ITERATIONS \
-    "patches[%d].solution.evidence.derivatives.iterations"
-#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DERIVATIVES_RESIDUAL \
-    "patches[%d].solution.evidence.derivatives.residual"
-#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DERIVATIVES_CONVERGED \
-    "patches[%d].solution.evidence.derivatives.converged"
-#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DERIVATIVES_SECONDS \
-    "patches[%d].solution.evidence.derivatives.seconds" /* s */
 #define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DISCRETISATION "patches[%d].solution.evidence.discretisation"
 #define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DISCRETISATION_ELEMENTS_ACROSS \
     "patches[%d].solution.evidence.discretisation.elements_across"
@@ -405,6 +394,16 @@
     "patches[%d].solution.evidence.discretisation.rolling_error"
 #define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DISCRETISATION_COMPLIANCE_RATIO \
     "patches[%d].solution.evidence.discretisation.compliance_ratio"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DERIVATIVES "patches[%d].solution.evidence.derivatives"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DERIVATIVES_ITERATIONS \
+    "patches[%d].solution.evidence.derivatives.iterations"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DERIVATIVES_RESIDUAL \
+    "patches[%d].solution.evidence.derivatives.residual"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DERIVATIVES_CONVERGED \
+    "patches[%d].solution.evidence.derivatives.converged"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DERIVATIVES_SECONDS \
+    "patches[%d].solution.evidence.derivatives.seconds" /* s */
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_TANGENTIAL_SOLVER "patches[%d].solution.evidence.tangential_solver"
 #define CONTACTD_PATH_PATCHES_FORCES "patches[%d].forces"
 #define CONTACTD_PATH_PATCHES_FORCES_TRACK "patches[%d].forces.track"
 #define CONTACTD_PATH_PATCHES_FORCES_TRACK_FX "patches[%d].forces.track.Fx" /* N */
@@ -427,7 +426,10 @@
 #define CONTACTD_PATH_PATCHES_FORCES_WHEELSET_MX "patches[%d].forces.wheelset.Mx" /* N mm */
 #define CONTACTD_PATH_PATCHES_FORCES_WHEELSET_MY "patches[%d].forces.wheelset.My" /* N mm */
 #define CONTACTD_PATH_PATCHES_FORCES_WHEELSET_MZ "patches[%d].forces.wheelset.Mz" /* N mm */
-#define CONTACTD_PATH_FRICTIONAL_POWER "frictional_power"                         /* N mm/s */
+#define CONTACTD_PATH_CONVERGED "converged"
+#define CONTACTD_PATH_WARNINGS "warnings"
+#define CONTACTD_PATH_WARNINGS_AT "warnings[%d]"
+#define CONTACTD_PATH_CLEARANCE "clearance" /* mm */
 #define CONTACTD_PATH_FORCE "force"
 #define CONTACTD_PATH_FORCE_ITERATIONS "force.iterations"
 #define CONTACTD_PATH_FORCE_RESIDUAL "force.residual"
@@ -519,10 +521,8 @@
 #define CONTACTD_PATH_DERIVATIVES_VELOCITY_PITCH_MX "derivatives.velocity.pitch.Mx" /* N mm */
 #define CONTACTD_PATH_DERIVATIVES_VELOCITY_PITCH_MY "derivatives.velocity.pitch.My" /* N mm */
 #define CONTACTD_PATH_DERIVATIVES_VELOCITY_PITCH_MZ "derivatives.velocity.pitch.Mz" /* N mm */
-#define CONTACTD_PATH_WARNINGS "warnings"
-#define CONTACTD_PATH_WARNINGS_AT "warnings[%d]"
-#define CONTACTD_PATH_CONVERGED "converged"
-#define CONTACTD_PATH_ROLL "roll" /* rad */
+#define CONTACTD_PATH_FRICTIONAL_POWER "frictional_power"                           /* N mm/s */
+#define CONTACTD_PATH_ROLL "roll"                                                   /* rad */
 #define CONTACTD_PATH_ROLL_SEARCH "roll_search"
 #define CONTACTD_PATH_ROLL_SEARCH_ITERATIONS "roll_search.iterations"
 #define CONTACTD_PATH_ROLL_SEARCH_RESIDUAL "roll_search.residual"
@@ -625,7 +625,6 @@
 #define CONTACTD_PATH_EVIDENCE_TANGENTIAL_RESIDUAL "evidence.tangential.residual"
 #define CONTACTD_PATH_EVIDENCE_TANGENTIAL_CONVERGED "evidence.tangential.converged"
 #define CONTACTD_PATH_EVIDENCE_TANGENTIAL_SECONDS "evidence.tangential.seconds" /* s */
-#define CONTACTD_PATH_EVIDENCE_TANGENTIAL_SOLVER "evidence.tangential_solver"
 #define CONTACTD_PATH_EVIDENCE_OUTER "evidence.outer"
 #define CONTACTD_PATH_EVIDENCE_OUTER_ITERATIONS "evidence.outer.iterations"
 #define CONTACTD_PATH_EVIDENCE_OUTER_RESIDUAL "evidence.outer.residual"
@@ -636,11 +635,6 @@
 #define CONTACTD_PATH_EVIDENCE_FORCE_RESIDUAL "evidence.force.residual"
 #define CONTACTD_PATH_EVIDENCE_FORCE_CONVERGED "evidence.force.converged"
 #define CONTACTD_PATH_EVIDENCE_FORCE_SECONDS "evidence.force.seconds" /* s */
-#define CONTACTD_PATH_EVIDENCE_DERIVATIVES "evidence.derivatives"
-#define CONTACTD_PATH_EVIDENCE_DERIVATIVES_ITERATIONS "evidence.derivatives.iterations"
-#define CONTACTD_PATH_EVIDENCE_DERIVATIVES_RESIDUAL "evidence.derivatives.residual"
-#define CONTACTD_PATH_EVIDENCE_DERIVATIVES_CONVERGED "evidence.derivatives.converged"
-#define CONTACTD_PATH_EVIDENCE_DERIVATIVES_SECONDS "evidence.derivatives.seconds" /* s */
 #define CONTACTD_PATH_EVIDENCE_DISCRETISATION "evidence.discretisation"
 #define CONTACTD_PATH_EVIDENCE_DISCRETISATION_ELEMENTS_ACROSS "evidence.discretisation.elements_across"
 #define CONTACTD_PATH_EVIDENCE_DISCRETISATION_FORCE_ERROR "evidence.discretisation.force_error"
@@ -648,6 +642,12 @@
 #define CONTACTD_PATH_EVIDENCE_DISCRETISATION_SOURCE "evidence.discretisation.source"
 #define CONTACTD_PATH_EVIDENCE_DISCRETISATION_ROLLING_ERROR "evidence.discretisation.rolling_error"
 #define CONTACTD_PATH_EVIDENCE_DISCRETISATION_COMPLIANCE_RATIO "evidence.discretisation.compliance_ratio"
+#define CONTACTD_PATH_EVIDENCE_DERIVATIVES "evidence.derivatives"
+#define CONTACTD_PATH_EVIDENCE_DERIVATIVES_ITERATIONS "evidence.derivatives.iterations"
+#define CONTACTD_PATH_EVIDENCE_DERIVATIVES_RESIDUAL "evidence.derivatives.residual"
+#define CONTACTD_PATH_EVIDENCE_DERIVATIVES_CONVERGED "evidence.derivatives.converged"
+#define CONTACTD_PATH_EVIDENCE_DERIVATIVES_SECONDS "evidence.derivatives.seconds" /* s */
+#define CONTACTD_PATH_EVIDENCE_TANGENTIAL_SOLVER "evidence.tangential_solver"
 
 /* --- keywords --- */
 #define CONTACTD_WORD_CONFORMAL_OFF "off"

@@ -9,9 +9,10 @@ import numpy.typing as npt
 
 from ..errors import ProtocolError
 from ..values.answers import read
+from ..values.contact_params import gap_params
 from ..values.evidence import IcUse
 from ..values.friction import Force, Friction, RollingKind, coefficient_param, slip_param
-from ..values.grid import Grid, Paraboloid, SemiAxes, gap_params
+from ..values.grid import Grid, Paraboloid, SemiAxes
 from ..values.partial_solution import StepInput, StepSolution, check_arrays, on_grid
 from ..values.representation import Rows
 from ..values.solution import Fields

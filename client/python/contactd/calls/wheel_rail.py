@@ -15,7 +15,6 @@ from ..values.wheel_rail.rigid_wheelset import (
     ProfilesOfSides,
     WheelsetContacts,
     WheelsetRoll,
-    read_profiles,
 )
 from ..values.wheel_rail.setup import WheelRailSetup
 from ..values.wheel_rail.solution import WheelRailSolution, WheelsetSolution, read_wheel_rail, read_wheelset
@@ -156,7 +155,10 @@ class WheelRailCalls(Caller):
     ) -> Answering[ProfilesOfSides]:
         """The profiles of both sides as the daemon has read them, and where they lie: for whoever draws them."""
         profiles = yield from self._of_wheelset(setup, left, "profiles", True, "profiles", timeout)
-        return read_profiles(profiles)
+        found = read(ProfilesOfSides, profiles, "result.profiles")
+        if any(points.ndim != 2 or points.shape[1] != 2 for side in (found.left, found.right) for points in (side.wheel, side.rail)):
+            raise ProtocolError("The answer to wheelrail.geometry has profiles whose points are no pairs.")
+        return found
 
     def _of_wheelset(
         self,

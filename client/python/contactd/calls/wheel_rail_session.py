@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING, Any
 
 from ..errors import ProtocolError
 from ..refusals import check_type
+from ..values.params import params_of
 from ..values.representation import Rows
 from ..values.solution import Fields
-from ..values.wheel_rail.params import friction_params, state_params
+from ..values.wheel_rail.params import state_params
 from ..values.wheel_rail.setup import Side, WheelRailFriction
 from ..values.wheel_rail.solution import (
     WheelRailStepInput,
@@ -38,7 +39,7 @@ class WheelRailSteps(Steps):
         said: dict[str, Any] = {"state": state_params(step["state"], "wheelrail.state")}
         if (friction := step.get("friction")) is not None:
             check_type("wheelrail.friction", friction, WheelRailFriction)
-            said["friction"] = friction_params(friction)
+            said["friction"] = params_of(friction, "friction")
         if step.get("gap"):
             said["gap"] = True
         if not step.get("patches", True):

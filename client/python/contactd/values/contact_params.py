@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from ..errors import invalid
 from ..refusals import check_type
-from .grid import Grid, gap_params
+from .grid import Grid, Paraboloid, SemiAxes
 from .ics import AnalyticIcs, FemIcs, Ics
 from .materials import LayeredBody, Material, RigidBody
 from .params import array_of, plain
@@ -25,6 +25,7 @@ from .tables import TableIcs
 __all__ = [
     "body_params",
     "coefficient_params",
+    "gap_params",
     "ics_params",
     "layered_params",
     "opening_params",
@@ -34,6 +35,15 @@ __all__ = [
     "table_shape",
     "traction_params",
 ]
+
+
+def gap_params(gap: Paraboloid | SemiAxes | npt.ArrayLike) -> dict[str, Any]:
+    """`gap` of contact.solve."""
+    if isinstance(gap, Paraboloid):
+        return {"paraboloid": plain(gap)}
+    if isinstance(gap, SemiAxes):
+        return {"semi_axes": plain(gap)}
+    return {"array": array_of(gap)}
 
 
 def problem_params(problem: ContactProblem, fields: list[str] | None = None) -> dict[str, Any]:

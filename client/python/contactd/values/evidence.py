@@ -1,5 +1,8 @@
-"""How a contact problem is solved, and what that is worth: models, settings of the solvers, and evidence of theirs and of
-tables of influence coefficients."""
+"""How a contact problem is solved, and what that is worth: models, settings of the solvers, and evidence of theirs and
+of tables of influence coefficients.
+
+Written by ./dev generate from proto/schema: edit it there.
+"""
 
 from __future__ import annotations
 
@@ -7,12 +10,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-from .ics import FemIcs
+from .fem_ics import FemIcs
 
 __all__ = [
     "ComponentError",
     "ContactEvidence",
     "Discretisation",
+    "ErrorSource",
     "IcErrors",
     "IcEvidence",
     "IcUse",
@@ -23,19 +27,21 @@ __all__ = [
     "SolverEvidence",
     "SolverSettings",
     "TangentialSettings",
+    "TangentialSolver",
 ]
 
 Model = Literal["full", "hertz", "fastsim"]
 TangentialSolver = Literal["newton", "tangcg"]
+ErrorSource = Literal["hertz", "estimate"]
 
 
 @dataclass(frozen=True)
 class SolverSettings:
-    """Stop test and bound of one iterative solver (paper, sections 4.1 and 4.2).
+    """Stop test and bound of one iterative solver.
 
     Attributes:
-        tolerance: Bound of the figure that the stop test compares; None: 1e-6, of `normal` 1e-8.
-        max_iterations: Bound of the iterations; None: 1000, of `outer` 100.
+        tolerance: Bound of the paper's stop test (sections 4.1 and 4.2). Default 1e-06.
+        max_iterations: Bound of the iterations. Default 1000.
     """
 
     tolerance: float | None = None
@@ -44,25 +50,29 @@ class SolverSettings:
 
 @dataclass(frozen=True)
 class TangentialSettings(SolverSettings):
-    """Settings of the solver that finds tractions under friction, and which it is.
+    """Stop test for the tractions under friction, and the solver that finds them.
 
     Attributes:
-        solver: "newton" (default): Newton's method on the friction law, and where that does not get there, TangCG;
-            "tangcg": TangCG alone, of shifts and transient rolling.
+        tolerance: Bound of the paper's stop test (sections 4.1 and 4.2). Default 1e-06.
+        max_iterations: Bound of the iterations. Default 1000.
+        solver: newton: Newton's method on the friction law, and where that does not get there, TangCG. tangcg: TangCG
+            alone, bound-constrained conjugate gradients, of shifts and transient rolling. Default "newton".
     """
 
+    tolerance: float | None = None
+    max_iterations: int | None = None
     solver: TangentialSolver | None = None
 
 
 @dataclass(frozen=True)
 class SolverEvidence:
-    """How one iterative solver ended; `residual` is the figure compared with its tolerance.
+    """How a solver ended.
 
     Attributes:
-        iterations: How many there were.
-        residual: The figure compared with the tolerance.
-        converged: Whether it reached the tolerance.
-        seconds: Time spent (s).
+        iterations: Number of iterations.
+        residual: The figure that the stop test compares with the tolerance.
+        converged: Whether the tolerance was reached.
+        seconds: Duration (s).
     """
 
     iterations: int
@@ -72,106 +82,15 @@ class SolverEvidence:
 
 
 @dataclass(frozen=True)
-class Discretisation:
-    """How finely the elements divide the contact, and what that costs: sizes of relative errors against the limit of
-    small elements.
-
-    Attributes:
-        elements_across: In the direction with fewer; one in which the contact fills the grid does not count.
-        force_error: Of the normal force for the approach, whichever of them was prescribed.
-        pmax_error: Of the largest pressure under the prescribed load.
-        source: Of these two: "hertz", Hertz's closed form (a paraboloid on half-spaces), or "estimate", from
-            elements_across.
-        rolling_error: Of rolling, an estimate: of the tangential force under a small creepage, from elements_across and
-            dq. Where most of the contact slips the force errs by less.
-        compliance_ratio: Where a body has layers: how compliant elements of this size make them to pressures as wide as
-            the contact, over how compliant they are; 1 where elements are fine. Both errors above have it in them.
-    """
-
-    elements_across: int
-    force_error: float
-    pmax_error: float
-    source: str
-    rolling_error: float | None = None
-    compliance_ratio: float | None = None
-
-
-@dataclass(frozen=True)
-class OperatorUse:
-    """Operators that are larger than store.influence_budget_bytes, of which only those used last are kept.
-
-    Attributes:
-        made: Whether they were made for this solve, or kept from one before.
-        bytes: About what they take in memory.
-        budget_bytes: store.influence_budget_bytes of the daemon.
-    """
-
-    made: bool
-    bytes: int
-    budget_bytes: int
-
-
-@dataclass(frozen=True)
-class IcUse:
-    """Where the influence coefficients of one body came from.
-
-    Attributes:
-        origin: "closed_form", "memory", "disk", "built", "given" where the problem brought them along, or "file" where
-            import_ic did.
-        key: That of the table, as IcTable.key.
-        evidence: How the table was made.
-    """
-
-    origin: str
-    key: str
-    evidence: IcEvidence
-
-
-@dataclass(frozen=True)
-class ContactEvidence:
-    """How a contact problem was solved; `tangential` is None without friction, `outer` and `force` where they did not run.
-
-    `ics` has "upper" and "lower" (not of a rigid body), or "pair" when the problem brought its coefficients along
-    (TableIcs). It is empty for models other than "full", and of a step, whose coefficients are those of its session
-    (Session.ics).
-
-    Attributes:
-        normal: NORM, which finds the pressures.
-        ics: Where the coefficients came from, by "upper", "lower" or "pair".
-        tangential: The solver that finds the tractions.
-        tangential_solver: Which solver found them, "newton" or "tangcg": the one that `tangential` of the problem asks for,
-            or TangCG where Newton's method stopped.
-        outer: The loop that bodies that differ and kinetic friction need; its residual is what further turns
-            would change of the tractions, relative; of kinetic friction the last change.
-        force: How the motion of a prescribed force was found: iterations of Newton's method on motion and tractions, and
-            solves of a search where that failed; its residual is the error of the force over the friction bound.
-        discretisation: What the size of the elements costs; of model "full", where there is contact.
-        derivatives: The linear equations of the derivatives, where these were asked for and there is contact: iterations
-            of all together, the largest residual.
-        operators: Of operators beyond the daemon's budget; None of others.
-    """
-
-    normal: SolverEvidence
-    ics: Mapping[str, IcUse] = field(default_factory=dict)
-    tangential: SolverEvidence | None = None
-    outer: SolverEvidence | None = None
-    force: SolverEvidence | None = None
-    discretisation: Discretisation | None = None
-    derivatives: SolverEvidence | None = None
-    operators: OperatorUse | None = None
-    tangential_solver: TangentialSolver | None = None
-
-
-@dataclass(frozen=True)
 class LoadCase:
     """One solve of the finite-element problem.
 
     Attributes:
-        load: Direction of the load: "x", "y" or "z".
-        iterations: Of the linear solver.
-        residual: True relative residual ||b - A u|| / ||b||.
-        converged: Whether the stop test was met.
-        seconds: Time spent (s).
+        load: Axis of the load. One of "x", "y", "z".
+        iterations: Conjugate-gradient iterations.
+        residual: True relative residual.
+        converged: Whether the stop test reached the tolerance.
+        seconds: Duration of the solve (s).
         update: Relative update of the last iteration, where that is the stop test.
     """
 
@@ -185,11 +104,11 @@ class LoadCase:
 
 @dataclass(frozen=True)
 class ComponentError:
-    """Relative error: signed at the origin (paper, (3.1)), and the largest size over the table.
+    """Relative error of one component.
 
     Attributes:
-        origin: Signed, at the origin.
-        largest: Largest size over the table.
+        origin: Signed error at the origin, the paper's measure (3.1).
+        largest: Largest absolute error over the table.
     """
 
     origin: float
@@ -198,16 +117,15 @@ class ComponentError:
 
 @dataclass(frozen=True)
 class IcErrors:
-    """Errors against the closed form, or estimated ones (IcEvidence.errors_estimated).
-
-    xy and xz vanish on the axes, so theirs are scaled by 2 pi G rho / (dx dy).
+    """Errors against the closed form, or estimated ones. xy and xz vanish on the axes, so theirs are scaled by 2 pi G
+    rho / (dx dy).
 
     Attributes:
         xx: Relative errors of xx.
         yy: Relative errors of yy.
         zz: Relative errors of zz.
-        scaled_xy: Largest scaled error of xy over the table.
-        scaled_xz: Largest scaled error of xz over the table.
+        scaled_xy: Largest error of xy times 2 pi G rho / (dx dy).
+        scaled_xz: Largest error of xz times 2 pi G rho / (dx dy).
     """
 
     xx: ComponentError
@@ -219,16 +137,15 @@ class IcErrors:
 
 @dataclass(frozen=True)
 class SectionEvidence:
-    """How the transform of a prism's coefficients was computed.
-
-    Errors are over zz of the half-space under an element as long as a column is wide.
+    """Of a prism by finite elements: how the transform of its coefficients was computed. Errors are over zz of the
+    half-space under an element as long as a column is wide.
 
     Attributes:
-        order: Of the elements.
-        wavenumbers: How many it was computed at.
+        order: Polynomial order of the elements.
+        wavenumbers: Number of wavenumbers that it was computed at.
         error: Of any coefficient: the sum of the three below.
         mesh_error: Of the mesh, from elements of the next order.
-        wavenumber_error: Of interpolation between wavenumbers.
+        wavenumber_error: Of interpolation between wavenumbers, from every other one.
         end_error: Of what lies beyond the last wavenumber.
         reciprocity_defect: Of coefficients before they were made symmetric.
     """
@@ -244,28 +161,34 @@ class SectionEvidence:
 
 @dataclass(frozen=True)
 class IcEvidence:
-    """How a table was made. A closed-form one has no elements, no solves and no errors.
-
-    Read `warnings` first. `errors` is None where nothing is known of them: of a block on a mesh that was named.
+    """What made the numbers of a table and how good they are. Of a closed form, and of a table that came with the
+    request, there is no build to speak of.
 
     Attributes:
-        source: "analytic" or "fem".
-        version: Of the contactd that made it.
-        elements: Of the mesh.
-        dofs: Unknowns of the finite-element problem.
-        processes: MPI processes that built it.
-        seconds: Time spent (s) on "assembly", "setup", "solve" and "total".
-        load_cases: The solves, by direction of the load.
-        errors: Of its components, where known.
-        errors_estimated: Of a block, by half of the difference to a coarser mesh.
-        warnings: Sentences, e.g. that the mesh is outside of the ranges the paper recommends.
-        solver: "amg_pcg", "direct" or, of a block of an accuracy, "tensor_pcg".
-        mesh: What was chosen for an accuracy; not of a block.
+        source: Closed form, finite elements, or a table that came with the request. One of "analytic", "fem", "table".
+        version: contactd and the libraries that made the table.
+        elements: Number of finite elements.
+        dofs: Number of degrees of freedom.
+        processes: Number of processes of the build.
+        seconds: Duration of the stages (s).
+        load_cases: The solves, one per load; of a family those of all its tables.
+        errors: Errors against the closed form where there is one, else estimated where an accuracy was asked for.
+        errors_estimated: True when errors are an estimate, there being no closed form: for a block half of the
+            difference to a coarser mesh; for layers three times the differences to a second computation, those of xx,
+            yy and zz relative to the larger of zz at the origin and 1e-3 times thickness over G of the first layer.
+        warnings: What a user of the table should know, sentences; for example that the mesh is outside of the ranges
+            that the paper recommends.
+        solver: What solved the linear systems. One of "amg_pcg", "direct", "tensor_pcg".
+        mesh: The mesh that was chosen, when an accuracy of the half-space was asked for: fields of ics that ask for it
+            by name.
         family_nu: Of a family: Poisson's ratios of its tables.
-        interpolation_error: Of a family: what interpolation between them adds at most, estimated.
-        section: Of a prism by finite elements.
-        modelling_error: Of a block: how far a load in the corner of the elements is from the table, which is that of one
-            in the middle; in the measures of `FemIcs.accuracy`.
+        interpolation_error: Of a family: the largest error that interpolation between its tables adds, estimated; in
+            the measures of accuracy.
+        section: Of a prism by finite elements: how the transform of its coefficients was computed. Errors are over zz
+            of the half-space under an element as long as a column is wide.
+        modelling_error: Of a block, whose table is that of a load in the middle: the largest difference to it of a load
+            in the corner of as many elements as the table has offsets, about the middle, in the measures of accuracy,
+            and a tenth more for loads between corner and middle.
         imported: Somebody has imported the table: all of this is the importer's word.
     """
 
@@ -286,3 +209,96 @@ class IcEvidence:
     section: SectionEvidence | None = None
     modelling_error: float | None = None
     imported: bool = False
+
+
+@dataclass(frozen=True)
+class IcUse:
+    """The coefficients that a solve used for one body.
+
+    Attributes:
+        origin: Where a table came from; given is: with the request, file: with the request that imports it. One of
+            "closed_form", "memory", "disk", "built", "given", "file".
+        key: Digest that identifies the table in the store.
+        evidence: How the table was made.
+    """
+
+    origin: str
+    key: str
+    evidence: IcEvidence
+
+
+@dataclass(frozen=True)
+class Discretisation:
+    """How finely the elements divide the contact, and what that costs: sizes of relative errors against the limit of
+    small elements. Of model full, where there is contact.
+
+    Attributes:
+        elements_across: Elements across the contact, in the direction with fewer; one in which the contact fills the
+            grid does not count.
+        force_error: Error of the normal force for the approach, whichever of them was prescribed.
+        pmax_error: Error of the largest pressure under the prescribed load.
+        source: Of these two errors: hertz: Hertz's closed form (a paraboloid on half-spaces); estimate: from
+            elements_across.
+        rolling_error: Of rolling, an estimate: of the tangential force under a small creepage, from elements_across and
+            dq. Where most of the contact slips the force errs by less.
+        compliance_ratio: Where a body has layers: how compliant elements of this size make them to pressures as wide as
+            the contact, over how compliant they are; 1 where elements are fine. Both errors above have it in them.
+    """
+
+    elements_across: int
+    force_error: float
+    pmax_error: float
+    source: ErrorSource
+    rolling_error: float | None = None
+    compliance_ratio: float | None = None
+
+
+@dataclass(frozen=True)
+class OperatorUse:
+    """Operators that are larger than store.influence_budget_bytes, of which only those used last are kept.
+
+    Attributes:
+        made: Whether they were made for this solve, or kept from one before; made, there is a warning.
+        bytes: About what they take in memory.
+        budget_bytes: store.influence_budget_bytes.
+    """
+
+    made: bool
+    bytes: int
+    budget_bytes: int
+
+
+@dataclass(frozen=True)
+class ContactEvidence:
+    """How the solvers ended, and which coefficients they used; what did not run is None.
+
+    Attributes:
+        normal: NORM, which finds the pressures.
+        ics: The coefficients of the bodies, upper and lower, or of the pair where the request held them. A rigid body
+            has none, models other than full use none, and steps have those of their session.
+        tangential: The tractions; with friction only.
+        outer: The loop between normal and tangential contact of bodies that differ, and between slip and kinetic
+            friction, where it ran; residual is what further turns would change of the tractions, relative: of kinetic
+            friction the last change.
+        force: How the motion that a prescribed tangential force needs was found, where there is one: iterations are
+            those of Newton's method on motion and tractions, and the solves of a search where that failed; residual is
+            the last error of the force over the friction bound.
+        discretisation: How finely the elements divide the contact, and what that costs: sizes of relative errors
+            against the limit of small elements. Of model full, where there is contact.
+        derivatives: The linear equations of the derivatives, where these were asked for and there is contact:
+            iterations of all together, the largest residual relative to what it is of. Quick models have none to solve.
+        operators: Operators that are larger than store.influence_budget_bytes, of which only those used last are kept.
+            None of others.
+        tangential_solver: What found the tractions: the solver that settings.tangential asked for, or TangCG where
+            Newton's method stopped. Of model full, with friction only.
+    """
+
+    normal: SolverEvidence
+    ics: Mapping[str, IcUse] = field(default_factory=dict)
+    tangential: SolverEvidence | None = None
+    outer: SolverEvidence | None = None
+    force: SolverEvidence | None = None
+    discretisation: Discretisation | None = None
+    derivatives: SolverEvidence | None = None
+    operators: OperatorUse | None = None
+    tangential_solver: TangentialSolver | None = None

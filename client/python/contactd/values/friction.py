@@ -8,95 +8,20 @@ from __future__ import annotations
 import reprlib
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from ..refusals import public
+from .motion import KineticFriction, Rolling, RollingKind, SlipLaw
 from .params import array_of, plain
+from .solution_methods import Shift
 
-__all__ = ["Force", "Friction", "KineticFriction", "Motion", "Rolling", "RollingKind", "Shift", "SlipLaw"]
+__all__ = ["Force", "Friction", "KineticFriction", "Rolling", "RollingKind", "Shift", "SlipLaw"]
 
-SlipLaw = Literal["linear", "exponential"]
-RollingKind = Literal["steady", "transient"]
 #: (Fx, Fy) on the upper body (N); None where the motion is prescribed instead
 Force = tuple[float | None, float | None]
-
-
-@dataclass(frozen=True)
-class KineticFriction:
-    """How friction falls from the static coefficient mu_s = Friction.mu with the slip velocity v.
-
-    "linear": max(mu, mu_s - (mu_s - mu) v / slip_velocity);
-    "exponential": mu + (mu_s - mu) exp(-v / slip_velocity).
-
-    Attributes:
-        mu: Kinetic coefficient, from 0 to the static one.
-        slip_velocity: Slip velocity of the fall (mm/s), > 0.
-        law: Shape of the fall, "linear" or "exponential" (default).
-    """
-
-    mu: float
-    slip_velocity: float
-    law: SlipLaw | None = None
-
-
-@dataclass(frozen=True, kw_only=True)
-class Rolling:
-    """Rolling along (cos chi, sin chi); positive creepage is that of the upper body over the lower one.
-
-    The rigid slip over a step is dq (xi - phi y, eta + phi x), x and y those of the point `spin_offset` dq ahead.
-
-    Attributes:
-        xi: Longitudinal creepage, along x; where `force` prescribes Fx, an estimate.
-        eta: Lateral creepage, along y; where `force` prescribes Fy, an estimate.
-        phi: Spin creepage (rad/mm).
-        chi: Rolling direction, angle from the x axis (rad).
-        dq: Distance rolled in one step (mm); None: the size of an element along chi. Not that of a time step: see
-            docs/contact.md.
-        spin_offset: Where the rigid slip of spin is evaluated, in steps dq ahead of the element's centre, 0 to 1; None: 0,
-            at the centre. With much spin 1/6 errs half as much on coarse grids.
-        kind: "steady": the state that does not change any more; "transient": step by step from ContactProblem.previous.
-        steps: Number of steps of transient rolling, 1 (default) to 100000.
-        velocity: Rolling velocity (mm/s), default 1: of slip velocities and the frictional power.
-        force: Prescribed (N), within the bound of friction; xi, eta are found then.
-    """
-
-    xi: float = 0.0
-    eta: float = 0.0
-    phi: float = 0.0
-    chi: float = 0.0
-    dq: float | None = None
-    spin_offset: float | None = None
-    kind: RollingKind = "steady"
-    steps: int | None = None
-    velocity: float | None = None
-    force: Force | None = None
-
-
-@dataclass(frozen=True, kw_only=True)
-class Shift:
-    """The shift of a solution, as asked for, with what a prescribed force made of it.
-
-    Attributes:
-        rigid_shift: (w_x, w_y) of the upper body over the lower, at the origin (mm).
-        rotation: About z, positive from x to y (rad).
-        duration: That of the step (s).
-        force: What was prescribed (N).
-    """
-
-    rigid_shift: tuple[float, float]
-    rotation: float = 0.0
-    duration: float = 1.0
-    force: Force | None = None
-
-    @staticmethod
-    def _is_told(told: dict[str, Any]) -> bool:
-        return "rigid_shift" in told
-
-
-Motion = Shift | Rolling
 
 
 @public

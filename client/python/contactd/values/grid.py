@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-
-from .params import array_of, plain
 
 __all__ = ["Array", "Grid", "Paraboloid", "SemiAxes"]
 
@@ -93,12 +90,3 @@ class SemiAxes:
 
     a: float
     b: float
-
-
-def gap_params(gap: Paraboloid | SemiAxes | npt.ArrayLike) -> dict[str, Any]:
-    """`gap` of contact.solve."""
-    if isinstance(gap, Paraboloid):
-        return {"paraboloid": plain(gap)}
-    if isinstance(gap, SemiAxes):
-        return {"semi_axes": plain(gap)}
-    return {"array": array_of(gap)}

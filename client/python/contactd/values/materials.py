@@ -67,6 +67,10 @@ class RigidBody:
     def _is_told(told: dict[str, Any]) -> bool:
         return "rigid" in told
 
+    @staticmethod
+    def _on_wire(_field: str) -> dict[str, Any]:
+        return {"rigid": True}
+
 
 @dataclass(frozen=True)
 class Layer:

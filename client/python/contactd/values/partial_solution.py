@@ -6,19 +6,19 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any, TypedDict, TypeVar
 
-import numpy as np
 import numpy.typing as npt
 
 from ..errors import ProtocolError
 from .answers import read
 from .friction import Force, Friction, RollingKind
-from .grid import Array, Grid, Paraboloid, SemiAxes
+from .grid import Grid, Paraboloid, SemiAxes
 from .representation import with_inherited_attributes
-from .solution import ContactSolution, Fields, Solution
+from .solution import ContactSolution, Fields, PartialSolution, Solution
 
 __all__ = [
     "ALL_FIELDS",
     "PartialSolution",
+    "SavedState",
     "StepInput",
     "StepSolution",
     "check_arrays",
@@ -29,12 +29,6 @@ __all__ = [
 S = TypeVar("S", bound=Solution[Any, Any])
 _SLIP = ("slip_x", "slip_y")  # not there without friction
 ALL_FIELDS = ("element_division", "pressure", "traction_x", "traction_y", *_SLIP)
-
-
-@with_inherited_attributes
-@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class PartialSolution(Solution[Array | None, npt.NDArray[np.uint8] | None]):
-    """A solution with the arrays that `fields` named; the others are None."""
 
 
 def check_arrays(solution: Solution[Any, Any], names: Iterable[str], grid: Grid) -> None:
@@ -105,3 +99,16 @@ class StepSolution(PartialSolution):
 
     def _title(self) -> str:
         return f"StepSolution {self.step}"
+
+
+@dataclass(frozen=True)
+class SavedState:
+    """What save() returns and restore() takes.
+
+    Attributes:
+        name: What the daemon calls it.
+        step: Number of the last step when it was saved.
+    """
+
+    name: str
+    step: int

@@ -19,6 +19,10 @@ __all__ = ["S1002", "ArcProfile", "ConeProfile", "Profile", "ProfilePoints", "Ra
 class S1002:
     """The wheel S1002 of EN 13715: z = 0 at its tape circle, y = 0."""
 
+    @staticmethod
+    def _on_wire(_field: str) -> dict[str, Any]:
+        return {"s1002": True}
+
 
 @dataclass(frozen=True)
 class Rail60E1:
@@ -29,6 +33,9 @@ class Rail60E1:
     """
 
     inclination: float | None = None
+
+    def _on_wire(self, _field: str) -> dict[str, Any]:
+        return {"rail_60e1": plain(self)}
 
 
 @dataclass(frozen=True)
@@ -45,6 +52,9 @@ class ArcProfile:
     slope: float | None = None
     ends: tuple[float, float] | None = None
 
+    def _on_wire(self, _field: str) -> dict[str, Any]:
+        return {"arc": _curve(self)}
+
 
 @dataclass(frozen=True)
 class ConeProfile:
@@ -57,6 +67,9 @@ class ConeProfile:
 
     slope: float
     ends: tuple[float, float] | None = None
+
+    def _on_wire(self, _field: str) -> dict[str, Any]:
+        return {"cone": _curve(self)}
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,23 +91,23 @@ class ProfilePoints:
     mirror_z: bool | None = None
     smoothing_length: float | None = None
 
+    def _on_wire(self, field: str) -> dict[str, Any]:
+        points = array_of(self.points)
+        if points.ndim != 2 or points.shape[1] != 2:
+            raise invalid(f"{field}.points", f"has shape {list(points.shape)}; it must be [n, 2]", "ARRAY_INVALID")
+        return {**plain(self), "points": points}
+
 
 Profile = S1002 | Rail60E1 | ArcProfile | ConeProfile | ProfilePoints
+
+
+def _curve(profile: ArcProfile | ConeProfile) -> dict[str, Any]:
+    """With its ends as a list, whatever sequence they were given as."""
+    given = plain(profile)
+    return given if profile.ends is None else {**given, "ends": list(profile.ends)}
 
 
 def profile_params(profile: Profile, field: str) -> dict[str, Any]:
     """A profile as the wire has it; `field` is where it stands."""
     check_type(field, profile, S1002, Rail60E1, ArcProfile, ConeProfile, ProfilePoints)
-    given = plain(profile)
-    if isinstance(profile, S1002):
-        return {"s1002": True}
-    if isinstance(profile, Rail60E1):
-        return {"rail_60e1": given}
-    if isinstance(profile, ProfilePoints):
-        points = array_of(profile.points)
-        if points.ndim != 2 or points.shape[1] != 2:
-            raise invalid(f"{field}.points", f"has shape {list(points.shape)}; it must be [n, 2]", "ARRAY_INVALID")
-        return {**given, "points": points}
-    if profile.ends is not None:
-        given["ends"] = list(profile.ends)
-    return {"arc" if isinstance(profile, ArcProfile) else "cone": given}
+    return profile._on_wire(field)

@@ -1,4 +1,7 @@
-"""What a daemon keeps, as plain, immutable values: tables in its store, and its last solves."""
+"""What a daemon keeps: tables in its store, and its last solves.
+
+Written by ./dev generate from proto/schema: edit it there.
+"""
 
 from __future__ import annotations
 
@@ -19,20 +22,21 @@ class RecentSolve:
     """One of the last solves that the user who asks had the daemon do, by whatever connection.
 
     Attributes:
-        number: What recent_pressures takes; counted by the daemon, of all users.
-        method: By which it was asked for, e.g. "contact.solve".
-        id: Of the request.
+        number: Number of the solve, of all users since the daemon started; solves.pressures takes it.
+        method: Method by which it was asked for.
+        id: Id of the request.
         at: When it ended (s since 1970).
-        seconds: Time from the start of the solve to its answer (s).
-        elements: Of its grid; of wheels on rails those of all patches.
-        patches: How many grids there are: one, and of wheels on rails as many as there are places of contact.
+        seconds: Time from its start in a worker to its end (s).
+        elements: Elements of its grid; of wheels on rails those of all patches.
+        patches: How many grids there are: one, and of wheels on rails as many as places of contact.
         converged: Whether every solver reached its tolerance.
-        iterations: Of the normal and the tangential solvers together.
-        residual: The largest figure that one of them compared with its tolerance.
-        forces: Fx, Fy, Fn on the upper body; of wheels on rails Fx, Fy, Fz on the rail or rails, in track coordinates (N).
+        iterations: Iterations of the normal and the tangential solvers together.
+        residual: The largest figure that one of its solvers compared with its tolerance.
+        forces: Fx, Fy, Fn on the upper body; of wheels on rails Fx, Fy, Fz on the rail or both rails, in track
+            coordinates (N).
         pmax: Largest pressure (N/mm^2).
-        has_pressures: Whether recent_pressures has them.
-        grid: That of the contact; None of wheels on rails.
+        has_pressures: Whether solves.pressures has them.
+        grid: Grid of a contact; None of wheels on rails.
     """
 
     number: int
@@ -56,9 +60,9 @@ class RecentPatch:
     """The pressures of one grid of a solve.
 
     Attributes:
-        grid: Its elements; of a wheel on its rail in contact coordinates (mm).
-        pressure: In single precision's digits (N/mm^2), shape [ny, nx].
-        element_division: Shape [ny, nx]: 0 exterior, 1 adhesion, 2 slip.
+        grid: Its elements; of wheels on rails in contact coordinates (mm).
+        pressure: Pressures (N/mm^2), shape [ny, nx].
+        element_division: Shape [ny, nx], bytes: 0 exterior, 1 adhesion, 2 slip.
     """
 
     grid: Grid
@@ -68,12 +72,12 @@ class RecentPatch:
 
 @dataclass(frozen=True)
 class ImportedIc:
-    """What import_ic has put into the daemon's store.
+    """What ic.import has put into the daemon's store.
 
     Attributes:
-        spec: What the file is a table of; of a prism dx and nx mean nothing, any are served.
-        ics: The table that you are served now: its origin is "file", or "disk" where there was one already.
-        new: Whether the table of the file was kept; one that you were served already stays.
+        spec: What it is a table of. Of a prism dx and nx mean nothing: any are served.
+        ics: The table that this user is served now; its origin is file, or disk where there was one already.
+        new: Whether the table was kept; one that the user was served already stays.
     """
 
     spec: IcSpec
@@ -86,11 +90,11 @@ class StoredIc:
     """A table in the daemon's store.
 
     Attributes:
-        key: What delete_ic takes.
+        key: Digest that identifies the table in the store.
         nx: Offsets along x.
         ny: Offsets along y.
-        bytes: Size of its file.
-        evidence: How it was made, where that was asked for and its file can be read; else None.
+        bytes: Size of the file.
+        evidence: How it was made; where asked for, and its file can be read.
     """
 
     key: str
@@ -105,12 +109,12 @@ class QuarantinedIc:
     """A table whose builds failed too often; it and larger ones with its key are not tried again for now.
 
     Attributes:
-        key: What delete_ic takes, which ends the quarantine.
+        key: Digest that identifies the table in the store.
         nx: Offsets along x.
         ny: Offsets along y.
-        failures: How many builds failed.
-        message: How the last build failed.
-        seconds: Until it may be tried again.
+        failures: Builds that failed.
+        message: How the last one failed.
+        seconds: Time until it may be tried again (s).
     """
 
     key: str

@@ -5,9 +5,9 @@ from __future__ import annotations
 import html
 import inspect
 from collections.abc import Sequence
-from typing import TypeVar
+from typing import Any, TypeVar
 
-__all__ = ["Rows", "Shown", "number", "with_inherited_attributes"]
+__all__ = ["ProgressText", "Rows", "Shown", "number", "with_inherited_attributes"]
 
 Rows = list[tuple[str, object]]
 Kind = TypeVar("Kind", bound=type)
@@ -54,3 +54,34 @@ def with_inherited_attributes(kind: Kind) -> Kind:
         own = f"{own}\n\n{heading}"
     kind.__doc__ = own + inspect.cleandoc(inherited).partition(heading)[2]
     return kind
+
+
+class ProgressText:
+    """Of a Progress."""
+
+    def __str__(self: Any) -> str:
+        if self.state:
+            return f"the daemon is {self.state}"
+        parts = [f"{self.stage} {100 * self.fraction:.0f} %"]
+        if self.iteration:
+            parts.append(f"iteration {self.iteration}, residual {self.residual:.1e}")
+        if self.seconds_left is not None:
+            parts.append(f"about {_duration(self.seconds_left)} to go")
+        if self.memory_bytes is not None:
+            parts.append(f"about {_size(self.memory_bytes)} of memory")
+        return ", ".join(parts)
+
+
+def _duration(seconds: float) -> str:
+    whole = round(seconds)
+    if whole < 120:
+        return f"{whole} s"
+    return f"{whole // 60} min" if whole < 7200 else f"{whole / 3600:.1f} h"
+
+
+def _size(count: float) -> str:
+    for unit in ("kB", "MB"):
+        count /= 1000
+        if count < 1000:
+            return f"{count:.0f} {unit}"
+    return f"{count / 1000:.1f} GB"

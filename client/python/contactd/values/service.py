@@ -1,26 +1,31 @@
-"""What a daemon tells of itself, of its work and of sessions, as plain, immutable values."""
+"""What a daemon tells of itself, of its work and of sessions.
+
+Written by ./dev generate from proto/schema: edit it there.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-__all__ = ["Job", "Limits", "Progress", "SavedState", "ServerInfo", "SessionSummary"]
+from .representation import ProgressText
+
+__all__ = ["Job", "Limits", "Progress", "ServerInfo", "SessionSummary"]
 
 
 @dataclass(frozen=True)
-class Progress:
+class Progress(ProgressText):
     """A sign of life of the job that a call waits for.
 
     Attributes:
-        stage: What is being done, e.g. "assembly".
-        fraction: 0 to 1, of the whole job.
-        job: What cancel_job takes.
-        iteration: Within the stage.
+        stage: What is being done.
+        fraction: Of the whole work, an estimate.
+        job: The job that the request waits for.
+        iteration: Iteration within the stage.
         residual: The figure that the stage's stop test compares.
-        state: Of health.watch.
-        seconds_left: Time to go for the whole job (s), an estimate; None where there is none.
-        memory_bytes: The most memory that a build will take, an estimate; None where there is none.
+        state: Of health.watch: the state of the daemon. One of "serving", "stopping".
+        seconds_left: Until the work ends, an estimate (s); None while there is none.
+        memory_bytes: Largest memory that the build is expected to take (bytes), an estimate; None while there is none.
     """
 
     stage: str
@@ -32,33 +37,6 @@ class Progress:
     seconds_left: float | None = None
     memory_bytes: int | None = None
 
-    def __str__(self) -> str:
-        if self.state:
-            return f"the daemon is {self.state}"
-        parts = [f"{self.stage} {100 * self.fraction:.0f} %"]
-        if self.iteration:
-            parts.append(f"iteration {self.iteration}, residual {self.residual:.1e}")
-        if self.seconds_left is not None:
-            parts.append(f"about {_duration(self.seconds_left)} to go")
-        if self.memory_bytes is not None:
-            parts.append(f"about {_size(self.memory_bytes)} of memory")
-        return ", ".join(parts)
-
-
-def _duration(seconds: float) -> str:
-    whole = round(seconds)
-    if whole < 120:
-        return f"{whole} s"
-    return f"{whole // 60} min" if whole < 7200 else f"{whole / 3600:.1f} h"
-
-
-def _size(count: float) -> str:
-    for unit in ("kB", "MB"):
-        count /= 1000
-        if count < 1000:
-            return f"{count:.0f} {unit}"
-    return f"{count / 1000:.1f} GB"
-
 
 @dataclass(frozen=True)
 class Limits:
@@ -66,9 +44,9 @@ class Limits:
 
     Attributes:
         max_frame_bytes: Bytes of one frame.
-        max_frames: The envelope included.
+        max_frames: Frames of one message, the envelope included.
         max_message_bytes: Bytes of one message.
-        max_array_elements: Numbers of one array.
+        max_array_elements: Elements of one array.
         max_grid_elements: Elements of one grid, offsets of one table.
         max_queue: Requests that may wait for an answer.
         max_queue_per_client: Of these, requests that came through one socket.
@@ -95,19 +73,19 @@ class Limits:
 
 @dataclass(frozen=True)
 class ServerInfo:
-    """The daemon, its libraries, and what it has done since it started.
+    """What the daemon is and what it has done.
 
     Attributes:
         version: Version of contactd.
-        commit: Of the sources it was built from.
-        protocol: Version of the protocol that it answers in.
-        libraries: Their versions, by name.
-        limits: What one message may cost, and how much may wait.
-        counters: What was done since it started, by name (docs/protocol.md).
-        cache: Tables in memory, and their bytes.
-        queue: What waits and runs.
-        uptime_seconds: Since it started (s).
-        protocol_versions: Versions that it understands.
+        commit: Commit of the sources, with -dirty when they were changed after it; unknown when no repository said it.
+        protocol: Version of the protocol.
+        libraries: Versions of the libraries by name.
+        limits: What one message may cost.
+        counters: Counted since the start.
+        cache: Tables in memory.
+        queue: Work that waits and runs.
+        uptime_seconds: Time since the start (s).
+        protocol_versions: Versions of the protocol that are served, oldest first.
     """
 
     version: str
@@ -127,17 +105,17 @@ class Job:
     """A build, a solve or stresses that wait or run.
 
     Attributes:
-        job: What cancel_job takes.
-        kind: "build", "solve", "subsurface" or "step".
-        state: "queued" or "running".
-        stage: What is being done; empty while queued.
-        fraction: 0 to 1, of the whole job, an estimate.
-        callers: How many calls wait for it.
-        seconds: Since it was queued (s).
-        seconds_left: Time to go as last reported (s), of builds; None where there is no estimate.
-        memory_bytes: The most memory that it will take, of builds; None where there is no estimate.
-        users: Whose calls these are, each user once: names of keys, IP addresses, or uid:NUMBER over ipc.
-        description: Words for people: what is built or solved; "" of a daemon that does not tell it.
+        job: Name of a job, as progress and job.list give it.
+        kind: What it does. One of "build", "solve", "subsurface", "step".
+        state: Whether it has begun. One of "queued", "running".
+        stage: What is being done, empty while queued.
+        fraction: Of the whole job, an estimate.
+        callers: Requests that wait for it.
+        seconds: Time since it was queued (s).
+        seconds_left: Time to go as last reported, of builds where there is an estimate (s).
+        memory_bytes: Largest memory that it is expected to take (bytes), of builds where there is an estimate.
+        users: Users whose requests wait for it, each once: names of keys, IP addresses, or uid:NUMBER over ipc.
+        description: Words for people: what is built or solved.
     """
 
     job: str
@@ -154,29 +132,16 @@ class Job:
 
 
 @dataclass(frozen=True)
-class SavedState:
-    """What save() returns and restore() takes.
-
-    Attributes:
-        name: What the daemon calls it.
-        step: Number of the last step when it was saved.
-    """
-
-    name: str
-    step: int
-
-
-@dataclass(frozen=True)
 class SessionSummary:
-    """One session of the daemon, as Client.sessions lists it; its name is the key to it and is not told.
+    """One session of the daemon; its name is the key to it and is not told.
 
     Attributes:
-        age_seconds: Since it was opened (s).
-        idle_seconds: Since a request used it last (s), 0 while one does.
+        age_seconds: Time since it was opened (s).
+        idle_seconds: Time since a request used it last, 0 while one does (s).
         lease_seconds: It ends when idle for that long (s).
         step: Number of its last step.
         states: Saved states.
-        bytes: What it takes of the daemon's memory, saved states included.
+        bytes: What it counts of limits.max_session_bytes, saved states included.
         elements: Elements of its grid; of a wheel on its rail those of all patches of its last step.
     """
 

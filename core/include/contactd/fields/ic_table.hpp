@@ -12,8 +12,6 @@ namespace contactd {
 template <>
 const FieldType& type_of<IcEvidence>();
 template <>
-const FieldType& type_of<SectionEvidence>();
-template <>
 const FieldType& type_of<BuildSeconds>();
 template <>
 const FieldType& type_of<LoadCaseEvidence>();
@@ -21,5 +19,7 @@ template <>
 const FieldType& type_of<IcErrors>();
 template <>
 const FieldType& type_of<ComponentError>();
+template <>
+const FieldType& type_of<SectionEvidence>();
 
 }  // namespace contactd

@@ -1,29 +1,26 @@
-"""Forces of wheels on rails, and their derivatives. On the rail, in N and N mm."""
+"""Forces of wheels on rails, and their derivatives. On the rail, in N and N mm.
+
+Written by ./dev generate from proto/schema: edit it there.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-__all__ = [
-    "WheelRailDerivatives",
-    "WheelRailForces",
-    "Wrench",
-    "WrenchesByPosition",
-    "WrenchesByVelocity",
-]
+__all__ = ["WheelRailDerivatives", "WheelRailForces", "Wrench", "WrenchesByPosition", "WrenchesByVelocity"]
 
 
 @dataclass(frozen=True)
 class Wrench:
-    """A force (N) and its moment (N mm) about the origin of its axes, on the rail.
+    """A force and its moment about the origin of its axes, on the rail.
 
     Attributes:
-        Fx: Along x (N).
-        Fy: Along y (N).
-        Fz: Along z (N).
-        Mx: About x (N mm).
-        My: About y (N mm).
-        Mz: About z (N mm).
+        Fx: Force along x (N).
+        Fy: Force along y (N).
+        Fz: Force along z (N).
+        Mx: Moment about x (N mm).
+        My: Moment about y (N mm).
+        Mz: Moment about z (N mm).
     """
 
     Fx: float
@@ -51,13 +48,13 @@ class WheelRailForces:
 
 @dataclass(frozen=True)
 class WrenchesByPosition:
-    """Derivatives of a wrench by the position of the wheelset.
+    """Derivatives by the position of the wheelset.
 
     Attributes:
         y: By y (per mm).
         z: By z (per mm).
-        roll: By the roll (per rad).
-        yaw: By the yaw (per rad).
+        roll: By roll (per rad).
+        yaw: By yaw (per rad).
     """
 
     y: Wrench
@@ -68,15 +65,15 @@ class WrenchesByPosition:
 
 @dataclass(frozen=True)
 class WrenchesByVelocity:
-    """Derivatives of a wrench by the velocity of the wheelset.
+    """Derivatives by the velocity of the wheelset.
 
     Attributes:
         x: By x (per mm/s).
         y: By y (per mm/s).
         z: By z (per mm/s).
-        roll: By the roll rate (per rad/s).
-        yaw: By the yaw rate (per rad/s).
-        pitch: By the pitch rate (per rad/s).
+        roll: By roll (per rad/s).
+        yaw: By yaw (per rad/s).
+        pitch: By pitch (per rad/s).
     """
 
     x: Wrench
@@ -89,12 +86,13 @@ class WrenchesByVelocity:
 
 @dataclass(frozen=True)
 class WheelRailDerivatives:
-    """How the forces on the rail, in track coordinates, follow the state, to first order. All inputs but the one are held,
-    height and pitch rate also where forces found them: ``solution.derivatives.position.z.Fz`` is dFz/dz (N/mm).
+    """How the forces on the rail, in track coordinates, follow the state, to first order: derivatives.position.z.Fz is
+    dFz/dz (N/mm). Units are those of a wrench over those of the input. All inputs but the one are held, height and
+    pitch rate also where forces found them.
 
     Attributes:
-        position: By the position.
-        velocity: By the velocity.
+        position: Derivatives by the position of the wheelset.
+        velocity: Derivatives by the velocity of the wheelset.
     """
 
     position: WrenchesByPosition

@@ -1,4 +1,7 @@
-"""Where a wheel touches its rail, as profiles and positions tell it. Lengths in mm, angles in rad."""
+"""Where a wheel touches its rail, as profiles and positions tell it. Lengths in mm, angles in rad.
+
+Written by ./dev generate from proto/schema: edit it there.
+"""
 
 from __future__ import annotations
 
@@ -19,8 +22,7 @@ __all__ = [
 
 @dataclass(frozen=True)
 class ContactReference:
-    """The reference of a contact, on the rail in track coordinates. Contact coordinates have their origin there: x
-    forwards, y along the rail's surface to the right, z into the rail.
+    """The reference of a contact: a point of the rail in track coordinates, and the angle of the contact's plane.
 
     Attributes:
         x: Forwards (mm).
@@ -65,7 +67,7 @@ class Creepages:
         eta: Lateral creepage.
         phi: Spin (rad/mm).
         chi: Rolling direction (rad): 0 forwards, pi backwards.
-        velocity: Rolling velocity (mm/s); 0: the wheel does not roll.
+        velocity: Rolling velocity (mm/s); 0: it does not roll.
     """
 
     xi: float
@@ -77,13 +79,13 @@ class Creepages:
 
 @dataclass(frozen=True)
 class ContactRadii:
-    """Radii of curvature at the reference (mm), positive where convex; None where straight.
+    """Radii of curvature at the reference (mm), positive where convex.
 
     Attributes:
-        wheel_along: Of the wheel along x.
-        wheel_across: Of the wheel along y.
-        rail_along: Of the rail along x.
-        rail_across: Of the rail along y.
+        wheel_along: Of the wheel along x (mm).
+        wheel_across: Of the wheel along y (mm).
+        rail_along: Of the rail along x (mm).
+        rail_across: Of the rail along y (mm).
     """
 
     wheel_along: float | None = None
@@ -97,8 +99,8 @@ class ContactRow:
     """A row of elements of a contact that is curved across the track, half-way between rail and wheel.
 
     Attributes:
-        y: Its middle in track coordinates (mm).
-        z: The same down (mm).
+        y: Its middle in track coordinates, to the right (mm).
+        z: Its middle in track coordinates, down (mm).
         angle: Its inclination (rad): tractions are along axes turned about x by it.
     """
 
@@ -109,18 +111,20 @@ class ContactRow:
 
 @dataclass(frozen=True)
 class ContactPlace:
-    """One place where wheel and rail are in contact.
+    """A place where wheel and rail are in contact. Contact coordinates have their origin at the reference: x forwards,
+    y along the rail's surface to the right, z into the rail.
 
     Attributes:
-        reference: Its origin and plane.
-        regions: From the right to the left; more than one feel a share of each other.
+        reference: Its origin and plane, on the rail.
+        regions: Where the undeformed profiles overlap, from the right to the left; more than one feel a share of each
+            other.
         shares: What each region feels of the displacements of each, row by row; 1 on the diagonal.
         grid: The potential contact area, in contact coordinates.
         approach: Penetration along z, the largest at the elements (mm).
-        penetration: Vertical, the largest (mm).
-        creepages: By the motion of the wheelset.
-        radii: Of wheel and rail.
-        rows: Of the grid, where the contact is curved; empty where it is plane.
+        penetration: Vertical penetration, the largest (mm).
+        creepages: Velocities of the rail over those of the wheel, by the rolling velocity, in contact coordinates.
+        radii: Radii of curvature at the reference (mm), positive where convex; None where straight.
+        rows: Rows of elements of a contact that is curved across the track. None where it is plane.
     """
 
     reference: ContactReference
@@ -139,11 +143,11 @@ class WheelRailGeometry:
     """What the profiles and a position tell without a solve.
 
     Attributes:
-        z: Of the wheelset (mm).
+        z: z of the wheelset (mm).
         places: From the right to the left; none where wheel and rail do not overlap.
-        clearance: Least vertical distance of wheel and rail (mm), negative where they overlap; None where they are not
-            above each other.
-        warnings: Sentences.
+        clearance: Least vertical distance of wheel and rail at this z, negative where they overlap (mm); None where
+            they are not above each other.
+        warnings: What a user should know, sentences.
     """
 
     z: float

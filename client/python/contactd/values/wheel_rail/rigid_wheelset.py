@@ -1,13 +1,14 @@
 """A rigid wheelset on rigid rails: the answers of `Client.wheelset_contacts`, `Client.equivalent_conicity` and
-`Client.placed_profiles`, as plain, immutable values. Lengths in mm, angles in rad."""
+`Client.placed_profiles`. Lengths in mm, angles in rad.
+
+Written by ./dev generate from proto/schema: edit it there.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
-from ...errors import ProtocolError
-from ..answers import read
 from ..grid import Array
 
 __all__ = [
@@ -18,10 +19,9 @@ __all__ = [
     "RigidContact",
     "WheelsetContacts",
     "WheelsetRoll",
-    "read_profiles",
 ]
 
-WheelsetRoll = Literal["neglected", "demanded"]
+WheelsetRoll = Literal["demanded", "neglected"]
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class RigidContact:
     Attributes:
         y: In track coordinates, to the right (mm).
         z: In track coordinates, down (mm).
-        angle: Of the rail's tangent (rad): negative at the right wheel's flange.
+        angle: Angle of the rail's tangent (rad): negative at the right wheel's flange.
         radius: Rolling radius of the wheel (mm).
         height: z of the wheelset that brings this contact, against wheels that touch z = 0 with the nominal radius of
             this one (mm).
@@ -55,11 +55,11 @@ class WheelsetContacts:
     """Where both wheels touch at one shift.
 
     Attributes:
-        shift: Of the wheelset, to the right (mm).
-        roll: Of the wheelset, from y to z (rad); 0 where it is neglected.
+        shift: Shift of the wheelset, to the right (mm).
+        roll: Roll of the wheelset, from y to z (rad); 0 where it is neglected.
         radius_difference: Rolling radius of the right wheel less that of the left one (mm).
-        left: Of the left wheel.
-        right: Of the right wheel.
+        left: The contact of the left wheel.
+        right: The contact of the right wheel.
     """
 
     shift: float
@@ -71,7 +71,7 @@ class WheelsetContacts:
 
 @dataclass(frozen=True)
 class EquivalentConicity:
-    """The conicity of the cones on which a wheelset would roll with the same wavelength.
+    """The conicity of the cones on which a wheelset would roll with the same wavelength, for one amplitude.
 
     Attributes:
         amplitude: Half of the way from side to side (mm).
@@ -89,7 +89,7 @@ class EquivalentConicity:
 
 @dataclass(frozen=True)
 class ProfileOrigin:
-    """Of a rail's profile in the track.
+    """Origin of the rail's profile, in the track.
 
     Attributes:
         y: From the middle of the track to the field side (mm).
@@ -105,10 +105,11 @@ class PlacedProfiles:
     """Profiles of one side, as the daemon has read them: points through which its curves go.
 
     Attributes:
-        wheel: (y, z) of the wheel's profile (mm), shape [n, 2].
-        rail: (y, z) of the rail's profile, as the track's cant turns it (mm), shape [n, 2].
-        wheel_origin: Of the wheel's profile, from the middle of the axle to the field side (mm).
-        rail_origin: Of the rail's profile.
+        wheel: Points (y, z) of the wheel's profile (mm), shape [n, 2], cleaned and smoothed; straight lines between
+            need not be the curve.
+        rail: Points (y, z) of the rail's profile (mm), shape [n, 2], as the track's cant turns it.
+        wheel_origin: Origin of the wheel's profile (mm): from the middle of the axle to the field side.
+        rail_origin: Origin of the rail's profile, in the track.
     """
 
     wheel: Array
@@ -119,7 +120,7 @@ class PlacedProfiles:
 
 @dataclass(frozen=True, eq=False)
 class ProfilesOfSides:
-    """Of both sides.
+    """Profiles of both sides.
 
     Attributes:
         left: The left side, as if it were a right one.
@@ -128,12 +129,3 @@ class ProfilesOfSides:
 
     left: PlacedProfiles
     right: PlacedProfiles
-
-
-def read_profiles(told: Any) -> ProfilesOfSides:
-    """`profiles` of an answer."""
-    profiles = read(ProfilesOfSides, told, "result.profiles")
-    for side in (profiles.left, profiles.right):
-        if any(points.ndim != 2 or points.shape[1] != 2 for points in (side.wheel, side.rail)):
-            raise ProtocolError("The answer to wheelrail.geometry has profiles whose points are no pairs.")
-    return profiles

@@ -1,36 +1,73 @@
-"""A wheel on a rail: what all steps of a simulation have in common. Lengths in mm, angles in rad, forces in N on the rail.
+"""A wheel on a rail: what all steps of a simulation have in common. Lengths in mm, angles in rad, forces in N on the
+rail. What is None takes the daemon's default.
 
-What is None takes the daemon's default.
+Written by ./dev generate from proto/schema: edit it there.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Literal, TypedDict
 
 from ...refusals import public
 from ..dictionaries import Saved
 from ..evidence import Model, SolverSettings
-from ..friction import KineticFriction
 from ..materials import Material, RigidBody
+from ..motion import KineticFriction
 from ..profiles import Profile
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-
-__all__ = ["PatchRules", "RailSprings", "Track", "WheelRailFields", "WheelRailFriction", "WheelRailSetup", "Wheelset"]
+__all__ = [
+    "Conformal",
+    "ContactSearch",
+    "PatchRules",
+    "RailSprings",
+    "RigidSlipKind",
+    "Side",
+    "Track",
+    "WheelRailFields",
+    "WheelRailFriction",
+    "WheelRailSetup",
+    "WheelSurface",
+    "Wheelset",
+]
 
 Side = Literal["left", "right"]
+ContactSearch = Literal["locus", "mesh"]
 WheelSurface = Literal["exact", "bilinear"]
 RigidSlipKind = Literal["plane", "surfaces"]
 Conformal = Literal["off", "half_space", "rotated", "fem", "auto"]
 
 
 @dataclass(frozen=True)
+class WheelRailFriction:
+    """Coulomb friction of a wheel on its rail: the same everywhere, or by the angle of the rail's surface.
+
+    ::
+
+        WheelRailFriction(0.3)
+        WheelRailFriction([(-1.2, 0.1), (-0.4, 0.3)])  # less at the gauge face
+
+    Attributes:
+        mu: (Static) coefficient of friction: one, or some by the angle of the rail's surface from the horizontal (rad),
+            ascending, with straight lines between; angles are negative on the gauge side.
+        along_profile: Whether the angle is that of the rail at each row of elements, or that of the patch. Of model
+            full. Default False.
+        kinetic: How friction falls with the slip velocity v; None: it does not. linear: max(mu_k, mu_s - (mu_s - mu_k)
+            v / v_c); exponential: mu_k + (mu_s - mu_k) exp(-v / v_c).
+    """
+
+    mu: float | Sequence[tuple[float, float]] = field(default=0.3, metadata={"keys": ("angle", "mu")})
+    along_profile: bool | None = None
+    kinetic: KineticFriction | None = None
+
+
+@dataclass(frozen=True)
 class RailSprings:
-    """Between a rail without mass and the ground; it is rigid in a direction that has none.
+    """Springs between a rail without mass and the ground; it is rigid in a direction that has none.
 
     Attributes:
         y: Stiffness sideways (N/mm).
@@ -46,19 +83,21 @@ class Track:
     """Where the rails lie.
 
     Attributes:
-        gauge: Between the gauge faces (mm); default 1435.
-        gauge_height: How far below the tops the gauge is measured (mm); default 14.
-        cant: Of the rail's profile as given, leaning inwards where positive (rad); default 0.
-        rail_origin: (y, z) of the origin of the rail's profile, y to the field side from the centre of the track (mm);
-            gauge and gauge_height mean nothing then.
-        roller_radius: A roller turns under the wheel in place of the rail: its radius where the profile has z = 0 (mm).
-        springs: On which the rail gives way to the forces on it; None: it is rigid.
+        gauge: Distance between the gauge faces of the rails (mm). Default 1435.
+        gauge_height: How far below the tops of the rails the gauge is measured (mm). Default 14.
+        cant: Cant of the rail's profile as given, leaning inwards where positive (rad). Default 0.
+        rail_origin: Where the origin of the rail's profile is: y and z (mm) from the centre of the track to the field
+            side, and down; gauge and gauge_height mean nothing then. None: as they say.
+        roller_radius: Radius of a roller that turns under the wheel in place of the rail, where its profile has z = 0
+            (mm). None: a rail.
+        springs: Springs between a rail without mass and the ground; it is rigid in a direction that has none. None: a
+            rigid rail.
     """
 
     gauge: float | None = None
     gauge_height: float | None = None
     cant: float | None = None
-    rail_origin: tuple[float, float] | None = None
+    rail_origin: tuple[float, float] | None = field(default=None, metadata={"keys": ("y", "z")})
     roller_radius: float | None = None
     springs: RailSprings | None = None
 
@@ -68,9 +107,9 @@ class Wheelset:
     """Where the wheels sit on their axle.
 
     Attributes:
-        flange_back_distance: Between the backs of the flanges (mm); default 1360.
-        flange_back_position: y of the flange's back in the wheel's profile (mm); default -70.
-        nominal_radius: Of the wheel where its profile has z = 0 (mm); default 460.
+        flange_back_distance: Distance between the backs of the flanges (mm). Default 1360.
+        flange_back_position: y of the flange's back in the wheel's profile (mm). Default -70.
+        nominal_radius: Radius of the wheel where its profile has z = 0 (mm). Default 460.
     """
 
     flange_back_distance: float | None = None
@@ -80,16 +119,19 @@ class Wheelset:
 
 @dataclass(frozen=True)
 class PatchRules:
-    """What becomes of regions of overlap that lie close to each other (mm, rad): docs/wheel-rail.md.
+    """What becomes of regions of overlap that lie close to each other, by their distance. distance_combine <
+    distance_separate < distance_turn.
 
     Attributes:
-        angle_separate: Patches of their own where the planes' angles differ by more; default pi/2.
-        distance_separate: Parts of one patch, which feel a share of each other, below; default 8.
-        distance_combine: One patch below; default 4.
-        distance_turn: Planes that turn towards each other below; default 12.
-        locus_step: Of the locus across the track, in elements dy; default 0.3.
+        angle_separate: Angle between the planes of two regions above which they are patches of their own (rad). Default
+            1.5707963267948966.
+        distance_separate: Distance below which regions are parts of one patch and feel a share of each other (mm).
+            Default 8.
+        distance_combine: Distance below which regions become one patch (mm). Default 4.
+        distance_turn: Distance below which the planes of two patches turn towards each other (mm). Default 12.
+        locus_step: Step of the locus across the track, in elements dy. Default 0.3.
         search: How regions of overlap are found: along the locus, where the distance along the track is least, or on a
-            mesh seen from above, for rails that curve along the track, too; default "locus".
+            mesh seen from above, for rails that curve along the track. Default "locus".
     """
 
     angle_separate: float | None = None
@@ -97,75 +139,64 @@ class PatchRules:
     distance_combine: float | None = None
     distance_turn: float | None = None
     locus_step: float | None = None
-    search: Literal["locus", "mesh"] | None = None
-
-
-@dataclass(frozen=True)
-class WheelRailFriction:
-    """Coulomb friction, the same everywhere or by the angle of the rail's surface.
-
-    ::
-
-        WheelRailFriction(0.3)
-        WheelRailFriction([(-1.2, 0.1), (-0.4, 0.3)])  # less at the gauge face
-
-    Attributes:
-        mu: (Static) coefficient, or pairs (angle from the horizontal, coefficient), ascending, with straight lines
-            between; angles are negative on the gauge side (rad).
-        along_profile: Whether the angle is that of the rail at each row of elements; default: that of the patch.
-        kinetic: How it falls with the slip velocity; None: it does not.
-    """
-
-    mu: float | Sequence[tuple[float, float]] = 0.3
-    along_profile: bool | None = None
-    kinetic: KineticFriction | None = None
+    search: ContactSearch | None = None
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class WheelRailSetup(Saved):
     """A wheel on a rail: what all steps of a simulation have in common. The daemon keeps what it prepared for one, so
-    that the next step with an equal set-up costs less.
+    that the next step with an equal set-up costs less. Lengths in mm, angles in rad; track coordinates have x forwards,
+    y to the right, z down (docs/wheel-rail.md draws them).
 
     Attributes:
-        side: Which wheel of the wheelset, seen in the direction of travel: "right" (default) or "left".
-        wheel: The wheel's profile; default S1002().
-        rail: The rail's profile; default Rail60E1(1 / 40).
-        rail_slices: In place of `rail` where it varies along the track: pairs (x, profile), by ascending x (mm), in the
-            same coordinates. Needs Track.rail_origin.
-        wheel_slices: In place of `wheel` where it is not round: pairs (angle, profile), by ascending angles within a turn
-            (rad), in the same coordinates; at pitch p the slice of angle -p is lowest.
+        side: Which wheel of the wheelset, seen in the direction of travel. Default "right".
+        wheel: The wheel's profile, by default S1002.
+        rail: The rail's profile, by default 60E1 with an inclination of 1/40.
+        rail_slices: In place of rail where the rail varies along the track: its profiles by ascending x, in the same
+            coordinates. Points at equal shares of the length from kink to kink are joined; slices that do not all have
+            as many kinks are refused. Needs track.rail_origin; at most 200000 points together.
+        wheel_slices: In place of wheel where the wheel is not round: its profiles by ascending angles, in the same
+            coordinates and cut at the same y, all within a turn, after which the first one comes again. Radii go from
+            slice to slice with continuous curvature and without overshoot; at most 200000 points together.
         track: Where the rails lie.
-        wheelset: Where the wheels sit.
-        upper: Material of the rail; default steel (G 82000, nu 0.28).
+        wheelset: Where the wheels sit on their axle.
+        upper: Material of the rail; without bodies it is steel, G = 82000 and nu = 0.28.
         lower: Material of the wheel; None: as the rail.
-        model: "full" (default): boundary elements; "hertz", "fastsim".
-        friction: Default 0.3; None: frictionless.
-        dx: Size of the elements along x, in the plane of a contact (mm); default 0.2.
-        dy: Size of the elements across (mm); default 0.2.
-        dq: Step of rolling (mm); default: dx.
-        patches: How regions of overlap are merged.
-        wheel_surface: "exact" (default), or "bilinear" between corners of a mesh as large as the elements.
-        rigid_slip: By the creepages of the reference, as in a "plane" (default), or by the motion of both "surfaces" at
-            each row of elements: for conformal contact, of model "full".
-        conformal: "off" (default): a contact lies in a plane. Otherwise it is curved across the track, half-way between
-            wheel and rail, with the coefficients of half-spaces, flat ("half_space") or turned from row to row
-            ("rotated"), or of both cross-sections by finite elements ("fem", whose tables are built when they are first
-            needed); "auto": rotated where a plane would be left by more than 0.24 rad, else off. Of model "full".
-        normal: Stop test of NORM, for the pressures.
-        tangential: Stop test for the tractions.
-        outer: Stop test of the loop that bodies that differ and kinetic friction need.
-        force: Of the search for a height that brings Fz: |F - Fz|/Fz, default 1e-6, and solves, default 40.
+        model: full: boundary elements. hertz: closed forms of elliptic contact. fastsim: Hertzian contact and Kalker's
+            simplified theory of rolling. Default "full".
+        friction: Coulomb friction, by default 0.3 everywhere; None: frictionless.
+        dx: Size of the elements along x, in the plane of a contact (mm). Default 0.2.
+        dy: Size of the elements across (mm). Default 0.2.
+        dq: Step of rolling (mm); 0: dx. Default 0.
+        patches: What becomes of regions of overlap that lie close to each other, by their distance. distance_combine <
+            distance_separate < distance_turn.
+        wheel_surface: The wheel by its splines, or bilinear between corners of a mesh as large as the elements, which
+            comparisons with other programs want. Default "exact".
+        rigid_slip: What slips before the bodies deform: by the creepages of the reference, as in a plane; or by the
+            motion of both surfaces at each row of elements, for conformal contact, of model full. Default "plane".
+        conformal: Whether a contact is curved across the track, half-way between wheel and rail. off: one plane.
+            Otherwise each row of elements has its own normal, along which gaps are measured, tractions turned and slip
+            is that of the surfaces, with coefficients of half_space, as if rows lay flat; rotated, half-spaces that
+            turn from row to row; fem, wheel and rail by their cross-sections, whose tables are built when they are
+            first needed. auto: rotated where a plane would be left by more than 0.24 rad, else off. Of model full.
+            Default "off".
+        normal: Stop test of NORM, for the pressures, on which all else builds; its tolerance is 1e-8 unless given.
+        tangential: Stop test for the tractions under friction, and the solver that finds them.
+        outer: Stop test of the loop around these that bodies that differ, kinetic friction and prescribed tangential
+            forces need; its iterations are at most 100 unless given.
+        force: Search for a height that brings Fz: bounds of |F - Fz|/Fz, 1e-6 unless given, and of solves, 40 unless
+            given.
     """
 
     side: Side | None = None
     wheel: Profile | None = None
     rail: Profile | None = None
-    rail_slices: Sequence[tuple[float, Profile]] | None = None
-    wheel_slices: Sequence[tuple[float, Profile]] | None = None
+    rail_slices: Sequence[tuple[float, Profile]] | None = field(default=None, metadata={"keys": ("x", "profile")})
+    wheel_slices: Sequence[tuple[float, Profile]] | None = field(default=None, metadata={"keys": ("angle", "profile")})
     track: Track | None = None
     wheelset: Wheelset | None = None
-    upper: Material | RigidBody | None = None
-    lower: Material | RigidBody | None = None
+    upper: Material | RigidBody | None = field(default=None, metadata={"within": "bodies"})
+    lower: Material | RigidBody | None = field(default=None, metadata={"within": "bodies"})
     model: Model | None = None
     friction: WheelRailFriction | None = WheelRailFriction()
     dx: float | None = None
@@ -175,9 +206,9 @@ class WheelRailSetup(Saved):
     wheel_surface: WheelSurface | None = None
     rigid_slip: RigidSlipKind | None = None
     conformal: Conformal | None = None
-    normal: SolverSettings | None = None
-    tangential: SolverSettings | None = None
-    outer: SolverSettings | None = None
+    normal: SolverSettings | None = field(default=None, metadata={"within": "settings"})
+    tangential: SolverSettings | None = field(default=None, metadata={"within": "settings"})
+    outer: SolverSettings | None = field(default=None, metadata={"within": "settings"})
     force: SolverSettings | None = None
 
     @public
@@ -187,7 +218,7 @@ class WheelRailSetup(Saved):
 
 
 class WheelRailFields(TypedDict, total=False):
-    """Of WheelRailSetup."""
+    """Keywords of WheelRailSetup."""
 
     side: Side | None
     wheel: Profile | None

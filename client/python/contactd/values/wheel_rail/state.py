@@ -1,4 +1,7 @@
-"""Where a wheelset is, and how it moves. Lengths in mm, angles in rad, forces in N."""
+"""Where a wheelset is, and how it moves. Lengths in mm, angles in rad, forces in N.
+
+Written by ./dev generate from proto/schema: edit it there.
+"""
 
 from __future__ import annotations
 
@@ -17,9 +20,9 @@ class WheelsetPosition:
         y: To the right (mm).
         z: Down (mm); where Fz is given, only where to start.
         roll: From y to z (rad).
-        yaw: From x to y (rad), turned first.
-        x: Along the track (mm), where the rail varies; forces and references are told from there on.
-        pitch: How far it has turned about its axle (rad), where a wheel is not round; any number of turns.
+        yaw: From x to y, turned first (rad).
+        x: Along the track, where the rail varies (mm); forces and references are told from there on.
+        pitch: How far the wheelset has turned about its axle, where a wheel is not round (rad); any number of turns.
     """
 
     y: float = 0.0
@@ -32,15 +35,15 @@ class WheelsetPosition:
 
 @dataclass(frozen=True, kw_only=True)
 class WheelsetVelocity:
-    """Of the wheelset's centre in track coordinates (mm/s), and about its own axes (rad/s).
+    """Of the wheelset's centre in track coordinates, and about its own axes.
 
     Attributes:
-        x: Forwards.
-        y: To the right.
-        z: Down.
-        roll: About x.
-        yaw: About z.
-        pitch: About y: rolling forwards is negative, near -x/nominal_radius.
+        x: Forwards (mm/s).
+        y: To the right (mm/s).
+        z: Down (mm/s).
+        roll: About x (rad/s).
+        yaw: About z (rad/s).
+        pitch: About y (rad/s): rolling forwards is negative, near -x/nominal_radius.
     """
 
     x: float = 0.0
@@ -53,17 +56,17 @@ class WheelsetVelocity:
 
 @dataclass(frozen=True, kw_only=True)
 class RailDeviation:
-    """Of the rail from where track and gauge have it, in track coordinates also for a left one.
+    """Deviation of the rail from where track and gauge have it, in track coordinates also for a left one.
 
     Attributes:
         y: To the right (mm).
         z: Down (mm).
         roll: From y to z (rad).
-        y_velocity: (mm/s).
-        z_velocity: (mm/s).
-        roll_velocity: (rad/s).
-        Fy: On a rail on springs to the right (N), beside the forces of the wheel and of the springs.
-        Fz: The same downwards (N).
+        y_velocity: Velocity to the right (mm/s).
+        z_velocity: Velocity downwards (mm/s).
+        roll_velocity: Velocity of roll (rad/s).
+        Fy: Force on a rail on springs to the right, beside those of the wheel and of the springs (N).
+        Fz: Force on a rail on springs downwards, beside those of the wheel and of the springs (N).
     """
 
     y: float = 0.0
@@ -81,13 +84,14 @@ class WheelRailState(Saved):
     """Where the wheelset is, and how it moves.
 
     Attributes:
-        position: Of its centre.
-        velocity: Of its centre.
-        rail: Deviation of the rail.
+        position: Of the wheelset's centre, from where it stands in the middle with its tape circles on the plane of the
+            track.
+        velocity: Of the wheelset's centre in track coordinates, and about its own axes.
+        rail: Deviation of the rail from where track and gauge have it, in track coordinates also for a left one.
         roller_pitch: Pitch rate of a roller (rad/s): positive where the wheel on it turns as when rolling forwards.
-        Fz: Vertical force of this wheel on the rail (N), > 0, which position.z is found for; None: that is prescribed.
-        Fx: Longitudinal force on the rail along the wheelset's x axis (N), which velocity.pitch is found for; None: that
-            is prescribed.
+        Fz: Vertical force of this wheel on the rail, which position.z is found for (N). None: position.z is prescribed.
+        Fx: Longitudinal force on the rail along the wheelset's x axis, which velocity.pitch is found for (N); needs
+            friction. None: velocity.pitch is prescribed.
         derivatives: Whether the solution has derivatives of the forces by position and velocity.
     """
 
@@ -105,13 +109,13 @@ class WheelsetState(Saved):
     """Where a wheelset is that is free to roll, and how it moves.
 
     Attributes:
-        Fz_left: Vertical force of the left wheel on its rail (N), > 0.
-        Fz_right: Vertical force of the right wheel on its rail (N), > 0.
-        position: Of its centre; z and roll are found, and only tell where to start.
-        velocity: Of its centre.
+        Fz_left: Vertical force of the left wheel on its rail (N).
+        Fz_right: Vertical force of the right wheel on its rail (N).
+        position: Of the wheelset's centre; z and roll, which are found, only tell where to start.
+        velocity: Of the wheelset's centre in track coordinates, and about its own axes.
         left_rail: Deviation of the left rail, in track coordinates: y to the right.
-        right_rail: Deviation of the right rail.
-        roller_pitch: Pitch rate of rollers (rad/s): positive where the wheels turn as when rolling forwards.
+        right_rail: Deviation of the right rail, in track coordinates.
+        roller_pitch: Pitch rate of a roller (rad/s): positive where the wheel on it turns as when rolling forwards.
     """
 
     Fz_left: float

@@ -1,0 +1,65 @@
+"""Rolling, and how friction falls with the slip velocity.
+
+Written by ./dev generate from proto/schema: edit it there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+__all__ = ["KineticFriction", "Rolling", "RollingKind", "SlipLaw"]
+
+RollingKind = Literal["steady", "transient"]
+SlipLaw = Literal["linear", "exponential"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rolling:
+    """Rolling along (cos chi, sin chi): a particle now at x was dq further along that direction one step ago. Positive
+    creepage is that of the upper body over the lower one; the rigid slip over a step is dq (xi - phi y, eta + phi x), x
+    and y those of the point spin_offset dq ahead.
+
+    Attributes:
+        xi: Longitudinal creepage, along x; where force prescribes Fx, an estimate.
+        eta: Lateral creepage, along y; where force prescribes Fy, an estimate.
+        phi: Spin creepage (rad/mm).
+        chi: Rolling direction, angle from the x axis (rad).
+        dq: Distance rolled in one step (mm); None: the size of an element along chi, dx dy / sqrt((dy cos chi)^2 + (dx
+            sin chi)^2). Not the distance of a time step: from three elements or a tenth of the contact on, forces are
+            wrong by several per cent, and the answer warns.
+        spin_offset: Where the rigid slip of spin is evaluated, in steps dq ahead of the element's centre; 0: at the
+            centre. The limit for small elements is the same; with much spin 1/6 errs half as much on coarse grids.
+            Default 0.
+        kind: steady: the state that does not change any more; transient: step by step from the previous tractions.
+        steps: Number of steps of transient rolling; steady has no steps. Default 1.
+        velocity: Rolling velocity, of slip velocities and the frictional power (mm/s). Default 1.
+        force: Fx and Fy on the upper body (N), None where the creepage holds instead; xi and eta are found then.
+    """
+
+    xi: float = 0.0
+    eta: float = 0.0
+    phi: float = 0.0
+    chi: float = 0.0
+    dq: float | None = None
+    spin_offset: float | None = None
+    kind: RollingKind = "steady"
+    steps: int | None = None
+    velocity: float | None = None
+    force: tuple[float | None, float | None] | None = None
+
+
+@dataclass(frozen=True)
+class KineticFriction:
+    """How friction falls with the slip velocity v. linear: max(mu_k, mu_s - (mu_s - mu_k) v / v_c); exponential: mu_k +
+    (mu_s - mu_k) exp(-v / v_c).
+
+    Attributes:
+        mu: Kinetic coefficient mu_k, at most the static one.
+        slip_velocity: Slip velocity v_c of the fall (mm/s).
+        law: Shape of the fall from the static coefficient friction.mu to this one. Default "exponential".
+    """
+
+    mu: float
+    slip_velocity: float
+    law: SlipLaw | None = None

@@ -1,0 +1,198 @@
+"""What is answered of a contact. Arrays are read-only; copy one to change it.
+
+Written by ./dev generate from proto/schema: edit it there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Generic
+
+from .dictionaries import Saved
+from .evidence import ContactEvidence
+from .grid import Array, Grid
+from .motion import Rolling
+from .representation import Shown
+from .solution_methods import Bytes, Floats, Shift, SolutionMethods
+
+__all__ = ["Areas", "Counts", "Derivatives", "DerivativesOfAnswer", "Forces", "Resultant", "Solution"]
+
+
+@dataclass(frozen=True)
+class DerivativesOfAnswer:
+    """The derivatives of one answer by each input: units are those of the answer over those of the input. What the
+    problem does not have, or its model does not know, is None.
+
+    Attributes:
+        xi: Of rolling: by the longitudinal creepage.
+        eta: Of rolling: by the lateral creepage.
+        phi: Of rolling: by the spin creepage.
+        rigid_shift: Of a shift: by the rigid shift along x, and along y.
+        rotation: Of a shift: by the rotation.
+        approach: By the approach, where that is prescribed.
+        Fn: By the normal force, where that is prescribed.
+        mu: By the coefficient of friction: the same change in every element.
+    """
+
+    xi: float | None = None
+    eta: float | None = None
+    phi: float | None = None
+    rigid_shift: tuple[float, float] | None = None
+    rotation: float | None = None
+    approach: float | None = None
+    Fn: float | None = None
+    mu: float | None = None
+
+
+@dataclass(frozen=True)
+class Forces:
+    """Total forces on the upper body (N), and their moment about z. On curved columns: of pressures what is along the
+    direction of approach, of tractions what is along x and across both, and their moment about that direction.
+
+    Attributes:
+        Fn: Normal force, positive in compression (N).
+        Fx: Tangential force along x (N).
+        Fy: Tangential force along y (N).
+        Mz: Moment of the tractions about z at the origin, sum of x p_y - y p_x (N mm).
+    """
+
+    Fn: float
+    Fx: float
+    Fy: float
+    Mz: float
+
+
+@dataclass(frozen=True)
+class Resultant:
+    """On curved columns: force (N) and moment about their origin (N mm) of pressures and tractions together, on the
+    upper body, in the axes of the section.
+
+    Attributes:
+        Fx: Force along x (N).
+        Fy: Force along y (N).
+        Fz: Force along z (N).
+        Mx: Moment about x (N mm).
+        My: Moment about y (N mm).
+        Mz: Moment about z (N mm).
+    """
+
+    Fx: float
+    Fy: float
+    Fz: float
+    Mx: float
+    My: float
+    Mz: float
+
+
+@dataclass(frozen=True)
+class Areas:
+    """Areas (mm^2): contact = adhesion + slip; without friction all contact counts as slip.
+
+    Attributes:
+        contact: Area of contact (mm^2).
+        adhesion: Area of adhesion (mm^2).
+        slip: Area of slip (mm^2).
+    """
+
+    contact: float
+    adhesion: float
+    slip: float
+
+
+@dataclass(frozen=True)
+class Counts:
+    """Numbers of elements: contact = adhesion + slip; without friction all contact counts as slip.
+
+    Attributes:
+        contact: Elements in contact.
+        adhesion: Elements in adhesion.
+        slip: Elements in slip.
+        border: Elements in contact at the border of the potential contact area; any are a reason for a warning.
+    """
+
+    contact: int
+    adhesion: int
+    slip: int
+    border: int
+
+
+@dataclass(frozen=True)
+class Derivatives:
+    """Where asked for, and the solution has converged and has contact: how forces follow the inputs, to first order:
+    derivatives.Fx.xi is dFx/d(xi). Held are the undeformed distance (also where semi-axes and the load made it), the
+    tractions before the step, rigid_slip, and the division of the elements, at whose next change the derivatives are
+    one-sided. Motion is an input also where forces found it: as if it had been given.
+
+    Attributes:
+        Fx: Derivatives of Fx (N), with friction.
+        Fy: Derivatives of Fy (N), with friction.
+        Mz: Derivatives of Mz (N mm), with friction.
+        Fn: Derivatives of the normal force (N), where the approach is prescribed.
+        approach: Derivatives of the approach (mm), where the normal force is prescribed.
+    """
+
+    Fx: DerivativesOfAnswer | None = None
+    Fy: DerivativesOfAnswer | None = None
+    Mz: DerivativesOfAnswer | None = None
+    Fn: DerivativesOfAnswer | None = None
+    approach: DerivativesOfAnswer | None = None
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
+    """The solution and its evidence. Arrays have shape [ny, nx]; tractions and forces act on the upper body.
+
+    Attributes:
+        approach: Approach of the bodies, prescribed or found (mm).
+        forces: Total forces on the upper body (N), and their moment about z. On curved columns: of pressures what is
+            along the direction of approach, of tractions what is along x and across both, and their moment about that
+            direction.
+        pmax: Largest pressure (N/mm^2).
+        area: Areas (mm^2): contact = adhesion + slip; without friction all contact counts as slip.
+        elements: Numbers of elements: contact = adhesion + slip; without friction all contact counts as slip.
+        element_division: Bytes, shape [ny, nx]: 0 exterior, 1 adhesion, 2 slip.
+        pressure: Pressure, shape [ny, nx] (N/mm^2), zero or positive.
+        traction_x: Traction along x on the upper body, shape [ny, nx] (N/mm^2).
+        traction_y: Traction along y on the upper body, shape [ny, nx] (N/mm^2).
+        converged: Whether every solver of the problem that ran reached its tolerance; derivatives that did not are
+            None.
+        evidence: How the solvers ended, and which coefficients they used; what did not run is None.
+        resultant: On curved columns: force (N) and moment about their origin (N mm) of pressures and tractions
+            together, on the upper body, in the axes of the section.
+        slip_x: With friction: slip of the upper body over the lower along x, shape [ny, nx]: of a shift the distance
+            over the step (mm), of rolling the relative slip, per distance rolled. Zero outside of the contact.
+        slip_y: With friction: slip of the upper body over the lower along y, as slip_x.
+        frictional_work: Of a shift: what friction dissipates in the step (N mm).
+        frictional_power: Of rolling: what friction dissipates (N mm/s).
+        motion: With friction: the motion as asked for, with what a prescribed force made of it. Of a shift rigid_shift,
+            rotation and duration; else as rolling of the request. force as in the request.
+        derivatives: Where asked for, and the solution has converged and has contact: how forces follow the inputs, to
+            first order: derivatives.Fx.xi is dFx/d(xi). Held are the undeformed distance (also where semi-axes and the
+            load made it), the tractions before the step, rigid_slip, and the division of the elements, at whose next
+            change the derivatives are one-sided. Motion is an input also where forces found it: as if it had been
+            given.
+        warnings: What a user of the solution should know, sentences; for example that the contact touches the border of
+            the potential contact area, or that elements or dq are too large for it.
+        grid: The grid of the problem, which the client adds.
+    """
+
+    approach: float
+    forces: Forces
+    pmax: float
+    area: Areas
+    elements: Counts
+    element_division: Bytes
+    pressure: Floats
+    traction_x: Floats
+    traction_y: Floats
+    converged: bool
+    evidence: ContactEvidence
+    resultant: Resultant | None = None
+    slip_x: Array | None = None
+    slip_y: Array | None = None
+    frictional_work: float | None = None
+    frictional_power: float | None = None
+    motion: Shift | Rolling | None = None
+    derivatives: Derivatives | None = None
+    warnings: tuple[str, ...] = ()
+    grid: Grid | None = None

@@ -1,0 +1,101 @@
+"""What is written by hand of solutions of contacts, whose fields are in `result`: what they can do, and shifts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import numpy as np
+import numpy.typing as npt
+
+from ..refusals import public
+from .grid import Array
+from .registry import extra
+from .representation import Rows
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.axes import Axes
+
+__all__ = ["Bytes", "Floats", "Shift", "SolutionMethods"]
+
+# What the arrays of a solution are: of a step each may be left out.
+Floats = TypeVar("Floats", bound="Array | None")
+Bytes = TypeVar("Bytes", bound="npt.NDArray[np.uint8] | None")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shift:
+    """The shift of a solution, as asked for, with what a prescribed force made of it.
+
+    Attributes:
+        rigid_shift: (w_x, w_y) of the upper body over the lower, at the origin (mm).
+        rotation: About z, positive from x to y (rad).
+        duration: That of the step (s).
+        force: What was prescribed (N).
+    """
+
+    rigid_shift: tuple[float, float]
+    rotation: float = 0.0
+    duration: float = 1.0
+    force: tuple[float | None, float | None] | None = None
+
+    @staticmethod
+    def _is_told(told: dict[str, Any]) -> bool:
+        return "rigid_shift" in told
+
+
+class SolutionMethods:
+    """Of a Solution."""
+
+    @public
+    def plot(self, axes: Axes | None = None) -> Axes:
+        """Draws pressures over the grid, the edges of contact and adhesion, and arrows of the tractions on the upper body.
+
+        Into `axes`, or a figure of its own; returns the axes. Needs matplotlib ("contactd[pictures]").
+        """
+        drawn: Axes = extra("Solution.plot")(self, axes)
+        return drawn
+
+    @public
+    def plot_section(self, y: float = 0.0, axes: Axes | None = None) -> Axes:
+        """Draws pressure and tractions along x, in the row of elements nearest to `y` (mm); else as `plot`."""
+        drawn: Axes = extra("Solution.plot_section")(self, y, axes)
+        return drawn
+
+    @public
+    def to_xarray(self) -> xarray.Dataset:
+        """Arrays over x and y, forces, pmax and the approach, with their units. Needs xarray ("contactd[xarray]")."""
+        labelled: xarray.Dataset = extra("Solution.to_xarray")(self)
+        return labelled
+
+    def _rows(self: Any) -> Rows:
+        division = f"{self.elements.contact} elements: {self.elements.adhesion} in adhesion, {self.elements.slip} in slip"
+        forces: Rows = [(name, getattr(self, name)) for name in ("Fn", "Fx", "Fy", "Mz")]
+        rows: Rows = [*forces, ("pmax", self.pmax), ("approach", self.approach), ("contact", division)]
+        if self.motion is not None:
+            rows.append(("motion", self.motion))
+        return [*rows, ("converged", "yes" if self.converged else "NO")]
+
+    def _remarks(self: Any) -> tuple[str, ...]:
+        return (*self.warnings,)
+
+    @property
+    def Fn(self: Any) -> float:
+        """Normal force (N), > 0 in compression."""
+        return float(self.forces.Fn)
+
+    @property
+    def Fx(self: Any) -> float:
+        """Tangential force along x on the upper body (N)."""
+        return float(self.forces.Fx)
+
+    @property
+    def Fy(self: Any) -> float:
+        """Tangential force along y on the upper body (N)."""
+        return float(self.forces.Fy)
+
+    @property
+    def Mz(self: Any) -> float:
+        """Moment of the tractions on the upper body about z at the origin (N mm)."""
+        return float(self.forces.Mz)

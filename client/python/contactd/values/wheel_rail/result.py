@@ -1,0 +1,111 @@
+"""What is answered of a wheel on its rail, and of a wheelset. Lengths in mm, angles in rad, forces in N on the rail.
+
+Written by ./dev generate from proto/schema: edit it there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..evidence import SolverEvidence
+from ..grid import Array
+from ..solution import PartialSolution
+from .forces import WheelRailDerivatives, WheelRailForces
+from .places import ContactPlace
+from .solution_methods import WheelRailSolutionMethods, WheelsetSolutionMethods
+
+__all__ = ["RailShift", "WheelRailPatch", "WheelRailSolution", "WheelsetSolution"]
+
+
+@dataclass(frozen=True, eq=False)
+class WheelRailPatch:
+    """A contact and its solution.
+
+    Attributes:
+        place: Where it is.
+        solution: The solution, as of contact.solve, in contact coordinates; arrays that were asked for. Tractions and
+            forces act on the rail.
+        forces: Forces of this patch.
+        gap: Where asked for: undeformed distance less its least value (mm), shape [ny, nx] of the place's grid.
+    """
+
+    place: ContactPlace
+    solution: PartialSolution
+    forces: WheelRailForces
+    gap: Array | None = None
+
+
+@dataclass(frozen=True)
+class RailShift:
+    """By how much a rail on springs has given way beside its deviation, in track coordinates.
+
+    Attributes:
+        y: To the right (mm).
+        z: Down (mm).
+    """
+
+    y: float
+    z: float
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class WheelRailSolution(WheelRailSolutionMethods):
+    """The contact of a wheel with its rail. No contact is an answer: no patches. Forces act on the rail.
+
+    Attributes:
+        z: z of the wheelset, as prescribed or found (mm).
+        pitch: Pitch rate of the wheelset, as prescribed or found (rad/s).
+        forces: Forces of all patches.
+        patches: From the right to the left; none without contact. A step that said patches false lacks them.
+        converged: Whether the solvers of all patches and the searches reached their tolerances.
+        warnings: What a user should know, sentences.
+        clearance: Least vertical distance of wheel and rail at this z, negative where they overlap (mm); None where
+            they are not above each other.
+        force: Search for z, where Fz was given: solves, and what was left, |F - Fz|/Fz.
+        pitch_search: Search for the pitch rate, where Fx was given: searches for z, or solves, and what was left, |F -
+            Fx|/Fz.
+        rail_shift: Of a rail on springs: by how much it has given way beside its deviation, in track coordinates (mm).
+        rail_search: Of a rail on springs: solves, and what its forces leave of each other over Fz, sideways or
+            downwards.
+        derivatives: Where asked for, of a converged solution with contact.
+        contacts: How many patches there are, in place of them: of a step that said patches false.
+        frictional_power: Of rolling with friction: what friction dissipates in all patches (N mm/s).
+    """
+
+    z: float
+    pitch: float
+    forces: WheelRailForces
+    patches: tuple[WheelRailPatch, ...]
+    converged: bool
+    warnings: tuple[str, ...] = ()
+    clearance: float | None = None
+    force: SolverEvidence | None = None
+    pitch_search: SolverEvidence | None = None
+    rail_shift: RailShift | None = None
+    rail_search: SolverEvidence | None = None
+    derivatives: WheelRailDerivatives | None = None
+    contacts: int | None = None
+    frictional_power: float | None = None
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class WheelsetSolution(WheelsetSolutionMethods):
+    """A wheelset on its rails. Forces act on the rails.
+
+    Attributes:
+        z: z of the wheelset, as found (mm): against the mean of both nominal radii, as each wheel's own is against its.
+        roll: Roll of the wheelset, as found (rad).
+        left: The left wheel on its rail.
+        right: The right wheel on its rail.
+        roll_search: Search for the roll: solves of both wheels, and by how much their heights differ (mm).
+        converged: Whether the solvers of both wheels and the search for the roll reached their tolerances.
+        warnings: What a user should know of both wheels together, sentences; each wheel has its own, too.
+    """
+
+    z: float
+    roll: float
+    left: WheelRailSolution
+    right: WheelRailSolution
+    roll_search: SolverEvidence
+    converged: bool
+    warnings: tuple[str, ...] = ()

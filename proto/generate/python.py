@@ -1,0 +1,163 @@
+"""Values of Python: a module of dataclasses, keywords and typed keyword arguments for each part of the schemas.
+
+What a module lists is declared in it, and all that its fields are made of, unless that is written by hand or belongs to
+another module. Methods of a class are those of a base that is written by hand.
+"""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from pathlib import Path
+
+from .declarations import ROOT, Declarations, Schema
+from .python_classes import Class, Collected, Member, in_python, literal
+from .python_modules import MODULES, Module
+
+VALUES = ROOT / "client" / "python" / "contactd" / "values"
+NOTE = "Written by ./dev generate from proto/schema: edit it there."
+WIDTH = 120
+#: Names of other modules that generated code uses, and what imports them.
+NAMES = {
+    "Sequence": "collections.abc", "Mapping": "collections.abc", "dataclass": "dataclasses", "field": "dataclasses",
+    "replace": "dataclasses", "TYPE_CHECKING": "typing", "Any": "typing", "Literal": "typing", "TypedDict": "typing",
+    "Generic": "typing", "npt": "import numpy.typing as npt", "np": "import numpy as np", "public": "...refusals",
+}  # fmt: skip
+UNPACK = "\nif TYPE_CHECKING:\n    from typing_extensions import Unpack\n"
+REPLACE = '''
+    @public
+    def replace(self, **changes: Unpack[{keywords}]) -> {name}:
+        """A copy with some fields changed."""
+        return replace(self, **changes)
+'''
+
+
+def python_files(declarations: Declarations) -> dict[Path, str]:
+    """The text of each file."""
+    homes = {**_written_by_hand(), **NAMES}
+    mine = {module.name: Collected(declarations, module) for module in MODULES}
+    roots = {name: module for module, collected in mine.items() for name in collected.roots}
+    files = {}
+    for module in MODULES:
+        found = mine[module.name]
+        found.collect(lambda name, here=module.name, taken=frozenset(homes): name not in taken and roots.get(name, here) == here)
+        files[VALUES / f"{module.name}.py"] = _text(module, found, homes)
+        homes.update(dict.fromkeys([*found.classes, *found.words], module.name))
+    return files
+
+
+def generated_modules() -> list[Path]:
+    return [path for path in VALUES.rglob("*.py") if NOTE in path.read_text()[:2000]]
+
+
+def _written_by_hand() -> dict[str, str]:
+    """The module of each class and alias that is written by hand."""
+    homes: dict[str, str] = {}
+    for path in sorted(set(VALUES.rglob("*.py")) - set(generated_modules()) - {VALUES / f"{module.name}.py" for module in MODULES}):
+        text = path.read_text()
+        module = path.relative_to(VALUES).with_suffix("").as_posix()
+        homes.update(dict.fromkeys(re.findall(r"^(?:class )?([A-Z]\w+)(?:\(| =|:)", text, re.MULTILINE), module))
+    return homes
+
+
+def _text(module: Module, found: Collected, homes: dict[str, str]) -> str:
+    listed = [*found.classes.values()]
+    code = [f"{name} = Literal[{', '.join(map(literal, words))}]" for name, words in found.words.items()]
+    keywords = {one.name: one.schema.get("x-python-class", {}).get("keywords") for one in listed}
+    parts = ["\n".join(code)] if code else []
+    parts += [_class(one, keywords[one.name]) for one in listed]
+    parts += [_keywords(one, keywords[one.name]) for one in listed if keywords[one.name]]
+    body = "\n\n\n".join(parts)
+    exported = _all([*found.classes, *found.words, *filter(None, keywords.values())])
+    body = f"{UNPACK if any(keywords.values()) else ''}\n{exported}{'' if code else chr(10)}\n{body}"
+    head = f'"""{_filled(module.says, 3, 0)}\n\n{NOTE}\n"""\n\nfrom __future__ import annotations\n\n'
+    return f"{head}{_imports(module.name, body, homes, {*found.classes, *found.words})}{body}\n"
+
+
+def _class(one: Class, keywords: str | None) -> str:
+    options = one.schema.get("x-python-class", {})
+    bases = f"({', '.join(options['bases'])})" if "bases" in options else ""
+    arguments = ", ".join(["frozen=True", *(f"{name}={value}" for name, value in options.get("dataclass", {}).items())])
+    lines = [f"@dataclass({arguments})", f"class {one.name}{bases}:", _docstring(one, options), ""]
+    lines += [_member(member) for member in one.members]
+    method = REPLACE.format(keywords=keywords, name=one.name).rstrip() if keywords else ""
+    return "\n".join(lines) + (f"\n{method}" if method else "")
+
+
+def _docstring(one: Class, options: Schema) -> str:
+    """Of a class, which is there: what is said of leaving it out is said of the field."""
+    says = in_python(re.sub(r"[.;] [Ll]eft out:? [^.;]*", "", options.get("description", one.schema["description"])))
+    lines = [f'    """{_filled(says, 7, 4)}', ""]
+    if "examples" in options:
+        lines += ["    ::", "", *(f"        {example}" for example in options["examples"]), ""]
+    lines.append("    Attributes:")
+    lines += [" " * 8 + _filled(f"{member.name}: {member.says}", 8, 12) for member in one.members]
+    return "\n".join([*lines, '    """'])
+
+
+def _member(member: Member) -> str:
+    line = f"    {member.name}: {member.type}"
+    if member.notes:
+        notes = {key: tuple(value) if isinstance(value, list) else value for key, value in member.notes.items()}
+        metadata = repr(notes).replace("'", '"')
+        arguments = f"default={member.default}, metadata={metadata}"
+        whole = f"{line} = field({arguments})"
+        return whole if len(whole) <= WIDTH else f"{line} = field(\n        {arguments}\n    )"
+    return line if member.default is None else f"{line} = {member.default}"
+
+
+def _keywords(one: Class, name: str) -> str:
+    lines = [f"class {name}(TypedDict, total=False):", f'    """Keywords of {one.name}."""', ""]
+    return "\n".join(lines + [f"    {member.name}: {member.type}" for member in one.members])
+
+
+def _filled(text: str, first: int, others: int) -> str:
+    """In lines; `first` characters stand before the first of them, `others` spaces before the others."""
+    filled = textwrap.fill(
+        text, WIDTH, initial_indent=" " * first, subsequent_indent=" " * others, break_long_words=False, break_on_hyphens=False
+    )
+    return filled[first:]
+
+
+def _listing(head: str, items: list[str], tail: str) -> str:
+    line = f"{head}{', '.join(items)}{tail}"
+    return line if len(line) <= WIDTH else head + "\n" + "".join(f"    {item},\n" for item in items) + tail
+
+
+def _all(names: list[str]) -> str:
+    return _listing("__all__ = [", [f'"{name}"' for name in sorted(names)], "]") + "\n"
+
+
+def _imports(module: str, body: str, homes: dict[str, str], own: set[str]) -> str:
+    """Of every name in code, outside of docstrings, that another module has."""
+    code = re.sub(r'""".*?"""|"[^"\n]*"', "", body, flags=re.DOTALL)
+    used = {name: homes[name] for name in re.findall(r"\b[A-Za-z]\w*\b", code) if name in homes and name not in own}
+    plain = sorted(home for home in used.values() if home.startswith("import "))
+    modules = {home: sorted((n for n in used if used[n] == home), key=_order) for home in used.values() if home not in plain}
+    depth = module.count("/")
+    relative = {}
+    for home in [home for home in modules if home not in NAMES.values() or home.startswith(".")]:
+        if home.startswith("."):
+            relative["." * (2 + depth) + home.lstrip(".")] = modules.pop(home)
+        else:
+            up = 0 if depth and home.startswith(module.rpartition("/")[0] + "/") else depth
+            relative["." * (1 + up) + (home if up or not depth else home.rpartition("/")[2]).replace("/", ".")] = modules.pop(home)
+    blocks = [
+        [_listing(f"from {home} import ", names, "") for home, names in sorted(modules.items())],
+        plain,
+        [_import(home, relative[home]) for home in sorted(relative, key=lambda home: (-_dots(home), home))],
+    ]
+    return "\n".join("\n".join(block) + "\n" for block in blocks if block)
+
+
+def _import(home: str, names: list[str]) -> str:
+    line = f"from {home} import {', '.join(names)}"
+    return line if len(line) <= WIDTH else _listing(f"from {home} import (", names, ")")
+
+
+def _dots(home: str) -> int:
+    return len(home) - len(home.lstrip("."))
+
+
+def _order(name: str) -> tuple[int, str]:
+    return (0 if name.isupper() and len(name) > 1 else 1 if name[0].isupper() else 2, name)
