@@ -21,7 +21,8 @@ def test_restore_goes_back_as_often_as_wanted_and_gives_the_same_answers_bit_for
         ]
         for answer in answers:
             for evidence in answer.result["evidence"].values():
-                evidence.pop("seconds", None)  # the discretisation has none
+                if isinstance(evidence, dict):  # and not the word for a solver
+                    evidence.pop("seconds", None)  # the discretisation has none
         return [(answer.result, answer.frames) for answer in answers]
 
     take(raw, session, 1)

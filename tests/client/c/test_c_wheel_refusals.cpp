@@ -189,15 +189,9 @@ TEST_CASE("What makes no sense together is refused before anything is sent", "[c
     set("setup.wheel_slices[1].angle", 0);
     refused("setup.wheel_slices[1].angle");
     REQUIRE(contactd_clear(w, "setup.wheel_slices") == CONTACTD_OK);
-    set("setup.wheel.arc.slope", 0.1);
-    refused("setup.wheel.arc.radius");
-    set("setup.wheel.s1002", 1);
     set("setup.bodies.lower.rigid", 1);
     set("setup.bodies.lower.nu", 0.3);
     refused("setup.bodies.lower.G");
-    set("setup.bodies.lower.G", 82000);
-    set("state.rail.Fy", 100);
-    refused("state.rail.Fy");
 }
 
 TEST_CASE("A file that is no profile is refused, and what was set stays", "[c]") {
