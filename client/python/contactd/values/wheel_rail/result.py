@@ -62,8 +62,8 @@ class WheelRailSolution(WheelRailSolutionMethods):
         clearance: Least vertical distance of wheel and rail at this z, negative where they overlap (mm); None where
             they are not above each other.
         force: Search for z, where Fz was given: solves, and what was left, |F - Fz|/Fz.
-        pitch_search: Search for the pitch rate, where Fx was given: searches for z, or solves, and what was left, |F -
-            Fx|/Fz.
+        pitch_search: Search for the pitch rate, where Fx was given: searches for z, or solves, and the error of Fx that
+            was left, over Fz.
         rail_shift: Of a rail on springs: by how much it has given way beside its deviation, in track coordinates (mm).
         rail_search: Of a rail on springs: solves, and what its forces leave of each other over Fz, sideways or
             downwards.
