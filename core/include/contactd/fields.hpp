@@ -182,9 +182,7 @@ FieldType make_type() {
 
 /// A step to one alternative of a variant: absent while another one holds, and made by replacing that.
 template <class T>
-struct Alternative {};
-template <class T>
-inline constexpr Alternative<T> alternative{};
+inline constexpr std::type_identity<T> alternative{};
 
 template <class Value>
 auto* find_value(Value& value) {
@@ -206,7 +204,7 @@ auto* find_next(Value& value, Member Owner::* member) {
     return &(value.*member);
 }
 template <class Value, class T>
-auto* find_next(Value& value, Alternative<T>) {
+auto* find_next(Value& value, std::type_identity<T>) {
     return std::get_if<T>(&value);
 }
 template <class Value, class Member, class Owner>
@@ -214,7 +212,7 @@ auto* make_next(Value& value, Member Owner::* member) {
     return &(value.*member);
 }
 template <class Value, class T>
-auto* make_next(Value& value, Alternative<T>) {
+auto* make_next(Value& value, std::type_identity<T>) {
     T* found = std::get_if<T>(&value);
     return found ? found : &value.template emplace<T>();
 }
