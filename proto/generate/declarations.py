@@ -173,7 +173,7 @@ def is_custom(schema: Schema) -> bool:
 
 
 def _has_fields(schema: Schema) -> bool:
-    """Whether it is an object of fields; that of an array refers to a frame."""
+    """Returns whether it is an object of fields; that of an array refers to a frame."""
     return "properties" in schema and "$array" not in schema["properties"]
 
 

@@ -85,7 +85,7 @@ def _class(one: Class, keywords: str | None) -> str:
 
 
 def _docstring(one: Class, options: Schema) -> str:
-    """Of a class, which is there: what is said of leaving it out is said of the field."""
+    """Returns the docstring of a class, without what the schema says of leaving its object out."""
     says = in_python(re.sub(r"[.;] [Ll]eft out:? [^.;]*", "", options.get("description", one.schema["description"])))
     lines = [f'    """{_filled(says, 7, 4)}', ""]
     if "examples" in options:
@@ -129,7 +129,7 @@ def _all(names: list[str]) -> str:
 
 
 def _imports(module: str, body: str, homes: dict[str, str], own: set[str]) -> str:
-    """Of every name in code, outside of docstrings, that another module has."""
+    """Returns the imports of every name in the code, outside of docstrings, that another module has."""
     code = re.sub(r'""".*?"""|"[^"\n]*"', "", body, flags=re.DOTALL)
     used = {name: homes[name] for name in re.findall(r"\b[A-Za-z]\w*\b", code) if name in homes and name not in own}
     plain = sorted(home for home in used.values() if home.startswith("import "))

@@ -106,7 +106,7 @@ FILES = {
     "bench/paper/fem/*": "prisms, the shape of finite elements",
     "tests/bench/paper/fem/*": "prisms, the shape of finite elements",
 }
-#: Of WORDS those with an ordinary meaning in scripts: arguments and texts, tables, pathlib's and those of `--quick`.
+#: Those WORDS that have an ordinary meaning in scripts: arguments and texts, tables, pathlib's and those of `--quick`.
 ORDINARY_IN_PYTHON = frozenset({"words?", "columns?", "touch|pulling", "quick"})
 #: Files that quote everyday expressions, and why.
 QUOTING = {

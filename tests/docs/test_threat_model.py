@@ -26,7 +26,7 @@ READERS = {
     "server/contactd_ic/main.cpp": "problems",
     "server/src/config/config.cpp": "configuration",
 }
-#: Of the store's own, and of /proc and /sys.
+#: Readers of the store's own files, and of /proc and /sys.
 OF_THE_SYSTEM = {
     "core/src/store/writer.cpp",
     "engine/ics/build/builder.cpp",

@@ -9,7 +9,7 @@
 
 namespace contactd::c {
 
-/// Whether it is an array over the grid, of numbers or of the elements' words.
+/// Returns whether it is an array over the grid, of numbers or of the elements' words.
 bool is_grid_array(const FieldType& type);
 
 /// The numbers of an object in the order of its fields, of a list entry by entry, or of an array; absent where the path

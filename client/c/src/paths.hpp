@@ -61,7 +61,7 @@ class PathCache {
         return found;
     }
 
-    /// Whether a field of the root has the first name of the path.
+    /// Returns whether a field of the root has the first name of the path.
     static bool begins_below(const FieldType& root, std::string_view path) {
         const std::string_view first = path.substr(0, path.find_first_of(".["));
         return std::ranges::find(root.fields, first, &Field::name) != root.fields.end();

@@ -70,7 +70,7 @@ constexpr Variable at_path(std::string_view path, Variable variable) {
     variable.path = path;
     return variable;
 }
-/// The same of one that may be left out, and is where it is 0.
+/// A number that may be left out, and is left out where it is 0.
 constexpr Variable absent_at_zero(std::string_view path, Variable variable) {
     variable.zero_is_absent = true;
     return at_path(path, variable);

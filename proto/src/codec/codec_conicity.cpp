@@ -23,7 +23,7 @@ ContactsRequest decode_contacts_request(const json& source) {
     return wanted;
 }
 
-// What is not finite is left out: why follows from what is there.
+// A number that is not finite is left out: why follows from what is there.
 json encode_conicities(std::span<const EquivalentConicity> conicities) {
     json result = json::array();
     for (const auto& [amplitude, integrated, harmonic, wavelength] : conicities) {

@@ -7,7 +7,7 @@ namespace contactd::proto {
 
 using nlohmann::json;
 
-// Of a closed form, and of a table that came with a request, there is no build to speak of; and errors are known where
+// A closed form, and a table that came with a request, have no build to speak of; and errors are known where
 // there is a closed form to compare with, or an estimate.
 json write_evidence(const IcEvidence& evidence, const MemberPath& path) {
     json result = write_object(type_of<IcEvidence>(), &evidence, path, {});

@@ -24,7 +24,7 @@ bool is_empty_list(const FieldType& type, const void* value) {
     return type.kind == FieldKind::list && type.size(value) == 0;
 }
 
-/// Whether a field that is there says nothing all the same.
+/// Returns whether a field that is there says nothing all the same.
 bool is_none(const Field& field, const void* value) {
     const FieldType& type = field.type();
     if (type.kind == FieldKind::number) return *static_cast<const double*>(value) == field.none;

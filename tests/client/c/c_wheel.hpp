@@ -32,7 +32,7 @@ inline double get(contactd_wheel* w, const std::string& path) {
     require_ok(contactd_get(w, path.c_str(), &value), w);
     return value;
 }
-/// Whether the last solve has the field.
+/// Returns whether the last solve has the field.
 inline bool has(contactd_wheel* w, const std::string& path) {
     std::int32_t count = 0;
     const std::int32_t code = contactd_length(w, path.c_str(), &count);

@@ -1,4 +1,4 @@
-"""What is written by hand of solutions of contacts, whose fields are in `result`: what they can do, and shifts."""
+"""Methods of solutions of contacts, whose fields are in `result`, and shifts."""
 
 from __future__ import annotations
 
