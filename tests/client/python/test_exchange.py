@@ -139,6 +139,21 @@ def test_an_interrupt_leaves_the_client_usable(fake):
     assert client.health() == "serving"
 
 
+@pytest.mark.timeout(20)
+def test_an_interrupt_that_ends_no_wait_is_noticed_soon(fake):
+    def script(request):
+        if request.method == "ic.get":
+            # It reaches this thread, so that the caller's wait for its socket goes on, as after one that came just before it.
+            signal.pthread_kill(threading.get_ident(), signal.SIGINT)
+            return []
+        return healthy(request)
+
+    _, client = fake(script)
+    with pytest.raises(KeyboardInterrupt):
+        client.get_ic(STEEL, GRID, FemIcs())
+    assert client.health() == "serving"
+
+
 def test_calls_of_several_threads_run_side_by_side(fake):
     both_there = threading.Event()
     first = []

@@ -57,6 +57,15 @@ class Lender(Protocol):
 #: Lets another thread have the processor; Windows knows it as a sleep of no time.
 give_way: Callable[[], None] = getattr(os, "sched_yield", partial(time.sleep, 0))
 
+#: The longest wait for a socket, in seconds. A signal that comes after Python has looked for one and before the system waits
+#: does not end that wait, so that an interrupt may be late by this much, and is never lost.
+LONGEST_WAIT = 0.2
+
+
+def milliseconds(remaining: float) -> int:
+    """How long the next wait for a socket lasts, with so many seconds to go."""
+    return max(1, round(min(remaining, LONGEST_WAIT) * 1000))
+
 
 class Connection:
     """A socket of its own, for one exchange at a time; belongs to one thread while that lasts.
@@ -139,9 +148,9 @@ class Connection:
             if remaining <= 0:
                 raise no_daemon(self.endpoint)
             if self._lost:
-                self._monitor.poll(max(1, round(remaining * 1000)))
+                self._monitor.poll(milliseconds(remaining))
             elif not news:
-                poller.poll(max(1, round(remaining * 1000)))
+                poller.poll(milliseconds(remaining))
 
     def _next_event(self) -> Event | None:
         """What happened to the connection, in order; None when all is read."""
@@ -166,7 +175,7 @@ class Connection:
                 raise too_late(self.endpoint, method)
             if not self.is_of_this_process:  # a progress callback has forked, and has returned here, too
                 raise ConnectionFailed(f"This process was forked from the one that gets the answer to {method}.")
-            poller.poll(max(1, round(remaining * 1000)))
+            poller.poll(milliseconds(remaining))
             # The answer first: a daemon that is ending answers and then hangs up.
             event = self._next_event()
             if self._socket.poll(0):
