@@ -5,10 +5,10 @@
 #include <variant>
 
 #include "all_methods.hpp"
-#include "contact_solve_many.hpp"
 #include "contactd/subsurface.hpp"
 #include "costs.hpp"
 #include "engine/ics/problem_tables.hpp"
+#include "handlers.hpp"
 #include "jobs/job_reports.hpp"
 #include "request_limits.hpp"
 

@@ -1,4 +1,4 @@
-#include "contact_solve_many.hpp"
+#include "handlers.hpp"
 
 #include <atomic>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "ic_export.hpp"
+#include "handlers.hpp"
 
 #include <array>
 #include <memory>

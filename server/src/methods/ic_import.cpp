@@ -1,4 +1,4 @@
-#include "ic_import.hpp"
+#include "handlers.hpp"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "ic_list.hpp"
+#include "handlers.hpp"
 
 #include <algorithm>
 

@@ -8,9 +8,7 @@
 #include "contactd/proto/import_codec.hpp"
 #include "contactd/strip_frames.hpp"
 #include "costs.hpp"
-#include "ic_export.hpp"
-#include "ic_import.hpp"
-#include "ic_list.hpp"
+#include "handlers.hpp"
 #include "jobs/job_reports.hpp"
 #include "request_limits.hpp"
 

@@ -5,9 +5,9 @@
 #include "all_methods.hpp"
 #include "costs.hpp"
 #include "engine/ics/problem_tables.hpp"
+#include "handlers.hpp"
 #include "jobs/job_reports.hpp"
 #include "request_limits.hpp"
-#include "session_step_many.hpp"
 #include "sessions/below_wheel_rail.hpp"
 
 namespace contactd::server {

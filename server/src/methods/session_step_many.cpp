@@ -1,4 +1,4 @@
-#include "session_step_many.hpp"
+#include "handlers.hpp"
 
 #include <atomic>
 #include <utility>
