@@ -140,7 +140,41 @@ void warn_of_friction_in_percent(const ContactProblem& problem, ContactSolution&
                                     "; coefficients of friction are below 2: it is not in percent.");
 }
 
+/// Closed forms take each strip for the surface of a half-space: they know neither the edge of a block nor its ground.
+void warn_of_edges(const ContactProblem& problem, ContactSolution& solution) {
+    const Grid& grid = problem.grid;
+    int first = grid.ny, last = -1;
+    for (int row = 0; row < grid.ny; ++row) {
+        const auto begin = solution.element_division.begin() + static_cast<std::ptrdiff_t>(row) * grid.nx;
+        if (std::all_of(begin, begin + grid.nx, [](ElementState state) { return state == ElementState::exterior; }))
+            continue;
+        first = std::min(first, row);
+        last = row;
+    }
+    if (last < 0) return;
+    const double width = (last - first + 1) * grid.dy;
+    const auto warn_of = [&](const Body& body, const std::string& name, int rows_beyond) {
+        const Ics* ics = body.computed();
+        const auto* block = ics != nullptr && ics->source == IcSource::analytic && ics->section
+                                ? std::get_if<EdgeBlock>(&ics->section->shape)
+                                : nullptr;
+        if (block == nullptr) return;
+        const double size = ics->section->size, edge = rows_beyond * grid.dy + size * block->edge_distance;
+        if (edge < width)
+            solution.warnings.push_back("The edge of bodies." + name + " is " + short_text(edge) +
+                                        " mm from the contact, which is " + short_text(width) +
+                                        " mm wide: closed forms know no edges. Take ics.source fem.");
+        if (size * block->height < width)
+            solution.warnings.push_back("The block of bodies." + name + " is " + short_text(size * block->height) +
+                                        " mm high, and the contact is " + short_text(width) +
+                                        " mm wide: closed forms know no ground below. Take ics.source fem.");
+    };
+    warn_of(problem.bodies.upper, "upper", first);  // whose strips run the other way
+    warn_of(problem.bodies.lower, "lower", grid.ny - 1 - last);
+}
+
 void warn(const ContactProblem& problem, ContactSolution& solution) {
+    warn_of_edges(problem, solution);
     warn_of_pressures_beyond_elasticity(problem, solution);
     warn_of_friction_in_percent(problem, solution);
     warn_of_rigid_slip_that_is_no_creepage(problem, solution);

@@ -26,8 +26,12 @@ namespace {
 constexpr double out_of_reach = 10;  // gap (mm) of elements that have no wheel or no rail
 
 /// With the name that the profile has in the setup.
+Profile profile_of(const ProfileSpec& spec, const std::string& name) {
+    return renaming(in_place_of("profile", name), [&] { return make_profile(spec); });
+}
+
 ProfileCurve curve_of(const ProfileSpec& spec, const std::string& name) {
-    return renaming(in_place_of("profile", name), [&] { return make_profile(spec).curve; });
+    return profile_of(spec, name).curve;
 }
 
 /// Checks that the profiles and the sizes around them fit each other.
@@ -149,11 +153,17 @@ std::unique_ptr<OverlapSearch> search_of(const WheelRailSetup& setup, const Whee
 
 Profiles make_profiles(const WheelRailSetup& setup, const Observer& observer) {
     const std::vector<ProfileCurve> slices = wheel_slices(setup, observer);
-    ProfileCurve wheel = slices.empty() ? curve_of(setup.wheel, "wheel") : slices.front();
-    ProfileCurve rail = curve_of(setup.rail, "rail");
-    check_fit(setup, wheel, rail);
-    const ProfilePoint origin = rail_origin(rail, setup.track);
-    return {std::move(wheel), std::move(rail), origin, sliced_rail(setup, observer), out_of_round(setup, slices)};
+    Profile wheel = slices.empty() ? profile_of(setup.wheel, "wheel") : Profile{ProfileKind::wheel, slices.front()};
+    Profile rail = profile_of(setup.rail, "rail");
+    check_fit(setup, wheel.curve, rail.curve);
+    const ProfilePoint origin = rail_origin(rail.curve, setup.track);
+    return {std::move(wheel.curve),
+            std::move(rail.curve),
+            origin,
+            sliced_rail(setup, observer),
+            out_of_round(setup, slices),
+            wheel.evidence.largest_distance,
+            rail.evidence.largest_distance};
 }
 
 Position::Position(const WheelRailSetup& setup, const Profiles& profiles, const WheelRailState& state,

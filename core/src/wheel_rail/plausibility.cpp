@@ -61,6 +61,15 @@ void warn_of_rounding(const ProfileSpec& spec, const ProfileCurve& curve, const 
                        "smoothing_length, about 5 mm.");
 }
 
+/// What is smoothed by more than measurements err has lost a part of its shape.
+void warn_of_smoothing(const ProfileSpec& spec, double moved, const char* name, std::vector<std::string>& warnings) {
+    constexpr double much = 0.3;  // mm
+    if (!(moved > much)) return;
+    warnings.push_back("Smoothing has moved points of the " + std::string(name) + " by up to " + short_text(moved) +
+                       " mm: smoothing_length " + short_text(std::get<ProfilePoints>(spec.shape).smoothing_length) +
+                       " mm takes away its arcs, not only the noise. About 5 mm suits measured profiles.");
+}
+
 // --- where they touch ------------------------------------------------------------------------------------------------
 
 /// The lowest point of a wheel's profile, where it is that of a flange.
@@ -91,11 +100,13 @@ std::vector<std::string> plausibility_warnings(const WheelRailSetup& setup, cons
     if (setup.wheel_slices.empty()) {
         warn_of_width(setup.wheel, profiles.wheel, "wheel", narrowest_wheel, "130", warnings);
         warn_of_rounding(setup.wheel, profiles.wheel, "wheel", warnings);
+        warn_of_smoothing(setup.wheel, profiles.wheel_smoothed, "wheel", warnings);
         warn_of_flange_back(setup, profiles.wheel, warnings);
     }
     if (setup.rail_slices.empty()) {
         warn_of_width(setup.rail, profiles.rail, "rail", narrowest_rail, "70", warnings);
         warn_of_rounding(setup.rail, profiles.rail, "rail", warnings);
+        warn_of_smoothing(setup.rail, profiles.rail_smoothed, "rail", warnings);
     }
     return warnings;
 }

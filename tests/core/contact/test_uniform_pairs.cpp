@@ -57,6 +57,26 @@ bool says_cut_off(const ContactSolution& solution) {
 
 }  // namespace
 
+TEST_CASE("Closed forms are warned of where an edge or the ground of a block is near", "[uniform]") {
+    const auto edge_warned = [](const ContactProblem& problem, const std::string& what) {
+        return std::ranges::any_of(solve(problem).warnings, [&](const std::string& warning) {
+            return warning.find(what) != std::string::npos && warning.find("ics.source fem") != std::string::npos;
+        });
+    };
+    const std::string edge = "The edge of bodies.", ground = "closed forms know no ground";
+    CHECK(edge_warned(ball_at_edge(IcSource::analytic), edge + "lower is 0 mm from the contact"));
+    ContactProblem above = ball_at_edge(IcSource::analytic, true);
+    CHECK(!edge_warned(above, edge));
+    above.grid.y0 = -0.5;
+    CHECK(edge_warned(above, edge + "upper is 0 mm from the contact"));
+    CHECK(!edge_warned(ball_at_edge(IcSource::analytic), ground));
+    CHECK(!edge_warned(ball_at_edge(IcSource::fem), edge));
+    ContactProblem inside = ball_at_edge(IcSource::analytic);
+    std::get<EdgeBlock>(std::get<Ics>(inside.bodies.lower.ics).section->shape) = {100, 1, 20};
+    CHECK(!edge_warned(inside, edge));
+    CHECK(edge_warned(inside, ground));
+}
+
 TEST_CASE("A contact that ends where the body does is not cut off by the grid", "[uniform]") {
     const ContactProblem problem = ball_at_edge(IcSource::fem);
     const ContactSolution solution = solve(problem);

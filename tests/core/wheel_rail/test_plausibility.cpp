@@ -81,6 +81,19 @@ TEST_CASE("Dense points that are rounded are warned of, until they are smoothed"
     CHECK(warnings_of(setup).find("rounded") == std::string::npos);
 }
 
+TEST_CASE("Smoothing that takes away the shape of a profile is warned of") {
+    WheelRailSetup setup = simplified_setup();
+    ProfilePoints points = points_of(setup.wheel);
+    const auto warnings_at = [&](double length) {
+        points.smoothing_length = length;
+        setup.wheel.shape = points;
+        return warnings_of(setup);
+    };
+    CHECK(warnings_at(5).find("Smoothing") == std::string::npos);
+    CHECK_THAT(warnings_at(40), ContainsSubstring("Smoothing has moved points of the wheel by up to 2.") &&
+                                    ContainsSubstring("smoothing_length 40 mm"));
+}
+
 TEST_CASE("The back of a flange that lies nowhere on the wheel is warned of") {
     WheelRailSetup setup = simplified_setup();
     setup.wheelset.flange_back_position = -30;
