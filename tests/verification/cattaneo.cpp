@@ -5,9 +5,9 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cstdlib>
 
-#include "closed_forms/reference.hpp"
 #include "contact/contact_cases.hpp"
 #include "contactd/solve_contact.hpp"
+#include "support/closed_forms.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

@@ -4,9 +4,9 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
-#include "closed_forms/reference.hpp"
 #include "contact/contact_cases.hpp"
 #include "contactd/solve_contact.hpp"
+#include "support/closed_forms.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

@@ -7,9 +7,9 @@
 #include <limits>
 #include <numbers>
 
-#include "closed_forms/reference.hpp"
 #include "contact/contact_cases.hpp"
 #include "contactd/solve_contact.hpp"
+#include "support/closed_forms.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

@@ -3,9 +3,9 @@
 #include <numbers>
 
 #include "closed_forms/hertz.hpp"
-#include "closed_forms/reference.hpp"
 #include "contact/normal/normal.hpp"
 #include "contact/rolling_cases.hpp"
+#include "support/closed_forms.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

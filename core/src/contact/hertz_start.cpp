@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "closed_forms/elliptic_contact.hpp"
 #include "closed_forms/hertz.hpp"
-#include "closed_forms/reference.hpp"
 #include "closed_forms/undeformed_distance.hpp"
 
 namespace contactd {
@@ -26,9 +26,10 @@ Ellipse strip(const ContactProblem& problem, const Paraboloid& gap) {
     const Grid& grid = problem.grid;
     const bool along_y = gap.Ry == infinity;
     const double length = along_y ? grid.ny * grid.dy : grid.nx * grid.dx;
-    const auto line =
-        reference::line_contact(problem.bodies.materials(), std::min(gap.Rx, gap.Ry), *problem.Fn / length);
-    return {along_y ? SemiAxes{line.half_width, infinity} : SemiAxes{infinity, line.half_width}, line.pmax};
+    const double force = *problem.Fn / length, R = std::min(gap.Rx, gap.Ry);
+    // Johnson (4.43), (4.45), of the force over the length.
+    const double a = std::sqrt(4 * force * R * problem.bodies.materials().normal_compliance() / std::numbers::pi);
+    return {along_y ? SemiAxes{a, infinity} : SemiAxes{infinity, a}, 2 * force / (std::numbers::pi * a)};
 }
 
 // Empty where Hertz has no answer.

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "closed_forms/reference.hpp"
+#include "support/closed_forms.hpp"
 
 using namespace contactd;
 using Catch::Matchers::WithinAbs;

@@ -9,10 +9,10 @@
 #include <variant>
 
 #include "closed_forms/cattaneo_mindlin.hpp"
-#include "closed_forms/reference.hpp"
 #include "closed_forms/vermeulen_johnson.hpp"
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
+#include "support/closed_forms.hpp"
 
 using namespace contactd;
 using Catch::Matchers::WithinAbs;

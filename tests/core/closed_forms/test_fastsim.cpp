@@ -8,8 +8,8 @@
 #include <variant>
 
 #include "closed_forms/fastsim.hpp"
-#include "closed_forms/reference.hpp"
 #include "contactd/error.hpp"
+#include "support/closed_forms.hpp"
 
 using namespace contactd;
 using Catch::Matchers::ContainsSubstring;

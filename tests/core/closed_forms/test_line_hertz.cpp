@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "closed_forms/hertz.hpp"
-#include "closed_forms/reference.hpp"
 #include "contact/random_derivatives.hpp"
 #include "contactd/error.hpp"
+#include "support/closed_forms.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

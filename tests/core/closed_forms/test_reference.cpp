@@ -1,7 +1,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
-#include "closed_forms/reference.hpp"
+#include "support/closed_forms.hpp"
 
 using namespace contactd;
 using Catch::Matchers::WithinAbs;

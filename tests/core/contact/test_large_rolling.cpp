@@ -4,9 +4,9 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <memory>
 
-#include "closed_forms/reference.hpp"
 #include "random_contact.hpp"
 #include "rolling_cases.hpp"
+#include "support/closed_forms.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

@@ -6,13 +6,13 @@
 #include <numbers>
 #include <string>
 
-#include "closed_forms/reference.hpp"
 #include "contact/tangential/friction_law.hpp"
 #include "contact_cases.hpp"
 #include "contactd/error.hpp"
 #include "contactd/solve_contact.hpp"
 #include "operators/convolution.hpp"
 #include "random_contact.hpp"
+#include "support/closed_forms.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

@@ -1,11 +1,11 @@
-#include "reference.hpp"
+#include "support/closed_forms.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "elliptic_contact.hpp"
-#include "kalker_coefficients.hpp"
+#include "closed_forms/elliptic_contact.hpp"
+#include "closed_forms/kalker_coefficients.hpp"
 
 namespace contactd::reference {
 
