@@ -5,11 +5,11 @@
 #include <ctime>
 #include <vector>
 
-#include "closed_forms/cattaneo_mindlin.hpp"
-#include "closed_forms/fastsim.hpp"
 #include "closed_forms/hertz.hpp"
 #include "closed_forms/kalker_coefficients.hpp"
-#include "closed_forms/vermeulen_johnson.hpp"
+#include "closed_forms/simplified/cattaneo_mindlin.hpp"
+#include "closed_forms/simplified/fastsim.hpp"
+#include "closed_forms/simplified/vermeulen_johnson.hpp"
 #include "contactd/half_space.hpp"
 #include "operators/convolution.hpp"
 

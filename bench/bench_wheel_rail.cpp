@@ -11,8 +11,8 @@
 #include "contactd/solve_contact.hpp"
 #include "contactd/solve_wheel_rail.hpp"
 #include "geometry/position.hpp"
-#include "wheel_rail/half_space_cache.hpp"
-#include "wheel_rail/patch_solver.hpp"
+#include "wheel_rail/patches/half_space_cache.hpp"
+#include "wheel_rail/patches/patch_solver.hpp"
 
 namespace {
 

@@ -16,7 +16,7 @@
 #include "contactd/half_space.hpp"
 #include "geometry/section/section_geometry.hpp"
 #include "section/section_outline.hpp"
-#include "section/spectrum_build.hpp"
+#include "section/spectrum/spectrum_build.hpp"
 
 namespace {
 

@@ -10,9 +10,9 @@
 #include "contactd/error.hpp"
 #include "contactd/fem/ic_builder.hpp"
 #include "geometry/section/section_geometry.hpp"
-#include "section/section_model.hpp"
 #include "section/section_outline.hpp"
-#include "section/spectrum_build.hpp"
+#include "section/spectrum/section_model.hpp"
+#include "section/spectrum/spectrum_build.hpp"
 
 namespace {
 

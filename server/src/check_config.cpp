@@ -15,7 +15,7 @@
 #include "contactd/error.hpp"
 #include "contactd/ic_store.hpp"
 #include "operation/builder_programs.hpp"
-#include "operation/http_listener.hpp"
+#include "operation/metrics/http_listener.hpp"
 
 namespace contactd::server {
 namespace {

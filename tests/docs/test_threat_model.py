@@ -28,10 +28,10 @@ READERS = {
 }
 #: Readers of the store's own files, and of /proc and /sys.
 OF_THE_SYSTEM = {
-    "core/src/store/writer.cpp",
+    "core/src/store/hdf5/writer.cpp",
     "engine/ics/build/builder.cpp",
     "server/contactd_ic/memory.cpp",
-    "server/src/operation/process_metrics.cpp",
+    "server/src/operation/metrics/process_metrics.cpp",
 }
 _READS = re.compile(r"\bread_whole\(|\bifstream\b|\bO_RDONLY\b|\bdeserialized\(const Kind")
 

@@ -17,7 +17,7 @@
 #include "input.hpp"
 #include "section/section_mesh.hpp"
 #include "section/section_outline.hpp"
-#include "section/spectrum_level.hpp"
+#include "section/spectrum/spectrum_level.hpp"
 
 using namespace contactd;
 using namespace contactd::fem;

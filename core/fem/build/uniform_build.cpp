@@ -10,7 +10,7 @@
 #include "geometry/section/section_geometry.hpp"
 #include "mesh_build.hpp"
 #include "section/section_outline.hpp"
-#include "section/spectrum_build.hpp"
+#include "section/spectrum/spectrum_build.hpp"
 
 namespace contactd::fem {
 namespace {

@@ -11,7 +11,7 @@
 #include "contactd/ic_family.hpp"
 #include "geometry/section/section_geometry.hpp"
 #include "section/section_outline.hpp"
-#include "section/spectrum_level.hpp"
+#include "section/spectrum/spectrum_level.hpp"
 
 namespace contactd::fem {
 namespace {

@@ -9,7 +9,7 @@
 #include "influence/layered/shifted_layers.hpp"
 #include "operators/convolution.hpp"
 #include "operators/shifted_operator.hpp"
-#include "operators/strip_parts.hpp"
+#include "operators/strips/strip_parts.hpp"
 #include "operators/sum_operator.hpp"
 #include "operators/sum_step.hpp"
 #include "strip_influence.hpp"

@@ -14,8 +14,8 @@
 #include "influence/shifted_table.hpp"
 #include "operators/convolution.hpp"
 #include "operators/shifted_operator.hpp"
-#include "operators/strip_operator.hpp"
-#include "operators/strip_step.hpp"
+#include "operators/strips/strip_operator.hpp"
+#include "operators/strips/strip_step.hpp"
 #include "types/number_text.hpp"
 
 namespace contactd {

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "boundary_elements.hpp"
-#include "closed_forms/simplified_models.hpp"
+#include "closed_forms/simplified/simplified_models.hpp"
 #include "contact/normal/normal.hpp"
 #include "contact/rolling/rolling.hpp"
 #include "contactd/error.hpp"

@@ -12,8 +12,8 @@
 #include "contactd/error.hpp"
 #include "contactd/given_ics.hpp"
 #include "lazy.hpp"
-#include "padded_fft.hpp"
-#include "padded_size.hpp"
+#include "operators/fft/padded_fft.hpp"
+#include "operators/fft/padded_size.hpp"
 
 namespace contactd {
 namespace {

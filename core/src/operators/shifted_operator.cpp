@@ -8,10 +8,10 @@
 #include "coarsening.hpp"
 #include "contactd/given_ics.hpp"
 #include "lazy.hpp"
-#include "padded_fft.hpp"
-#include "padded_size.hpp"
-#include "periodic_inverse.hpp"
-#include "tangential_symbols.hpp"
+#include "operators/fft/padded_fft.hpp"
+#include "operators/fft/padded_size.hpp"
+#include "operators/fft/periodic_inverse.hpp"
+#include "operators/fft/tangential_symbols.hpp"
 
 namespace contactd {
 namespace {

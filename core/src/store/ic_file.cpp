@@ -17,9 +17,9 @@
 #include "contactd/ic_contents.hpp"
 #include "contactd/ic_exchange.hpp"
 #include "contactd/ic_store.hpp"
-#include "hdf5_image.hpp"
 #include "sha256.hpp"
-#include "writer.hpp"
+#include "store/hdf5/hdf5_image.hpp"
+#include "store/hdf5/writer.hpp"
 
 namespace contactd {
 namespace {

@@ -5,8 +5,8 @@
 #include "contactd/fem_fields.hpp"
 #include "contactd/fields/ic_spec.hpp"
 #include "contactd/ic_store.hpp"
-#include "section_numbers.hpp"
 #include "sha256.hpp"
+#include "store/hdf5/section_numbers.hpp"
 #include "types/number_text.hpp"
 
 namespace contactd {

@@ -12,7 +12,7 @@
 #include <system_error>
 #include <vector>
 
-#include "file_format.hpp"
+#include "store/hdf5/file_format.hpp"
 
 namespace contactd {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "contactd/ic_store.hpp"
 #include "contactd/table_lock.hpp"
-#include "writer.hpp"
+#include "store/hdf5/writer.hpp"
 
 namespace contactd {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "operators/padded_fft.hpp"
-#include "operators/padded_size.hpp"
+#include "operators/fft/padded_fft.hpp"
+#include "operators/fft/padded_size.hpp"
 
 namespace contactd {
 namespace {

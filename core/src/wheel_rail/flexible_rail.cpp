@@ -10,8 +10,8 @@
 #include "types/number_text.hpp"
 #include "wheel_rail/condense.hpp"
 #include "wheel_rail/differentiate.hpp"
+#include "wheel_rail/position/rising_search.hpp"
 #include "wheel_rail/right_wheel.hpp"
-#include "wheel_rail/rising_search.hpp"
 
 namespace contactd {
 namespace {

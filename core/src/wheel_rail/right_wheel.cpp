@@ -9,13 +9,13 @@
 #include "contactd/error.hpp"
 #include "types/number_text.hpp"
 #include "wheel_rail/differentiate.hpp"
-#include "wheel_rail/estimates.hpp"
 #include "wheel_rail/flexible_rail.hpp"
-#include "wheel_rail/patch_solver.hpp"
+#include "wheel_rail/patches/patch_solver.hpp"
+#include "wheel_rail/patches/section_strips.hpp"
 #include "wheel_rail/plausibility.hpp"
+#include "wheel_rail/position/estimates.hpp"
+#include "wheel_rail/position/rising_search.hpp"
 #include "wheel_rail/resultants.hpp"
-#include "wheel_rail/rising_search.hpp"
-#include "wheel_rail/section_strips.hpp"
 #include "wheel_rail/warnings.hpp"
 
 namespace contactd {

@@ -5,7 +5,7 @@
 
 #include "contactd/solve_wheel_rail.hpp"
 #include "geometry/position.hpp"
-#include "wheel_rail/height_search.hpp"
+#include "wheel_rail/position/height_search.hpp"
 
 namespace contactd {
 

@@ -7,8 +7,8 @@
 
 #include "contactd/below.hpp"
 #include "geometry/position.hpp"
-#include "wheel_rail/half_space_cache.hpp"
 #include "wheel_rail/mirror.hpp"
+#include "wheel_rail/patches/half_space_cache.hpp"
 #include "wheel_rail/plausibility.hpp"
 #include "wheel_rail/right_wheel.hpp"
 #include "wheel_rail/warnings.hpp"

@@ -9,7 +9,7 @@
 #include "contactd/solve_wheel_rail.hpp"
 #include "types/number_text.hpp"
 #include "wheel_rail/flexible_rail.hpp"
-#include "wheel_rail/rising_search.hpp"
+#include "wheel_rail/position/rising_search.hpp"
 
 namespace contactd {
 namespace {

@@ -6,11 +6,11 @@
 
 #include "all_methods.hpp"
 #include "contactd/subsurface.hpp"
-#include "costs.hpp"
 #include "engine/ics/problem_tables.hpp"
 #include "handlers.hpp"
 #include "jobs/job_reports.hpp"
-#include "request_limits.hpp"
+#include "methods/costs/costs.hpp"
+#include "methods/costs/request_limits.hpp"
 
 namespace contactd::server {
 namespace {

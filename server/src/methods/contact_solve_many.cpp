@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "contactd/error.hpp"
-#include "costs.hpp"
 #include "engine/ics/problem_tables.hpp"
 #include "jobs/job_reports.hpp"
-#include "request_limits.hpp"
+#include "methods/costs/costs.hpp"
+#include "methods/costs/request_limits.hpp"
 #include "shared_check.hpp"
 
 namespace contactd::server {

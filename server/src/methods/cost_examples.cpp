@@ -4,7 +4,7 @@
 #include <string>
 
 #include "all_methods.hpp"
-#include "costs.hpp"
+#include "methods/costs/costs.hpp"
 
 namespace contactd::server {
 namespace {

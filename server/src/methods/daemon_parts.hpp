@@ -8,7 +8,7 @@
 #include "operation/counters.hpp"
 #include "operation/health.hpp"
 #include "operation/host.hpp"
-#include "operation/metrics.hpp"
+#include "operation/metrics/metrics.hpp"
 #include "sessions/session_table.hpp"
 #include "solves/solve_task.hpp"
 

@@ -3,11 +3,11 @@
 #include <utility>
 
 #include "all_methods.hpp"
-#include "costs.hpp"
 #include "engine/ics/problem_tables.hpp"
 #include "handlers.hpp"
 #include "jobs/job_reports.hpp"
-#include "request_limits.hpp"
+#include "methods/costs/costs.hpp"
+#include "methods/costs/request_limits.hpp"
 #include "sessions/below_wheel_rail.hpp"
 
 namespace contactd::server {

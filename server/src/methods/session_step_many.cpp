@@ -5,9 +5,9 @@
 
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/session.hpp"
-#include "costs.hpp"
 #include "jobs/job_reports.hpp"
-#include "request_limits.hpp"
+#include "methods/costs/costs.hpp"
+#include "methods/costs/request_limits.hpp"
 #include "shared_check.hpp"
 
 namespace contactd::server {

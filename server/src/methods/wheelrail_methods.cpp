@@ -7,9 +7,9 @@
 #include "all_methods.hpp"
 #include "contactd/error.hpp"
 #include "contactd/proto/wheel_rail.hpp"
-#include "costs.hpp"
 #include "engine/wheel_rail/wheelset_conicity.hpp"
 #include "jobs/job_reports.hpp"
+#include "methods/costs/costs.hpp"
 
 namespace contactd::server {
 namespace {

@@ -10,7 +10,7 @@
 #include "engine/ics/store/store_folder.hpp"
 #include "jobs/job_reports.hpp"
 #include "methods/all_methods.hpp"
-#include "methods/costs.hpp"
+#include "methods/costs/costs.hpp"
 #include "operation/builder_programs.hpp"
 
 namespace contactd::server {

@@ -11,7 +11,7 @@
 #include "operation/counters.hpp"
 #include "operation/health.hpp"
 #include "operation/host.hpp"
-#include "operation/metrics.hpp"
+#include "operation/metrics/metrics.hpp"
 #include "sessions/session_table.hpp"
 
 namespace contactd::server {

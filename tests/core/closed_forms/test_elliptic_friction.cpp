@@ -8,8 +8,8 @@
 #include <numeric>
 #include <variant>
 
-#include "closed_forms/cattaneo_mindlin.hpp"
-#include "closed_forms/vermeulen_johnson.hpp"
+#include "closed_forms/simplified/cattaneo_mindlin.hpp"
+#include "closed_forms/simplified/vermeulen_johnson.hpp"
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
 #include "support/closed_forms.hpp"

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <variant>
 
-#include "closed_forms/fastsim.hpp"
+#include "closed_forms/simplified/fastsim.hpp"
 #include "contactd/error.hpp"
 #include "support/closed_forms.hpp"
 

@@ -1,5 +1,5 @@
 // FASTSIM follows four slices, or rows of elements, side by side. None may notice the others.
-#include "closed_forms/fastsim_ellipse.hpp"
+#include "closed_forms/simplified/fastsim_ellipse.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-#include "closed_forms/fastsim.hpp"
+#include "closed_forms/simplified/fastsim.hpp"
 
 using namespace contactd;
 using Catch::Matchers::WithinAbs;

@@ -11,7 +11,7 @@
 #include "bodies/strip_influence.hpp"
 #include "contactd/contact_influence.hpp"
 #include "operators/convolution.hpp"
-#include "operators/strip_operator.hpp"
+#include "operators/strips/strip_operator.hpp"
 
 namespace contactd::test {
 

@@ -9,8 +9,8 @@
 #include "contactd/error.hpp"
 #include "operators/convolution.hpp"
 #include "operators/shifted_operator.hpp"
-#include "operators/strip_operator.hpp"
-#include "operators/strip_step.hpp"
+#include "operators/strips/strip_operator.hpp"
+#include "operators/strips/strip_step.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "operators/strip_fft.hpp"
-#include "operators/strip_symbols.hpp"
+#include "operators/strips/strip_fft.hpp"
+#include "operators/strips/strip_symbols.hpp"
 
 using namespace contactd;
 

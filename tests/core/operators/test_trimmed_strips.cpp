@@ -5,7 +5,7 @@
 
 #include "contact/contact_cases.hpp"
 #include "operators/convolution.hpp"
-#include "operators/strip_operator.hpp"
+#include "operators/strips/strip_operator.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

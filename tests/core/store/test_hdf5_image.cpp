@@ -11,7 +11,7 @@
 
 #include "contactd/ic_contents.hpp"
 #include "ic_records.hpp"
-#include "store/hdf5_image.hpp"
+#include "store/hdf5/hdf5_image.hpp"
 
 using namespace contactd;
 using Catch::Matchers::ContainsSubstring;

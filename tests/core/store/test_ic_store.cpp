@@ -16,8 +16,8 @@
 
 #include "contactd/table_lock.hpp"
 #include "ic_records.hpp"
+#include "store/hdf5/writer.hpp"
 #include "store/sha256.hpp"
-#include "store/writer.hpp"
 
 using namespace contactd;
 using Catch::Matchers::ContainsSubstring;

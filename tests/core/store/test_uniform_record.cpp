@@ -4,7 +4,7 @@
 
 #include "contactd/error.hpp"
 #include "ic_records.hpp"
-#include "store/section_numbers.hpp"
+#include "store/hdf5/section_numbers.hpp"
 
 using namespace contactd;
 using Catch::Matchers::WithinRel;

@@ -1,5 +1,5 @@
 // A step of a wheel on its rail leaves estimates to the next one.
-#include "wheel_rail/estimates.hpp"
+#include "wheel_rail/position/estimates.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>

@@ -4,7 +4,7 @@
 
 #include "contact/contact_cases.hpp"
 #include "contactd/error.hpp"
-#include "wheel_rail/half_space_cache.hpp"
+#include "wheel_rail/patches/half_space_cache.hpp"
 #include "wheel_rail/wheel_rail_cases.hpp"
 
 using namespace contactd;

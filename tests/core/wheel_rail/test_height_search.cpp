@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "wheel_rail/height_search.hpp"
+#include "wheel_rail/position/height_search.hpp"
 
 using namespace contactd;
 using Catch::Matchers::WithinRel;

@@ -12,8 +12,8 @@
 #include "contactd/rotated_strips.hpp"
 #include "contactd/solve_contact.hpp"
 #include "contactd/strip_frames.hpp"
-#include "wheel_rail/half_space_cache.hpp"
-#include "wheel_rail/section_strips.hpp"
+#include "wheel_rail/patches/half_space_cache.hpp"
+#include "wheel_rail/patches/section_strips.hpp"
 #include "wheel_rail/wheel_rail_cases.hpp"
 
 using namespace contactd;

@@ -9,7 +9,7 @@
 #include "contactd/solve_wheel_rail.hpp"
 #include "contactd/wheelset_contacts.hpp"
 #include "wheel_rail/manchester.hpp"
-#include "wheel_rail/rising_search.hpp"
+#include "wheel_rail/position/rising_search.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

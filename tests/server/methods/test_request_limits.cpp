@@ -3,7 +3,7 @@
 #include <string>
 
 #include "contactd/proto/status.hpp"
-#include "methods/request_limits.hpp"
+#include "methods/costs/request_limits.hpp"
 
 using namespace contactd;
 using namespace contactd::server;

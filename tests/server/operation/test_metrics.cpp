@@ -1,4 +1,4 @@
-#include "operation/metrics.hpp"
+#include "operation/metrics/metrics.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers.hpp>

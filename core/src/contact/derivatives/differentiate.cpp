@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "closed_forms/derivative_table.hpp"
+#include "closed_forms/simplified/derivative_table.hpp"
 #include "contact/rolling/rolling.hpp"
 #include "contact/support/solver_support.hpp"
 #include "frozen_contact.hpp"

@@ -9,9 +9,9 @@
 
 #include "contact/curved_cases.hpp"
 #include "geometry/section/section_geometry.hpp"
-#include "section/section_model.hpp"
 #include "section/section_outline.hpp"
-#include "section/spectrum_build.hpp"
+#include "section/spectrum/section_model.hpp"
+#include "section/spectrum/spectrum_build.hpp"
 
 using namespace contactd;
 using namespace contactd::fem;

@@ -8,7 +8,7 @@
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
 #include "influence/layered/layered_table.hpp"
-#include "section/spectrum_build.hpp"
+#include "section/spectrum/spectrum_build.hpp"
 #include "section_cases.hpp"
 
 using namespace contactd;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "contactd/error.hpp"
-#include "section/section_model.hpp"
+#include "section/spectrum/section_model.hpp"
 #include "section_cases.hpp"
 
 using namespace contactd;

@@ -7,7 +7,7 @@
 #include "bodies/strip_influence.hpp"
 #include "geometry/section/section_geometry.hpp"
 #include "section/section_outline.hpp"
-#include "section/spectrum_build.hpp"
+#include "section/spectrum/spectrum_build.hpp"
 #include "section_cases.hpp"
 
 using namespace contactd;

@@ -9,7 +9,7 @@
 #include "build/solid_table.hpp"
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
-#include "section/spectrum_build.hpp"
+#include "section/spectrum/spectrum_build.hpp"
 #include "section_cases.hpp"
 
 using namespace contactd;

@@ -1,0 +1,135 @@
+// FASTSIM's march through one slice of the contact area (Kalker 1982), or through four of them side by side.
+#pragma once
+
+#include <cmath>
+
+#include "closed_forms/quad.hpp"
+#include "types/simd.hpp"
+
+namespace contactd {
+
+// `Number` is Quad, or DualOf<Quad> where derivatives by the creepages are wanted.
+template <class Number>
+struct FastsimCreepages {
+    Number xi, eta, phi;  // in the rolling frame
+};
+
+// Values that all slices of a contact area share.
+template <class Number>
+struct FastsimLaw {
+    double bound, curvature;   // the bound is bound (1 - curvature x^2 - y^2/b^2)
+    Number slope_y, slope_yx;  // rigid slip across over L2: slope_y + slope_yx x
+    double stiff_x, stiff_y;   // the mean flexibility over L1 and L2
+};
+
+// A slice y = constant.
+template <class Number>
+struct FastsimSlice {
+    Number rest;     // 1 - y^2/b^2
+    Number slope_x;  // rigid slip along over L1
+};
+
+template <class Number>
+struct TractionAt {
+    Number x, px, py;
+};
+
+// Where the march through a slice stands: it begins at the leading edge with zeros.
+template <class Number>
+struct FastsimPoint {
+    TractionAt<Number> traction;
+    Number room{};  // of the traction to its bound: none where it slips
+};
+
+template <class Number>
+struct FastsimStep {
+    FastsimPoint<Number> end;
+    Number slip_start;  // its beginning, its end (all adheres), or between
+};
+
+template <class Number>
+CONTACTD_INLINE Number bound_at(const FastsimLaw<Number>& law, const FastsimSlice<Number>& slice, const Number& x) {
+    const Number share = slice.rest - law.curvature * x * x, none{};
+    return law.bound * chosen(share > none, share, none);
+}
+
+// The traction at x if all adheres from there on: exact, since its slope is linear in x.
+template <class Number>
+CONTACTD_INLINE TractionAt<Number> adhering(const FastsimLaw<Number>& law, const FastsimSlice<Number>& slice,
+                                            const TractionAt<Number>& from, const Number& x) {
+    const Number h = from.x - x;
+    return {x, from.px - h * slice.slope_x, from.py - h * (law.slope_y + law.slope_yx * (0.5 * (from.x + x)))};
+}
+
+// From the trial traction t to |p| = g with the slip, -L (t - p)/h, opposite to p: p_i = t_i/(1 + m/L_i), m >= 0. One
+// step of Newton's method for m, on 1/|p|, then scaling to g: exact for equal flexibilities and in full slip. Divisors
+// are 1 where the way is not taken, since programs around us may trap divisions by zero.
+template <class Number>
+CONTACTD_INLINE FastsimStep<Number> step(const FastsimLaw<Number>& law, const FastsimSlice<Number>& slice,
+                                         const FastsimPoint<Number>& from, const Number& x) {
+    using std::sqrt;
+    const TractionAt<Number> t = adhering(law, slice, from.traction, x);
+    const Number none{}, one(1), g = bound_at(law, slice, x);
+    const Number squared = t.px * t.px + t.py * t.py, beyond = sqrt(squared) - g;
+    const auto slips = beyond > none;
+    FastsimStep<Number> taken{{t, -beyond}, x};
+    if (!any(slips)) return taken;
+
+    const Number crossed = chosen(slips, from.room + beyond, one);
+    const Number start = from.traction.x - (from.traction.x - x) * (from.room / crossed);
+    const auto returns = chosen(slips, g, none) > none;
+    const Number slope = chosen(returns, g * (t.px * t.px * law.stiff_x + t.py * t.py * law.stiff_y), one);
+    const Number m = squared * beyond / slope;
+    const Number px = t.px * (one + m * law.stiff_y), py = t.py * (one + m * law.stiff_x);
+    const Number back = g / chosen(returns, Number(sqrt(px * px + py * py)), one);
+    taken.end.traction.px = chosen(slips, Number(px * back), t.px);
+    taken.end.traction.py = chosen(slips, Number(py * back), t.py);
+    taken.end.room = chosen(slips, none, taken.end.room);
+    taken.slip_start = chosen(slips, start, x);
+    return taken;
+}
+
+// Integrals of p_x, p_y and x p_y along a slice; the length that slips.
+template <class Number>
+struct SliceSums {
+    Number px{}, py{}, x_py{}, slip{};
+};
+
+// By Simpson's rule, exact for cubics.
+template <class Number>
+CONTACTD_INLINE void add(const TractionAt<Number>& from, const TractionAt<Number>& middle, const TractionAt<Number>& to,
+                         SliceSums<Number>& sum) {
+    const Number unit = (1.0 / 6) * (from.x - to.x);
+    sum.px += unit * (from.px + 4 * middle.px + to.px);
+    sum.py += unit * (from.py + 4 * middle.py + to.py);
+    sum.x_py += unit * (from.x * from.py + 4 * (middle.x * middle.py) + to.x * to.py);
+}
+
+// One step, and what it adds to the sums. It has a part that adheres, a part that slips, or one after the other. The
+// traction is a quadratic function of x on the first; on the second it follows the bound, a parabola, and its direction
+// changes little: in the middle it is the bound in the mean direction.
+template <class Number>
+CONTACTD_INLINE FastsimPoint<Number> advance(const FastsimLaw<Number>& law, const FastsimSlice<Number>& slice,
+                                             const FastsimPoint<Number>& from, const Number& x,
+                                             SliceSums<Number>& sum) {
+    using std::sqrt;
+    const FastsimStep<Number> taken = step(law, slice, from, x);
+    const Number& corner = taken.slip_start;
+    TractionAt<Number> start = from.traction;
+    const TractionAt<Number>& end = taken.end.traction;
+    if (any(start.x > corner)) {
+        const TractionAt<Number> turn = adhering(law, slice, start, corner);
+        add(start, adhering(law, slice, start, Number(0.5 * (start.x + corner))), turn, sum);
+        start = turn;
+    }
+    if (any(corner > x)) {
+        const Number px = start.px + end.px, py = start.py + end.py, size = sqrt(px * px + py * py);
+        const Number middle = 0.5 * (corner + x), none{}, one(1);
+        const Number share = bound_at(law, slice, middle) / chosen(size > none, size, one);
+        add(start, TractionAt<Number>{middle, share * px, share * py}, end, sum);
+        sum.slip += corner - x;
+    }
+    return taken.end;
+}
+
+}  // namespace contactd

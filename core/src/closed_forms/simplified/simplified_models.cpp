@@ -1,0 +1,142 @@
+#include "simplified_models.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "cattaneo_mindlin.hpp"
+#include "closed_forms/elliptic_contact.hpp"
+#include "closed_forms/hertz.hpp"
+#include "contactd/error.hpp"
+#include "fastsim.hpp"
+#include "simplified_derivatives.hpp"
+#include "vermeulen_johnson.hpp"
+
+namespace contactd {
+namespace {
+
+[[noreturn]] void unknown(const ContactProblem& problem, const char* field, const std::string& what) {
+    const char* name = problem.model == Model::hertz ? "hertz" : "fastsim";
+    throw InvalidArgument(field, what + ", which model " + name + " does not know; model full does");
+}
+
+void check_is_curved(double radius, const char* field) {
+    if (!(radius > 0 && std::isfinite(radius)))
+        throw InvalidArgument(field,
+                              "is flat or concave; Hertz's theory needs both radii of the gap positive and finite, "
+                              "or, of a contact that does not change along y, ics.line_contact and Rx");
+}
+
+HertzContact line_hertz(const ContactProblem& problem, const LineContactSpec& line) {
+    const double compliance = problem.bodies.materials().normal_compliance();
+    const auto& paraboloid = std::get<Paraboloid>(*problem.gap);
+    check_is_curved(paraboloid.Rx, "gap.paraboloid.Rx");
+    const CylinderGap gap{paraboloid.Rx, problem.grid.dy, line.datum};
+    return problem.Fn ? hertz_of_line_force(gap, compliance, *problem.Fn)
+                      : hertz_of_line_approach(gap, compliance, *problem.approach);
+}
+
+HertzContact hertz(const ContactProblem& problem) {
+    if (const auto line = line_contact_of(problem.bodies)) return line_hertz(problem, *line);
+    const double compliance = problem.bodies.materials().normal_compliance();
+    if (const auto* axes = std::get_if<SemiAxes>(&*problem.gap))
+        return problem.Fn ? hertz_of_semi_axes_and_force(*axes, compliance, *problem.Fn)
+                          : hertz_of_semi_axes_and_approach(*axes, compliance, *problem.approach);
+    const auto& paraboloid = std::get<Paraboloid>(*problem.gap);
+    check_is_curved(paraboloid.Rx, "gap.paraboloid.Rx");
+    check_is_curved(paraboloid.Ry, "gap.paraboloid.Ry");
+    return problem.Fn ? hertz_of_force(paraboloid, compliance, *problem.Fn)
+                      : hertz_of_approach(paraboloid, compliance, *problem.approach);
+}
+
+void check_is_elliptic(const ContactProblem& problem) {
+    if (std::holds_alternative<std::vector<double>>(*problem.gap)) unknown(problem, "gap", "is an array");
+    if (problem.bodies.pair) unknown(problem, "ics", "holds a table of coefficients");
+}
+
+void check_is_simple(const ContactProblem& problem) {
+    const FrictionLaw& friction = *problem.friction;
+    if (friction.mu.size() != 1) unknown(problem, "friction.mu", "differs from element to element");
+    if (friction.kinetic) unknown(problem, "friction.kinetic", "makes friction depend on the slip");
+    if (!problem.previous.empty()) unknown(problem, "previous", "starts from tractions");
+    if (!problem.rigid_slip.empty()) unknown(problem, "friction.rigid_slip", "differs from element to element");
+    const auto* rolling = std::get_if<Rolling>(&problem.motion);
+    if (rolling && !rolling->steady()) unknown(problem, "friction.rolling.kind", "is transient");
+    if (!rolling && problem.model == Model::fastsim) unknown(problem, "friction", "is a shift");
+}
+
+EllipticFriction friction_of(const ContactProblem& problem, const EllipticContact& contact) {
+    constexpr double least_mu = 1e-100;  // products of less with pressures are no numbers that can be divided by
+    const double given = problem.friction->mu[0], mu = given >= least_mu ? given : 0;
+    if (const auto* shift = std::get_if<Shift>(&problem.motion))
+        return cattaneo_mindlin(problem.grid, contact, mu, *shift);
+    const auto& rolling = std::get<Rolling>(problem.motion);
+    if (problem.model == Model::fastsim) return fastsim(problem.grid, contact, mu, rolling);
+    return vermeulen_johnson(problem.grid, contact, mu, rolling);
+}
+
+void take_friction(EllipticFriction friction, ContactSolution& solution) {
+    solution.forces = {solution.forces.Fn, friction.Fx, friction.Fy, friction.Mz};
+    solution.area.adhesion = friction.adhesion_area;
+    solution.area.slip = friction.slip_area;
+    solution.element_division = std::move(friction.element_division);
+    solution.traction_x = std::move(friction.traction_x);
+    solution.traction_y = std::move(friction.traction_y);
+    solution.slip_x = std::move(friction.slip_x);
+    solution.slip_y = std::move(friction.slip_y);
+    solution.frictional_power = friction.frictional_power;
+    solution.motion = friction.motion;
+    solution.evidence.force = friction.force;
+}
+
+void take_no_friction(ContactSolution& solution) {
+    const std::size_t elements = solution.pressure.size();
+    solution.area.slip = solution.area.contact;
+    solution.element_division.resize(elements);
+    for (std::size_t i = 0; i < elements; ++i)
+        solution.element_division[i] = solution.pressure[i] > 0 ? ElementState::slip : ElementState::exterior;
+    solution.traction_x.resize(elements);
+    solution.traction_y.resize(elements);
+}
+
+void differentiate(const ContactProblem& problem, const EllipticContact& contact, ContactSolution& solution) {
+    if (contact.empty() || !solution.converged()) {
+        solution.warnings.push_back(contact.empty() ? "There is no contact, and so there are no derivatives."
+                                                    : "The solution did not converge, and so it has no derivatives.");
+        return;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    solution.derivatives = simplified_derivatives(problem, contact, solution);
+    const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
+    solution.evidence.derivatives = SolverEvidence{0, 0, true, duration.count()};  // closed form
+}
+
+}  // namespace
+
+ContactSolution solve_by_simplified_model(const ContactProblem& problem) {
+    check_is_elliptic(problem);
+    if (problem.friction) check_is_simple(problem);
+    const HertzContact found = hertz(problem);
+    EllipticContact contact{{found.a, found.b}, found.Fn, combined_material(problem.bodies.materials())};
+    if (const auto line = line_contact_of(problem.bodies)) {
+        contact.length = problem.grid.dy;
+        contact.datum = line->datum;
+    }
+    ContactSolution solution;
+    solution.evidence.normal.converged = true;  // closed form
+    solution.approach = found.approach;
+    solution.forces.Fn = found.Fn;
+    solution.pmax = found.pmax;
+    solution.area.contact = contact.area();
+    solution.pressure = hertz_pressure(problem.grid, contact);
+    if (problem.friction)
+        take_friction(friction_of(problem, contact), solution);
+    else
+        take_no_friction(solution);
+    if (problem.derivatives) differentiate(problem, contact, solution);
+    return solution;
+}
+
+}  // namespace contactd

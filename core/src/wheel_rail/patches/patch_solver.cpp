@@ -1,0 +1,224 @@
+#include "patch_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "contactd/error.hpp"
+#include "contactd/solve_contact.hpp"
+
+namespace contactd {
+namespace {
+
+using Values = std::vector<double>;
+
+constexpr double spin_offset = 1.0 / 6;  // errs least on grids as they are used (docs/contact.md)
+
+double interpolated(const std::vector<FrictionAtAngle>& mu, double angle) {
+    const auto behind =
+        std::find_if(mu.begin(), mu.end(), [&](const FrictionAtAngle& entry) { return entry.angle > angle; });
+    if (behind == mu.begin()) return mu.front().mu;
+    const FrictionAtAngle& before = *(behind - 1);
+    if (behind == mu.end()) return before.mu;
+    return before.mu + (angle - before.angle) / (behind->angle - before.angle) * (behind->mu - before.mu);
+}
+
+/// The inclination of the rail at each row of elements.
+Values row_angles(const ContactPlace& place, const geometry::RailSurface& rail) {
+    Values angles;
+    for (const ContactRow& row : place.rows) angles.push_back(row.angle);
+    if (!angles.empty()) return angles;
+    double s = 0.5 * (rail.visible().from + rail.visible().to);
+    for (int iy = 0; iy < place.grid.ny; ++iy) {
+        const double y = place.reference.y + place.grid.y(iy) * std::cos(place.reference.angle);
+        rail.find_y(std::clamp(y, rail.visible().low, rail.visible().high), s);
+        const ProfilePoint slope = rail.place(s).slope;
+        angles.push_back(std::atan2(slope.z, slope.y));
+    }
+    return angles;
+}
+
+FrictionLaw friction_law(const WheelRailFriction& friction, const ContactPlace& place,
+                         const geometry::RailSurface& rail) {
+    FrictionLaw law{{}, friction.kinetic};
+    if (!friction.along_profile || friction.mu.size() == 1) {
+        law.mu = {interpolated(friction.mu, place.reference.angle)};
+        return law;
+    }
+    for (const double angle : row_angles(place, rail))
+        law.mu.insert(law.mu.end(), static_cast<std::size_t>(place.grid.nx), interpolated(friction.mu, angle));
+    return law;
+}
+
+Rolling rolling_of(const Creepages& creepages, double dq) {
+    Rolling rolling;
+    rolling.xi = creepages.xi;
+    rolling.eta = creepages.eta;
+    rolling.phi = creepages.phi;
+    rolling.chi = creepages.chi;
+    rolling.velocity = creepages.velocity;
+    rolling.dq = dq;
+    rolling.spin_offset = spin_offset;
+    return rolling;
+}
+
+RigidSlip rigid_slip_of(const std::vector<geometry::RowSlip>& rows, const Grid& grid, double ahead) {
+    RigidSlip slip;
+    for (const geometry::RowSlip& row : rows)
+        for (int ix = 0; ix < grid.nx; ++ix) {
+            slip.x.push_back(row.along);
+            slip.y.push_back(row.across + row.spin * (grid.x(ix) + ahead));
+        }
+    return slip;
+}
+
+/// Which region each element belongs to; -1: none, it can not touch.
+std::vector<int> regions_of_elements(const ContactPlace& place, const PatchRules& rules) {
+    const double wider = 0.4 * rules.distance_combine, cosine = std::cos(place.reference.angle);
+    const Grid& grid = place.grid;
+    std::vector<int> regions;
+    regions.reserve(grid.size());
+    for (int iy = 0; iy < grid.ny; ++iy)
+        for (int ix = 0; ix < grid.nx; ++ix) {
+            const double x = place.reference.x + grid.x(ix);
+            const double y = place.rows.empty() ? place.reference.y + cosine * grid.y(iy)
+                                                : place.rows[static_cast<std::size_t>(iy)].y;
+            const auto holds = [&](const OverlapRegion& region) {
+                return x >= region.x.from - wider && x <= region.x.to + wider && y >= region.y.from - wider * cosine &&
+                       y <= region.y.to + wider * cosine;
+            };
+            const auto found = std::find_if(place.regions.begin(), place.regions.end(), holds);
+            regions.push_back(found == place.regions.end() ? -1 : static_cast<int>(found - place.regions.begin()));
+        }
+    return regions;
+}
+
+/// Takes out of the gap what the regions do not feel of each other, until that stands.
+class Blending {
+   public:
+    Blending(const ContactProblem& problem, const ContactPlace& place, const PatchRules& rules,
+             const InfluenceOperator& influence)
+        : place_(place),
+          influence_(influence),
+          regions_(regions_of_elements(place, rules)),
+          gap_(std::get<Values>(*problem.gap)) {
+        for (std::size_t i = 0; i < gap_.size(); ++i)
+            if (regions_[i] < 0) gap_[i] += out_of_reach;
+    }
+
+    const Values& gap() const { return gap_; }
+
+    /// The gap that the pressures ask for.
+    Values gap_under(const Values& pressure) const {
+        Values gap = gap_, part(gap.size()), displacement(gap.size());
+        const std::size_t count = place_.regions.size();
+        for (std::size_t j = 0; j < count; ++j) {
+            for (std::size_t i = 0; i < part.size(); ++i)
+                part[i] = regions_[i] == static_cast<int>(j) ? pressure[i] : 0;
+            influence_.normal(part, displacement);
+            for (std::size_t i = 0; i < gap.size(); ++i)
+                if (regions_[i] >= 0)
+                    gap[i] -= (1 - place_.shares[j * count + static_cast<std::size_t>(regions_[i])]) * displacement[i];
+        }
+        return gap;
+    }
+
+   private:
+    static constexpr double out_of_reach = 10;  // mm
+    const ContactPlace& place_;
+    const InfluenceOperator& influence_;
+    std::vector<int> regions_;
+    Values gap_;
+};
+
+/// A spin that moves no element by more than a rounding error of creepages.
+bool is_next_to_nothing(double phi, const Grid& grid) {
+    constexpr double least_creepage = 1e-9;
+    return std::abs(phi) * std::hypot(grid.nx * grid.dx, grid.ny * grid.dy) <= least_creepage;
+}
+
+/// Refuses the contact problem of a patch in the words of the set-up that it was made from.
+[[noreturn]] void refuse_as_of_wheel(const InvalidArgument& error, const ContactProblem& problem) {
+    const std::string& field = error.field();
+    const auto* rolling = std::get_if<Rolling>(&problem.motion);
+    if (field == "friction.rolling.phi" && problem.model == Model::hertz)
+        throw InvalidArgument("model",
+                              "is hertz, whose closed form of friction has no spin, which a wheel has nearly "
+                              "everywhere; take fastsim or full, or no friction (friction null)");
+    if (field == "friction.rolling.dq")
+        throw InvalidArgument(rolling && rolling->dq == problem.grid.dx ? "dx" : "dq",
+                              "as the step of rolling " + error.problem());
+    if (field == "derivatives") throw InvalidArgument("state.derivatives", error.problem());
+    throw;
+}
+
+double largest_difference(const Values& a, const Values& b) {
+    double largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+    return largest;
+}
+
+/// The gap that stands, of normal contact; pressures become where the next solve starts.
+void blend(ContactProblem& problem, const ContactPlace& place, const PatchRules& rules,
+           const ContactInfluence& influence, Observer& observer) {
+    constexpr int most_rounds = 30;
+    constexpr double settled = 1e-9;  // mm
+    const Blending blending(problem, place, rules, *influence.current);
+    ContactProblem normal = problem;
+    normal.friction.reset();
+    normal.gap = blending.gap();
+    for (int round = 0; round < most_rounds; ++round) {
+        normal.initial.pressure = solve_contact(normal, influence, observer).pressure;
+        Values next = blending.gap_under(normal.initial.pressure);
+        const double change = largest_difference(next, std::get<Values>(*normal.gap));
+        normal.gap = std::move(next);
+        if (change < settled) break;
+    }
+    problem.gap = std::move(normal.gap);
+    problem.initial.pressure = std::move(normal.initial.pressure);
+}
+
+}  // namespace
+
+ContactProblem problem_of(const WheelRailSetup& setup, const geometry::CandidatePatch& found,
+                          const geometry::RailSurface& rail, const WheelRailFriction* friction) {
+    ContactProblem problem;
+    problem.grid = found.place.grid;
+    problem.bodies = setup.bodies;
+    problem.model = setup.model;
+    problem.settings = setup.settings;
+    if (setup.model == Model::full)
+        problem.gap = found.gap;
+    else
+        problem.gap = found.paraboloid;
+    problem.approach = found.place.approach;
+    if (friction != nullptr && found.place.creepages.velocity > 0) {
+        problem.friction = friction_law(*friction, found.place, rail);
+        Rolling rolling = rolling_of(found.place.creepages, setup.dq > 0 ? setup.dq : setup.dx);
+        if (!found.row_slips.empty()) {
+            rolling.xi = rolling.eta = rolling.phi = 0;
+            problem.rigid_slip =
+                rigid_slip_of(found.row_slips, problem.grid, spin_offset * rolling.dq * std::cos(rolling.chi));
+        }
+        if (setup.model == Model::hertz && is_next_to_nothing(rolling.phi, problem.grid)) rolling.phi = 0;
+        if (!found.additional_slip.empty()) problem.rigid_slip = found.additional_slip;
+        problem.motion = rolling;
+    }
+    return problem;
+}
+
+ContactSolution solve_patch(ContactProblem problem, const ContactPlace& place, const PatchStrips& strips,
+                            const PatchRules& rules, const InfluenceSource& influences, Observer& observer) {
+    try {
+        if (problem.model != Model::full) return solve_contact(problem, {}, observer);
+        const ContactInfluence influence = influences(problem, strips, observer);
+        if (place.regions.size() > 1) blend(problem, place, rules, influence, observer);
+        return solve_contact(problem, influence, observer);
+    } catch (const InvalidArgument& error) {
+        refuse_as_of_wheel(error, problem);
+    }
+}
+
+}  // namespace contactd

@@ -1,0 +1,315 @@
+#include "contactd/ic_spec.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <type_traits>
+
+#include "block_spec.hpp"
+#include "contactd/below.hpp"
+#include "contactd/error.hpp"
+#include "contactd/fem_fields.hpp"
+#include "contactd/fields/ic_spec.hpp"
+#include "contactd/grid.hpp"
+#include "contactd/uniform_elements.hpp"
+#include "types/number_text.hpp"
+
+namespace contactd {
+namespace {
+
+constexpr long long max_elements = 200'000;              // some millions of unknowns: what one machine can hold
+constexpr std::size_t most_uniform_values = 50'000'000;  // of each of nine components: 3.6 GB
+constexpr double largest_accuracy_aspect = 8;            // where the choice of meshes was tested with a margin
+
+void require(bool holds, const char* field, double value, const char* rule) {
+    if (!holds) throw InvalidArgument(field, "is " + number_text(value) + "; it must " + rule);
+}
+
+[[noreturn]] void refuse(const char* name, double value, const char* rule) {
+    throw InvalidArgument(std::string("ics.") + name, "is " + number_text(value) + "; it must " + rule);
+}
+
+void validate(const FemSpec& fem, LoadShape load) {
+    for_each_fem_field([&]<class Value>(const FemField<Value>& field) {
+        if constexpr (!HasWords<Value>) {
+            const std::optional<double> value = fem.*field.member;
+            if (!value) return;
+            const bool inside = *value >= field.range.least && *value <= field.range.largest;
+            if (field.range.rule && !inside) refuse(field.name, *value, field.range.rule);
+            const char* broken = field.broken_rule ? field.broken_rule(fem, load) : nullptr;
+            if (broken) refuse(field.name, *value, broken);
+        }
+    });
+    if (fem.solver == Solver::direct && fem.mesh == MeshKind::adaptive)
+        throw InvalidArgument("ics.solver",
+                              "is direct, which does not go with the hanging nodes of mesh adaptive; "
+                              "take amg_pcg, or auto");
+}
+
+// Rows of elements have no end in a line contact, so that dy says nothing of their shape.
+void validate_line_contact(const IcSpec& spec) {
+    if (spec.source != IcSource::analytic)
+        throw InvalidArgument("ics.line_contact", "goes with source analytic; finite elements are those of a block");
+    if (spec.ny != 1)
+        throw InvalidArgument("grid.ny", "is " + std::to_string(spec.ny) +
+                                             "; a line contact has one row of elements, and dy is the length that "
+                                             "forces are counted over");
+    constexpr double rounding = 1e-9;
+    const double datum = spec.line_contact->datum, length = spec.nx * spec.dx;
+    if (!(std::isfinite(datum) && datum >= length * (1 - rounding)))
+        throw InvalidArgument("ics.line_contact.datum",
+                              "is " + number_text(datum) + "; it must be at least the length of the grid, " +
+                                  number_text(length) + " mm, so that surfaces yield in the direction of loads");
+}
+
+void validate_aspect(const IcSpec& spec) {
+    const double aspect = spec.dx / spec.dy;
+    if (!(aspect >= 1e-3 && aspect <= 1e3))
+        throw InvalidArgument("grid.dy", "gives elements with dx/dy = " + number_text(aspect) +
+                                             "; it must lie in [0.001, 1000]. For a contact that does not change along "
+                                             "y take ics.line_contact");
+}
+
+void validate_layers(const IcSpec& spec) {
+    if (spec.body != BodyShape::layered)
+        throw InvalidArgument("ics.layers", "go with body layered; body is " + std::string(name_of(spec.body)));
+    if (!spec.layered) throw InvalidArgument("ics.layers", "is missing; body layered has layers, on a base");
+    validate(*spec.layered, spec.dx, "ics");
+    if (spec.material != spec.layered->surface())
+        throw InvalidArgument("material.G", "is " + number_text(spec.material.G) + ", with nu " +
+                                                number_text(spec.material.nu) +
+                                                "; it must be the material of the topmost layer, or be left out");
+    if (spec.source != IcSource::analytic)
+        throw InvalidArgument("ics.source", "is fem; coefficients of layers are analytic");
+    if (spec.line_contact)
+        throw InvalidArgument("ics.line_contact",
+                              "goes with half-spaces, not with layers: take a long row of elements");
+}
+
+void validate_uniform(const IcSpec& spec) {
+    if (spec.body != BodyShape::prism)
+        throw InvalidArgument("ics.section", "goes with body prism; body is " + std::string(name_of(spec.body)));
+    if (!spec.section) throw InvalidArgument("ics.section", "is missing; body prism has a cross-section");
+    validate(*spec.section, "ics.section");
+    if (spec.section->free)
+        throw InvalidArgument("ics.section.free",
+                              "is true; what nothing holds has no displacements: hold a part of it");
+    if (spec.ny > most_strips)
+        throw InvalidArgument("grid.ny", "is " + std::to_string(spec.ny) + "; a prism has at most " +
+                                             std::to_string(most_strips) + " columns");
+    // By finite elements the record serves any nx; what a request makes of it is for body_table to limit.
+    if (spec.source == IcSource::analytic &&
+        static_cast<std::size_t>(spec.nx) * static_cast<std::size_t>(spec.ny) * static_cast<std::size_t>(spec.ny) >
+            most_uniform_values)
+        throw InvalidArgument("grid.nx", "is " + std::to_string(spec.nx) + ", with ny " + std::to_string(spec.ny) +
+                                             "; nx ny^2 of a prism may be at most " +
+                                             std::to_string(most_uniform_values));
+    if (spec.load_shape != LoadShape::constant)
+        throw InvalidArgument("ics.load_shape", "is bilinear; coefficients of prisms are those of constant tractions");
+    if (spec.line_contact) throw InvalidArgument("ics.line_contact", "goes with half-spaces, not with prisms");
+    if (spec.any_nu)
+        throw InvalidArgument("ics.any_nu", "does not go with a prism: its table is made for one nu, in seconds");
+    if (spec.source == IcSource::analytic) return;
+    if (spec.accuracy == 0)
+        throw InvalidArgument("ics.accuracy", "is missing; the mesh of a prism is chosen for an accuracy");
+    constexpr double rounding = 1e-9;
+    if (!(spec.dx >= shortest_uniform_element * spec.dy * (1 - rounding)))
+        throw InvalidArgument("grid.dx", "is " + number_text(spec.dx) + ", " + short_text(spec.dx / spec.dy) +
+                                             " of a column's width, dy; tables of prisms by finite elements keep their "
+                                             "accuracy from a half of it on: take dy " +
+                                             number_text(spec.dx / shortest_uniform_element) + " mm or less");
+}
+
+void validate_body(const IcSpec& spec) {
+    if (spec.body != BodyShape::block) return;
+    if (spec.source == IcSource::analytic)
+        throw InvalidArgument("ics.body", "is block, which has no closed form; take source fem");
+    if (spec.accuracy == 0 && spec.fem.far_boundary != FarBoundary::clamped)
+        throw InvalidArgument("ics.far_boundary", "is half_space; the faces of a block are clamped");
+}
+
+void validate_accuracy(const IcSpec& spec) {
+    if (spec.source == IcSource::analytic)
+        throw InvalidArgument("ics.accuracy", "goes with source fem; the closed form is exact");
+    require(spec.accuracy >= finest_accuracy && spec.accuracy <= coarsest_accuracy, "ics.accuracy", spec.accuracy,
+            "lie in [0.0001, 0.1]");
+    const double aspect = spec.dx / spec.dy;
+    require(aspect >= 1 / largest_accuracy_aspect && aspect <= largest_accuracy_aspect, "ics.accuracy", spec.accuracy,
+            "be left out, and a mesh be given, where dx/dy is outside [0.125, 8]");
+    if (spec.section)
+        require(spec.material.nu <= largest_uniform_nu, "material.nu", spec.material.nu,
+                "be at most 0.499 of a prism by finite elements");
+    else if (!spec.any_nu)
+        require(spec.material.nu <= largest_family_nu, "material.nu", spec.material.nu,
+                "be at most 0.49 when an accuracy is asked for");
+}
+
+/// Up to here errors next to the load stayed below 1 % (docs/ic-tables.md).
+double largest_nu(int order) {
+    return order == 2 ? 0.49 : order == 3 ? 0.499 : 0.5;
+}
+
+}  // namespace
+
+std::optional<FemSpec> fem_preset(std::string_view name) {
+    FemSpec fem;
+    fem.far_boundary = FarBoundary::clamped;
+    fem.solver = Solver::amg_pcg;
+    constexpr std::string_view mesh2 = "paper-mesh2-";
+    std::string_view test = name;
+    if (name.starts_with(mesh2)) {
+        fem.mesh = MeshKind::prism;
+        test.remove_prefix(mesh2.size());
+    } else {
+        constexpr std::string_view mesh1 = "paper-";
+        if (!name.starts_with(mesh1)) return std::nullopt;
+        test.remove_prefix(mesh1.size());
+    }
+    if (test == "test3") return fem;
+    fem.f = 1.5;
+    if (test == "test2") return fem;
+    fem.l_over_h = 2.5;
+    if (test == "test1") return fem;
+    return std::nullopt;
+}
+
+void validate(const IcSpec& spec) {
+    validate(Grid{spec.nx, spec.ny, spec.dx, spec.dy}, "grid");
+    if (spec.layered || spec.body == BodyShape::layered) validate_layers(spec);
+    if (spec.section || spec.body == BodyShape::prism) validate_uniform(spec);
+    validate(spec.material, "material", spec.source == IcSource::analytic);
+    if (spec.line_contact)
+        validate_line_contact(spec);
+    else
+        validate_aspect(spec);
+    validate_body(spec);
+    if (spec.accuracy != 0) validate_accuracy(spec);
+    if (spec.any_nu) {
+        if (spec.source == IcSource::analytic)
+            throw InvalidArgument("ics.any_nu", "goes with source fem; the closed form is as quick for any nu");
+        require(spec.material.nu <= largest_family_nu, "material.nu", spec.material.nu,
+                "be at most 0.49, the end of a family over nu");
+        if (spec.source == IcSource::fem && spec.accuracy == 0 && spec.fem.mesh == MeshKind::adaptive)
+            throw InvalidArgument("ics.any_nu",
+                                  "does not go with mesh adaptive: each nu has a mesh of its own, and "
+                                  "between tables of different meshes nothing can be interpolated");
+    }
+    if (spec.source != IcSource::fem) return;
+    const bool chosen = spec.accuracy != 0;
+    if (!chosen) {
+        validate(spec.fem, spec.load_shape);
+        const MeshSize size = mesh_size(spec);
+        if (spec.fem.mesh != MeshKind::adaptive && size.elements > max_elements)
+            throw InvalidArgument("ics", "asks for a mesh of " + std::to_string(size.elements) + " elements; at most " +
+                                             std::to_string(max_elements) +
+                                             " are allowed: take a larger f, or a smaller l_over_h, h_over_hs or "
+                                             "L_over_h");
+    }
+    if (chosen && (spec.body == BodyShape::half_space || spec.section)) return;
+    const double L = spec.fem.L_over_h * std::max(spec.dx, spec.dy);
+    if (spec.body == BodyShape::block) validate_room_on_block(spec);
+    const double farthest = std::max((spec.nx - 1) * spec.dx, (spec.ny - 1) * spec.dy);
+    if (!(farthest < L))
+        throw InvalidArgument("ics.L_over_h", "is " + number_text(spec.fem.L_over_h) + "; the offsets reach " +
+                                                  number_text(farthest) + " and must lie inside the block of size " +
+                                                  number_text(L));
+}
+
+void validate(const IcSpec& spec, const std::string& material) {
+    renaming(in_place_of("material", material), [&] { validate(spec); });
+}
+
+std::vector<std::string> warnings(const IcSpec& spec) {
+    std::vector<std::string> result;
+    const FemSpec& fem = spec.fem;
+    if (spec.source != IcSource::fem || spec.accuracy != 0 || fem.mesh == MeshKind::adaptive) return result;
+    const auto advise = [&](bool holds, const std::string& field, const std::string& value, const char* advice) {
+        if (!holds) result.push_back(field + " is " + value + "; the paper advises " + advice + " (Table 3).");
+    };
+    // Of a half-space the error itself is known.
+    if (const double most = largest_nu(fem.order); spec.body == BodyShape::block && spec.material.nu > most)
+        result.push_back("nu is " + number_text(spec.material.nu) + "; elements of order " + std::to_string(fem.order) +
+                         " lock near 1/2: their errors may exceed 1 % above " + number_text(most) +
+                         ", and a higher order is better.");
+    // Beyond its order-2 meshes and u = 0 the paper's ranges say nothing.
+    advise(fem.order >= 2, "order", std::to_string(fem.order), "quadratic elements");
+    if (fem.far_boundary == FarBoundary::clamped && spec.body == BodyShape::half_space)
+        advise(fem.L_over_h >= 80, "L_over_h", number_text(fem.L_over_h), "at least 80");
+    if (fem.order > 2) return result;
+    advise(fem.l_over_h >= 1 && fem.l_over_h <= 1.25, "l_over_h", number_text(fem.l_over_h), "1 to 1.25");
+    advise(fem.h_over_hs >= 4, "h_over_hs", number_text(fem.h_over_hs), "at least 4");
+    if (fem.mesh == MeshKind::hex)
+        advise(fem.f <= 1.5, "f", number_text(fem.f), "1 to 1.5 on Mesh1");
+    else
+        advise(fem.f >= 1.5 && fem.f <= 2, "f", number_text(fem.f), "1.5 to 2 on Mesh2");
+    return result;
+}
+
+MeshSize mesh_size(const IcSpec& spec) {
+    const FemSpec& fem = spec.fem;
+    const double h = std::sqrt(spec.dx * spec.dy), hs = h / fem.h_over_hs;
+    const double thickness = fem.L_over_h * std::max(spec.dx, spec.dy) - fem.l_over_h * h;
+    const double t1 = hs * (fem.t1_over_hs > 0 ? fem.t1_over_hs : fem.f);
+    const double layers = fem.f == 1 ? thickness / t1 : std::log1p(thickness * (fem.f - 1) / t1) / std::log(fem.f);
+    constexpr double most = 1e9;
+    const int m = static_cast<int>(std::lround(std::clamp(fem.l_over_h * fem.h_over_hs, 0.0, most)));
+    const int k = static_cast<int>(std::lround(std::clamp(layers, 1.0, most)));
+    double elements = 1.0 * m * m * (m + 3.0 * k);
+    // Mesh2: the cross-section of m^2 + 2 m k quadrilaterals, each two triangles, times m + k slices.
+    if (fem.mesh == MeshKind::prism && k < 1'000'000) elements = 2 * (1.0 * m * m + 2.0 * m * k) * (m + k);
+    return {m, k, static_cast<long long>(std::min(elements, 9e18))};
+}
+
+IcSpec dimensionless(const IcSpec& spec) {
+    IcSpec result = spec;
+    result.material = {1, rounded(spec.material.nu)};
+    result.dx = 1;
+    result.dy = rounded(spec.dy / spec.dx);
+    if (spec.any_nu) result.material.nu = 0;
+    if (spec.line_contact) result.dy = 1;
+    for_each_ics_part([&]<class Part>(const IcsPart<Part>& part) {
+        if (std::optional<Part>& value = result.*part.member)
+            for_each_part_field<Part>([&](const PartField<Part>& field) {
+                double& number = (*value).*field.member;
+                number = rounded(field.dimension == Dimension::length ? number / spec.dx : number);
+            });
+    });
+    if (result.layered) {
+        for (Layer& layer : result.layered->layers)
+            layer = {rounded(layer.thickness / spec.dx), rounded(layer.G / spec.material.G), rounded(layer.nu)};
+        Material& base = result.layered->base;
+        if (!base.is_rigid()) base = {rounded(base.G / spec.material.G), rounded(base.nu)};
+    }
+    if (result.section) {
+        // By finite elements all lengths are over the width of a column, and any dx is served.
+        const bool any_dx = spec.source == IcSource::fem;
+        result.section = scaled(*result.section, 1 / (any_dx ? spec.dy : spec.dx));
+        if (any_dx) {
+            result.dy = 1;
+            result.nx = static_cast<int>(max_grid_elements) / spec.ny;
+        }
+    }
+    if (spec.source == IcSource::analytic) {
+        result.fem = FemSpec{};
+        return result;
+    }
+    FemSpec& fem = result.fem;
+    if (spec.accuracy != 0) {
+        // What is chosen later does not tell one request from another; neither do accuracies between two levels.
+        result.accuracy = spec.accuracy >= 1e-2 ? 1e-2 : spec.accuracy >= 1e-3 ? 1e-3 : 1e-4;
+        fem = FemSpec{};
+        fem.L_over_h = spec.body == BodyShape::block ? rounded(spec.fem.L_over_h) : 0;
+        return result;
+    }
+    for_each_fem_field([&]<class Value>(const FemField<Value>& field) {
+        Value& value = fem.*field.member;
+        if constexpr (std::is_same_v<Value, double>) value = rounded(value);
+        if constexpr (std::is_same_v<Value, std::optional<double>>)
+            if (value) value = rounded(*value);
+        if (field.matters && !field.matters(fem)) value = FemSpec{}.*field.member;
+    });
+    if (fem.t1_over_hs == fem.f) fem.t1_over_hs = 0;
+    return result;
+}
+
+}  // namespace contactd
