@@ -64,8 +64,6 @@ NAMES = {
     "multiply_columns": "of a matrix",
     "held": "the field of the wire, and locks",
     "held_by_another": "a lock",
-    "StopTest": "the field of the wire and of files",
-    "stop_test": "the field of the wire and of files",
     "RailShift": "the field of the wire",
     "rail_shift": "the field of the wire",
     "distance_turn": "the field of the wire",

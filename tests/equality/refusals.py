@@ -21,7 +21,7 @@ WRONG: dict[str, list[Any]] = {
     "mesh": ["tet", 1], "order": [0, 7, 1.5], "l_over_h": [0, 0.4, 65, 1.13], "h_over_hs": [1, 3, 4.5, 130],
     "f": [0.5, 11, "1.2"], "t1_over_hs": [-1, 1e-4, 2000], "L_over_h": [0, 0.9, 2, 1e10], "diagonal": ["along"],
     "max_dofs": [10, 10**9], "far_boundary": ["free"], "sampling": ["none", None], "solver": ["lu"],
-    "stop_test": ["never"], "tolerance": [0, 1, 1e-14], "max_iterations": [0, -1], "strength_threshold": [-0.1, 1],
+    "stopping_criterion": ["never"], "tolerance": [0, 1, 1e-14], "max_iterations": [0, -1], "strength_threshold": [-0.1, 1],
     "preset": ["paper-test4"], "body": ["sphere"], "load_shape": ["linear"], "any_nu": [1], "accuracy": [1e-5, 1, 1e-2],
     "line_contact": [{"datum": 100}], "unknown": [1],
 }  # fmt: skip

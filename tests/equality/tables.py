@@ -61,7 +61,7 @@ def small_mesh(dice: Dice) -> Params:
         "body": ["half_space", "block"], "load_shape": ["constant", "bilinear"], "t1_over_hs": [0, 0.7, 1.5],
         "diagonal": ["outward", "across"], "max_dofs": [1000, 3000], "sampling": ["fem", "linear", "linear_nodes"],
         "far_boundary": ["clamped", "half_space"], "solver": ["auto", "amg_pcg", "direct"],
-        "stop_test": ["residual", "update"], "tolerance": [1e-6, 1e-10], "max_iterations": [3, 500],
+        "stopping_criterion": ["residual", "update"], "tolerance": [1e-6, 1e-10], "max_iterations": [3, 500],
         "strength_threshold": [0.25, 0.5],
     }  # fmt: skip
     ics |= {name: dice.choice(values) for name, values in options.items() if dice.chance(0.4)}

@@ -91,7 +91,7 @@ def solves() -> Iterator[tuple[dict[str, Any], list[bytes]]]:
         yield {**base, "bodies": bodies, "model": model, "gap": {"paraboloid": {"Rx": 5, "Ry": 50}}, "Fn": 1,
                "friction": {"mu": 0.3, "rolling": rolling}}, []
     ics = {"source": "fem", "mesh": "hex", "order": 2, "l_over_h": 1, "h_over_hs": 4, "f": 1.2, "L_over_h": 640, "t1_over_hs": 1,
-           "far_boundary": "clamped", "sampling": "linear", "solver": "amg_pcg", "stop_test": "update", "tolerance": 1e-8,
+           "far_boundary": "clamped", "sampling": "linear", "solver": "amg_pcg", "stopping_criterion": "update", "tolerance": 1e-8,
            "max_iterations": 100, "strength_threshold": 0.5, "load_shape": "bilinear"}
     yield {**base, "bodies": {"upper": {"G": 1, "nu": 0.3}}, "ics": ics, "gap": {"paraboloid": {"Rx": 5}}, "approach": 0}, []
 

@@ -108,7 +108,7 @@ BAD_TABLES = [
     ("material.nu", -0.01), ("material.nu", 0.51), ("material.nu", 0.5), ("material.nu", 1),
     ("ics.source", "measured"), ("ics.preset", "paper-test4"), ("ics.body", "cone"), ("ics.load_shape", "cubic"),
     ("ics.mesh", "tetrahedra"), ("ics.far_boundary", "free"), ("ics.sampling", "cubic"), ("ics.diagonal", "up"),
-    ("ics.solver", "lu"), ("ics.stop_test", "energy"), ("ics.any_nu", 1), ("ics.any_nu", "yes"),
+    ("ics.solver", "lu"), ("ics.stopping_criterion", "energy"), ("ics.any_nu", 1), ("ics.any_nu", "yes"),
     ("ics.max_dofs", 999), ("ics.max_dofs", 1e4), ("ics.t1_over_hs", -1), ("ics.t1_over_hs", 1e-4),
     ("ics.order", 0), ("ics.order", 7), ("ics.f", 0.9), ("ics.f", -1), ("ics.l_over_h", 0), ("ics.l_over_h", -1),
     ("ics.L_over_h", 0), ("ics.L_over_h", -640), ("ics.L_over_h", 1), ("ics.L_over_h", 2),
@@ -127,7 +127,7 @@ def test_a_table_that_cannot_be_asked_for(raw, path, value):
 MESH_FIELDS = {
     "preset": "paper-test3", "mesh": "hex", "order": 2, "l_over_h": 1, "h_over_hs": 4, "f": 1.2, "t1_over_hs": 0,
     "L_over_h": 640, "diagonal": "outward", "max_dofs": 60000, "far_boundary": "half_space", "sampling": "fem",
-    "solver": "auto", "stop_test": "residual", "tolerance": 1e-8, "max_iterations": 1000, "strength_threshold": 0.5,
+    "solver": "auto", "stopping_criterion": "residual", "tolerance": 1e-8, "max_iterations": 1000, "strength_threshold": 0.5,
 }  # fmt: skip
 
 

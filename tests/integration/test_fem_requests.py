@@ -103,7 +103,7 @@ def test_the_evidence_names_the_solver(shared, solver):
 
 
 def test_the_update_as_stopping_criterion_is_reported(shared):
-    ics = FemIcs("paper-test2", L_over_h=40, stop_test="update", tolerance=1e-6)
+    ics = FemIcs("paper-test2", L_over_h=40, stopping_criterion="update", tolerance=1e-6)
     for case in shared.get_ic(STEEL, GRID, ics).evidence.load_cases:
         assert 0 < case.update <= 1e-6
 

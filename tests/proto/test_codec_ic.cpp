@@ -34,7 +34,7 @@ IcSpec fem_spec() {
     spec.fem.far_boundary = FarBoundary::clamped;
     spec.fem.sampling = Sampling::linear;
     spec.fem.solver = Solver::amg_pcg;
-    spec.fem.stop_test = StopTest::update;
+    spec.fem.stopping_criterion = StoppingCriterion::update;
     spec.fem.tolerance = 1e-11;
     spec.fem.max_iterations = 77;
     spec.fem.strength_threshold = 0.6;

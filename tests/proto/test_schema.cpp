@@ -116,7 +116,7 @@ TEST_CASE("A bad value of ic.get is named with what would be right", "[schema]")
             Case{"/ics/diagonal", "\"up\"", "ics.diagonal", "one of \"outward\", \"across\""},
             Case{"/ics/far_boundary", "\"free\"", "ics.far_boundary", "one of \"clamped\", \"half_space\""},
             Case{"/ics/solver", "\"lu\"", "ics.solver", "one of \"auto\", \"amg_pcg\", \"direct\""},
-            Case{"/ics/stop_test", "\"energy\"", "ics.stop_test", "one of \"residual\", \"update\""},
+            Case{"/ics/stopping_criterion", "\"energy\"", "ics.stopping_criterion", "one of \"residual\", \"update\""},
             Case{"/ics/t1_over_hs", "-1", "ics.t1_over_hs", "it must lie in [0, 1000]"},
             Case{"/ics/max_dofs", "10", "ics.max_dofs", "it must be at least 1000"},
             Case{"/ics/any_nu", "1", "ics.any_nu", "is 1; it must be true or false"},
@@ -272,11 +272,11 @@ TEST_CASE("What a request for an accuracy cannot hold is named, with the reason"
         params["ics"] = json::parse(ics);
         return violations_of("ic.get.params", params);
     };
-    for (const char* field :
-         {R"("preset": "paper-test3")", R"("mesh": "hex")", R"("order": 2)", R"("l_over_h": 1)", R"("h_over_hs": 4)",
-          R"("f": 1.2)", R"("t1_over_hs": 1)", R"("L_over_h": 640)", R"("diagonal": "across")", R"("max_dofs": 2000)",
-          R"("far_boundary": "clamped")", R"("sampling": "fem")", R"("solver": "auto")", R"("stop_test": "update")",
-          R"("tolerance": 1e-8)", R"("max_iterations": 9)", R"("strength_threshold": 0.5)"}) {
+    for (const char* field : {R"("preset": "paper-test3")", R"("mesh": "hex")", R"("order": 2)", R"("l_over_h": 1)",
+                              R"("h_over_hs": 4)", R"("f": 1.2)", R"("t1_over_hs": 1)", R"("L_over_h": 640)",
+                              R"("diagonal": "across")", R"("max_dofs": 2000)", R"("far_boundary": "clamped")",
+                              R"("sampling": "fem")", R"("solver": "auto")", R"("stopping_criterion": "update")",
+                              R"("tolerance": 1e-8)", R"("max_iterations": 9)", R"("strength_threshold": 0.5)"}) {
         CAPTURE(field);
         const auto found = refused((R"({"source": "fem", "accuracy": 1e-3, )" + std::string(field) + "}").c_str());
         REQUIRE(found.size() == 1);

@@ -138,7 +138,7 @@ def test_coefficients_are_required_for_the_full_model_only() -> None:
         {"source": "fem"},
         {"source": "fem", "accuracy": 1e-4, "any_nu": True, "load_shape": "bilinear"},
         {"source": "fem", "accuracy": 1e-2, "body": "block", "L_over_h": 20},
-        {"source": "fem", "mesh": "prism", "order": 6, "diagonal": "across", "stop_test": "update"},
+        {"source": "fem", "mesh": "prism", "order": 6, "diagonal": "across", "stopping_criterion": "update"},
     ],
 )
 def test_takes_an_accuracy_or_a_mesh(ics: object) -> None:

@@ -153,7 +153,7 @@ def sources() -> list[Case]:
         add(mesh, "linear_nodes, tangential linear", read["linear_nodes"], tangential=read["linear"])
         add(mesh, "fem, tangential linear_nodes", read["fem"], tangential=read["linear_nodes"])
         add(mesh, "fem, tangential linear", read["fem"], tangential=read["linear"])
-        add(mesh, "update", fem(mesh, FINEST, L, stop_test="update", tolerance=1e-6))
+        add(mesh, "update", fem(mesh, FINEST, L, stopping_criterion="update", tolerance=1e-6))
     for sampling in ("fem", "linear_nodes"):
         other = fem("mesh2", FINEST, CHOSEN_L["mesh2"], sampling=sampling, diagonal="across")
         add("mesh2", f"across, {sampling}", other)

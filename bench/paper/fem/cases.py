@@ -153,7 +153,7 @@ def checks() -> list[Case]:
         result.append(Case("checks", curve, "L", L, 10, spec))
 
     for L in LENGTHS[4:]:
-        add("test3, update", L, clamped("hex", "test3", L / H, stop_test="update", tolerance=1e-6))
+        add("test3, update", L, clamped("hex", "test3", L / H, stopping_criterion="update", tolerance=1e-6))
         add("mesh2 test2, direct", L, clamped("prism", "test2", L / H, solver="direct"))
     for test in ("test2", "test3"):
         for sampling in ("linear", "linear_nodes"):

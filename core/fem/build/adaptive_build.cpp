@@ -82,7 +82,7 @@ bool refine(RefinedBlock& block, const std::vector<int>& elements, const FemSpec
 /// Solves all loads, for marking only, and estimates what each element adds to the table's relative errors.
 std::vector<double> estimate(MPI_Comm comm, IcSpec spec, const RefinedBlock& block, const ProgressPart& progress,
                              IcEvidence& evidence) {
-    spec.fem.stop_test = StopTest::residual;
+    spec.fem.stopping_criterion = StoppingCriterion::residual;
     spec.fem.tolerance = std::max(spec.fem.tolerance, marking_tolerance);
     ElasticityProblem problem(comm, spec, block.block());
     const auto case_of = [](ElasticityProblem& of, Axis load) { return of.load_case(load); };

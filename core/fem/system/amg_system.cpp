@@ -151,7 +151,8 @@ SolveResult AmgSystem::solve(const LoadCase& load_case, mfem::Vector& u, const S
     start = MPI_Wtime();
     monitor.iteration(0, 1, setup);
     Iteration iteration{A, preconditioner, b, w, fem_, monitor};
-    SolveResult result = fem_.stop_test == StopTest::update ? solve_to_update(iteration) : solve_to_residual(iteration);
+    SolveResult result = fem_.stopping_criterion == StoppingCriterion::update ? solve_to_update(iteration)
+                                                                              : solve_to_residual(iteration);
     u = load_case.given;
     u += w;
     result.setup_seconds = setup;

@@ -151,7 +151,7 @@ Solver solver_for(const FemSpec& fem, long long dofs, int processes) {
     const bool possible = processes == 1 && fem.mesh != MeshKind::adaptive;
     if (fem.solver != Solver::automatic) return fem.solver;
     // The update is a stopping criterion of iterations.
-    if (fem.stop_test == StopTest::update) return Solver::amg_pcg;
+    if (fem.stopping_criterion == StoppingCriterion::update) return Solver::amg_pcg;
     return possible && dofs <= direct_dofs(fem.order) ? Solver::direct : Solver::amg_pcg;
 }
 

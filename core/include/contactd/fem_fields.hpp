@@ -95,7 +95,11 @@ inline constexpr std::tuple fem_fields{
     FemField<FarBoundary>{.name = "far_boundary", .member = &FemSpec::far_boundary},
     FemField<Sampling>{.name = "sampling", .member = &FemSpec::sampling},
     FemField<Solver>{.name = "solver", .member = &FemSpec::solver},
-    FemField<StopTest>{.name = "stop_test", .member = &FemSpec::stop_test, .matters = fem_rules::may_iterate},
+    FemField<StoppingCriterion>{
+        .name = "stopping_criterion",
+        .member = &FemSpec::stopping_criterion,
+        .matters = fem_rules::may_iterate,
+    },
     FemField<double>{
         .name = "tolerance",
         .member = &FemSpec::tolerance,

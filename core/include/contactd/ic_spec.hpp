@@ -37,7 +37,7 @@ enum class Sampling { fem, linear, linear_nodes };
 enum class Solver { automatic, amg_pcg, direct };
 /// Conjugate gradients compare this with the tolerance: the true relative residual ||b - A u|| / ||b||, or the relative
 /// update ||u_new - u|| / ||u_new|| (the paper, section 3).
-enum class StopTest { residual, update };
+enum class StoppingCriterion { residual, update };
 /// The diagonal of Mesh2 that divides a quadrilateral of the cross-section into triangles. `outward` runs from the
 /// corner nearest to the origin to the farthest one, `across` joins the other two.
 enum class Diagonal { outward, across };
@@ -58,7 +58,7 @@ struct FemSpec {
     FarBoundary far_boundary = FarBoundary::half_space;
     Sampling sampling = Sampling::fem;
     Solver solver = Solver::automatic;
-    StopTest stop_test = StopTest::residual;
+    StoppingCriterion stopping_criterion = StoppingCriterion::residual;
     double tolerance = 1e-8;                   ///< of the stopping criterion
     int max_iterations = 1000;                 ///< of conjugate gradients, per load case
     std::optional<double> strength_threshold;  ///< of BoomerAMG; left out, it is chosen for the mesh

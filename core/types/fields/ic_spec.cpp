@@ -13,8 +13,8 @@ namespace {
 }
 [[maybe_unused]] void all_of(const FemSpec& all) {
     [[maybe_unused]] const auto& [mesh_, order_, l_over_h_, h_over_hs_, f_, t1_over_hs_, L_over_h_, diagonal_,
-                                  max_dofs_, far_boundary_, sampling_, solver_, stop_test_, tolerance_, max_iterations_,
-                                  strength_threshold_] = all;
+                                  max_dofs_, far_boundary_, sampling_, solver_, stopping_criterion_, tolerance_,
+                                  max_iterations_, strength_threshold_] = all;
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ const FieldType& type_of<Ics>() {
         fields::field_along<Ics, &Ics::fem, &FemSpec::far_boundary>("far_boundary"),
         fields::field_along<Ics, &Ics::fem, &FemSpec::sampling>("sampling"),
         fields::field_along<Ics, &Ics::fem, &FemSpec::solver>("solver"),
-        fields::field_along<Ics, &Ics::fem, &FemSpec::stop_test>("stop_test"),
+        fields::field_along<Ics, &Ics::fem, &FemSpec::stopping_criterion>("stopping_criterion"),
         fields::field_along<Ics, &Ics::fem, &FemSpec::tolerance>(
             "tolerance", {.bounds = {.least = 1e-13, .most = 1, .most_excluded = true}}),
         fields::field_along<Ics, &Ics::fem, &FemSpec::max_iterations>("max_iterations",
@@ -81,7 +81,7 @@ const FieldType& type_of<FemSpec>() {
         fields::field<&FemSpec::far_boundary>("far_boundary"),
         fields::field<&FemSpec::sampling>("sampling"),
         fields::field<&FemSpec::solver>("solver"),
-        fields::field<&FemSpec::stop_test>("stop_test"),
+        fields::field<&FemSpec::stopping_criterion>("stopping_criterion"),
         fields::field<&FemSpec::tolerance>("tolerance", {.bounds = {.least = 1e-13, .most = 1, .most_excluded = true}}),
         fields::field<&FemSpec::max_iterations>("max_iterations", {.bounds = {.least = 1, .most = 1e+06}}),
         fields::field<&FemSpec::strength_threshold>("strength_threshold",

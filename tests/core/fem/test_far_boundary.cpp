@@ -81,7 +81,7 @@ TEST_CASE("Both solvers find the same coefficients", "[fem][solvers]") {
 
 TEST_CASE("Stopping by the update reports it beside the true residual", "[fem][solvers]") {
     IcSpec spec = coarse_spec(4, 4, 1, 1);
-    spec.fem.stop_test = StopTest::update;
+    spec.fem.stopping_criterion = StoppingCriterion::update;
     spec.fem.tolerance = 1e-6;
     const IcRecord record = build(spec);
     REQUIRE(record.evidence.load_cases.size() == 2);

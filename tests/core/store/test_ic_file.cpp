@@ -44,7 +44,7 @@ IcSpec unusual_spec() {
     fem.far_boundary = FarBoundary::clamped;
     fem.sampling = Sampling::linear_nodes;
     fem.solver = Solver::amg_pcg;
-    fem.stop_test = StopTest::update;
+    fem.stopping_criterion = StoppingCriterion::update;
     fem.tolerance = 1e-7;
     fem.max_iterations = 17;
     fem.strength_threshold = 0.25;

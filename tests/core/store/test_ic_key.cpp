@@ -43,7 +43,7 @@ TEST_CASE("The key depends on everything that changes the numbers") {
     CHECK(changed([](IcSpec& s) { s.fem.far_boundary = FarBoundary::clamped; }));
     CHECK(changed([](IcSpec& s) { s.fem.solver = Solver::amg_pcg; }));
     CHECK(changed([](IcSpec& s) { s.fem.solver = Solver::direct; }));
-    CHECK(changed([](IcSpec& s) { s.fem.stop_test = StopTest::update; }));
+    CHECK(changed([](IcSpec& s) { s.fem.stopping_criterion = StoppingCriterion::update; }));
     CHECK(changed([](IcSpec& s) { s.fem.mesh = MeshKind::prism; }));
 }
 
@@ -75,7 +75,7 @@ TEST_CASE("The key depends on what a kind of mesh alone knows, for that kind onl
 TEST_CASE("The key of a direct solve knows nothing of iterations") {
     IcSpec spec = fem_spec(10, 10), other = spec;
     spec.fem.solver = other.fem.solver = Solver::direct;
-    other.fem.stop_test = StopTest::update;
+    other.fem.stopping_criterion = StoppingCriterion::update;
     other.fem.strength_threshold = 0.5;
     CHECK(ic_key(other) == ic_key(spec));
 }

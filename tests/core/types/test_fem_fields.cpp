@@ -30,7 +30,7 @@ FemSpec unusual() {
             .far_boundary = FarBoundary::clamped,
             .sampling = Sampling::linear,
             .solver = Solver::amg_pcg,
-            .stop_test = StopTest::update,
+            .stopping_criterion = StoppingCriterion::update,
             .tolerance = 1e-11,
             .max_iterations = 77,
             .strength_threshold = 0.6};
@@ -154,7 +154,7 @@ TEST_CASE("Each enumerator has a word of its own, which means it again") {
     CHECK(name_of(Solver::automatic) == "auto");
     CHECK(name_of(Sampling::linear_nodes) == "linear_nodes");
     CHECK(name_of(FarBoundary::half_space) == "half_space");
-    CHECK(name_of(StopTest::update) == "update");
+    CHECK(name_of(StoppingCriterion::update) == "update");
     CHECK(name_of(MeshKind::adaptive) == "adaptive");
     CHECK(name_of(Diagonal::across) == "across");
     CHECK(name_of(BodyShape::block) == "block");

@@ -16,7 +16,7 @@ __all__ = [
     "MeshKind",
     "Preset",
     "Sampling",
-    "StopTest",
+    "StoppingCriterion",
 ]
 
 Body = Literal["half_space", "block", "prism"]
@@ -29,7 +29,7 @@ Diagonal = Literal["outward", "across"]
 FarBoundary = Literal["clamped", "half_space"]
 Sampling = Literal["fem", "linear", "linear_nodes"]
 FemSolver = Literal["auto", "amg_pcg", "direct"]
-StopTest = Literal["residual", "update"]
+StoppingCriterion = Literal["residual", "update"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,9 +75,9 @@ class FemIcs:
         sampling: How displacements are read at the element centres: "fem" (default, the finite-element function), or
             linear between the vertices ("linear") or all nodes ("linear_nodes") of the surface mesh.
         solver: "auto" (default, the faster one), "amg_pcg" (with a preset) or "direct" (sparse Cholesky).
-        stop_test: Compared with tolerance: the true relative "residual" (default), or the relative "update" (the
-            paper's).
-        tolerance: Of the stop test, 1e-13 to 1; default 1e-8.
+        stopping_criterion: Compared with tolerance: the true relative "residual" (default), or the relative "update"
+            (the paper's).
+        tolerance: Of the stopping criterion, 1e-13 to 1; default 1e-8.
         max_iterations: Of conjugate gradients, per load case; default 1000.
         strength_threshold: Of BoomerAMG, 0 to 1; chosen for the mesh when left out.
         section: Of a prism: its cross-section as the wire has it (docs/protocol.md, docs/sections.md), for example
@@ -105,7 +105,7 @@ class FemIcs:
     far_boundary: FarBoundary | None = None
     sampling: Sampling | None = None
     solver: FemSolver | None = None
-    stop_test: StopTest | None = None
+    stopping_criterion: StoppingCriterion | None = None
     tolerance: float | None = None
     max_iterations: int | None = None
     strength_threshold: float | None = None

@@ -55,9 +55,9 @@ static_assert(static_cast<int>(Solver::amg_pcg) == 1);
 static_assert(static_cast<int>(Solver::direct) == 2);
 
 template <>
-inline constexpr auto enum_words<StopTest> = std::to_array<std::string_view>({"residual", "update"});
-static_assert(static_cast<int>(StopTest::residual) == 0);
-static_assert(static_cast<int>(StopTest::update) == 1);
+inline constexpr auto enum_words<StoppingCriterion> = std::to_array<std::string_view>({"residual", "update"});
+static_assert(static_cast<int>(StoppingCriterion::residual) == 0);
+static_assert(static_cast<int>(StoppingCriterion::update) == 1);
 
 template <>
 const FieldType& type_of<Ics>();
