@@ -62,7 +62,7 @@ NAMES = {
     "Column": "of a table",
     "SparseColumns": "of a matrix",
     "multiply_columns": "of a matrix",
-    "held": "the field of the wire, and locks",
+    "held": "locks",
     "held_by_another": "a lock",
     "RailShift": "the field of the wire",
     "rail_shift": "the field of the wire",

@@ -112,7 +112,7 @@ contains
         case ("outline"); code = contactd_set_outline(contact, body(1), number(2), number(3))
         case ("line"); code = contactd_add_line(contact, body(1), number(2), number(3), whole(4))
         case ("arc"); code = contactd_add_arc(contact, body(1), number(2), number(3), number(4), whole(5))
-        case ("spline") ! "body held y z y z ..."
+        case ("spline") ! "body clamped y z y z ..."
             many = (count - 3) / 2
             do i = 1, many
                 y(i) = number(1 + 2 * i)

@@ -12,7 +12,7 @@ static int32_t section(void) {
     return contactd_set_section(contact, body(1), word(2, shapes), numbers, count - 3);
 }
 
-/* "body held y z y z ..." */
+/* "body clamped y z y z ..." */
 static int32_t spline(void) {
     double y[most_numbers], z[most_numbers];
     int32_t points = 0;

@@ -62,20 +62,20 @@ class Sections:
     def outline(self, body: str, y: str, z: str) -> None:
         self._begin(body, "outline", {"outside": {"start": {"y": float(y), "z": float(z)}, "parts": []}})
 
-    def _part(self, body: str, kind: str, held: str, curve: dict[str, Any]) -> None:
+    def _part(self, body: str, kind: str, clamped: str, curve: dict[str, Any]) -> None:
         outline = self.sections[body]["outline"]
         curves = [outline["outside"], *outline.get("holes", ())]
-        curves[-1]["parts"].append({kind: curve, "held": bool(int(held))})
+        curves[-1]["parts"].append({kind: curve, "clamped": bool(int(clamped))})
 
-    def line(self, body: str, y: str, z: str, held: str) -> None:
-        self._part(body, "line", held, {"to": {"y": float(y), "z": float(z)}})
+    def line(self, body: str, y: str, z: str, clamped: str) -> None:
+        self._part(body, "line", clamped, {"to": {"y": float(y), "z": float(z)}})
 
-    def arc(self, body: str, y: str, z: str, radius: str, held: str) -> None:
-        self._part(body, "arc", held, {"to": {"y": float(y), "z": float(z)}, "radius": float(radius)})
+    def arc(self, body: str, y: str, z: str, radius: str, clamped: str) -> None:
+        self._part(body, "arc", clamped, {"to": {"y": float(y), "z": float(z)}, "radius": float(radius)})
 
-    def spline(self, body: str, held: str, *numbers: str) -> None:
+    def spline(self, body: str, clamped: str, *numbers: str) -> None:
         points = [{"y": float(y), "z": float(z)} for y, z in zip(numbers[::2], numbers[1::2], strict=True)]
-        self._part(body, "spline", held, {"through": points})
+        self._part(body, "spline", clamped, {"through": points})
 
     def hole(self, body: str, y: str, z: str) -> None:
         holes = self.sections[body]["outline"].setdefault("holes", [])

@@ -278,7 +278,7 @@ def outlines() -> Iterator[bytes]:
     def hole(y: float, z: float, radius: float) -> Any:
         return {"start": point(y + radius, z), "parts": [arc(y - radius, z, -radius), arc(y + radius, z, -radius)]}
 
-    below = [line(6, -4), line(-6, -4, held=True), line(-5, 0)]
+    below = [line(6, -4), line(-6, -4, clamped=True), line(-5, 0)]
     spline = {"spline": {"through": [point(-2, 0.5), point(1, -0.4), point(3, 0.3), point(5, 0)]}}
     tops = [[line(5, 0)], [arc(5, 0, 13)], [arc(5, 0, -9)], [spline], [line(-1, 0), arc(1, 0, -1.5), line(5, 0)]]
     outsides = [{"start": point(-5, 0), "parts": [*top, *below]} for top in tops]

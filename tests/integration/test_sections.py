@@ -114,7 +114,7 @@ def test_half_spaces_that_are_turned_are_the_half_space_on_a_plane(shared):
         ({}, "exactly one"),
         ({**EDGE, "disc": {"radius": 10, "core": 1}}, "exactly one"),
         ({"edge_block": {"width": 5, "height": 50}}, "ics.section"),
-        ({"disc": {"radius": 10, "core": 0}}, "held"),
+        ({"disc": {"radius": 10, "core": 0}}, "clamped"),
     ],
 )
 def test_a_section_that_is_none_is_refused(shared, section, says):
@@ -189,7 +189,7 @@ def test_a_profile_section_that_the_schema_does_not_know_is_refused(raw, change,
     ],
 )
 def test_an_outline_that_is_none_is_refused_with_the_place_however_often(shared, corners, says):
-    parts = [{"line": {"to": {"y": y, "z": z}}, "held": z == -20} for y, z in corners]
+    parts = [{"line": {"to": {"y": y, "z": z}}, "clamped": z == -20} for y, z in corners]
     section = {"outline": {"outside": {"start": {"y": 0, "z": 0}, "parts": parts}}}
     sphere = {"grid": GRID, "upper": RigidBody(), "gap": Paraboloid(50, 50), "Fn": 5000}
     for _ in range(3):  # a table that was refused is not put into quarantine
@@ -200,7 +200,7 @@ def test_an_outline_that_is_none_is_refused_with_the_place_however_often(shared,
 
 
 def test_a_solve_tells_of_a_bad_section_in_its_own_lengths(shared):
-    parts = [{"line": {"to": {"y": y, "z": z}}, "held": z == -20} for y, z in [(-10, -20), (10, -20), (10, 0)]]
+    parts = [{"line": {"to": {"y": y, "z": z}}, "clamped": z == -20} for y, z in [(-10, -20), (10, -20), (10, 0)]]
     section = {"outline": {"outside": {"start": {"y": -10, "z": 0}, "parts": parts}}}
     fine = Grid.centred(21, 20, 0.25 * 21, 0.25 * 20)
     with pytest.raises(InvalidArgument, match=r"ends at \(y, z\) = \(10, 0\), 20 mm from its start at \(y, z\) = \(-10, 0\)"):

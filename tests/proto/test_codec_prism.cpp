@@ -58,7 +58,7 @@ TEST_CASE("A section has exactly one shape, and its parts one curve") {
     const json two{{"slab", {{"thickness", 1}, {"width", 2}}}, {"disc", {{"radius", 1}, {"core", 0.1}}}};
     CHECK_THROWS_AS(decode_ic_spec(params_with(two)), StatusError);
     const json no_curve{
-        {"outside", {{"start", {{"y", 0}, {"z", 0}}}, {"parts", {{{"held", true}}, {{"held", false}}}}}}};
+        {"outside", {{"start", {{"y", 0}, {"z", 0}}}, {"parts", {{{"clamped", true}}, {{"clamped", false}}}}}}};
     CHECK_THROWS_AS(decode_ic_spec(params_with({{"outline", no_curve}})), StatusError);
 }
 

@@ -106,16 +106,16 @@ module contactd_calls
         integer(c_int32_t) function contactd_set_outline(contact, body, y, z) bind(c)
             import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body; real(c_double), value :: y, z
         end function
-        integer(c_int32_t) function contactd_add_line(contact, body, y, z, held) bind(c)
-            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body, held
+        integer(c_int32_t) function contactd_add_line(contact, body, y, z, clamped) bind(c)
+            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body, clamped
             real(c_double), value :: y, z
         end function
-        integer(c_int32_t) function contactd_add_arc(contact, body, y, z, radius, held) bind(c)
-            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body, held
+        integer(c_int32_t) function contactd_add_arc(contact, body, y, z, radius, clamped) bind(c)
+            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body, clamped
             real(c_double), value :: y, z, radius
         end function
-        integer(c_int32_t) function contactd_add_spline(contact, body, y, z, count, held) bind(c)
-            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body, count, held
+        integer(c_int32_t) function contactd_add_spline(contact, body, y, z, count, clamped) bind(c)
+            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body, count, clamped
             real(c_double), intent(in) :: y(*), z(*)
         end function
         integer(c_int32_t) function contactd_add_hole(contact, body, y, z) bind(c)

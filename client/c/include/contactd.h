@@ -235,14 +235,14 @@ CONTACTD_API int32_t contactd_set_profile_points(contactd_contact* contact, int3
 CONTACTD_API int32_t contactd_set_profile_file(contactd_contact* contact, int32_t body, int32_t kind, const char* path,
                                                double smoothing_length, double depth, double from);
 /* An outline of one's own begins here, and is travelled with the body on its right; each part begins where the one
- * before ended, and the last one ends at the beginning. held: 1, nothing moves along it. radius > 0: convex, < 0:
+ * before ended, and the last one ends at the beginning. clamped: 1, nothing moves along it. radius > 0: convex, < 0:
  * hollow. Parts that are added behind contactd_add_hole are the hole's. */
 CONTACTD_API int32_t contactd_set_outline(contactd_contact* contact, int32_t body, double y, double z);
-CONTACTD_API int32_t contactd_add_line(contactd_contact* contact, int32_t body, double y, double z, int32_t held);
+CONTACTD_API int32_t contactd_add_line(contactd_contact* contact, int32_t body, double y, double z, int32_t clamped);
 CONTACTD_API int32_t contactd_add_arc(contactd_contact* contact, int32_t body, double y, double z, double radius,
-                                      int32_t held);
+                                      int32_t clamped);
 CONTACTD_API int32_t contactd_add_spline(contactd_contact* contact, int32_t body, const double* y, const double* z,
-                                         int32_t count, int32_t held);
+                                         int32_t count, int32_t clamped);
 CONTACTD_API int32_t contactd_add_hole(contactd_contact* contact, int32_t body, double y, double z);
 /* Where the columns begin: `from` along the curve from the beginning of its part `part`, both from 0. carrier 0 is the
  * outside, i the hole i. */

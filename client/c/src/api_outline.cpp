@@ -35,9 +35,9 @@ void each_outline(Said& said, std::int32_t body, const Change& change) {
 
 /// Adds the part that `make` makes, below the field of its kind, to the outside, or to the hole that was begun last.
 template <class Make>
-std::int32_t add(contactd_contact* contact, std::int32_t body, std::int32_t held, const Make& make) {
+std::int32_t add(contactd_contact* contact, std::int32_t body, std::int32_t clamped, const Make& make) {
     return set_up(contact, "coefficients", [&](Said& said) {
-        const OutlinePart part{make("ics.section.outline.part"), word(held, 1, "held") != 0};
+        const OutlinePart part{make("ics.section.outline.part"), word(clamped, 1, "clamped") != 0};
         each_outline(said, body, [&](OutlineSection& section) {
             (section.holes.empty() ? section.outside : section.holes.back()).parts.push_back(part);
         });
@@ -61,20 +61,21 @@ std::int32_t contactd_add_hole(contactd_contact* contact, std::int32_t body, dou
     });
 }
 
-std::int32_t contactd_add_line(contactd_contact* contact, std::int32_t body, double y, double z, std::int32_t held) {
-    return add(contact, body, held, [&](const std::string& of) { return contactd::LineTo{point(y, z, of + ".to")}; });
+std::int32_t contactd_add_line(contactd_contact* contact, std::int32_t body, double y, double z, std::int32_t clamped) {
+    return add(contact, body, clamped,
+               [&](const std::string& of) { return contactd::LineTo{point(y, z, of + ".to")}; });
 }
 
 std::int32_t contactd_add_arc(contactd_contact* contact, std::int32_t body, double y, double z, double radius,
-                              std::int32_t held) {
-    return add(contact, body, held, [&](const std::string& of) {
+                              std::int32_t clamped) {
+    return add(contact, body, clamped, [&](const std::string& of) {
         return contactd::ArcTo{point(y, z, of + ".to"), finite(radius, (of + ".radius").c_str())};
     });
 }
 
 std::int32_t contactd_add_spline(contactd_contact* contact, std::int32_t body, const double* y, const double* z,
-                                 std::int32_t count, std::int32_t held) {
-    return add(contact, body, held, [&](const std::string& of) {
+                                 std::int32_t count, std::int32_t clamped) {
+    return add(contact, body, clamped, [&](const std::string& of) {
         const auto of_y = array(y, count, "spline.y"), of_z = array(z, count, "spline.z");
         contactd::SplineTo spline;
         for (std::size_t i = 0; i < of_y.size(); ++i)

@@ -52,7 +52,7 @@ struct SplineTo {
 
 struct OutlinePart {
     std::variant<LineTo, ArcTo, SplineTo> curve{};
-    bool held = false;  ///< no displacement along it
+    bool clamped = false;  ///< no displacement along it
 
     bool operator==(const OutlinePart&) const = default;
 };

@@ -29,7 +29,7 @@ template <>
 inline constexpr std::tuple named_members<SplineTo>{NamedMember{"through", &SplineTo::through}};
 template <>
 inline constexpr std::tuple named_members<OutlinePart>{NamedMember{"curve", &OutlinePart::curve},
-                                                       NamedMember{"held", &OutlinePart::held}};
+                                                       NamedMember{"clamped", &OutlinePart::clamped}};
 template <>
 inline constexpr std::tuple named_members<Outline>{NamedMember{"start", &Outline::start},
                                                    NamedMember{"parts", &Outline::parts}};

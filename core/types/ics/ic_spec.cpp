@@ -93,7 +93,7 @@ void validate_uniform(const IcSpec& spec) {
     validate(*spec.section, "ics.section");
     if (spec.section->free)
         throw InvalidArgument("ics.section.free",
-                              "is true; what nothing holds has no displacements: hold a part of it");
+                              "is true; a body without clamped parts has no displacements: clamp a part of it");
     if (spec.ny > most_strips)
         throw InvalidArgument("grid.ny", "is " + std::to_string(spec.ny) + "; a prism has at most " +
                                              std::to_string(most_strips) + " columns");

@@ -36,7 +36,7 @@ void check_below(double value, const std::string& field, double bound, const cha
             field, "is " + number_text(value) + "; it must be less than " + bound_name + ", " + number_text(bound));
 }
 
-// Counts what its outlines have, and what of it is held.
+// Counts what its outlines have, and what of it is clamped.
 class OutlineCheck {
    public:
     void add(const Outline& outline, const std::string& field) {
@@ -47,13 +47,13 @@ class OutlineCheck {
         for (std::size_t i = 0; i < outline.parts.size(); ++i) {
             const std::string of = field + ".parts[" + std::to_string(i) + "]";
             std::visit([&](const auto& curve) { add(curve, of); }, outline.parts[i].curve);
-            held_ = held_ || outline.parts[i].held;
+            clamped_ = clamped_ || outline.parts[i].clamped;
             if (count_ > most_outline_parts)
                 throw InvalidArgument(of, "is beyond the limit of " + std::to_string(most_outline_parts) +
                                               " parts of outlines and points of splines together; leave some out");
         }
     }
-    bool held() const { return held_; }
+    bool clamped() const { return clamped_; }
 
    private:
     void add(const LineTo& line, const std::string& of) {
@@ -73,10 +73,10 @@ class OutlineCheck {
     }
 
     std::size_t count_ = 0;
-    bool held_ = false;
+    bool clamped_ = false;
 };
 
-// Each returns whether something is held.
+// Each returns whether something is clamped.
 bool check(const OutlineSection& section, const std::string& field) {
     const std::string name = field + ".outline";
     if (section.holes.size() > most_holes)
@@ -95,7 +95,7 @@ bool check(const OutlineSection& section, const std::string& field) {
         throw InvalidArgument(name + ".part", "is " + std::to_string(section.part) + "; the curve has the parts 0 to " +
                                                   std::to_string(carrier.parts.size() - 1));
     check_place(section.from, name + ".from");
-    return outlines.held();
+    return outlines.clamped();
 }
 
 bool check(const RailSection& rail, const std::string& field) {
@@ -230,13 +230,13 @@ void validate(const Section& section, const char* field) {
                               "is " + number_text(section.size) + "; it must be a factor between 1e-6 and 1e6");
     if (!(std::abs(section.turn) <= 10))
         throw InvalidArgument(name + ".turn", "is " + number_text(section.turn) + "; it is an angle in rad");
-    const bool held = std::visit([&](const auto& shape) { return check(shape, name); }, section.shape);
-    if (!held && !section.free)
+    const bool clamped = std::visit([&](const auto& shape) { return check(shape, name); }, section.shape);
+    if (!clamped && !section.free)
         throw InvalidArgument(name,
-                              "is held nowhere, so that it moves away under any load; name what is held, or set "
+                              "is clamped nowhere, so that it moves away under any load; name what is clamped, or set "
                               "`free` for coefficients above wavenumber zero only");
-    if (held && section.free)
-        throw InvalidArgument(name + ".free", "is true, yet a part is held; leave one of them out");
+    if (clamped && section.free)
+        throw InvalidArgument(name + ".free", "is true, yet a part is clamped; leave one of them out");
 }
 
 Section scaled(const Section& section, double factor) {

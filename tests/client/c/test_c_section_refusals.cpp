@@ -36,7 +36,7 @@ TEST_CASE("A ready-made section takes as many numbers as it has, and no others",
     at.refuses(contactd_set_section(c, L, CONTACTD_GROOVE, groove, 0), "count");
     at.refuses(contactd_set_section(c, L, CONTACTD_GROOVE, shallow, 4), "ics.section.groove.depth", "radius");
     at.refuses(contactd_set_section(c, L, CONTACTD_RAIL_60E1, rail, 3), "ics.section.rail_60e1.support", "FOOT");
-    at.refuses(contactd_set_section(c, L, CONTACTD_DISC, disc, 2), "ics.section", "held nowhere");
+    at.refuses(contactd_set_section(c, L, CONTACTD_DISC, disc, 2), "ics.section", "clamped nowhere");
     for (const std::int32_t none : {-1, 0, 9, std::numeric_limits<std::int32_t>::max()})
         at.refuses(contactd_set_section(c, L, none, groove, 4), "shape");
     at.refuses(contactd_set_section(c, CONTACTD_PAIR, CONTACTD_GROOVE, groove, 4), "body");
@@ -100,7 +100,7 @@ TEST_CASE("Parts of an outline are refused where they are said, and leave it as 
     at.refuses(contactd_add_spline(c, L, nullptr, z, 2, 0), "spline.y");
     at.refuses(contactd_add_spline(c, L, y, nullptr, 2, 0), "spline.z");
     at.refuses(contactd_add_spline(c, L, y, z, 0, 0), "count");
-    at.refuses(contactd_add_line(c, L, 1, 0, 2), "held");
+    at.refuses(contactd_add_line(c, L, 1, 0, 2), "clamped");
     at.refuses(contactd_set_first_column(c, L, -1, 0, 0), "ics.section.outline.carrier");
     at.refuses(contactd_set_first_column(c, L, 0, -1, 0), "ics.section.outline.part");
     set_sphere(c);

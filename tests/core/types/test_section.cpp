@@ -97,13 +97,13 @@ TEST_CASE("Outlines are refused where their numbers stand", "[section]") {
 }
 
 TEST_CASE("An unconstrained section must be declared free", "[section]") {
-    refuses(Disc{10, 0}, "section is held nowhere");
+    refuses(Disc{10, 0}, "section is clamped nowhere");
     OutlineSection section = square();
-    section.outside.parts[2].held = false;
-    refuses(section, "section is held nowhere");
+    section.outside.parts[2].clamped = false;
+    refuses(section, "section is clamped nowhere");
     CHECK_NOTHROW(validate(Section{Disc{10, 0}, 1, 0, true}, "section"));
     CHECK_THROWS_MATCHES(validate(Section{Disc{10, 1}, 1, 0, true}, "section"), InvalidArgument,
-                         MessageMatches(StartsWith("section.free is true, yet a part is held")));
+                         MessageMatches(StartsWith("section.free is true, yet a part is clamped")));
 }
 
 TEST_CASE("Equal bodies in other units are equal sections", "[section]") {
@@ -113,5 +113,5 @@ TEST_CASE("Equal bodies in other units are equal sections", "[section]") {
     const auto twice = std::get<OutlineSection>(scaled({square()}, 2).shape);
     CHECK(twice.outside.start == SectionPoint{-10, 0});
     CHECK(std::get<LineTo>(twice.outside.parts[1].curve).to == SectionPoint{10, -18});
-    CHECK(twice.outside.parts[2].held);
+    CHECK(twice.outside.parts[2].clamped);
 }

@@ -35,7 +35,7 @@ OutlinePlace place_on(const ProfileCurve& curve, double s) {
 }  // namespace
 
 OutlinePiece::OutlinePiece(const SectionPoint& from, const OutlinePart& part, const std::string& field)
-    : shape_(Line{}), clamped_(part.held) {
+    : shape_(Line{}), clamped_(part.clamped) {
     std::visit([&](const auto& curve) { draw(from, curve, field); }, part.curve);
 }
 

@@ -89,7 +89,7 @@ class StripCheck {
             for (std::size_t i = 0; i < curve_.pieces().size(); ++i) {
                 if (!curve_.pieces()[i].clamped() || i == outline.part) continue;
                 if (lap + curve_.begin_of(i) < high && lap + curve_.begin_of(i + 1) > low)
-                    refuse("it leads across what is held, at " + place_text(curve_.pieces()[i].place(0).at) +
+                    refuse("it leads across what is clamped, at " + place_text(curve_.pieces()[i].place(0).at) +
                            ", to strips that begin on another side of the body, at " +
                            place_text(curve_.place(section_.begin_of(0)).at));
             }
@@ -118,7 +118,7 @@ class StripCheck {
                                           "elsewhere");
     }
     void refuse_clamped(double s) const {
-        throw InvalidArgument(field_, "is held at " + place_text(curve_.place(s).at) + " where its strip " +
+        throw InvalidArgument(field_, "is clamped at " + place_text(curve_.place(s).at) + " where its strip " +
                                           std::to_string(strip_at(s)) + " of " + number() +
                                           " lies; strips must lie on parts that are free to move");
     }

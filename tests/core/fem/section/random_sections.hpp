@@ -30,7 +30,7 @@ inline Outline round_hole(const SectionPoint& centre, double radius) {
     return {right, {{ArcTo{left, -radius}}, {ArcTo{right, -radius}}}};
 }
 
-/// A block whose top is a line, an arc or a spline, with sides that lean and perhaps a hole; held below. Strips of
+/// A block whose top is a line, an arc or a spline, with sides that lean and perhaps a hole; clamped below. Strips of
 /// `length` together lie on its top, or in the hole. Some cannot be.
 inline OutlineSection random_outline(Dice& dice, double length) {
     const double half = length * dice.uniform(0.55, 3), height = length * dice.log_uniform(0.4, 8);

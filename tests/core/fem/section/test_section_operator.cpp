@@ -22,7 +22,7 @@ SectionOutline outline_of_section(const Section& section) {
     return outline_of(geometry::SectionGeometry(section, strips, 1, "ics.section"));
 }
 
-/// Near an edge, in a groove, on a round end, and of a rail that is held at its foot.
+/// Near an edge, in a groove, on a round end, and of a rail that is clamped at its foot.
 std::vector<SectionOutline> outlines() {
     return {edge_block(50, 30, 0.5, strips), groove(6, 20, 20, strips), round_end(4, 20, strips),
             outline_of_section({RailSection{0, RailSupport::foot, 20}})};

@@ -61,7 +61,7 @@ std::array<double, 5> boundary_areas(mfem::Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("An extruded section is the half of a uniform body, clamped where that is held and at its end",
+TEST_CASE("An extruded section is the half of a uniform body, clamped where that is and at its end",
           "[section][mesh]") {
     const int strip = GENERATE(0, 1);
     BlockMesh block = mesh_of(small_edge(), strip);

@@ -23,8 +23,8 @@ void refuses(const Section& section, const std::string& field, const std::string
                          MessageMatches(StartsWith(field + " ") && ContainsSubstring(sentence)));
 }
 
-OutlinePart line(double y, double z, bool held = false) {
-    return {LineTo{{y, z}}, held};
+OutlinePart line(double y, double z, bool clamped = false) {
+    return {LineTo{{y, z}}, clamped};
 }
 
 // |y| <= 10, -20 <= z <= 0, strips from -5 on.
@@ -100,7 +100,7 @@ TEST_CASE("Strips that do not lie on a smooth free part are refused with coordin
     refuses({section}, "section", "has a corner of 90 degrees at (y, z) = (-10, 0) in strip 2 of 4");
     section.part = 2;
     section.from = 3;
-    refuses({section}, "section", "is held at (y, z) = (7, -20) where its strip 0 of 4 lies");
+    refuses({section}, "section", "is clamped at (y, z) = (7, -20) where its strip 0 of 4 lies");
     refuses({EdgeBlock{100, 50, 1}}, "section", "has a corner of 90 degrees at (y, z) = (-100, 0)", 10, 10);
     refuses({Groove{10, 10, 120, 70}}, "section", "has a corner of 90 degrees at (y, z) = (-10, 0) in strip 4 of 41",
             41, 1);
@@ -112,7 +112,7 @@ TEST_CASE("Strips that do not lie on a smooth free part are refused with coordin
 }
 
 TEST_CASE("Strips that begin on another side of the body than `from` is counted on are refused", "[section]") {
-    const std::string across = "leads across what is held, at (y, z) = (";
+    const std::string across = "leads across what is clamped, at (y, z) = (";
     for (const double from : {200.0, 150.0, -150.0, -200.0})
         refuses({RailSection{0, RailSupport::cut, from}}, "section.rail_60e1.from", across);
     refuses({RailSection{0, RailSupport::foot, 550}}, "section.rail_60e1.from", "is 550; it leads across");
@@ -167,7 +167,7 @@ TEST_CASE("Numbers of strips that can not be are refused", "[section]") {
     refuses({EdgeBlock{100, 50, 0}}, "section", "has 1001 strips", 1001);
     refuses({EdgeBlock{100, 50, 0}}, "section", "has strips of the width nan", 4, nan);
     refuses({EdgeBlock{100, 50, 0}}, "section", "has strips of the width -1", 4, -1);
-    refuses({Disc{10, 0}}, "section", "is held nowhere");
+    refuses({Disc{10, 0}}, "section", "is clamped nowhere");
 }
 
 TEST_CASE("Profiles that do not fit their section are refused", "[section]") {
