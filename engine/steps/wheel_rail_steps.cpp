@@ -13,7 +13,7 @@ StatusError not_converged(const WheelRailSolution& solution) {
     for (const WheelRailPatch& patch : solution.patches) missed.add(patch.solution.evidence);
     missed.add("the search for z", solution.force);
     missed.add("the search for pitch", solution.pitch_search);
-    missed.add("the search for the shift of the rail", solution.rail_search);
+    missed.add("the search for the deflection of the rail", solution.rail_search);
     return missed.error();
 }
 

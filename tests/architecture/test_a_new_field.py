@@ -48,9 +48,9 @@ int main() {
     } catch (const InvalidArgument& error) {
         std::cout << error.what() << "\\n";
     }
-    RailShift shift{1, 2, 3};
-    mirror_fields(shift);
-    std::cout << shift.y << " " << shift.z << " " << shift.probe << "\\n";
+    RailDeflection deflection{1, 2, 3};
+    mirror_fields(deflection);
+    std::cout << deflection.y << " " << deflection.z << " " << deflection.probe << "\\n";
 }
 """
 
@@ -58,12 +58,12 @@ int main() {
 PYTHON = """
 from contactd.values.answers import read
 from contactd.values.wheel_rail.params import setup_params
-from contactd.wheel_rail import RailShift, Track, WheelRailSetup
+from contactd.wheel_rail import RailDeflection, Track, WheelRailSetup
 
 assert "probe: A number (mm). Default 1." in Track.__doc__, Track.__doc__
 track = Track(probe=3, probe_kind="second")
 assert setup_params(WheelRailSetup(track=track))["track"] == {"probe": 3, "probe_kind": "second"}
-assert read(RailShift, {"y": 1, "z": 2, "probe": 3}).probe == 3
+assert read(RailDeflection, {"y": 1, "z": 2, "probe": 3}).probe == 3
 """
 
 
@@ -81,7 +81,7 @@ def add_fields(tree: Path) -> None:
         "struct Track {\n",
         "enum class ProbeKind { first, second };\n\nstruct Track {\n    double probe = 1;\n    ProbeKind probe_kind = ProbeKind::first;\n",
     )
-    replace(headers / "wheel_rail_solution.hpp", "struct RailShift {\n    double y = 0, z = 0;\n", "struct RailShift {\n    double y = 0, z = 0, probe = 0;\n")
+    replace(headers / "wheel_rail_solution.hpp", "struct RailDeflection {\n    double y = 0, z = 0;\n", "struct RailDeflection {\n    double y = 0, z = 0, probe = 0;\n")
     path = tree / "proto" / "schema" / "definitions.json"
     definitions = json.loads(path.read_text())
     track = definitions["definitions"]["wheel_rail_setup"]["properties"]["track"]
@@ -95,7 +95,7 @@ def add_fields(tree: Path) -> None:
     path = tree / "proto" / "schema" / "wheelrail.solve.result.json"
     result = json.loads(path.read_text())
     signed = {"description": "A signed number.", "x-unit": "mm", "x-parity": "odd", "x-fmu": "output", "type": "number"}
-    result["properties"]["rail_shift"]["properties"]["probe"] = signed
+    result["properties"]["rail_deflection"]["properties"]["probe"] = signed
     path.write_text(json.dumps(result))
 
 
@@ -125,7 +125,7 @@ def test_python_has_a_new_field(tree: Path) -> None:
 def test_a_new_field_follows_from_its_struct_and_its_schema(tree: Path) -> None:
     variables = (tree / "client" / "fmu" / "variables" / "wheel_fields.hpp").read_text()
     assert '.path = "setup.track.probe"' in variables
-    assert '.path = "rail_shift.probe"' in variables
+    assert '.path = "rail_deflection.probe"' in variables
     (tree / "probe.cpp").write_text(PROGRAM)
     sources = ["probe.cpp", "proto/src/codec/field_codec.cpp", "core/types/field_path.cpp", "core/types/fields.cpp"]
     sources += [str(path.relative_to(tree)) for path in (tree / "core" / "types" / "fields").glob("*.cpp")]

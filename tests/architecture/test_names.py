@@ -65,7 +65,7 @@ SAME = [
     ("definitions", "wheel_rail_setup/rail_slices", "RailSlice", ""),
     ("definitions", "wheel_rail_setup/wheel_slices", "WheelSlice", ""),
     ("definitions", "wheel_rail_setup/track/springs", "RailSprings", "RailSprings"),
-    ("wheelrail.solve.result", "rail_shift", "RailShift", "RailShift"),
+    ("wheelrail.solve.result", "rail_deflection", "RailDeflection", "RailDeflection"),
     ("definitions", "wheel_rail_derivatives", "WheelRailDerivatives", "WheelRailDerivatives"),
     ("wheelrail.solve.result", "", "WheelRailSolution", "WheelRailSolution"),
     ("wheelrail.solve.result", "patches", "WheelRailPatch", "WheelRailPatch"),

@@ -64,8 +64,6 @@ NAMES = {
     "multiply_columns": "of a matrix",
     "held": "locks",
     "held_by_another": "a lock",
-    "RailShift": "the field of the wire",
-    "rail_shift": "the field of the wire",
     "distance_turn": "the field of the wire",
     "turn_neighbours": "the rule of `distance_turn`",
     "turn": "an angle or a revolution",

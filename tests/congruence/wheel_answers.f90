@@ -134,7 +134,7 @@ contains
             call tell_object(wheel, "derivatives." // inputs(i), 6)
         end do
         call tell_whole_field(wheel, "converged")
-        call tell_object(wheel, "rail_shift", 2)
+        call tell_object(wheel, "rail_deflection", 2)
         do i = 1, size(searches)
             call tell_whole_field(wheel, trim(searches(i)) // ".iterations")
             call tell_field(wheel, trim(searches(i)) // ".residual")

@@ -105,7 +105,7 @@ static void tell_wheel(contactd_wheel* wheel) {
     tell_forces(wheel, "");
     for (int by = 0; by < 10; ++by) tell_object(wheel, "derivatives.", inputs[by], 6);
     tell_whole_field(wheel, "", "converged");
-    tell_object(wheel, "", "rail_shift", 2);
+    tell_object(wheel, "", "rail_deflection", 2);
     for (int search = 0; search < 3; ++search) {
         tell_whole_field(wheel, searches[search], ".iterations");
         tell_field(wheel, searches[search], ".residual");

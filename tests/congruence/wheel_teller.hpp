@@ -20,7 +20,7 @@ class WheelTeller {
         forces(wheel.forces);
         derivatives(wheel.derivatives);
         whole(wheel.converged());
-        wheel.rail_shift ? numbers({wheel.rail_shift->y, wheel.rail_shift->z}) : nothing(2);
+        wheel.rail_deflection ? numbers({wheel.rail_deflection->y, wheel.rail_deflection->z}) : nothing(2);
         for (const auto& search : {wheel.force, wheel.pitch_search, wheel.rail_search}) {
             if (!search) {
                 nothing(3);

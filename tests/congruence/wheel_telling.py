@@ -2,8 +2,8 @@
 
 After the case's name and that of the call, and the step's number in a session: height, pitch rate, clearance; forces in
 track, rail and wheelset coordinates; derivatives by y, z, roll, yaw and by x, y, z, roll, yaw, pitch; whether it
-converged; the shift of a rail on springs; iterations, residual and whether that is enough, of the searches for z, for
-the pitch rate and for the shift; number and digest of warnings; number of patches. Of each its reference and angle; grid; creepages and velocity; radii; Fn, Fx, Fs,
+converged; the deflection of a flexible rail; iterations, residual and whether that is enough, of the searches for z, for
+the pitch rate and for the deflection; number and digest of warnings; number of patches. Of each its reference and angle; grid; creepages and velocity; radii; Fn, Fx, Fs,
 Mn; forces in the three coordinates; approach, pmax; areas; counts; digests of the arrays, the gap behind them.
 
 The search alone: height, clearance, warnings, places. Of each reference and angle, grid, approach, creepages, radii.
@@ -56,8 +56,8 @@ def told(wheel: Any) -> Iterator[str]:
     derived = wheel.derivatives
     yield from of_wrenches([None if derived is None else getattr(getattr(derived, by), x) for by, names in BY for x in names])
     yield whole(wheel.converged)
-    shift = wheel.rail_shift
-    yield from map(bits, (None, None) if shift is None else (shift.y, shift.z))
+    deflection = wheel.rail_deflection
+    yield from map(bits, (None, None) if deflection is None else (deflection.y, deflection.z))
     for evidence in (wheel.force, wheel.pitch_search, wheel.rail_search):
         if evidence is None:
             yield from "---"

@@ -77,16 +77,16 @@ def test_a_massless_flexible_rail_is_in_balance_with_its_wheel(shared):
         position=WheelsetPosition(y=7.5, yaw=0.01), velocity=ROLLING, Fz=80e3, rail=RailDeviation(y=0.5, Fy=-2e3, Fz=1e3), derivatives=True
     )  # fmt: skip
     solution = shared.wheel_rail(setup, state, fields=[])
-    track, shift = solution.forces.track, solution.rail_shift
-    assert shift is not None
+    track, deflection = solution.forces.track, solution.rail_deflection
+    assert deflection is not None
     assert solution.rail_search is not None
-    assert track.Fy - 2e3 == pytest.approx(1e4 * shift.y, abs=0.1)
-    assert track.Fz + 1e3 == pytest.approx(1e5 * shift.z, abs=0.1)
+    assert track.Fy - 2e3 == pytest.approx(1e4 * deflection.y, abs=0.1)
+    assert track.Fz + 1e3 == pytest.approx(1e5 * deflection.z, abs=0.1)
     assert solution.rail_search.residual <= 1e-6
-    fixed = RailDeviation(y=0.5 + shift.y, z=shift.z)
+    fixed = RailDeviation(y=0.5 + deflection.y, z=deflection.z)
     rigid = shared.wheel_rail(COARSE, WheelRailState(position=state.position, velocity=ROLLING, Fz=80e3, rail=fixed), fields=[])
     assert rigid.forces.track.Fy == pytest.approx(track.Fy, abs=1)
-    assert rigid.rail_shift is None
+    assert rigid.rail_deflection is None
     assert solution.derivatives is not None
     assert 0 < solution.derivatives.position.z.Fz < 1.1e5
 
@@ -104,8 +104,8 @@ def test_a_session_starts_where_its_rail_was(shared):
 def test_both_wheels_press_their_rails_down(shared):
     setup = COARSE.replace(track=Track(springs=RailSprings(z=5e4)))
     wheelset = shared.wheelset(setup, WheelsetState(Fz_left=50e3, Fz_right=100e3, velocity=ROLLING), fields=[])
-    assert wheelset.left.rail_shift.z == pytest.approx(1, rel=1e-4)
-    assert wheelset.right.rail_shift.z == pytest.approx(2, rel=1e-4)
+    assert wheelset.left.rail_deflection.z == pytest.approx(1, rel=1e-4)
+    assert wheelset.right.rail_deflection.z == pytest.approx(2, rel=1e-4)
     assert wheelset.roll == pytest.approx(1 / 1505, rel=0.1)
 
 

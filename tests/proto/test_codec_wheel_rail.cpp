@@ -86,7 +86,7 @@ WheelRailSolution solution() {
     solution.forces.wheelset = {13, 14, 15, 16, 17, 18};
     solution.force = SolverEvidence{3, 1e-9, true, 0.1};
     solution.pitch_search = SolverEvidence{4, 1e-8, false, 0.2};
-    solution.rail_shift = {0.3, 0.7};
+    solution.rail_deflection = {0.3, 0.7};
     solution.rail_search = SolverEvidence{5, 1e-7, true, 0.3};
     solution.derivatives.emplace().position.roll = {31, 32, 33, 34, 35, 36};
     solution.derivatives->velocity.pitch = {41, 42, 43, 44, 45, 46};
@@ -240,7 +240,7 @@ TEST_CASE("The solution of a wheel on a rail comes back exactly", "[codec]") {
     CHECK(read.force->iterations == 3);
     REQUIRE(read.pitch_search);
     CHECK(read.pitch_search->residual == 1e-8);
-    CHECK(read.rail_shift == original.rail_shift);
+    CHECK(read.rail_deflection == original.rail_deflection);
     REQUIRE(read.rail_search);
     CHECK(read.rail_search->residual == 1e-7);
     CHECK(read.derivatives == original.derivatives);

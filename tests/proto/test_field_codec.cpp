@@ -28,9 +28,9 @@ using nlohmann::json;
 
 TEMPLATE_TEST_CASE("Every field comes back from the wire as it was", "[fields]", WheelRailSetup, WheelRailState,
                    WheelsetState, WheelRailFriction, KineticFriction, ContactSettings, PatchRules, Track,
-                   ContactReference, Creepages, ContactRow, Wrench, WheelRailDerivatives, RailShift, Discretisation,
-                   Rolling, RigidContact, WheelsetContacts, ConicityRequest, FemSpec, Extent, Derivatives,
-                   OperatorUse) {
+                   ContactReference, Creepages, ContactRow, Wrench, WheelRailDerivatives, RailDeflection,
+                   Discretisation, Rolling, RigidContact, WheelsetContacts, ConicityRequest, FemSpec, Extent,
+                   Derivatives, OperatorUse) {
     const auto value = with_random_fields<TestType>(GENERATE(range(0u, 20u)));
     ArrayWriter arrays(ArrayEncoding::list);
     const json written = write_fields(value, MemberPath("value"), {&arrays});

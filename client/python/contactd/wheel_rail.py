@@ -59,7 +59,7 @@ from .values.wheel_rail.setup import (
     Wheelset,
     WheelSurface,
 )
-from .values.wheel_rail.solution import RailShift, WheelRailPatch, WheelRailSolution, WheelsetSolution
+from .values.wheel_rail.solution import RailDeflection, WheelRailPatch, WheelRailSolution, WheelsetSolution
 from .values.wheel_rail.state import RailDeviation, WheelRailState, WheelsetPosition, WheelsetState, WheelsetVelocity
 
 __all__ = [
@@ -81,8 +81,8 @@ __all__ = [
     "ProfilePoints",
     "ProfilesOfSides",
     "Rail60E1",
+    "RailDeflection",
     "RailDeviation",
-    "RailShift",
     "RailSprings",
     "RigidContact",
     "RigidSlipKind",

@@ -133,10 +133,10 @@ struct WheelRailDerivatives {
 };
 
 /// By how much a rail on springs has given way, beside its deviation (mm, in track coordinates).
-struct RailShift {
+struct RailDeflection {
     double y = 0, z = 0;
 
-    bool operator==(const RailShift&) const = default;
+    bool operator==(const RailDeflection&) const = default;
 };
 
 /// What an answer tells of patches that it leaves out, as its step said (WheelRailStepInput::patches).
@@ -147,15 +147,15 @@ struct PatchesLeftOut {
 };
 
 struct WheelRailSolution {
-    double z = 0;                                ///< of the wheelset, as prescribed or found (mm)
-    double pitch = 0;                            ///< its pitch rate, as prescribed or found (rad/s)
-    std::optional<double> clearance;             ///< at this z, as in WheelRailGeometry
-    std::vector<WheelRailPatch> patches;         ///< from the right to the left; none without contact
-    std::optional<PatchesLeftOut> left_out;      ///< of an answer that has none of them
-    WheelRailForces forces;                      ///< of all patches
-    std::optional<SolverEvidence> force;         ///< of the search for z: solves, |F - Fz|/Fz
-    std::optional<SolverEvidence> pitch_search;  ///< for Fx: searches for z, or solves; |F - Fx|/Fz
-    std::optional<RailShift> rail_shift;         ///< of a rail on springs
+    double z = 0;                                   ///< of the wheelset, as prescribed or found (mm)
+    double pitch = 0;                               ///< its pitch rate, as prescribed or found (rad/s)
+    std::optional<double> clearance;                ///< at this z, as in WheelRailGeometry
+    std::vector<WheelRailPatch> patches;            ///< from the right to the left; none without contact
+    std::optional<PatchesLeftOut> left_out;         ///< of an answer that has none of them
+    WheelRailForces forces;                         ///< of all patches
+    std::optional<SolverEvidence> force;            ///< of the search for z: solves, |F - Fz|/Fz
+    std::optional<SolverEvidence> pitch_search;     ///< for Fx: searches for z, or solves; |F - Fx|/Fz
+    std::optional<RailDeflection> rail_deflection;  ///< of a rail on springs
     /// Of a rail on springs: solves, and what its forces leave of each other, |Fy + rail.Fy - track.springs.y y|/Fz or
     /// that of z, whichever is larger.
     std::optional<SolverEvidence> rail_search;

@@ -20,7 +20,7 @@ constexpr double farthest = 20;               // mm: laterally, from where the o
 constexpr double most_usual_deflection = 20;  // mm: rails on their sleepers deflect by one or two
 
 /// Returns the state with the rail deflected and fixed there, the wheel at its height or under its force.
-WheelRailState deflected(WheelRailState state, const RailShift& deflection) {
+WheelRailState deflected(WheelRailState state, const RailDeflection& deflection) {
     state.rail.y += deflection.y;
     state.rail.z += deflection.z;
     state.rail.Fy = state.rail.Fz = 0;
@@ -68,11 +68,11 @@ class Balance {
         const double left = std::max(std::abs(excess_aside()), std::abs(excess_down()));
         const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - begin;
         solution_.rail_search = {solves_, left, left <= tolerance_, duration.count()};
-        solution_.rail_shift = deflection_;
+        solution_.rail_deflection = deflection_;
         if (solution_.force) solution_.force->converged = solution_.force->residual <= tolerance_;
         if (left > tolerance_)
             solution_.warnings.push_back(
-                "No shift of the rail balances its springs: at y = " + short_text(deflection_.y) +
+                "No deflection of the rail balances its springs: at y = " + short_text(deflection_.y) +
                 " mm and z = " + short_text(deflection_.z) + " mm " + short_text(left) +
                 " of the force is left after " + std::to_string(solves_) + " solves.");
         if (const double most = std::max(std::abs(deflection_.y), std::abs(deflection_.z));
@@ -161,7 +161,7 @@ class Balance {
     WheelRailEstimates& estimates_;
     Observer& observer_;
     double tolerance_;
-    RailShift deflection_{};
+    RailDeflection deflection_{};
     WheelRailSolution solution_{};
     int solves_ = 0;
 };
@@ -174,7 +174,7 @@ WheelRailSolution solve_on_flexible_rail(const RightWheel& wheel, WheelRailEstim
 
 void differentiate_on_flexible_rail(const RightWheel& wheel, WheelRailSolution& solution, Observer& observer) {
     const WheelRailSetup setup = with_fixed_rail(wheel.setup());
-    const WheelRailState state = deflected(wheel.state(), *solution.rail_shift);
+    const WheelRailState state = deflected(wheel.state(), *solution.rail_deflection);
     RightWheel on_fixed_rail = wheel.with(setup, state);
     differentiate(on_fixed_rail, solution, observer);
     if (solution.derivatives)
@@ -189,8 +189,8 @@ WheelRailSetup with_fixed_rail(WheelRailSetup setup) {
 WheelRailState expected_on_flexible_rail(const RightWheel& wheel) {
     const WheelRailState& given = wheel.state();
     const RailSprings& springs = *wheel.setup().track.springs;
-    RailShift deflection{deflection_by(given.rail.Fy, springs.y),
-                         deflection_by(given.rail.Fz + given.Fz.value_or(0), springs.z)};
+    RailDeflection deflection{deflection_by(given.rail.Fy, springs.y),
+                              deflection_by(given.rail.Fz + given.Fz.value_or(0), springs.z)};
     if (given.Fz || !springs.z) return deflected(given, deflection);
     const WheelRailSetup setup = with_fixed_rail(wheel.setup());
     const WheelRailState unloaded = deflected(given, {deflection.y, 0});

@@ -59,7 +59,7 @@ WheelRailSolution RightWheel::solve(Observer& observer) {
     if (first_contact_height()) {
         solution = state_.Fx ? solve_for_Fx(*state_.Fx, observer) : at_height(observer);
         if (state_.derivatives) {
-            if (solution.rail_shift)
+            if (solution.rail_deflection)
                 differentiate_on_flexible_rail(*this, solution, observer);
             else
                 differentiate(*this, solution, observer);

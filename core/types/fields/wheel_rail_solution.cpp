@@ -50,12 +50,12 @@ namespace {
 }
 [[maybe_unused]] void all_of(const WheelRailSolution& all) {
     [[maybe_unused]] const auto& [z_, pitch_, forces_, patches_, warnings_, clearance_, force_, pitch_search_,
-                                  rail_shift_, rail_search_, derivatives_, left_out_] = all;
+                                  rail_deflection_, rail_search_, derivatives_, left_out_] = all;
 }
 [[maybe_unused]] void all_of(const WheelRailPatch& all) {
     [[maybe_unused]] const auto& [place_, gap_, solution_, forces_] = all;
 }
-[[maybe_unused]] void all_of(const RailShift& all) {
+[[maybe_unused]] void all_of(const RailDeflection& all) {
     [[maybe_unused]] const auto& [y_, z_] = all;
 }
 [[maybe_unused]] void all_of(const WheelsetSolution& all) {
@@ -242,7 +242,7 @@ const FieldType& type_of<WheelRailSolution>() {
         fields::field<&WheelRailSolution::clearance>("clearance", {.unit = "mm"}),
         fields::field<&WheelRailSolution::force>("force"),
         fields::field<&WheelRailSolution::pitch_search>("pitch_search"),
-        fields::field<&WheelRailSolution::rail_shift>("rail_shift"),
+        fields::field<&WheelRailSolution::rail_deflection>("rail_deflection"),
         fields::field<&WheelRailSolution::rail_search>("rail_search"),
         fields::field<&WheelRailSolution::derivatives>("derivatives"),
     });
@@ -263,10 +263,10 @@ const FieldType& type_of<WheelRailPatch>() {
 }
 
 template <>
-const FieldType& type_of<RailShift>() {
+const FieldType& type_of<RailDeflection>() {
     static const auto list = std::to_array<Field>({
-        fields::field<&RailShift::y>("y", {.unit = "mm", .parity = MirrorParity::odd, .required = true}),
-        fields::field<&RailShift::z>("z", {.unit = "mm", .required = true}),
+        fields::field<&RailDeflection::y>("y", {.unit = "mm", .parity = MirrorParity::odd, .required = true}),
+        fields::field<&RailDeflection::z>("z", {.unit = "mm", .required = true}),
     });
     static const FieldType type = fields::object_type(list);
     return type;

@@ -84,7 +84,8 @@ inline Numbers solved(contactd_wheel* w) {
         const Numbers more = get_array(w, path);
         all.insert(all.end(), more.begin(), more.end());
     };
-    for (const char* path : {"z", "pitch", "roll", "clearance", "rail_shift", "forces", "derivatives", "converged"})
+    for (const char* path :
+         {"z", "pitch", "roll", "clearance", "rail_deflection", "forces", "derivatives", "converged"})
         take(path);
     for (int k = 0; k < get(w, "warnings"); ++k)
         for (const char letter : get_word(w, "warnings[" + std::to_string(k) + "]")) all.push_back(letter);

@@ -95,7 +95,7 @@ TEST_CASE("What is read is the same, whichever way it is named", "[c]") {
     CHECK(get(w, "converged") == 1);
     CHECK(get_array(w, "patches[0].place.creepages")[2] == get(w, "patches[0].place.creepages.phi"));
     CHECK(get(w, "frictional_power") == get(w, "patches[0].solution.frictional_power"));
-    CHECK(get_array(w, "rail_shift")[0] == get(w, "rail_shift.y"));
+    CHECK(get_array(w, "rail_deflection")[0] == get(w, "rail_deflection.y"));
     CHECK(get(w, "patches[0].solution.evidence.normal.converged") == 1);
     const Numbers pressure = get_array(w, "patches[0].solution.pressure");
     CHECK(*std::ranges::max_element(pressure) == get(w, "patches[0].solution.pmax"));
@@ -104,12 +104,12 @@ TEST_CASE("What is read is the same, whichever way it is named", "[c]") {
           get(w, "patches[0].solution.elements.slip"));
     std::int32_t id = -1;
     double value = 0;
-    require_ok(contactd_path(w, "rail_shift.y", &id), w);
+    require_ok(contactd_path(w, "rail_deflection.y", &id), w);
     for (const double springs : {1e5, 2e5}) {
         set(w, "setup.track.springs.y", springs);
         require_ok(contactd_wheel_solve(w), w);
         require_ok(contactd_get_at(w, id, &value), w);
-        CHECK(value == get(w, "rail_shift.y"));
+        CHECK(value == get(w, "rail_deflection.y"));
     }
 }
 

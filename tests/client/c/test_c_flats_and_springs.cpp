@@ -117,8 +117,8 @@ TEST_CASE("A rail on springs is in balance with its wheel and with what else act
     const WheelHandle w(here);
     set_on_springs(w);
     require_ok(contactd_wheel_solve(w), w);
-    CHECK(get(w, "forces.track.Fy") - 300 == Approx(1e4 * get(w, "rail_shift.y")).margin(0.05));
-    CHECK(get(w, "forces.track.Fz") + 1000 == Approx(1e5 * get(w, "rail_shift.z")).margin(0.05));
+    CHECK(get(w, "forces.track.Fy") - 300 == Approx(1e4 * get(w, "rail_deflection.y")).margin(0.05));
+    CHECK(get(w, "forces.track.Fz") + 1000 == Approx(1e5 * get(w, "rail_deflection.z")).margin(0.05));
     CHECK(get(w, "forces.track.Fy") != 0);
     CHECK(get(w, "rail_search.iterations") > 1);
     CHECK(get(w, "rail_search.residual") <= 1e-6);
@@ -134,11 +134,11 @@ TEST_CASE("A rail whose springs are taken back is rigid again", "[c]") {
     set(w, "setup.track.springs.z", 5e4);
     set(w, {{"state.rail.Fy", 0}, {"state.rail.Fz", 0}});
     require_ok(contactd_wheel_solve(w), w);
-    CHECK(get(w, "rail_shift.y") == 0);
-    CHECK(get(w, "rail_shift.z") == Approx(1e4 / 5e4));
+    CHECK(get(w, "rail_deflection.y") == 0);
+    CHECK(get(w, "rail_deflection.z") == Approx(1e4 / 5e4));
     clear(w, "setup.track.springs");
     CHECK(solved(w) == solved(rigid));
-    CHECK_FALSE(has(w, "rail_shift"));
+    CHECK_FALSE(has(w, "rail_deflection"));
     CHECK_FALSE(has(w, "rail_search.residual"));
 }
 
@@ -191,8 +191,8 @@ TEST_CASE("The wheels of a wheelset press their rails down, each by its force", 
     set(right, "state.Fz", 2e4);
     set(left, {{"state.rail.Fy", 0}, {"state.rail.Fz", 5e3}});
     require_ok(contactd_wheel_solve_wheelset(right, left), right);
-    CHECK(get(right, "rail_shift.z") == Approx(0.4).epsilon(1e-4));
-    CHECK(get(left, "rail_shift.z") == Approx(0.3).epsilon(1e-4));
+    CHECK(get(right, "rail_deflection.z") == Approx(0.4).epsilon(1e-4));
+    CHECK(get(left, "rail_deflection.z") == Approx(0.3).epsilon(1e-4));
     CHECK(get(right, "roll") > 0);
 
     set(left, "state.position.pitch", 0.1);

@@ -72,8 +72,8 @@ def test_the_flat_and_the_springs_on_the_page_are_those_of_python(shared_daemon,
     rolling = WheelsetVelocity(x=20e3, pitch=-20e3 / 460)
     state = WheelRailState(position=WheelsetPosition(pitch=0.02), velocity=rolling, rail=RailDeviation(Fy=-500, Fz=2e3), Fz=8e4)
     with shared_daemon.client() as client:
-        shift = client.wheel_rail(setup, state, fields=[]).rail_shift
-    assert (y, z) == pytest.approx((shift.y, shift.z), rel=1e-8)
+        deflection = client.wheel_rail(setup, state, fields=[]).rail_deflection
+    assert (y, z) == pytest.approx((deflection.y, deflection.z), rel=1e-8)
 
 
 def test_the_sweep_in_c_is_that_in_python_and_in_process(shared_daemon):
@@ -129,7 +129,7 @@ def test_octave_has_wheels_that_are_not_round_and_rails_on_springs(shared_daemon
         "contactd('set', w, [at '.angle'], 0.03 * (k - 3));"
         "contactd('set_array', w, [at '.profile.points'], [-20 50; -d -d]); end;"
         "for pitch = [0 1], contactd('set', w, 'state.position.pitch', pitch); contactd('wheel_solve', w);"
-        "printf('%.10g %.10g %d\\n', contactd('get', w, 'z'), contactd('get', w, 'rail_shift.z'),"
+        "printf('%.10g %.10g %d\\n', contactd('get', w, 'z'), contactd('get', w, 'rail_deflection.z'),"
         "contactd('get', w, 'rail_search.converged')); end;"
         "contactd('clear', w, 'setup.wheel_slices'); contactd('wheel_free', w); contactd('close', c);"
     )

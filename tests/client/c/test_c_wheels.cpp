@@ -185,7 +185,7 @@ TEST_CASE("What is not there to be read is said", "[c]") {
     double x[6];
     set(w, "state.position.y", 2000);
     require_ok(contactd_wheel_solve(w), w);
-    for (const char* path : {"clearance", "derivatives.position.z.Fx", "patches[0].solution.pmax", "rail_shift.y"})
+    for (const char* path : {"clearance", "derivatives.position.z.Fx", "patches[0].solution.pmax", "rail_deflection.y"})
         CHECK(contactd_get(w, path, x) == CONTACTD_NOT_FOUND);
     CHECK(contactd_get_array(w, "derivatives.position.z", x, 6) == CONTACTD_NOT_FOUND);
     CHECK(contactd_get_array(w, "forces.ground", x, 6) == CONTACTD_INVALID_ARGUMENT);

@@ -145,7 +145,7 @@ def test_an_answer_is_read():
     assert solution.force is not None
     assert solution.force.iterations == 3
     assert solution.pitch_search is None
-    assert solution.rail_shift is None
+    assert solution.rail_deflection is None
     assert patch.place.regions[0].y == (748.0, 756.1)
     assert patch.place.radii.rail_along is None
     assert patch.solution.pressure is None

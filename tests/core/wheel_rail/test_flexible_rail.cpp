@@ -55,12 +55,12 @@ void check_same_forces(const Wrench& a, const Wrench& b, double part) {
 /// Checks the balance of the rail's springs with all other forces on it.
 void check_balance(const WheelRailSetup& setup, const WheelRailState& state, const WheelRailSolution& solution) {
     REQUIRE(solution.converged());
-    REQUIRE(solution.rail_shift);
+    REQUIRE(solution.rail_deflection);
     REQUIRE(solution.rail_search);
     const auto& [y, z] = *setup.track.springs;
     const Wrench& wheel = solution.forces.track;
-    const double off_y = y ? wheel.Fy + state.rail.Fy - *y * solution.rail_shift->y : solution.rail_shift->y;
-    const double off_z = z ? wheel.Fz + state.rail.Fz - *z * solution.rail_shift->z : solution.rail_shift->z;
+    const double off_y = y ? wheel.Fy + state.rail.Fy - *y * solution.rail_deflection->y : solution.rail_deflection->y;
+    const double off_z = z ? wheel.Fz + state.rail.Fz - *z * solution.rail_deflection->z : solution.rail_deflection->z;
     const double largest = std::max(std::abs(off_y), std::abs(off_z));
     CHECK(largest <= setup.force.tolerance * wheel.Fz * (1 + 1e-9));
     CHECK_THAT(solution.rail_search->residual, WithinAbs(largest / wheel.Fz, 1e-12));
@@ -89,12 +89,12 @@ TEST_CASE("A flexible rail is one that lies where it has deflected to") {
     const WheelRailState state = GENERATE(0, 1) == 0 ? under_force(7.2) : at_height(7.2);
     const WheelRailSolution deflected = solve(setup, state);
     check_balance(setup, state, deflected);
-    CHECK(std::abs(deflected.rail_shift->y) > 0.1);
+    CHECK(std::abs(deflected.rail_deflection->y) > 0.1);
     WheelRailSetup rigid = setup;
     rigid.track.springs.reset();
     WheelRailState there = state;
-    there.rail.y += deflected.rail_shift->y;
-    there.rail.z += deflected.rail_shift->z;
+    there.rail.y += deflected.rail_deflection->y;
+    there.rail.z += deflected.rail_deflection->z;
     const WheelRailSolution fixed = solve(rigid, there);
     CHECK_THAT(deflected.z, WithinAbs(fixed.z, 1e-6));
     check_same_forces(deflected.forces.track, fixed.forces.track, 1e-5);
@@ -113,7 +113,7 @@ TEST_CASE("Stiff springs hold a rail") {
     const WheelRailSolution rigid = solve(setup, state);
     check_same_forces(stiff.forces.track, rigid.forces.track, 5e-4);
     CHECK_THAT(stiff.z, WithinAbs(rigid.z, 1e-3));
-    CHECK_FALSE(rigid.rail_shift);
+    CHECK_FALSE(rigid.rail_deflection);
     CHECK_FALSE(rigid.rail_search);
 }
 
@@ -130,7 +130,7 @@ TEST_CASE("A contact and a spring deflect in series") {
     const WheelRailSolution solution = solve(setup, state);
     // The ellipse that stands for the overlap is found on rows of elements.
     CHECK_THAT(solution.forces.track.Fz, WithinRel(Fn, 2e-3));
-    CHECK_THAT(solution.rail_shift.value().z, WithinRel((solution.forces.track.Fz + load) / stiffness, 1e-6));
+    CHECK_THAT(solution.rail_deflection.value().z, WithinRel((solution.forces.track.Fz + load) / stiffness, 1e-6));
     const double of_contact = 1.5 * Fn / known.approach;
     REQUIRE(solution.derivatives);
     CHECK_THAT(solution.derivatives->position.z.Fz, WithinRel(stiffness * of_contact / (stiffness + of_contact), 0.01));
@@ -170,8 +170,8 @@ TEST_CASE("Without a wheel on it a rail lies where the other forces have it") {
     const WheelRailSolution solution = solve(setup, state);
     CHECK_FALSE(solution.in_contact());
     CHECK(solution.converged());
-    CHECK_THAT(solution.rail_shift.value().y, WithinAbs(0.05, 1e-9));
-    CHECK_THAT(solution.rail_shift->z, WithinAbs(-0.05, 1e-9));
+    CHECK_THAT(solution.rail_deflection.value().y, WithinAbs(0.05, 1e-9));
+    CHECK_THAT(solution.rail_deflection->z, WithinAbs(-0.05, 1e-9));
     state.position = {};
     state.position.y = 200;
     state.Fz = 1e4;
@@ -185,7 +185,7 @@ TEST_CASE("A left rail deflects as a right one in a mirror") {
     const WheelRailSolution right = solve(setup, state);
     setup.side = Side::left;
     const WheelRailSolution left = mirrored(solve(setup, mirrored(state)));
-    CHECK(left.rail_shift.value() == right.rail_shift.value());
+    CHECK(left.rail_deflection.value() == right.rail_deflection.value());
     CHECK(left.forces.track == right.forces.track);
 }
 
@@ -212,10 +212,10 @@ TEST_CASE("A wheelset rolls where the rails below it deflect unlike") {
     Observer observer;
     const WheelsetSolution solution = solve_wheelset(WheelRailContact(left), WheelRailContact(right), state, observer);
     REQUIRE(solution.converged());
-    CHECK_THAT(solution.right.rail_shift.value().z, WithinRel(4, 1e-5));
-    CHECK_THAT(solution.left.rail_shift.value().z, WithinRel(2, 1e-5));
-    state.left_rail.z = solution.left.rail_shift->z;
-    state.right_rail.z = solution.right.rail_shift->z;
+    CHECK_THAT(solution.right.rail_deflection.value().z, WithinRel(4, 1e-5));
+    CHECK_THAT(solution.left.rail_deflection.value().z, WithinRel(2, 1e-5));
+    state.left_rail.z = solution.left.rail_deflection->z;
+    state.right_rail.z = solution.right.rail_deflection->z;
     left.track.springs.reset();
     right.track.springs.reset();
     const WheelsetSolution fixed = solve_wheelset(WheelRailContact(left), WheelRailContact(right), state, observer);

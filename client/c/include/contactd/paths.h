@@ -440,9 +440,9 @@
 #define CONTACTD_PATH_PITCH_SEARCH_RESIDUAL "pitch_search.residual"
 #define CONTACTD_PATH_PITCH_SEARCH_CONVERGED "pitch_search.converged"
 #define CONTACTD_PATH_PITCH_SEARCH_SECONDS "pitch_search.seconds" /* s */
-#define CONTACTD_PATH_RAIL_SHIFT "rail_shift"
-#define CONTACTD_PATH_RAIL_SHIFT_Y "rail_shift.y" /* mm */
-#define CONTACTD_PATH_RAIL_SHIFT_Z "rail_shift.z" /* mm */
+#define CONTACTD_PATH_RAIL_DEFLECTION "rail_deflection"
+#define CONTACTD_PATH_RAIL_DEFLECTION_Y "rail_deflection.y" /* mm */
+#define CONTACTD_PATH_RAIL_DEFLECTION_Z "rail_deflection.z" /* mm */
 #define CONTACTD_PATH_RAIL_SEARCH "rail_search"
 #define CONTACTD_PATH_RAIL_SEARCH_ITERATIONS "rail_search.iterations"
 #define CONTACTD_PATH_RAIL_SEARCH_RESIDUAL "rail_search.residual"

@@ -40,7 +40,7 @@ const FieldType& type_of<WheelRailSolution>();
 template <>
 const FieldType& type_of<WheelRailPatch>();
 template <>
-const FieldType& type_of<RailShift>();
+const FieldType& type_of<RailDeflection>();
 template <>
 const FieldType& type_of<WheelsetSolution>();
 

@@ -14,7 +14,7 @@ from .forces import WheelRailDerivatives, WheelRailForces
 from .places import ContactPlace
 from .solution_methods import WheelRailSolutionMethods, WheelsetSolutionMethods
 
-__all__ = ["RailShift", "WheelRailPatch", "WheelRailSolution", "WheelsetSolution"]
+__all__ = ["RailDeflection", "WheelRailPatch", "WheelRailSolution", "WheelsetSolution"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,7 +36,7 @@ class WheelRailPatch:
 
 
 @dataclass(frozen=True)
-class RailShift:
+class RailDeflection:
     """By how much a rail on springs has given way beside its deviation, in track coordinates.
 
     Attributes:
@@ -64,7 +64,8 @@ class WheelRailSolution(WheelRailSolutionMethods):
         force: Search for z, where Fz was given: solves, and what was left, |F - Fz|/Fz.
         pitch_search: Search for the pitch rate, where Fx was given: searches for z, or solves, and the error of Fx that
             was left, over Fz.
-        rail_shift: Of a rail on springs: by how much it has given way beside its deviation, in track coordinates (mm).
+        rail_deflection: Of a rail on springs: by how much it has given way beside its deviation, in track coordinates
+            (mm).
         rail_search: Of a rail on springs: solves, and what its forces leave of each other over Fz, sideways or
             downwards.
         derivatives: Where asked for, of a converged solution with contact.
@@ -81,7 +82,7 @@ class WheelRailSolution(WheelRailSolutionMethods):
     clearance: float | None = None
     force: SolverEvidence | None = None
     pitch_search: SolverEvidence | None = None
-    rail_shift: RailShift | None = None
+    rail_deflection: RailDeflection | None = None
     rail_search: SolverEvidence | None = None
     derivatives: WheelRailDerivatives | None = None
     contacts: int | None = None

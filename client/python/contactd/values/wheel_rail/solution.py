@@ -12,12 +12,12 @@ from ..answers import read
 from ..partial_solution import ALL_FIELDS, check_arrays, on_grid
 from ..representation import with_inherited_attributes
 from ..solution import Fields
-from .result import RailShift, WheelRailPatch, WheelRailSolution, WheelsetSolution
+from .result import RailDeflection, WheelRailPatch, WheelRailSolution, WheelsetSolution
 from .setup import WheelRailFriction
 from .state import WheelRailState
 
 __all__ = [
-    "RailShift",
+    "RailDeflection",
     "WheelRailPatch",
     "WheelRailSolution",
     "WheelRailStepInput",
