@@ -127,7 +127,7 @@ contains
         real(c_double) :: patches
         integer :: i
         call tell_field(wheel, "z")
-        call tell_field(wheel, "pitch")
+        call tell_field(wheel, "pitch_rate")
         call tell_field(wheel, "clearance")
         call tell_forces(wheel, "")
         do i = 1, size(inputs)

@@ -100,7 +100,7 @@ static void tell_wheel(contactd_wheel* wheel) {
     const char* const searches[] = {"force", "pitch_search", "rail_search"};
     double patches = 0;
     tell_field(wheel, "", "z");
-    tell_field(wheel, "", "pitch");
+    tell_field(wheel, "", "pitch_rate");
     tell_field(wheel, "", "clearance");
     tell_forces(wheel, "");
     for (int by = 0; by < 10; ++by) tell_object(wheel, "derivatives.", inputs[by], 6);

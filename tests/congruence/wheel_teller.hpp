@@ -15,7 +15,7 @@ namespace contactd {
 class WheelTeller {
    public:
     void tell(const WheelRailSolution& wheel) const {
-        numbers({wheel.z, wheel.pitch});
+        numbers({wheel.z, wheel.pitch_rate});
         maybe(wheel.clearance);
         forces(wheel.forces);
         derivatives(wheel.derivatives);

@@ -51,7 +51,7 @@ def of_place(place: Any) -> Iterator[str]:
 
 
 def told(wheel: Any) -> Iterator[str]:
-    yield from map(bits, (wheel.z, wheel.pitch, wheel.clearance))
+    yield from map(bits, (wheel.z, wheel.pitch_rate, wheel.clearance))
     yield from of_wrenches([wheel.forces.track, wheel.forces.rail, wheel.forces.wheelset])
     derived = wheel.derivatives
     yield from of_wrenches([None if derived is None else getattr(getattr(derived, by), x) for by, names in BY for x in names])

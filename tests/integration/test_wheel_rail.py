@@ -125,7 +125,7 @@ def test_a_longitudinal_force_is_brought_by_the_pitch_rate(shared):
     assert solution.converged
     assert solution.pitch_search is not None
     assert solution.forces.wheelset.Fx == pytest.approx(500, abs=0.1)
-    assert solution.pitch == pytest.approx(-2000 / 460, rel=0.01)
+    assert solution.pitch_rate == pytest.approx(-2000 / 460, rel=0.01)
 
 
 def test_derivatives_are_differences_of_solutions(shared):

@@ -124,7 +124,7 @@ def test_a_step_without_patches_tells_all_else(shared, model, y, z):
         whole, short = one.step(state), other.step(state, patches=False)
     assert short.contacts == len(whole.patches)
     assert whole.contacts is None
-    for name in ("z", "pitch", "forces", "warnings", "converged", "clearance", "frictional_power", "step"):
+    for name in ("z", "pitch_rate", "forces", "warnings", "converged", "clearance", "frictional_power", "step"):
         assert getattr(short, name) == getattr(whole, name), name
     powers = [patch.solution.frictional_power for patch in whole.patches if patch.solution.frictional_power is not None]
     assert short.frictional_power == (pytest.approx(sum(powers)) if powers else None)

@@ -79,7 +79,7 @@ ContactPlace place() {
 WheelRailSolution solution() {
     WheelRailSolution solution;
     solution.z = 0.2;
-    solution.pitch = -4.3;
+    solution.pitch_rate = -4.3;
     solution.clearance = -0.02;
     solution.forces.track = {1, 2, 3, 4, 5, 6};
     solution.forces.rail = {7, 8, 9, 10, 11, 12};
@@ -166,7 +166,7 @@ TEST_CASE("The solution of a wheelset comes back exactly", "[codec]") {
     original.z = 0.1 + 0.2;
     original.roll = -1e-3;
     original.left = original.right = solution();
-    original.right.pitch = 5;
+    original.right.pitch_rate = 5;
     original.roll_search = {3, 1e-7, true, 0.5};
     original.warnings = {"No roll."};
     ArrayWriter arrays(ArrayEncoding::frame);
@@ -177,8 +177,8 @@ TEST_CASE("The solution of a wheelset comes back exactly", "[codec]") {
     CHECK(read.roll == original.roll);
     CHECK(read.roll_search.residual == 1e-7);
     CHECK(read.warnings == original.warnings);
-    CHECK(read.right.pitch == 5);
-    CHECK(read.left.pitch == original.left.pitch);
+    CHECK(read.right.pitch_rate == 5);
+    CHECK(read.left.pitch_rate == original.left.pitch_rate);
     REQUIRE(read.right.patches.size() == 1);
     CHECK(read.right.patches[0].solution.pressure == original.right.patches[0].solution.pressure);
     CHECK(read.left.patches[0].gap == original.left.patches[0].gap);
@@ -230,7 +230,7 @@ TEST_CASE("The solution of a wheel on a rail comes back exactly", "[codec]") {
     const WheelRailSolution read = decode_wheel_rail_solution(result, arrays.take_frames());
 
     CHECK(read.z == original.z);
-    CHECK(read.pitch == original.pitch);
+    CHECK(read.pitch_rate == original.pitch_rate);
     CHECK(read.clearance == original.clearance);
     CHECK(read.warnings == original.warnings);
     CHECK(read.forces.track == original.forces.track);

@@ -139,7 +139,7 @@ inline constexpr auto wheel_alone = std::to_array<Variable>({
     real("My", Role::output, "N.mm", 0, "The same about y."),
     real("Mz", Role::output, "N.mm", 0, "The same about z."),
     at_path("z", real("z", Role::output, "mm", 0, "Height of the wheelset's centre, as prescribed or found.")),
-    at_path("pitch", real("pitch_rate", Role::output, "rad/s", 0, "Of the wheelset, as prescribed or found.")),
+    at_path("pitch_rate", real("pitch_rate", Role::output, "rad/s", 0, "Of the wheelset, as prescribed or found.")),
     absent_at_zero(
         "clearance",
         real("clearance", Role::output, "mm", 0,

@@ -148,7 +148,7 @@ struct PatchesLeftOut {
 
 struct WheelRailSolution {
     double z = 0;                                   ///< of the wheelset, as prescribed or found (mm)
-    double pitch = 0;                               ///< its pitch rate, as prescribed or found (rad/s)
+    double pitch_rate = 0;                          ///< of the wheelset, as prescribed or found (rad/s)
     std::optional<double> clearance;                ///< at this z, as in WheelRailGeometry
     std::vector<WheelRailPatch> patches;            ///< from the right to the left; none without contact
     std::optional<PatchesLeftOut> left_out;         ///< of an answer that has none of them

@@ -47,7 +47,7 @@ class Differences {
         for (SolverSettings* settings : {&fine_.settings.normal, &fine_.settings.tangential, &fine_.settings.outer})
             settings->tolerance *= finer;
         state_.position.z = solution.z;
-        state_.velocity.pitch = solution.pitch;
+        state_.velocity.pitch = solution.pitch_rate;
     }
 
     WheelRailDerivatives find() {

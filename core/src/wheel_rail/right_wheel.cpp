@@ -67,7 +67,7 @@ WheelRailSolution RightWheel::solve(Observer& observer) {
         return solution;
     }
     solution.z = state_.position.z;
-    solution.pitch = state_.velocity.pitch;
+    solution.pitch_rate = state_.velocity.pitch;
     solution.warnings.emplace_back(nothing_below);
     return solution;
 }
@@ -141,7 +141,7 @@ WheelRailSolution RightWheel::at(double z, Observer& observer) {
 WheelRailSolution RightWheel::at(double z, std::vector<CandidatePatch> candidates, Observer& observer) {
     WheelRailSolution solution;
     solution.z = z;
-    solution.pitch = state_.velocity.pitch;
+    solution.pitch_rate = state_.velocity.pitch;
     solution.clearance = position_.clearance(z);
     for (CandidatePatch& found : candidates) {
         observer.throw_if_cancelled();

@@ -49,7 +49,7 @@ namespace {
     [[maybe_unused]] const auto& [z_, clearance_, places_, warnings_] = all;
 }
 [[maybe_unused]] void all_of(const WheelRailSolution& all) {
-    [[maybe_unused]] const auto& [z_, pitch_, forces_, patches_, warnings_, clearance_, force_, pitch_search_,
+    [[maybe_unused]] const auto& [z_, pitch_rate_, forces_, patches_, warnings_, clearance_, force_, pitch_search_,
                                   rail_deflection_, rail_search_, derivatives_, left_out_] = all;
 }
 [[maybe_unused]] void all_of(const WheelRailPatch& all) {
@@ -235,7 +235,7 @@ template <>
 const FieldType& type_of<WheelRailSolution>() {
     static const auto list = std::to_array<Field>({
         fields::field<&WheelRailSolution::z>("z", {.unit = "mm", .required = true}),
-        fields::field<&WheelRailSolution::pitch>("pitch", {.unit = "rad/s", .required = true}),
+        fields::field<&WheelRailSolution::pitch_rate>("pitch_rate", {.unit = "rad/s", .required = true}),
         fields::field<&WheelRailSolution::forces>("forces", {.required = true}),
         fields::field<&WheelRailSolution::patches>("patches"),
         fields::field<&WheelRailSolution::warnings>("warnings", {.required = true}),

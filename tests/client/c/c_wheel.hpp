@@ -85,7 +85,7 @@ inline Numbers solved(contactd_wheel* w) {
         all.insert(all.end(), more.begin(), more.end());
     };
     for (const char* path :
-         {"z", "pitch", "roll", "clearance", "rail_deflection", "forces", "derivatives", "converged"})
+         {"z", "pitch_rate", "roll", "clearance", "rail_deflection", "forces", "derivatives", "converged"})
         take(path);
     for (int k = 0; k < get(w, "warnings"); ++k)
         for (const char letter : get_word(w, "warnings[" + std::to_string(k) + "]")) all.push_back(letter);

@@ -175,8 +175,8 @@ TEST_CASE("A path or a value that is wrong is refused at once, and changes nothi
     require_ok(contactd_wheel_solve(w), w);
     refused(contactd_get(w, "forces.track", &value), w, "forces.track", "name one of its fields");
     refused(contactd_get(w, "forces.trac.Fx", &value), w, "forces.trac.Fx", "track, rail, wheelset");
-    refused(contactd_get(w, "pitch", nullptr), w, "value", "is NULL");
-    refused(contactd_get_word(w, "pitch", text, 8), w, "pitch", "is not a word");
+    refused(contactd_get(w, "pitch_rate", nullptr), w, "value", "is NULL");
+    refused(contactd_get_word(w, "pitch_rate", text, 8), w, "pitch_rate", "is not a word");
     CHECK(contactd_get(w, "patches[7].place.approach", &value) == CONTACTD_NOT_FOUND);
 }
 

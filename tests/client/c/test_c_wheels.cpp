@@ -144,7 +144,7 @@ TEST_CASE("A wheel on its rail is as the benchmark has it", "[c]") {
     set(w, "state.Fz", 1e4);
     require_ok(contactd_wheel_solve(w), w);
     CHECK(get(w, "z") == Approx(-6.2615).margin(1e-3));
-    CHECK(get(w, "pitch") == -4.2534857);
+    CHECK(get(w, "pitch_rate") == -4.2534857);
     CHECK(get(w, "forces.track.Fz") == Approx(1e4).epsilon(1e-5));
     CHECK(get(w, "patches[0].solution.forces.Fn") == Approx(12720).epsilon(1e-3));
     CHECK(get(w, "patches[0].solution.forces.Fx") == Approx(-2070).margin(4));

@@ -43,7 +43,7 @@ Numbers results(contactd_wheel* w) {
         const Numbers more = get_array(w, path);
         all.insert(all.end(), more.begin(), more.end());
     };
-    for (const char* path : {"z", "pitch", "roll", "converged", "forces"}) take(path);
+    for (const char* path : {"z", "pitch_rate", "roll", "converged", "forces"}) take(path);
     all.insert(all.end(), {get(w, "roll_search.iterations"), get(w, "roll_search.residual")});
     for (int k = 0; k < get(w, "patches"); ++k) {
         const std::string patch = "patches[" + std::to_string(k) + "].", pressure = patch + "solution.pressure";

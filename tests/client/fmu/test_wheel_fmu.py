@@ -30,7 +30,7 @@ def test_positions_across_the_track_answer_as_the_c_interface_to_the_last_bit(wh
             direct.solve()
             outputs = fmu.step(values_at(y))
             assert [outputs[name] for name in FORCES] == direct.array("forces.track")
-            assert [outputs["z"], outputs["pitch_rate"]] == [direct.get("z"), direct.get("pitch")]
+            assert [outputs["z"], outputs["pitch_rate"]] == [direct.get("z"), direct.get("pitch_rate")]
             assert outputs["clearance"] == direct.get("clearance")
             assert outputs["patches"] == direct.get("patches") >= 1
             patches = [f"patches[{patch}]" for patch in range(outputs["patches"])]

@@ -132,7 +132,7 @@ inline bool is_finite(const WheelRailSolution& solution) {
     const WheelRailForces& forces = solution.forces;
     for (const auto& search : {solution.force, solution.pitch_search, solution.rail_search})
         if (search && !std::isfinite(search->residual)) return false;
-    return fine({solution.z, solution.pitch, solution.clearance.value_or(0)}) && wrench(forces.track) &&
+    return fine({solution.z, solution.pitch_rate, solution.clearance.value_or(0)}) && wrench(forces.track) &&
            wrench(forces.rail) && wrench(forces.wheelset);
 }
 

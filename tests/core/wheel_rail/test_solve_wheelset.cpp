@@ -162,9 +162,9 @@ TEST_CASE("A longitudinal force finds the pitch rate that brings it") {
         state.Fx = -300;
         const WheelRailSolution solution = wheel(Side::right).solve(state, observer);
         CHECK(solution.converged());
-        CHECK_THAT(solution.pitch, WithinAbs(-4.3442191, 2e-6));
+        CHECK_THAT(solution.pitch_rate, WithinAbs(-4.3442191, 2e-6));
         CHECK_THAT(solution.forces.wheelset.Fx, WithinAbs(-300, 0.01));
-        state.velocity.pitch = solution.pitch;
+        state.velocity.pitch = solution.pitch_rate;
         state.Fx.reset();
         CHECK_THAT(wheel(Side::right).solve(state, observer).forces.wheelset.Fx, WithinAbs(-300, 0.02));
     }
@@ -178,7 +178,7 @@ TEST_CASE("The first of many steps under a longitudinal force is that of one, to
     const WheelRailSolution first = wheel(Side::left).solve(state, estimates, observer);
     const WheelRailSolution alone = wheel(Side::left).solve(state, observer);
     REQUIRE(alone.converged());
-    CHECK(first.pitch == alone.pitch);
+    CHECK(first.pitch_rate == alone.pitch_rate);
     CHECK(first.z == alone.z);
     CHECK(first.forces.track == alone.forces.track);
     CHECK(first.force.value().iterations == alone.force.value().iterations);

@@ -188,8 +188,8 @@
 #define CONTACTD_PATH_STATE_DERIVATIVES "state.derivatives"
 
 /* --- results of a wheel --- */
-#define CONTACTD_PATH_Z "z"         /* mm */
-#define CONTACTD_PATH_PITCH "pitch" /* rad/s */
+#define CONTACTD_PATH_Z "z"                   /* mm */
+#define CONTACTD_PATH_PITCH_RATE "pitch_rate" /* rad/s */
 #define CONTACTD_PATH_FORCES "forces"
 #define CONTACTD_PATH_FORCES_TRACK "forces.track"
 #define CONTACTD_PATH_FORCES_TRACK_FX "forces.track.Fx" /* N */

@@ -95,7 +95,7 @@ def _shown(answer: dict[str, Any]) -> list[RenderableType]:
     track = answer["forces"]["track"]
     rows: list[tuple[str, Any]] = [
         ("height z (mm)", float(answer["z"])),
-        ("pitch rate (rad/s)", float(answer["pitch"])),
+        ("pitch rate (rad/s)", float(answer["pitch_rate"])),
         ("clearance (mm)", answer.get("clearance")),
         *((f"{name} (N)", float(track[name])) for name in ("Fx", "Fy", "Fz")),
         ("converged", bool(answer["converged"])),

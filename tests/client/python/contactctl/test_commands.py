@@ -87,7 +87,7 @@ def test_a_wheel_stands_on_its_rail_with_the_force_that_was_asked_for(ctl):
     words = ("--y", 3, "--yaw", 0.002, "--Fz", 80e3, "--speed", 20e3, *COARSE)
     said = ctl("wheelrail", "solve", *words, "--json").json
     assert said["forces"]["track"]["Fz"] == pytest.approx(80e3, rel=1e-5)
-    assert said["pitch"] == pytest.approx(-20e3 / 460)
+    assert said["pitch_rate"] == pytest.approx(-20e3 / 460)
     shown = ctl("wheelrail", "solve", *words, "-o", "patches.png")
     assert "Patches" in shown.out
     assert (ctl.folder / "patches.png").exists()

@@ -54,7 +54,7 @@ class WheelRailSolution(WheelRailSolutionMethods):
 
     Attributes:
         z: z of the wheelset, as prescribed or found (mm).
-        pitch: Pitch rate of the wheelset, as prescribed or found (rad/s).
+        pitch_rate: Pitch rate of the wheelset, as prescribed or found (rad/s).
         forces: Forces of all patches.
         patches: From the right to the left; none without contact. A step that said patches false lacks them.
         converged: Whether the solvers of all patches and the searches reached their tolerances.
@@ -74,7 +74,7 @@ class WheelRailSolution(WheelRailSolutionMethods):
     """
 
     z: float
-    pitch: float
+    pitch_rate: float
     forces: WheelRailForces
     patches: tuple[WheelRailPatch, ...]
     converged: bool
