@@ -38,7 +38,7 @@ struct Rolled {
         half_spaces = make_influence(problem, BodyTable(IcTable(nx, ny)), BodyTable(half_space_table(spec)));
 
         Ics ics;
-        ics.body = BodyShape::prism;
+        ics.body = BodyShape::longitudinally_uniform;
         ics.section = Section{RailSection{.from = -0.5 * grid.ny * grid.dy}};
         problem.bodies.lower.ics = ics;
         problem.columns = ContactColumns{.frames = strip_frames(*ics.section, grid.ny, grid.dy)};

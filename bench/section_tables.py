@@ -54,7 +54,7 @@ def processor_seconds() -> float:
 def answered(binaries: Path, accuracy: float, rounds: int) -> dict[str, Row]:
     """The least time of ic.get, from the request to the array in Python; the daemon's processor time is not known."""
     grid = Grid.centred(OFFSETS, STRIPS, OFFSETS * WIDTH, STRIPS * WIDTH)
-    ics = FemIcs(body="prism", section=SECTION, accuracy=accuracy)
+    ics = FemIcs(body="longitudinally_uniform", section=SECTION, accuracy=accuracy)
     least: dict[str, Row] = {}
     with tempfile.TemporaryDirectory() as store:
         for _ in range(2 * rounds):  # quicker than builds
@@ -73,9 +73,9 @@ def measure(binaries: Path, accuracies: list[float], rounds: int) -> dict[str, R
     for _ in range(rounds):
         rows["start"].append(build(binaries / "contactd-ic", spec(BLOCK, 5, 4), 1))
         for accuracy in accuracies:
-            prism = {"source": "fem", "body": "prism", "section": SECTION, "accuracy": accuracy}
+            uniform = {"source": "fem", "body": "longitudinally_uniform", "section": SECTION, "accuracy": accuracy}
             for processes in (1, 2):
-                row = build(binaries / "contactd-ic", spec(prism, OFFSETS, STRIPS), processes)
+                row = build(binaries / "contactd-ic", spec(uniform, OFFSETS, STRIPS), processes)
                 rows[f"{accuracy:g}, {processes} process{'es' * (processes > 1)}"].append(row)
     least = {name: (min(wall for wall, _ in found), min(used for _, used in found)) for name, found in rows.items()}
     return least | {f"from {origin}": row for origin, row in answered(binaries, accuracies[0], rounds).items()}

@@ -17,7 +17,7 @@ with place as client:
         assert solution.converged
         assert 8 < solution.forces.Fn < 10
         assert -3.6 < solution.forces.Fx < -2.8
-    edge = FemIcs(body="prism", section={"edge_block": {"width": 20, "height": 10}}, accuracy=1e-2)
+    edge = FemIcs(body="longitudinally_uniform", section={"edge_block": {"width": 20, "height": 10}}, accuracy=1e-2)
     table = client.get_ic(Material(G=200, nu=0.42), Grid(5, 4, 0.5, 0.5), edge)
     print("section", f"stated error {table.evidence.section.error:.1e}")
     assert table["zz"][3, 3, 0] > table["zz"][0, 0, 0] > 0

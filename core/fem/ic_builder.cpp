@@ -57,7 +57,8 @@ double predicted_memory(const IcSpec& spec) {
 std::string section_mesh(const IcSpec& spec) {
     validate(spec);
     if (!spec.section || spec.source != IcSource::fem)
-        throw InvalidArgument("ics.body", "must be prism, and the source fem: no other table has a mesh of a section");
+        throw InvalidArgument(
+            "ics.body", "must be longitudinally_uniform, and the source fem: no other table has a mesh of a section");
     return section_triangles(dimensionless(spec), spec.dy);
 }
 

@@ -16,7 +16,7 @@ std::string description(const IcSpec& spec) {
         case BodyShape::layered:
             text += "layers";
             break;
-        case BodyShape::prism:
+        case BodyShape::longitudinally_uniform:
             text += "a cross-section";
             break;
     }

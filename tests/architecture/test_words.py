@@ -78,7 +78,7 @@ NAMES = {
     "quarter_turn": "an angle",
     "turn_axes": "a rotation",
     "turn_back": "a rotation of phases",
-    "prism": "the keyword of the wire, for a body and for a mesh",
+    "prism": "the keyword of the wire for a mesh of wedges",
     "SortColumnIndices": "MFEM's",
     "block_column": "of a table",
     "enum_words": "the keywords of the wire",

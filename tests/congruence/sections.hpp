@@ -65,7 +65,7 @@ inline ContactColumns columns(const Words& w, const ContactSetup& setup, client:
         return result;
     }
     IcSpec spec;
-    spec.body = BodyShape::prism;
+    spec.body = BodyShape::longitudinally_uniform;
     spec.section = setup.bodies.lower.computed()->section;
     spec.material = {1, 0.25};
     spec.dx = spec.dy = setup.grid.dy;
@@ -80,7 +80,7 @@ inline bool change_section(Body& body, const Words& w) {
     const auto begin = [&](SectionShape shape) {
         Ics ics;
         ics.source = IcSource::fem;
-        ics.body = BodyShape::prism;
+        ics.body = BodyShape::longitudinally_uniform;
         ics.accuracy = 1e-3;
         ics.section = Section{std::move(shape)};
         body.ics = ics;

@@ -38,7 +38,7 @@ class Sections:
             section = {**self.sections[name], **changes}
             accuracy = self.accuracies[name]
             self.sections[name] = section
-            ics = FemIcs(body="prism", section=section, accuracy=accuracy) if accuracy else AnalyticIcs("prism", section=section)
+            ics = FemIcs(body="longitudinally_uniform", section=section, accuracy=accuracy) if accuracy else AnalyticIcs("longitudinally_uniform", section=section)
             self.opening[f"{name}_ics"] = ics
 
     def _begin(self, body: str, shape: str, value: dict[str, Any]) -> None:
@@ -91,7 +91,7 @@ class Sections:
 
     def columns(self, direction: str, y: str, z: str) -> None:
         grid = self.opening["grid"]
-        place = AnalyticIcs("prism", section=self.sections["lower"])
+        place = AnalyticIcs("longitudinally_uniform", section=self.sections["lower"])
         table = self.client.get_ic(Material(G=1, nu=0.25), Grid(1, grid.ny, grid.dy, grid.dy, 0, 0), place)
         self.opening["columns"] = ContactColumns(table.frames, float(direction), (float(y), float(z)))
 

@@ -257,10 +257,10 @@ def ic_imports() -> Iterator[bytes]:
     several = {**spec, "spec/body": "half_space", "spec/any_nu": 1, "evidence/family_nu": points, "evidence/interpolation_error": 0.01}
     yield message_of(several, influence_coefficients=family[0], influence_coefficients_family=family)
     section = {"section_order": 4, "wavenumbers": 5} | dict.fromkeys(("section_error", "mesh_error", "wavenumber_error", "end_error", "reciprocity_defect"), 0.001)
-    prism = {**one, "spec/body": "prism", "transform/xi0": 0.01, "transform/wavenumbers": [0.0, 0.1, 0.5, 2.0, 6.0]}
-    prism |= {f"evidence/{name}": value for name, value in section.items()}
+    uniform = {**one, "spec/body": "longitudinally_uniform", "transform/xi0": 0.01, "transform/wavenumbers": [0.0, 0.1, 0.5, 2.0, 6.0]}
+    uniform |= {f"evidence/{name}": value for name, value in section.items()}
     slab = [8, 20.0, 40.0, 1, 0, 0]
-    yield message_of(prism, **{"spec/section": slab, "transform": [[2, 0, 2, 0, 0, 2]] * 5, "frames": [[0, 0, 0]]})
+    yield message_of(uniform, **{"spec/section": slab, "transform": [[2, 0, 2, 0, 0, 2]] * 5, "frames": [[0, 0, 0]]})
 
 
 def outlines() -> Iterator[bytes]:
@@ -296,7 +296,7 @@ def outlines() -> Iterator[bytes]:
     profiles: list[Any] = [{"points": points, "smoothing_length": 3}, {"points": points}, {"arc": {"radius": 80, "from": -6, "to": 6}}]
     shapes += [{"profile_section": {"kind": "rail", "profile": profile, "depth": 6}} for profile in profiles]
     for number, shape in enumerate(shapes):
-        ics = {"source": "fem", "body": "prism", "accuracy": (1e-2, 1e-3, 1e-1)[number % 3], "section": {**shape, "turn": number % 2}}
+        ics = {"source": "fem", "body": "longitudinally_uniform", "accuracy": (1e-2, 1e-3, 1e-1)[number % 3], "section": {**shape, "turn": number % 2}}
         grid = {"nx": 3, "ny": 1 + number % 4, "dx": 0.5, "dy": 0.5}
         yield message({"material": {"G": 1, "nu": (0.28, 0.45)[number % 2]}, "grid": grid, "ics": ics})
 

@@ -154,7 +154,7 @@ def test_points_below_a_rigid_base_are_refused(shared, shared_daemon):
 
 def test_stresses_below_a_uniform_body_are_refused(shared):
     problem = ContactProblem(
-        **BALL, upper=RigidBody(), lower=STEEL, lower_ics=AnalyticIcs(body="prism", section=SLAB), Fn=1000
+        **BALL, upper=RigidBody(), lower=STEEL, lower_ics=AnalyticIcs(body="longitudinally_uniform", section=SLAB), Fn=1000
     )
     solution = shared.solve(problem)
     with pytest.raises(InvalidArgument, match="section"):

@@ -29,7 +29,7 @@ SELF = 0.2019960  # zz of the half-space under an element of 0.5 x 0.5 mm, for G
 
 
 def fem(section, accuracy=1e-2):
-    return FemIcs(body="prism", section=section, accuracy=accuracy)
+    return FemIcs(body="longitudinally_uniform", section=section, accuracy=accuracy)
 
 
 def test_a_table_by_finite_elements_states_its_error_and_serves_any_length_of_elements(shared):
@@ -48,7 +48,7 @@ def test_a_table_by_finite_elements_states_its_error_and_serves_any_length_of_el
 
 
 def test_an_archive_keeps_a_table_with_its_strips(shared, tmp_path):
-    table = shared.get_ic(STEEL, GRID, AnalyticIcs(body="prism", section=EDGE))
+    table = shared.get_ic(STEEL, GRID, AnalyticIcs(body="longitudinally_uniform", section=EDGE))
     save_table(tmp_path / "table.npz", table)
     back = load_table(tmp_path / "table.npz")
     assert np.array_equal(back.array, table.array)
@@ -56,7 +56,7 @@ def test_an_archive_keeps_a_table_with_its_strips(shared, tmp_path):
     assert (back.spec, back.evidence) == (table.spec, table.evidence)
     with pytest.raises(ValueError, match="npz"):
         save_table(tmp_path / "table.txt", table)
-    with pytest.raises(ValueError, match="prism"):
+    with pytest.raises(ValueError, match="longitudinally uniform"):
         TableIcs.from_table(table)
 
 
@@ -79,7 +79,7 @@ def test_near_an_edge_pressures_fall_below_those_of_a_half_space_that_is_cut_off
 
 def test_a_curved_section_needs_its_strips(shared):
     groove = {"groove": {"radius": 10, "depth": 10, "width": 120, "height": 70}}
-    ics = AnalyticIcs(body="prism", section=groove)
+    ics = AnalyticIcs(body="longitudinally_uniform", section=groove)
     grid = Grid.centred(15, 21, 7.5, 10.5)
     problem = {"grid": grid, "upper": RigidBody(), "lower": STEEL, "lower_ics": ics, "Fn": 1000}
     frames = shared.get_ic(STEEL, grid, ics).frames
@@ -95,13 +95,13 @@ def test_a_curved_section_needs_its_strips(shared):
 
 
 def test_what_only_half_spaces_have_is_refused_of_uniform_bodies(shared):
-    ics = AnalyticIcs(body="prism", section=EDGE)
+    ics = AnalyticIcs(body="longitudinally_uniform", section=EDGE)
     with pytest.raises(InvalidArgument, match="a section: take model full"):
         shared.solve(grid=GRID, gap=Paraboloid(50, 50), upper=STEEL, Fn=1000, lower_ics=ics, model="hertz")
 
 
 def test_half_spaces_that_are_turned_are_the_half_space_on_a_plane(shared):
-    table = shared.get_ic(STEEL, GRID, AnalyticIcs(body="prism", section=EDGE))
+    table = shared.get_ic(STEEL, GRID, AnalyticIcs(body="longitudinally_uniform", section=EDGE))
     flat = shared.get_ic(STEEL, GRID, AnalyticIcs())
     assert table.origin in ("closed_form", "memory")
     assert table["zz"][3, 1] == pytest.approx(flat["zz"][2], rel=1e-10)
@@ -132,11 +132,11 @@ def profile(points, **changes):
 def test_a_measured_profile_is_a_section(shared):
     """Of a rail whose head is a parabola: its strips lie on it, and its coefficients are those of its formula."""
     grid = Grid.centred(9, 20, 4.5, 10)
-    table = shared.get_ic(STEEL, grid, AnalyticIcs(body="prism", section=profile(HEAD)))
+    table = shared.get_ic(STEEL, grid, AnalyticIcs(body="longitudinally_uniform", section=profile(HEAD)))
     assert table.frames[:, 1] == pytest.approx(-(table.frames[:, 0] ** 2) / 600, abs=2e-4)
     assert table.frames[:, 2] == pytest.approx(np.arctan(table.frames[:, 0] / 300), abs=1e-3)
     listed = {"profile_section": {"kind": "rail", "profile": {"points": HEAD.tolist()}, "depth": 40, "from": -5}}
-    assert np.array_equal(shared.get_ic(STEEL, grid, AnalyticIcs(body="prism", section=listed)).array, table.array)
+    assert np.array_equal(shared.get_ic(STEEL, grid, AnalyticIcs(body="longitudinally_uniform", section=listed)).array, table.array)
     built = shared.get_ic(STEEL, grid, fem(listed))
     assert 0 < built.evidence.section.error <= 1e-2
     assert built["zz"][10, 10, 0] / table["zz"][10, 10, 0] == pytest.approx(1, abs=0.1)
@@ -146,8 +146,8 @@ def test_a_measured_profile_is_a_section(shared):
 def test_the_formula_of_a_wheel_is_its_rim(shared):
     wheel = {"profile_section": {"kind": "wheel", "profile": S1002(), "depth": 60}}
     grid = Grid.centred(5, 10, 5, 10)
-    of_profile = shared.get_ic(STEEL, grid, AnalyticIcs(body="prism", section=wheel))
-    rim = shared.get_ic(STEEL, grid, AnalyticIcs(body="prism", section={"rim_s1002": {}}))
+    of_profile = shared.get_ic(STEEL, grid, AnalyticIcs(body="longitudinally_uniform", section=wheel))
+    rim = shared.get_ic(STEEL, grid, AnalyticIcs(body="longitudinally_uniform", section={"rim_s1002": {}}))
     assert of_profile.frames == pytest.approx(rim.frames, abs=1e-9)
 
 
@@ -164,7 +164,7 @@ def test_the_formula_of_a_wheel_is_its_rim(shared):
 )
 def test_a_profile_that_is_none_is_refused_with_the_place(shared, section, field, says):
     with pytest.raises(InvalidArgument, match=says) as refused:
-        shared.get_ic(STEEL, GRID, AnalyticIcs(body="prism", section=section))
+        shared.get_ic(STEEL, GRID, AnalyticIcs(body="longitudinally_uniform", section=section))
     assert field in refused.value.violations[0].field
 
 
@@ -175,7 +175,7 @@ def test_a_profile_that_is_none_is_refused_with_the_place(shared, section, field
 def test_a_profile_section_that_the_schema_does_not_know_is_refused(raw, change, field):
     section = {"kind": "rail", "profile": {"points": HEAD.tolist()}, "depth": 40, **change}
     params = {"material": {"G": 1, "nu": 0.3}, "grid": {"nx": 1, "ny": 4, "dx": 1, "dy": 1}}
-    answer = raw.ask("ic.get", {**params, "ics": {"source": "analytic", "body": "prism", "section": {"profile_section": section}}})
+    answer = raw.ask("ic.get", {**params, "ics": {"source": "analytic", "body": "longitudinally_uniform", "section": {"profile_section": section}}})
     assert answer.status == "INVALID_ARGUMENT"
     assert any(f"ics.section.profile_section.{field}" in named for named in answer.fields)
 
@@ -278,7 +278,7 @@ def test_a_file_that_somebody_wrote_is_held_against_its_section(shared):
 
 def test_a_closed_form_is_neither_kept_in_a_file_nor_imported(shared):
     with pytest.raises(InvalidArgument, match="quicker made"):
-        shared.export_ic(STEEL, GRID, AnalyticIcs(body="prism", section=EDGE))
+        shared.export_ic(STEEL, GRID, AnalyticIcs(body="longitudinally_uniform", section=EDGE))
     with pytest.raises(InvalidArgument, match="analytic"):
         shared.import_ic(shared.export_ic(STEEL, GRID, AnalyticIcs()))
     with pytest.raises(InvalidArgument, match="hdf5"):

@@ -112,7 +112,8 @@ TEST_CASE("A bad field beside the table is named", "[codec]") {
         Case{"/dy", "0.05", "ics.dy is 0.05; the grid's elements are 0.06 along y"},
         Case{"/table", "3", "ics.table is 3; it must be a list of numbers"},
         Case{"/table", "[]", "ics.table has shape [0]; it must be [3,3,ny,nx]"},
-        Case{"/table", "[[[[[1, 2]]]]]", "ics.table has shape [1,1,1,1,2], that of a prism's columns"},
+        Case{"/table", "[[[[[1, 2]]]]]",
+             "ics.table has shape [1,1,1,1,2], that of the columns of a longitudinally uniform body"},
         Case{"/table", "[1, 2]", "ics.table has shape [2]"}, Case{"/order", "2", "ics.order is not a field of ics"},
         Case{"/table/1/2/0", "[1, 2]", "ics.table has 2 values at [1, 2, 0]"},
         Case{"/table/0/0/0/0", "\"1\"", "ics.table holds \"1\" at [0, 0, 0, 0]"},
@@ -258,7 +259,7 @@ TEST_CASE("What a file holds travels in both encodings of arrays", "[codec]") {
     FileContents contents;
     contents.attributes = {{"contactd_format", 2LL},
                            {"spec/nu", 0.25},
-                           {"spec/body", std::string("prism")},
+                           {"spec/body", std::string("longitudinally_uniform")},
                            {"evidence/family_nu", std::vector<double>{0, 0.5}},
                            {"evidence/warnings", std::vector<std::string>{"Mind the gap.", ""}}};
     contents.datasets["transform"] = {{2, 3}, UnsetArray{1, 2, 3, 4, 5, 6}};

@@ -111,7 +111,7 @@ TEST_CASE("Finite elements start with the defaults of their schema", "[defaults]
     json params = wire::ic_params();
     params["ics"] = {{"source", "fem"}, {"mesh", "hex"}};
     CHECK(decode_ic_spec(filled_params("ic.get", params)) == decode_ic_spec(params));
-    params["ics"] = {{"source", "fem"}, {"body", "prism"}};
+    params["ics"] = {{"source", "fem"}, {"body", "longitudinally_uniform"}};
     params["ics"]["section"] = GENERATE(json::parse(R"({"rail_60e1": {}})"), json::parse(R"({"rim_s1002": {}})"),
                                         json::parse(R"({"edge_block": {"width": 100, "height": 50}})"));
     const json all = filled_params("ic.get", params);

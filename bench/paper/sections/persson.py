@@ -44,7 +44,7 @@ def pressure(half_angle: float, angle: Array) -> Array:
 def plane_strain(binaries: Path, folder: Path, shape: str) -> tuple[Array, Array]:
     """Angles of the strips, and normal displacements for normal tractions, shape [strip, loaded strip], for G = 1."""
     file = folder / f"{shape}.h5"
-    ics = {"source": "fem", "body": "prism", "accuracy": 1e-2, "section": {shape: BODIES[shape]}}
+    ics = {"source": "fem", "body": "longitudinally_uniform", "accuracy": 1e-2, "section": {shape: BODIES[shape]}}
     grid = {"nx": 1, "ny": STRIPS, "dx": 1, "dy": 1}
     spec = json.dumps({"material": {"G": 1, "nu": NU}, "grid": grid, "ics": ics})
     command = [str(binaries / "contactd-ic"), "-", "--output", str(file)]

@@ -92,7 +92,7 @@ class Backend {
 /// The shortest table that comes with these columns, of whatever material.
 inline IcSpec spec_of_frames(const Section& section, int columns, double ds) {
     IcSpec spec;
-    spec.body = BodyShape::prism;
+    spec.body = BodyShape::longitudinally_uniform;
     spec.section = section;
     spec.material = {1, 0.25};
     spec.dx = spec.dy = ds;

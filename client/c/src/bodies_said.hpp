@@ -26,7 +26,7 @@ inline void set_section(Said& said, std::int32_t body, const SectionShape& shape
     constexpr double default_accuracy = 1e-3;
     Ics ics;
     ics.source = IcSource::fem;
-    ics.body = BodyShape::prism;
+    ics.body = BodyShape::longitudinally_uniform;
     ics.accuracy = default_accuracy;
     ics.section = Section{shape};
     set_coefficients(said, body, ics);

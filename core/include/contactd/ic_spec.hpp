@@ -17,7 +17,7 @@ namespace contactd {
 
 /// The elastic body: the half-space z <= 0, the block [-L,L]^2 x [-L,0] with u = 0 on all faces but the top, layers, or
 /// a longitudinally uniform body: whatever its cross-section is, uniform along x.
-enum class BodyShape { half_space, block, layered, prism };
+enum class BodyShape { half_space, block, layered, longitudinally_uniform };
 /// Traction of the loaded element: 1 over it, or the bilinear hat function (paper, Remark 1): 1 at its centre,
 /// falling linearly to 0 at the neighbours' centres, (1 - |x|/dx)(1 - |y|/dy). The force is dx dy either way.
 enum class LoadShape { constant, bilinear };
@@ -92,8 +92,8 @@ struct Ics {
     /// Goes with source analytic, on a grid with ny = 1, whose dy is the length that forces are counted over.
     std::optional<LineContactSpec> line_contact;
     std::optional<Layers> layered;  ///< of body layered, and of none other
-    /// Goes with body prism, and with none other. Its strips are the rows of a grid, dy wide along the outline; source
-    /// analytic is the half-space, turned from strip to strip (Blanco-Lorenzo et al., 2016).
+    /// Goes with body longitudinally_uniform, and with none other. Its strips are the rows of a grid, dy wide along the
+    /// outline; source analytic is the half-space, turned from strip to strip (Blanco-Lorenzo et al., 2016).
     std::optional<Section> section;
     bool any_nu = false;  ///< the family of tables over Poisson's ratio instead of one table
     FemSpec fem;          ///< of no meaning when source is analytic

@@ -68,7 +68,8 @@ IcTable part_of(const IcFamily& family, const IcRecord& record, const IcSpec& re
 
 void require_strips(int strips, const IcSpec& request) {
     if (strips != request.ny)
-        throw InvalidArgument("grid.ny", "is " + std::to_string(request.ny) + "; the table of the prism has " +
+        throw InvalidArgument("grid.ny", "is " + std::to_string(request.ny) +
+                                             "; the table of the longitudinally uniform body has " +
                                              std::to_string(strips) + " strips");
 }
 
@@ -84,9 +85,9 @@ StripTable part_of(const StripSpectrum& spectrum, const IcRecord&, const IcSpec&
     constexpr std::size_t most_values = 50'000'000;  // of each of nine components: 3.6 GB
     if (static_cast<std::size_t>(request.nx) * static_cast<std::size_t>(request.ny) >
         most_values / static_cast<std::size_t>(request.ny))
-        throw InvalidArgument("grid.nx", "is " + std::to_string(request.nx) + ", with ny " +
-                                             std::to_string(request.ny) + "; nx ny^2 of a prism may be at most " +
-                                             std::to_string(most_values));
+        throw InvalidArgument(
+            "grid.nx", "is " + std::to_string(request.nx) + ", with ny " + std::to_string(request.ny) +
+                           "; nx ny^2 of a longitudinally uniform body may be at most " + std::to_string(most_values));
     constexpr std::size_t worth_a_thread = 1'000'000;  // coefficients, some ten milliseconds
     const std::size_t values = 9 * static_cast<std::size_t>(request.nx) * static_cast<std::size_t>(request.ny) *
                                static_cast<std::size_t>(request.ny);

@@ -87,37 +87,47 @@ void validate_layers(const IcSpec& spec) {
 }
 
 void validate_uniform(const IcSpec& spec) {
-    if (spec.body != BodyShape::prism)
-        throw InvalidArgument("ics.section", "goes with body prism; body is " + std::string(name_of(spec.body)));
-    if (!spec.section) throw InvalidArgument("ics.section", "is missing; body prism has a cross-section");
+    if (spec.body != BodyShape::longitudinally_uniform)
+        throw InvalidArgument("ics.section",
+                              "goes with body longitudinally_uniform; body is " + std::string(name_of(spec.body)));
+    if (!spec.section)
+        throw InvalidArgument("ics.section", "is missing; body longitudinally_uniform has a cross-section");
     validate(*spec.section, "ics.section");
     if (spec.section->free)
         throw InvalidArgument("ics.section.free",
                               "is true; a body without clamped parts has no displacements: clamp a part of it");
     if (spec.ny > most_strips)
-        throw InvalidArgument("grid.ny", "is " + std::to_string(spec.ny) + "; a prism has at most " +
+        throw InvalidArgument("grid.ny", "is " + std::to_string(spec.ny) +
+                                             "; a longitudinally uniform body has at most " +
                                              std::to_string(most_strips) + " columns");
     // By finite elements the record serves any nx; what a request makes of it is for body_table to limit.
     if (spec.source == IcSource::analytic &&
         static_cast<std::size_t>(spec.nx) * static_cast<std::size_t>(spec.ny) * static_cast<std::size_t>(spec.ny) >
             most_uniform_values)
         throw InvalidArgument("grid.nx", "is " + std::to_string(spec.nx) + ", with ny " + std::to_string(spec.ny) +
-                                             "; nx ny^2 of a prism may be at most " +
+                                             "; nx ny^2 of a longitudinally uniform body may be at most " +
                                              std::to_string(most_uniform_values));
     if (spec.load_shape != LoadShape::constant)
-        throw InvalidArgument("ics.load_shape", "is bilinear; coefficients of prisms are those of constant tractions");
-    if (spec.line_contact) throw InvalidArgument("ics.line_contact", "goes with half-spaces, not with prisms");
+        throw InvalidArgument(
+            "ics.load_shape",
+            "is bilinear; coefficients of longitudinally uniform bodies are those of constant tractions");
+    if (spec.line_contact)
+        throw InvalidArgument("ics.line_contact", "goes with half-spaces, not with longitudinally uniform bodies");
     if (spec.any_nu)
-        throw InvalidArgument("ics.any_nu", "does not go with a prism: its table is made for one nu, in seconds");
+        throw InvalidArgument(
+            "ics.any_nu", "does not go with a longitudinally uniform body: its table is made for one nu, in seconds");
     if (spec.source == IcSource::analytic) return;
     if (spec.accuracy == 0)
-        throw InvalidArgument("ics.accuracy", "is missing; the mesh of a prism is chosen for an accuracy");
+        throw InvalidArgument("ics.accuracy",
+                              "is missing; the mesh of a longitudinally uniform body is chosen for an accuracy");
     constexpr double rounding = 1e-9;
     if (!(spec.dx >= shortest_uniform_element * spec.dy * (1 - rounding)))
-        throw InvalidArgument("grid.dx", "is " + number_text(spec.dx) + ", " + short_text(spec.dx / spec.dy) +
-                                             " of a column's width, dy; tables of prisms by finite elements keep their "
-                                             "accuracy from a half of it on: take dy " +
-                                             number_text(spec.dx / shortest_uniform_element) + " mm or less");
+        throw InvalidArgument(
+            "grid.dx",
+            "is " + number_text(spec.dx) + ", " + short_text(spec.dx / spec.dy) +
+                " of a column's width, dy; tables of longitudinally uniform bodies by finite elements keep their "
+                "accuracy from a half of it on: take dy " +
+                number_text(spec.dx / shortest_uniform_element) + " mm or less");
 }
 
 void validate_body(const IcSpec& spec) {
@@ -138,7 +148,7 @@ void validate_accuracy(const IcSpec& spec) {
             "be left out, and a mesh be given, where dx/dy is outside [0.125, 8]");
     if (spec.section)
         require(spec.material.nu <= largest_uniform_nu, "material.nu", spec.material.nu,
-                "be at most 0.499 of a prism by finite elements");
+                "be at most 0.499 of a longitudinally uniform body by finite elements");
     else if (!spec.any_nu)
         require(spec.material.nu <= largest_family_nu, "material.nu", spec.material.nu,
                 "be at most 0.49 when an accuracy is asked for");
@@ -176,7 +186,7 @@ std::optional<FemSpec> fem_preset(std::string_view name) {
 void validate(const IcSpec& spec) {
     validate(Grid{spec.nx, spec.ny, spec.dx, spec.dy}, "grid");
     if (spec.layered || spec.body == BodyShape::layered) validate_layers(spec);
-    if (spec.section || spec.body == BodyShape::prism) validate_uniform(spec);
+    if (spec.section || spec.body == BodyShape::longitudinally_uniform) validate_uniform(spec);
     validate(spec.material, "material", spec.source == IcSource::analytic);
     if (spec.line_contact)
         validate_line_contact(spec);

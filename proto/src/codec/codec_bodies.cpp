@@ -22,7 +22,7 @@ bool is_layered(const json& ics) {
 Ics ics_of_quick_model(const json* ics) {
     Ics result;
     if (ics == nullptr) return result;
-    if (ics->value("body", "") == name_of(BodyShape::prism))
+    if (ics->value("body", "") == name_of(BodyShape::longitudinally_uniform))
         throw invalid_field("model",
                             "is a closed form; closed forms know half-spaces only, and a body has a section: take "
                             "model full");

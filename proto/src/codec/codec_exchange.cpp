@@ -32,12 +32,12 @@ GivenIcs decode_given_ics(const json& source, const Frames& frames, const Grid& 
     const Shape shape = claimed_shape(source["table"], table_axes + 1);
     const auto nx = static_cast<std::size_t>(grid.nx), ny = static_cast<std::size_t>(grid.ny);
     if (shape.size() == table_axes + 1)
-        throw invalid_field(
-            table_field,
-            "has shape " + in_json(shape) +
-                ", that of a prism's columns, which no request brings along: give the file of ic.export "
-                "to ic.import, and name the section in ics (source fem, body prism)",
-            reason::array_invalid);
+        throw invalid_field(table_field,
+                            "has shape " + in_json(shape) +
+                                ", that of the columns of a longitudinally uniform body, which no request brings "
+                                "along: give the file of ic.export to ic.import, and name the section in ics (source "
+                                "fem, body longitudinally_uniform)",
+                            reason::array_invalid);
     if (shape.size() != table_axes || shape[0] != 3 || shape[1] != 3 || shape[2] < ny || shape[3] < nx)
         throw invalid_field(table_field,
                             "has shape " + in_json(shape) + "; it must be [3,3,ny,nx] with at least the grid's ny, " +

@@ -1,4 +1,4 @@
-// The cross-section of a prism.
+// The cross-section of a longitudinally uniform body.
 #pragma once
 
 #include <string>

@@ -87,10 +87,11 @@ void check_has_stresses(const Ics& ics) {
         throw invalid_field("ics.line_contact",
                             "goes with half-spaces in closed form; stresses below a line contact are theirs");
     if (ics.body == BodyShape::layered) return;
-    if (ics.body == BodyShape::prism)
-        throw invalid_field("ics.body",
-                            "is prism; the closed form of the stresses is that of the half-space, and says nothing of "
-                            "what lies below the surface of a section");
+    if (ics.body == BodyShape::longitudinally_uniform)
+        throw invalid_field(
+            "ics.body",
+            "is longitudinally_uniform; the closed form of the stresses is that of the half-space, and says nothing of "
+            "what lies below the surface of a section");
     if (ics.body != BodyShape::half_space)
         throw invalid_field("ics.body",
                             "is block; the closed form of the stresses is that of the half-space, which a block "

@@ -47,7 +47,7 @@ json slab(int nx, int ny) {
                           {"nu", 0.28},
                           {"ics",
                            {{"source", "analytic"},
-                            {"body", "prism"},
+                            {"body", "longitudinally_uniform"},
                             {"section", {{"slab", {{"thickness", 10}, {"width", 100}}}}}}}}}};
     params.erase("ics");
     return params;

@@ -93,7 +93,7 @@ def test_an_array_of_another_shape_is_no_table(shape):
 
 
 def test_a_table_of_columns_is_to_be_imported():
-    with pytest.raises(ValueError, match=r"\[3, 3, 4, 4, 2\], that of a prism's columns; export it .* \(import_ic\)"):
+    with pytest.raises(ValueError, match=r"\[3, 3, 4, 4, 2\], that of the columns of a longitudinally uniform body; export it .* \(import_ic\)"):
         TableIcs(np.ones((3, 3, 4, 4, 2)), DX, DY)
 
 

@@ -268,7 +268,7 @@ def test_derivatives_are_asked_for_where_they_are_wanted():
 @pytest.mark.parametrize("section", [[1], "rail_60e1", 3])
 def test_a_section_that_is_no_mapping_is_refused_by_its_name(section):
     problem = ContactProblem(
-        grid=Grid(2, 2, 1, 1), upper=Material(1, 0), gap=Paraboloid(50), approach=0.1, ics=AnalyticIcs("prism", section=section)
+        grid=Grid(2, 2, 1, 1), upper=Material(1, 0), gap=Paraboloid(50), approach=0.1, ics=AnalyticIcs("longitudinally_uniform", section=section)
     )
     with pytest.raises(TypeError, match=r"ics\.section is .*; it must be of type Mapping"):
         problem_params(problem)

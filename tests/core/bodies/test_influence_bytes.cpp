@@ -11,9 +11,9 @@ namespace {
 
 const Material steel{82000, 0.28};
 
-Body prism() {
+Body uniform_body() {
     Ics ics;
-    ics.body = BodyShape::prism;
+    ics.body = BodyShape::longitudinally_uniform;
     ics.section = Section{Slab{100, 100}};
     return {steel, ics};
 }
@@ -36,8 +36,8 @@ TEST_CASE("what operators are expected to take is what they say, or more", "[str
     problem.grid = Grid::centred(20, 15, 0.5, 0.4);
     problem.friction = FrictionLaw{{0.3}};
     problem.motion = Rolling{.xi = 1e-3, .dq = GENERATE(0.0, 0.5, 0.2)};
-    const Body upper = GENERATE(Body{Material::rigid()}, Body{steel}, prism());
-    const Body lower = GENERATE(Body{steel}, prism());
+    const Body upper = GENERATE(Body{Material::rigid()}, Body{steel}, uniform_body());
+    const Body lower = GENERATE(Body{steel}, uniform_body());
     problem.bodies = {upper, lower};
     if (problem.bodies.upper.material.is_rigid()) problem.bodies.upper.ics = lower.ics;
     const BodyTable below = table_of(lower, problem.grid);
@@ -49,7 +49,7 @@ TEST_CASE("what operators are expected to take is what they say, or more", "[str
 }
 
 TEST_CASE("a longitudinally uniform body takes memory by its strips squared", "[strips]") {
-    const Bodies uniform{{Material::rigid()}, prism()}, flat{{Material::rigid()}, {steel}};
+    const Bodies uniform{{Material::rigid()}, uniform_body()}, flat{{Material::rigid()}, {steel}};
     const auto bytes = [&](int ny, const Bodies& bodies) {
         return influence_bytes(Grid::centred(100, ny, 0.5, 0.4), bodies);
     };

@@ -16,10 +16,10 @@ namespace {
 
 const Material steel{82000, 0.28}, rubber{5, 0.45};
 
-Body prism(const Material& material, const Section& section, IcSource source = IcSource::analytic) {
+Body uniform_body(const Material& material, const Section& section, IcSource source = IcSource::analytic) {
     Ics ics;
     ics.source = source;
-    ics.body = BodyShape::prism;
+    ics.body = BodyShape::longitudinally_uniform;
     if (source == IcSource::fem) ics.accuracy = 1e-2;
     ics.section = section;
     return {material, ics};
@@ -29,7 +29,7 @@ Body prism(const Material& material, const Section& section, IcSource source = I
 ContactProblem ball_at_edge(IcSource source, bool mirrored = false) {
     ContactProblem problem;
     problem.grid = {12, 20, 0.25, 0.25, -1.5, -4.5};
-    const Body block = prism(steel, {EdgeBlock{100, 50, 0}}, source), rigid{Material::rigid()};
+    const Body block = uniform_body(steel, {EdgeBlock{100, 50, 0}}, source), rigid{Material::rigid()};
     problem.bodies = mirrored ? Bodies{block, rigid} : Bodies{rigid, block};
     problem.gap = Paraboloid{50, 50};
     problem.Fn = 3000;
@@ -106,7 +106,8 @@ TEST_CASE("A longitudinally uniform body and a half-space have the products of b
     ContactProblem problem;
     problem.grid = Grid::centred(14, 10, 0.4, 0.4);
     const Section section = uniform_above ? Section{EdgeBlock{100, 50, 3}} : Section{RailSection{.from = 8}};
-    problem.bodies = uniform_above ? Bodies{prism(rubber, section), {steel}} : Bodies{{steel}, prism(rubber, section)};
+    problem.bodies =
+        uniform_above ? Bodies{uniform_body(rubber, section), {steel}} : Bodies{{steel}, uniform_body(rubber, section)};
     if (!uniform_above) problem.columns = ContactColumns{.frames = strip_frames(section, 10, 0.4)};
     problem.friction = FrictionLaw{{0.3}};
     problem.motion = Rolling{.xi = 1e-3, .dq = dq};

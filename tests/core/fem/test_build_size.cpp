@@ -78,7 +78,7 @@ struct MeasuredSection {
 IcSpec spec_of(const MeasuredSection& measured) {
     IcSpec spec;
     spec.material = {1, measured.nu};
-    spec.body = BodyShape::prism;
+    spec.body = BodyShape::longitudinally_uniform;
     spec.source = IcSource::fem;
     spec.accuracy = measured.accuracy;
     spec.ny = measured.strips;

@@ -33,7 +33,7 @@ const std::string slow = R"({"material": {"G": 82000, "nu": 0.28}, "grid": {"nx"
 
 const std::string section =
     R"({"material": {"G": 82000, "nu": 0.28}, "grid": {"nx": 5, "ny": 4, "dx": 0.5, "dy": 0.5}, "ics": {"source": "fem",)"
-    R"( "body": "prism", "accuracy": 1e-2, "section": {"edge_block": {"width": 20, "height": 10}}}})";
+    R"( "body": "longitudinally_uniform", "accuracy": 1e-2, "section": {"edge_block": {"width": 20, "height": 10}}}})";
 
 std::string launcher(int processes) {
     return MPIRUN " --oversubscribe -np " + std::to_string(processes) + " ";
@@ -108,7 +108,7 @@ TEST_CASE("contactd-ic writes the table and says so", "[contactd-ic]") {
 TEST_CASE("contactd-ic writes the mesh of a section", "[contactd-ic]") {
     const Folder folder;
     folder.write("spec.json", R"({"material": {"G": 1, "nu": 0.3}, "grid": {"nx": 2, "ny": 4, "dx": 0.5, "dy": 0.5},
-                                  "ics": {"source": "fem", "body": "prism", "accuracy": 1e-2,
+                                  "ics": {"source": "fem", "body": "longitudinally_uniform", "accuracy": 1e-2,
                                           "section": {"slab": {"thickness": 2, "width": 8}}}})");
     REQUIRE(folder.run(program + " spec.json --mesh section.vtk") == 0);
     CHECK_THAT(folder.last_line(), ContainsSubstring(R"("mesh":"section.vtk")"));

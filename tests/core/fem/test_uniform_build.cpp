@@ -16,7 +16,7 @@ namespace {
 IcSpec edge_spec() {
     IcSpec spec;
     spec.source = IcSource::fem;
-    spec.body = BodyShape::prism;
+    spec.body = BodyShape::longitudinally_uniform;
     spec.accuracy = 1e-2;
     spec.section = Section{EdgeBlock{100, 50, 1}};
     spec.material = {82000, 0.28};

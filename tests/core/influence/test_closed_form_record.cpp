@@ -30,7 +30,7 @@ TEST_CASE("A closed form's record is dimensionless, and names its source and ver
 TEST_CASE("A section that its strips leave is refused in the lengths of the request", "[closed form]") {
     IcSpec spec;
     spec.material = {82000, 0.28};
-    spec.body = BodyShape::prism;
+    spec.body = BodyShape::longitudinally_uniform;
     spec.section = Section{EdgeBlock{.width = 100, .height = 60, .edge_distance = 50}};
     spec.dx = spec.dy = GENERATE(0.5, 2.0);
     spec.nx = 2;

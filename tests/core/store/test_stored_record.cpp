@@ -24,7 +24,7 @@ namespace {
 /// width 1.
 IcRecord exported_uniform() {
     IcSpec spec = fem_spec(3, 4);
-    spec.body = BodyShape::prism;
+    spec.body = BodyShape::longitudinally_uniform;
     spec.accuracy = 1e-3;
     spec.material.G = 82000;
     spec.dx = 0.25;
@@ -137,9 +137,9 @@ TEST_CASE("An exported table comes back dimensionless", "[exchange]") {
 }
 
 TEST_CASE("A store's own record comes back as it is", "[exchange]") {
-    IcRecord prism = exported_uniform();
-    prism.spec = dimensionless(prism.spec);
-    CHECK(std::get<StripSpectrum>(stored(through_a_file(prism)).tables) == std::get<StripSpectrum>(prism.tables));
+    IcRecord uniform = exported_uniform();
+    uniform.spec = dimensionless(uniform.spec);
+    CHECK(std::get<StripSpectrum>(stored(through_a_file(uniform)).tables) == std::get<StripSpectrum>(uniform.tables));
 }
 
 TEST_CASE("What no builder makes is refused with a sentence", "[exchange]") {

@@ -13,7 +13,7 @@ namespace {
 
 IcSpec uniform_spec(double scale) {
     IcSpec spec = fem_spec(30, 4);
-    spec.body = BodyShape::prism;
+    spec.body = BodyShape::longitudinally_uniform;
     spec.accuracy = 1e-3;
     spec.dx = 0.25 * scale;
     spec.dy = 0.5 * scale;

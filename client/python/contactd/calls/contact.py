@@ -54,7 +54,8 @@ class ContactCalls(Caller):
         Points and stresses are in the frame of `body`, where z <= 0 is inside, for the upper body too: see
         SubsurfaceStress. `nu` is Poisson's ratio of the body, where it is not that of the problem; a LayeredBody has its
         own. Below a line contact y means nothing. Nearer to the surface than an element the steps of the tractions show.
-        Blocks, prisms and TableIcs, which are no half-spaces or may be none, are refused (InvalidArgument).
+        Blocks, longitudinally uniform bodies and TableIcs, which are not or may not be half-spaces, are refused
+        (InvalidArgument).
         """
         params, shape = subsurface_params(problem, solution, body, points, block, nu)
         result = yield from self.asked("contact.subsurface", params, timeout=timeout, on_progress=on_progress, progress=progress)

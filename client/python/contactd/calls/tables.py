@@ -99,9 +99,9 @@ class TableCalls(Caller):
 
         The file is read here (needs h5py); the daemon gets what is in it. What the daemon has already stays. The table
         serves you only, unless store.share_imported_tables says otherwise; all that uses it says in its warnings that it
-        was imported. Tables of prisms then serve any length and number of elements along x. Raises TableFileError for
-        what is no such file, or a damaged one, and InvalidArgument for a table of a closed form, one that errs by more
-        than it states, or that no elastic body has.
+        was imported. Tables of longitudinally uniform bodies then serve any length and number of elements along x. Raises
+        TableFileError for what is no such file, or a damaged one, and InvalidArgument for a table of a closed form, one
+        that errs by more than it states, or that no elastic body has.
         """
         if not isinstance(file, bytes | bytearray | memoryview):
             raise TypeError(f"file is {file!r}; it must be the bytes of a file, such as Path(name).read_bytes()")

@@ -35,8 +35,9 @@ def read_hdf5(path: str | os.PathLike[str]) -> IcTable:
 
 
 def stored_extent(path: str | os.PathLike[str]) -> tuple[int, int]:
-    """(ny, nx) of what a file of the store holds: a table, a family of them, or the transform of a prism, which serves as
-    many elements along x as any grid has. Raises TableFileError, also for what is no file of a store."""
+    """(ny, nx) of what a file of the store holds: a table, a family of them, or the transform of a longitudinally
+    uniform body, which serves as many elements along x as any grid has. Raises TableFileError, also for what is no file
+    of a store."""
     return _read(path, _stored_extent)
 
 
@@ -77,16 +78,18 @@ def _table(file: FileContents, name: str) -> IcTable:
     spec = file.at("spec")
     if spec.get("any_nu"):
         raise TableFileError(f"{name} holds a family of tables; ask the daemon for the one of a material (export_ic)")
-    is_prism = spec.get("body") == "prism"
-    if is_prism and "influence_coefficients" not in file.datasets:
-        raise TableFileError(f"{name} holds the transform of a prism; give it to a daemon (import_ic), which makes tables of it")
+    is_uniform = spec.get("body") == "longitudinally_uniform"
+    if is_uniform and "influence_coefficients" not in file.datasets:
+        raise TableFileError(
+            f"{name} holds the transform of a longitudinally uniform body; give it to a daemon (import_ic), which makes tables of it"
+        )
     array = file.datasets["influence_coefficients"]
-    if array.ndim != 4 + is_prism or array.shape[:2] != (3, 3):
-        rows = "ny, ny, nx" if is_prism else "ny, nx"
+    if array.ndim != 4 + is_uniform or array.shape[:2] != (3, 3):
+        rows = "ny, ny, nx" if is_uniform else "ny, nx"
         raise TableFileError(f"{name}: the table has shape {list(array.shape)}; it must be [3, 3, {rows}]")
     dx = spec.get("dx", 1.0)
     grid = Grid(array.shape[-1], array.shape[-2], dx, spec.get("dy", dx * spec["dy_over_dx"]))
-    frames = _frames(file, grid, name) if is_prism else None
+    frames = _frames(file, grid, name) if is_uniform else None
     kind: type[Any] = FemIcs if spec["source"] == "fem" else AnalyticIcs
     ics = kind(**{f.name: spec[f.name] for f in fields(kind) if f.name in spec and f.name != "any_nu"})
     is_layered = file.has("spec/layers")
@@ -98,7 +101,7 @@ def _stored_extent(file: FileContents, name: str) -> tuple[int, int]:
     spec = file.at("spec")
     if "dx" in spec:
         raise TableFileError(f"{name} is in mm^3/N, as ic.export writes it; a store's files are for dx = 1 and G = 1")
-    if spec.get("body") != "prism":
+    if spec.get("body") != "longitudinally_uniform":
         ny, nx = file.datasets["influence_coefficients"].shape[2:]
         return ny, nx
     transform, columns = file.datasets["transform"], len(file.datasets["frames"])
@@ -109,7 +112,7 @@ def _stored_extent(file: FileContents, name: str) -> tuple[int, int]:
 
 
 def _frames(file: FileContents, grid: Grid, name: str) -> Any:
-    """Of a prism's columns; in the file their places are over the width of a column."""
+    """Of the columns of a longitudinally uniform body; in the file their places are over the width of a column."""
     frames = file.datasets["frames"]
     if frames.shape != (grid.ny, 3):
         raise TableFileError(f"{name}: the frames have shape {list(frames.shape)}; they must be [ny, 3], ny = {grid.ny}")

@@ -41,7 +41,9 @@ def save_table(path: PathLike, table: IcTable | TableIcs, *, G: float | None = N
     """
     suffix = _suffix(path)
     if isinstance(table, IcTable) and table.frames is not None and suffix == ".txt":
-        raise ValueError(f"{os.fspath(path)!r} would be a text of offsets along x and y, which a prism has none of: take .npz")
+        raise ValueError(
+            f"{os.fspath(path)!r} would be a text of offsets along x and y, and a longitudinally uniform body has columns: take .npz"
+        )
     if suffix == ".npz":
         return write_whole(path, lambda file: np.savez(file, **_members(table)))
     if suffix == ".txt":

@@ -151,7 +151,7 @@ def layered_params(body: LayeredBody, ics: Ics | TableIcs) -> dict[str, Any]:
 
 
 def table_shape(grid: Grid, ics: Ics) -> tuple[int, ...]:
-    """Of one component: [ny, nx], of a prism [ny, ny, nx]: the observed column, the loaded one, and the x offset."""
+    """Of one component: [ny, nx], of a longitudinally uniform body [ny, ny, nx]: observed column, loaded one, x offset."""
     return grid.shape if ics.section is None else (grid.ny, *grid.shape)
 
 

@@ -137,8 +137,8 @@ class IcErrors:
 
 @dataclass(frozen=True)
 class SectionEvidence:
-    """Of a prism by finite elements: how the transform of its coefficients was computed. Errors are over zz of the
-    half-space under an element as long as a column is wide.
+    """Of a longitudinally uniform body by finite elements: how the transform of its coefficients was computed. Errors
+    are over zz of the half-space under an element as long as a column is wide.
 
     Attributes:
         order: Polynomial order of the elements.
@@ -184,8 +184,8 @@ class IcEvidence:
         family_nu: Of a family: Poisson's ratios of its tables.
         interpolation_error: Of a family: the largest error that interpolation between its tables adds, estimated; in
             the measures of accuracy.
-        section: Of a prism by finite elements: how the transform of its coefficients was computed. Errors are over zz
-            of the half-space under an element as long as a column is wide.
+        section: Of a longitudinally uniform body by finite elements: how the transform of its coefficients was
+            computed. Errors are over zz of the half-space under an element as long as a column is wide.
         modelling_error: Of a block, whose table is that of a load in the middle: the largest difference to it of a load
             in the corner of as many elements as the table has offsets, about the middle, in the measures of accuracy,
             and a tenth more for loads between corner and middle.

@@ -19,7 +19,7 @@ __all__ = [
     "StoppingCriterion",
 ]
 
-Body = Literal["half_space", "block", "prism"]
+Body = Literal["half_space", "block", "longitudinally_uniform"]
 LoadShape = Literal["constant", "bilinear"]
 Preset = Literal[
     "paper-test1", "paper-test2", "paper-test3", "paper-mesh2-test1", "paper-mesh2-test2", "paper-mesh2-test3"
@@ -55,8 +55,8 @@ class FemIcs:
         accuracy: Largest error, 1e-4 to 0.1: of xx, yy, zz relative, of the others times 2 pi G rho / (dx dy). Of the
             other fields any_nu, body, load_shape and (of a block) L_over_h go with it.
         any_nu: True: one build for every Poisson's ratio from 0 to 0.49; material.nu is the value to interpolate to.
-        body: "half_space" (default), "block": [-L, L]^2 x [-L, 0], u = 0 on all faces but the top, or "prism": a body
-            that is uniform along x, for which an accuracy is asked for.
+        body: "half_space" (default), "block": [-L, L]^2 x [-L, 0], u = 0 on all faces but the top, or
+            "longitudinally_uniform": the same cross-section everywhere along x, for which an accuracy is asked for.
         load_shape: Traction of the loaded element: "constant" (default), or "bilinear", the tent
             (1 - |x|/dx) (1 - |y|/dy).
         l_over_h: Of meshes "hex" and "prism": size of the uniform cube around the load over h, 0.5 to 64; default 1.
@@ -80,8 +80,8 @@ class FemIcs:
         tolerance: Of the stopping criterion, 1e-13 to 1; default 1e-8.
         max_iterations: Of conjugate gradients, per load case; default 1000.
         strength_threshold: Of BoomerAMG, 0 to 1; chosen for the mesh when left out.
-        section: Of a prism: its cross-section as the wire has it (docs/protocol.md, docs/sections.md), for example
-            {"rail_60e1": {"from": 2}} or {"edge_block": {"width": 100, "height": 50, "edge_distance": 1}}, or
+        section: Cross-section of a longitudinally uniform body as the wire has it (docs/protocol.md, docs/sections.md), for
+            example {"rail_60e1": {"from": 2}} or {"edge_block": {"width": 100, "height": 50, "edge_distance": 1}}, or
             {"profile_section": {"kind": "rail", "profile": ProfilePoints(...), "depth": 60}} of contactd.wheel_rail. Its
             columns are the rows of the grid, dy wide along the outline.
     """

@@ -34,15 +34,15 @@ class AnalyticIcs:
     """Influence coefficients of the elastic half-space in closed form.
 
     Attributes:
-        body: "half_space" (default), or "prism": half-spaces that are turned from column to column of `section`
-            (docs/sections.md); "layered" is what answers say of a LayeredBody.
+        body: "half_space" (default), or "longitudinally_uniform": half-spaces that are turned from column to column of
+            `section` (docs/sections.md); "layered" is what answers say of a LayeredBody.
         load_shape: Traction of the loaded element: "constant" (default), or "bilinear", the tent
             (1 - |x|/dx) (1 - |y|/dy).
         line_contact: A contact that does not change along y; None: elements end along y.
-        section: Of a prism, as FemIcs.section.
+        section: Of a longitudinally uniform body, as FemIcs.section.
     """
 
-    body: Literal["half_space", "layered", "prism"] | None = None
+    body: Literal["half_space", "layered", "longitudinally_uniform"] | None = None
     load_shape: LoadShape | None = None
     line_contact: LineContact | None = None
     section: Mapping[str, Any] | None = None

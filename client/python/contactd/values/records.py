@@ -75,7 +75,7 @@ class ImportedIc:
     """What ic.import has put into the daemon's store.
 
     Attributes:
-        spec: What it is a table of. Of a prism dx and nx mean nothing: any are served.
+        spec: What it is a table of. Of a longitudinally uniform body dx and nx mean nothing: any are served.
         ics: The table that this user is served now; its origin is file, or disk where there was one already.
         new: Whether the table was kept; one that the user was served already stays.
     """

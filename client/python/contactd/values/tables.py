@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 __all__ = ["IcSpec", "IcTable", "TableIcs", "check_finite", "combined_modulus"]
 
 _AXES = "xyz"
-#: What to do with the table of a prism.
+#: What to do with the table of a longitudinally uniform body.
 _IMPORT = (
     "export it where it was built (export_ic) and give the file to the daemon that solves (import_ic), where FemIcs with its "
     "section asks for it"
@@ -72,11 +72,12 @@ class IcTable(HasDict, Shown):
         key: Equal for every shear modulus, element size and extent of the same dimensionless problem; "" of a file .h5.
         origin: "closed_form", "memory", "disk" or "built"; "file" when load_table read it.
         spec: What was asked for, defaults filled in.
-        array: Shape [3, 3, ny, nx] (mm^3/N); of a prism [3, 3, ny, ny, nx]: `array[i, j, I, J, k]` is the displacement of
-            column I, k elements ahead of a loaded one of column J, axes x, along the outline, and outward of each.
+        array: Shape [3, 3, ny, nx] (mm^3/N); of a longitudinally uniform body [3, 3, ny, ny, nx]: `array[i, j, I, J, k]`
+            is the displacement of column I, k elements ahead of a loaded one of column J, axes x, along the outline, and
+            outward of each.
         evidence: How it was made, and how good it is.
-        frames: Of a prism, shape [ny, 3]: y and z of the middle of each column (mm), z up, and the angle of its outward
-            normal from +z towards +y (rad).
+        frames: Of a longitudinally uniform body, shape [ny, 3]: y and z of the middle of each column (mm), z up, and the
+            angle of its outward normal from +z towards +y (rad).
     """
 
     key: str
@@ -162,7 +163,7 @@ def check_finite(array: Array) -> None:
 
 def _require_offsets(table: IcTable) -> None:
     if table.frames is not None:
-        raise ValueError(f"the table is a prism's, of columns instead of offsets; {_IMPORT}")
+        raise ValueError(f"the table is that of a longitudinally uniform body, of columns instead of offsets; {_IMPORT}")
 
 
 @public
@@ -194,7 +195,7 @@ class TableIcs(Shown):
     def __post_init__(self) -> None:
         array = np.asarray(whole(array_of(self.array), "array"), dtype=np.float64)
         if array.ndim == 5:
-            raise ValueError(f"array has shape {list(array.shape)}, that of a prism's columns; {_IMPORT}")
+            raise ValueError(f"array has shape {list(array.shape)}, that of the columns of a longitudinally uniform body; {_IMPORT}")
         if array.ndim != 4 or array.shape[:2] != (3, 3) or 0 in array.shape:
             raise ValueError(f"array has shape {list(array.shape)}; it must be [3, 3, ny, nx]")
         for name, size in (("dx", self.dx), ("dy", self.dy), ("G", 1.0 if self.G is None else self.G)):

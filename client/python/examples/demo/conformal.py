@@ -90,7 +90,7 @@ def meshes(client: Client, binaries: Path) -> dict[str, SectionMesh]:
         ("block with an edge", {"edge_block": BLOCK}, 24, EDGE_SIZE),
     ):
         grid = Grid.centred(1, columns, size, columns * size)
-        frames = client.get_ic(STEEL, grid, AnalyticIcs(body="prism", section=shape)).frames
+        frames = client.get_ic(STEEL, grid, AnalyticIcs(body="longitudinally_uniform", section=shape)).frames
         found[name] = section_mesh(binaries, STEEL, grid, {"section": shape, "accuracy": 1e-2}, frames)
     return found
 
@@ -114,9 +114,9 @@ def show_throat(client: Client) -> Throat:
             solutions[way] = client.wheel_rail(setup, STATE, gap=True)
             milliseconds[way] = 1000 * (time.perf_counter() - start)
         grid = Grid.centred(2, 64, 2 * SIZE, 64 * SIZE)  # columns from R80 round the corner to the side
-        by_elements = FemIcs(body="prism", section=CORNER, accuracy=1e-2)
+        by_elements = FemIcs(body="longitudinally_uniform", section=CORNER, accuracy=1e-2)
         rail = client.get_ic(STEEL, grid, by_elements, timeout=600, on_progress=progress)
-        rotated_rail = client.get_ic(STEEL, grid, AnalyticIcs(body="prism", section=CORNER))
+        rotated_rail = client.get_ic(STEEL, grid, AnalyticIcs(body="longitudinally_uniform", section=CORNER))
     show_ways(solutions, milliseconds)
     return Throat(STATE, solutions, client.placed_profiles(setup).right, rail, rotated_rail)
 
@@ -188,7 +188,7 @@ def edge_at(client: Client, distance: float) -> Edge:
             grid=grid, upper=RigidBody(), lower=STEEL, lower_ics=ics, gap=Paraboloid(BALL, BALL), Fn=LOAD, timeout=600
         )
 
-    return Edge(grid, solve(AnalyticIcs()), solve(FemIcs(body="prism", section={"edge_block": BLOCK}, accuracy=1e-2)))
+    return Edge(grid, solve(AnalyticIcs()), solve(FemIcs(body="longitudinally_uniform", section={"edge_block": BLOCK}, accuracy=1e-2)))
 
 
 def more(value: float, reference: float) -> float:

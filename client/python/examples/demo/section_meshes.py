@@ -24,11 +24,11 @@ class SectionMesh:
 
 
 def section_mesh(binaries: Path, material: Material, grid: Grid, ics: dict[str, Any], frames: Any) -> SectionMesh:
-    """Of a prism, whose columns are the rows of `grid`, at `frames`."""
+    """Of a longitudinally uniform body, whose columns are the rows of `grid`, at `frames`."""
     spec = {
         "material": {"G": material.G, "nu": material.nu},
         "grid": {"nx": grid.nx, "ny": grid.ny, "dx": grid.dx, "dy": grid.dy},
-        "ics": {"source": "fem", "body": "prism", **ics},
+        "ics": {"source": "fem", "body": "longitudinally_uniform", **ics},
     }
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, "section.vtk")

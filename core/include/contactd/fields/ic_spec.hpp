@@ -15,11 +15,11 @@ static_assert(static_cast<int>(IcSource::fem) == 1);
 
 template <>
 inline constexpr auto enum_words<BodyShape> =
-    std::to_array<std::string_view>({"half_space", "block", "layered", "prism"});
+    std::to_array<std::string_view>({"half_space", "block", "layered", "longitudinally_uniform"});
 static_assert(static_cast<int>(BodyShape::half_space) == 0);
 static_assert(static_cast<int>(BodyShape::block) == 1);
 static_assert(static_cast<int>(BodyShape::layered) == 2);
-static_assert(static_cast<int>(BodyShape::prism) == 3);
+static_assert(static_cast<int>(BodyShape::longitudinally_uniform) == 3);
 
 template <>
 inline constexpr auto enum_words<LoadShape> = std::to_array<std::string_view>({"constant", "bilinear"});

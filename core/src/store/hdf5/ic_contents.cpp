@@ -103,7 +103,9 @@ FileContents contents_of(const IcRecord& record) {
         write_spectrum(file, *spectrum);
         if (!is_dimensionless(record.spec)) write_strips(file, record);
     } else if (std::holds_alternative<StripTable>(record.tables)) {
-        throw StoreError("Tables of prisms that are made of half-spaces are not kept in files: making one is quicker.");
+        throw StoreError(
+            "Tables of longitudinally uniform bodies that are made of half-spaces are not kept in files: making one is "
+            "quicker.");
     } else {
         write_table(file, record.table(), !is_dimensionless(record.spec));
     }

@@ -64,7 +64,7 @@ class StripCarrier {
     Ics ics(double from) const {
         Ics ics;
         ics.source = IcSource::fem;
-        ics.body = BodyShape::prism;
+        ics.body = BodyShape::longitudinally_uniform;
         ics.accuracy = accuracy;
         ics.section.emplace();
         if (is_60e1())

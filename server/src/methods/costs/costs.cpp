@@ -88,7 +88,7 @@ WorkCost cost_of_solve(const json& params, const Config& config) {
     const bool rolls = friction != nullptr && friction->contains("rolling");
     double bytes = elements * (rolls ? bytes_of_rolling : friction != nullptr ? bytes_of_tangential : bytes_of_normal);
     double product = seconds_of_product * elements * std::log2(4 * elements + 2);
-    if (any_body(params, "prism")) {
+    if (any_body(params, "longitudinally_uniform")) {
         bytes += pairs_of_strips(grid) * (rolls ? bytes_of_rolling_strips : bytes_of_strips);
         product += seconds_of_pair * pairs_of_strips(grid);
     }
@@ -138,8 +138,8 @@ WorkCost cost_of_subsurface(const json& params, const Config& config) {
 WorkCost cost_of_table(const json& params, const Config& config) {
     check_grid_limit(params, config.max_grid_elements);
     const json& grid = params.at("grid");
-    const bool prism = any_body(params, "prism");
-    const double offsets = prism ? pairs_of_strips(grid) : sides(grid);
+    const bool is_uniform = any_body(params, "longitudinally_uniform");
+    const double offsets = is_uniform ? pairs_of_strips(grid) : sides(grid);
     // The record, the part that is asked for, and the answer.
     const double seconds = any_body(params, "layered") ? seconds_of_layered_offset : seconds_of_offset;
     return {bytes_beside + offsets * 9 * sizeof(double) * 4, offsets * seconds};

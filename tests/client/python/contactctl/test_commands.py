@@ -170,13 +170,13 @@ def test_a_table_of_another_store_is_imported(own, daemons):
     assert "was there" in own("ic", "import", file, "--store", other.store).out
 
 
-PRISM = {"material": {"G": 82000, "nu": 0.28}, "grid": {"nx": 3, "ny": 4, "dx": 1, "dy": 1},
-         "ics": {"source": "fem", "body": "prism", "accuracy": 1e-2, "section": {"slab": {"thickness": 4, "width": 30}}}}  # fmt: skip
-FAMILY = {**PRISM, "grid": {"nx": 3, "ny": 3, "dx": 1, "dy": 1}, "ics": {"source": "fem", "accuracy": 1e-2, "any_nu": True}}
+UNIFORM = {"material": {"G": 82000, "nu": 0.28}, "grid": {"nx": 3, "ny": 4, "dx": 1, "dy": 1},
+         "ics": {"source": "fem", "body": "longitudinally_uniform", "accuracy": 1e-2, "section": {"slab": {"thickness": 4, "width": 30}}}}  # fmt: skip
+FAMILY = {**UNIFORM, "grid": {"nx": 3, "ny": 3, "dx": 1, "dy": 1}, "ics": {"source": "fem", "accuracy": 1e-2, "any_nu": True}}
 
 
-@pytest.mark.parametrize(("request_", "extent"), [(PRISM, (1_000_000, 4)), (FAMILY, (3, 3))], ids=["prism", "family"])
-def test_prisms_and_families_of_another_store_are_imported(own, daemons, request_, extent):
+@pytest.mark.parametrize(("request_", "extent"), [(UNIFORM, (1_000_000, 4)), (FAMILY, (3, 3))], ids=["uniform", "family"])
+def test_longitudinally_uniform_bodies_and_families_of_another_store_are_imported(own, daemons, request_, extent):
     own.write("request.json", request_)
     key = own("ic", "build", "request.json", "--json").json["key"]
     other = daemons.start("other", builds={"program": "/bin/false"})
@@ -187,12 +187,12 @@ def test_prisms_and_families_of_another_store_are_imported(own, daemons, request
 
 
 def test_what_a_store_does_not_hold_is_not_put_into_it(own, daemons):
-    own.write("prism.json", PRISM)
-    own("ic", "export", "prism.json", "-o", "prism.h5")
+    own.write("uniform.json", UNIFORM)
+    own("ic", "export", "uniform.json", "-o", "uniform.h5")
     folder, daemon_store = own.folder / "theirs", daemons.start("other").folder.parent / "daemon" / "store"
     folder.mkdir()
     (file,) = daemon_store.glob("*.h5")
-    wrong = {file.name: (own.folder / "prism.h5", "ic.export writes it"), file.name.replace("x4.", "x5."): (file, "its name says 1000000 x 5")}
+    wrong = {file.name: (own.folder / "uniform.h5", "ic.export writes it"), file.name.replace("x4.", "x5."): (file, "its name says 1000000 x 5")}
     for name, (content, words) in wrong.items():
         own.folder.joinpath(name).write_bytes(content.read_bytes())
         refused = own("ic", "import", name, "--store", folder)
@@ -201,8 +201,8 @@ def test_what_a_store_does_not_hold_is_not_put_into_it(own, daemons):
     assert not list(folder.iterdir())
 
 
-def test_an_exported_prism_is_imported_and_shown(own, daemons):
-    own.write("edge.json", PRISM)
+def test_an_exported_longitudinally_uniform_body_is_imported_and_shown(own, daemons):
+    own.write("edge.json", UNIFORM)
     own("ic", "export", "edge.json", "-o", "edge.h5")
     assert "3 x 4 of 1 x 1 mm" in own("ic", "show", "edge.h5").out
     own("ic", "export", "edge.json", "-o", "edge.npz")

@@ -137,7 +137,7 @@ inline void add_bodies(Dice& dice, const Section& section, SectionContact& conta
     const Grid& grid = problem.grid;
     Ics ics;
     ics.source = IcSource::fem;
-    ics.body = BodyShape::prism;
+    ics.body = BodyShape::longitudinally_uniform;
     ics.accuracy = table_accuracy;
     ics.section = section;
     problem.bodies.lower = {{dice.log_uniform(1, 1e5), dice.uniform(0, 0.45)}, ics};

@@ -13,10 +13,10 @@ using nlohmann::json;
 
 namespace {
 
-IcSpec prism_spec(const Section& section) {
+IcSpec uniform_spec(const Section& section) {
     IcSpec spec;
     spec.source = IcSource::fem;
-    spec.body = BodyShape::prism;
+    spec.body = BodyShape::longitudinally_uniform;
     spec.accuracy = 1e-3;
     spec.section = section;
     spec.material = {82000, 0.28};
@@ -29,7 +29,7 @@ IcSpec prism_spec(const Section& section) {
 
 json params_with(const json& section) {
     json params = wire::ic_params();
-    params["ics"] = {{"source", "fem"}, {"body", "prism"}, {"accuracy", 1e-3}, {"section", section}};
+    params["ics"] = {{"source", "fem"}, {"body", "longitudinally_uniform"}, {"accuracy", 1e-3}, {"section", section}};
     return params;
 }
 
@@ -46,7 +46,7 @@ TEST_CASE("Every section goes over the wire as it is") {
         Section{ProfileSection{{ProfileKind::wheel, S1002{}}, 50}},
         Section{ProfileSection{{ProfileKind::rail, ArcProfile{300, 0, -20, 20}}, 50}},
         Section{OutlineSection{outline, {outline}, 1, 2, 0.3}});
-    const IcSpec spec = prism_spec(section);
+    const IcSpec spec = uniform_spec(section);
     const json params = encode_ic_spec(spec);
     CHECK(violations_of("ic.get.params", params).empty());
     CHECK(decode_ic_spec(params) == spec);
@@ -85,11 +85,11 @@ TEST_CASE("Points of a profile may come in a frame, and are refused when they ar
             .empty());
 }
 
-TEST_CASE("A prism's table comes with its frames and how it was made") {
+TEST_CASE("A longitudinally uniform body's table comes with its frames and how it was made") {
     IcReply reply;
     reply.key = std::string(64, 'a');
     reply.origin = "built";
-    reply.spec = prism_spec(Section{Slab{1, 100}});
+    reply.spec = uniform_spec(Section{Slab{1, 100}});
     reply.table = IcTable(5, table_rows(reply.spec));
     for (std::size_t i = 0; i < reply.table.values.size(); ++i) reply.table.values[i] = static_cast<double>(i);
     reply.frames = {{1, 2, 0.1}, {3, 4, 0.2}};
