@@ -20,11 +20,11 @@ ROOT = Path(__file__).parents[2]
 #: Folders with C++, folders with C++ whose comments are held to it too, and folders with Python.
 FOLDERS = ["core", "engine", "tests/core", "tests/engine"]
 WITH_COMMENTS = [
-    "server", "bench", "client/cpp", "client/cntc", "packaging", "tests/server", "tests/verification", "tests/support",
+    "server", "bench", "proto", "client/cpp", "client/cntc", "packaging", "tests/server", "tests/verification", "tests/support",
     "tests/fuzz",
 ]  # fmt: skip
 PYTHON = [
-    "bench", "docs", "packaging", "tests/integration", "tests/support", "tests/fuzz", "tests/load", "tests/conformance",
+    "bench", "docs", "packaging", "proto", "tests/integration", "tests/support", "tests/fuzz", "tests/load", "tests/conformance",
     "tests/bench", "tests/docs",
 ]  # fmt: skip
 #: Whole words of a name in snake case, and what the field says.

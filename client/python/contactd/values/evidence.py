@@ -37,10 +37,10 @@ ErrorSource = Literal["hertz", "estimate"]
 
 @dataclass(frozen=True)
 class SolverSettings:
-    """Stop test and bound of one iterative solver.
+    """Stopping criterion and bound of one iterative solver.
 
     Attributes:
-        tolerance: Bound of the paper's stop test (sections 4.1 and 4.2). Default 1e-06.
+        tolerance: Bound of the paper's stopping criterion (sections 4.1 and 4.2). Default 1e-06.
         max_iterations: Bound of the iterations. Default 1000.
     """
 
@@ -50,10 +50,10 @@ class SolverSettings:
 
 @dataclass(frozen=True)
 class TangentialSettings(SolverSettings):
-    """Stop test for the tractions under friction, and the solver that finds them.
+    """Stopping criterion for the tractions under friction, and the solver that finds them.
 
     Attributes:
-        tolerance: Bound of the paper's stop test (sections 4.1 and 4.2). Default 1e-06.
+        tolerance: Bound of the paper's stopping criterion (sections 4.1 and 4.2). Default 1e-06.
         max_iterations: Bound of the iterations. Default 1000.
         solver: newton: Newton's method on the friction law, and where that does not get there, TangCG. tangcg: TangCG
             alone, bound-constrained conjugate gradients, of shifts and transient rolling. Default "newton".
@@ -70,7 +70,7 @@ class SolverEvidence:
 
     Attributes:
         iterations: Number of iterations.
-        residual: The figure that the stop test compares with the tolerance.
+        residual: The figure that the stopping criterion compares with the tolerance.
         converged: Whether the tolerance was reached.
         seconds: Duration (s).
     """
@@ -89,9 +89,9 @@ class LoadCase:
         load: Axis of the load. One of "x", "y", "z".
         iterations: Conjugate-gradient iterations.
         residual: True relative residual.
-        converged: Whether the stop test reached the tolerance.
+        converged: Whether the stopping criterion reached the tolerance.
         seconds: Duration of the solve (s).
-        update: Relative update of the last iteration, where that is the stop test.
+        update: Relative update of the last iteration, where that is the stopping criterion.
     """
 
     load: str
@@ -137,17 +137,17 @@ class IcErrors:
 
 @dataclass(frozen=True)
 class SectionEvidence:
-    """Of a longitudinally uniform body by finite elements: how the transform of its coefficients was computed. Errors
+    """How the transform of the coefficients of a longitudinally uniform body was computed by finite elements. Errors
     are over zz of the half-space under an element as long as a column is wide.
 
     Attributes:
         order: Polynomial order of the elements.
         wavenumbers: Number of wavenumbers that it was computed at.
-        error: Of any coefficient: the sum of the three below.
-        mesh_error: Of the mesh, from elements of the next order.
-        wavenumber_error: Of interpolation between wavenumbers, from every other one.
-        end_error: Of what lies beyond the last wavenumber.
-        reciprocity_defect: Of coefficients before they were made symmetric.
+        error: Error of any coefficient: the sum of the three below.
+        mesh_error: Error of the mesh, from elements of the next order.
+        wavenumber_error: Error of interpolation between wavenumbers, from every other one.
+        end_error: Error of what lies beyond the last wavenumber.
+        reciprocity_defect: Reciprocity defect of the coefficients before they were made symmetric.
     """
 
     order: int
@@ -161,8 +161,8 @@ class SectionEvidence:
 
 @dataclass(frozen=True)
 class IcEvidence:
-    """What made the numbers of a table and how good they are. Of a closed form, and of a table that came with the
-    request, there is no build to speak of.
+    """How the numbers of a table were made, and how good they are. A closed form, and a table that came with the
+    request, have no build.
 
     Attributes:
         source: Closed form, finite elements, or a table that came with the request. One of "analytic", "fem", "table".
@@ -176,19 +176,19 @@ class IcEvidence:
         errors_estimated: True when errors are an estimate, there being no closed form: for a block half of the
             difference to a coarser mesh; for layers three times the differences to a second computation, those of xx,
             yy and zz relative to the larger of zz at the origin and 1e-3 times thickness over G of the first layer.
-        warnings: What a user of the table should know, sentences; for example that the mesh is outside of the ranges
+        warnings: Sentences that a user of the table should know; for example that the mesh is outside of the ranges
             that the paper recommends.
-        solver: What solved the linear systems. One of "amg_pcg", "direct", "tensor_pcg".
+        solver: Solver of the linear systems. One of "amg_pcg", "direct", "tensor_pcg".
         mesh: The mesh that was chosen, when an accuracy of the half-space was asked for: fields of ics that ask for it
             by name.
-        family_nu: Of a family: Poisson's ratios of its tables.
-        interpolation_error: Of a family: the largest error that interpolation between its tables adds, estimated; in
-            the measures of accuracy.
-        section: Of a longitudinally uniform body by finite elements: how the transform of its coefficients was
-            computed. Errors are over zz of the half-space under an element as long as a column is wide.
-        modelling_error: Of a block, whose table is that of a load in the middle: the largest difference to it of a load
-            in the corner of as many elements as the table has offsets, about the middle, in the measures of accuracy,
-            and a tenth more for loads between corner and middle.
+        family_nu: Poisson's ratios of the tables of a family.
+        interpolation_error: Largest error that interpolation between the tables of a family adds, estimated; in the
+            measures of accuracy.
+        section: How the transform of the coefficients of a longitudinally uniform body was computed by finite elements.
+            Errors are over zz of the half-space under an element as long as a column is wide.
+        modelling_error: Largest difference of a block's table, which is that of a load in the middle, to a load in the
+            corner of as many elements as the table has offsets, about the middle, in the measures of accuracy, and a
+            tenth more for loads between corner and middle.
         imported: Somebody has imported the table: all of this is the importer's word.
     """
 
@@ -230,17 +230,17 @@ class IcUse:
 @dataclass(frozen=True)
 class Discretisation:
     """How finely the elements divide the contact, and what that costs: sizes of relative errors against the limit of
-    small elements. Of model full, where there is contact.
+    small elements. It is there for model full, where there is contact.
 
     Attributes:
         elements_across: Elements across the contact, in the direction with fewer; one in which the contact fills the
             grid does not count.
         force_error: Error of the normal force for the approach, whichever of them was prescribed.
         pmax_error: Error of the largest pressure under the prescribed load.
-        source: Of these two errors: hertz: Hertz's closed form (a paraboloid on half-spaces); estimate: from
+        source: Source of these two errors: hertz: Hertz's closed form (a paraboloid on half-spaces); estimate: from
             elements_across.
-        rolling_error: Of rolling, an estimate: of the tangential force under a small creepage, from elements_across and
-            dq. Where most of the contact slips the force errs by less.
+        rolling_error: Estimated error of the tangential force in rolling under a small creepage, from elements_across
+            and dq. Where most of the contact slips the force errs by less.
         compliance_ratio: Where a body has layers: how compliant elements of this size make them to pressures as wide as
             the contact, over how compliant they are; 1 where elements are fine. Both errors above have it in them.
     """
@@ -274,23 +274,23 @@ class ContactEvidence:
 
     Attributes:
         normal: NORM, which finds the pressures.
-        ics: The coefficients of the bodies, upper and lower, or of the pair where the request held them. A rigid body
-            has none, models other than full use none, and steps have those of their session.
+        ics: The coefficients of the bodies, upper and lower, or of the pair where the request brought them. A rigid
+            body has none, models other than full use none, and steps have those of their session.
         tangential: The tractions; with friction only.
-        outer: The loop between normal and tangential contact of bodies that differ, and between slip and kinetic
-            friction, where it ran; residual is what further turns would change of the tractions, relative: of kinetic
-            friction the last change.
+        outer: Outer (Panagiotopoulos) iterations between normal and tangential contact of dissimilar bodies, and
+            between slip and kinetic friction, where they ran; residual is the relative change of the tractions that
+            further iterations would make, with kinetic friction the last change.
         force: How the motion that a prescribed tangential force needs was found, where there is one: iterations are
             those of Newton's method on motion and tractions, and the solves of a search where that failed; residual is
             the last error of the force over the friction bound.
         discretisation: How finely the elements divide the contact, and what that costs: sizes of relative errors
-            against the limit of small elements. Of model full, where there is contact.
+            against the limit of small elements. It is there for model full, where there is contact.
         derivatives: The linear equations of the derivatives, where these were asked for and there is contact:
-            iterations of all together, the largest residual relative to what it is of. Quick models have none to solve.
+            iterations of all together, the largest relative residual. Simplified models have none to solve.
         operators: Operators that are larger than store.influence_budget_bytes, of which only those used last are kept.
             None of others.
-        tangential_solver: What found the tractions: the solver that settings.tangential asked for, or TangCG where
-            Newton's method stopped. Of model full, with friction only.
+        tangential_solver: Solver that found the tractions: the one that settings.tangential asked for, or TangCG where
+            Newton's method stopped. It is there for model full with friction only.
     """
 
     normal: SolverEvidence

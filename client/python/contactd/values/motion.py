@@ -51,8 +51,8 @@ class Rolling:
 
 @dataclass(frozen=True)
 class KineticFriction:
-    """How friction falls with the slip velocity v. linear: max(mu_k, mu_s - (mu_s - mu_k) v / v_c); exponential: mu_k +
-    (mu_s - mu_k) exp(-v / v_c).
+    """Velocity-weakening (falling) friction, by the slip velocity v; None, the coefficient is constant. linear:
+    max(mu_k, mu_s - (mu_s - mu_k) v / v_c); exponential: mu_k + (mu_s - mu_k) exp(-v / v_c).
 
     Attributes:
         mu: Kinetic coefficient mu_k, at most the static one.

@@ -28,7 +28,7 @@ class RecentSolve:
         at: When it ended (s since 1970).
         seconds: Time from its start in a worker to its end (s).
         elements: Elements of its grid; of wheels on rails those of all patches.
-        patches: How many grids there are: one, and of wheels on rails as many as places of contact.
+        patches: Number of grids: one, and of wheels on rails as many as contact patches.
         converged: Whether every solver reached its tolerance.
         iterations: Iterations of the normal and the tangential solvers together.
         residual: The largest figure that one of its solvers compared with its tolerance.
@@ -72,10 +72,10 @@ class RecentPatch:
 
 @dataclass(frozen=True)
 class ImportedIc:
-    """What ic.import has put into the daemon's store.
+    """Table that ic.import has put into the daemon's store.
 
     Attributes:
-        spec: What it is a table of. Of a longitudinally uniform body dx and nx mean nothing: any are served.
+        spec: Specification of the table. For a longitudinally uniform body dx and nx mean nothing: any are served.
         ics: The table that this user is served now; its origin is file, or disk where there was one already.
         new: Whether the table was kept; one that the user was served already stays.
     """
@@ -94,7 +94,7 @@ class StoredIc:
         nx: Offsets along x.
         ny: Offsets along y.
         bytes: Size of the file.
-        evidence: How it was made; where asked for, and its file can be read.
+        evidence: How the table was made, where that was requested and its file can be read.
     """
 
     key: str
@@ -113,7 +113,7 @@ class QuarantinedIc:
         nx: Offsets along x.
         ny: Offsets along y.
         failures: Builds that failed.
-        message: How the last one failed.
+        message: Message of the last failure.
         seconds: Time until it may be tried again (s).
     """
 

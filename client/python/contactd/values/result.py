@@ -24,14 +24,14 @@ class DerivativesOfAnswer:
     problem does not have, or its model does not know, is None.
 
     Attributes:
-        xi: Of rolling: by the longitudinal creepage.
-        eta: Of rolling: by the lateral creepage.
-        phi: Of rolling: by the spin creepage.
-        rigid_shift: Of a shift: by the rigid shift along x, and along y.
-        rotation: Of a shift: by the rotation.
-        approach: By the approach, where that is prescribed.
-        Fn: By the normal force, where that is prescribed.
-        mu: By the coefficient of friction: the same change in every element.
+        xi: Derivative by the longitudinal creepage, in rolling.
+        eta: Derivative by the lateral creepage, in rolling.
+        phi: Derivative by the spin creepage, in rolling.
+        rigid_shift: Derivatives by the rigid shift along x, and along y, in a shift.
+        rotation: Derivative by the rotation, in a shift.
+        approach: Derivative by the approach, where that is prescribed.
+        Fn: Derivative by the normal force, where that is prescribed.
+        mu: Derivative by the coefficient of friction, which changes alike in every element.
     """
 
     xi: float | None = None
@@ -64,8 +64,8 @@ class Forces:
 
 @dataclass(frozen=True)
 class Resultant:
-    """On curved columns: force (N) and moment about their origin (N mm) of pressures and tractions together, on the
-    upper body, in the axes of the section.
+    """Resultant force (N) and moment about their origin (N mm) of pressures and tractions together on curved columns,
+    on the upper body, in the axes of the section.
 
     Attributes:
         Fx: Force along x (N).
@@ -118,10 +118,10 @@ class Counts:
 
 @dataclass(frozen=True)
 class Derivatives:
-    """Where asked for, and the solution has converged and has contact: how forces follow the inputs, to first order:
-    derivatives.Fx.xi is dFx/d(xi). Held are the undeformed distance (also where semi-axes and the load made it), the
-    tractions before the step, rigid_slip, and the division of the elements, at whose next change the derivatives are
-    one-sided. Motion is an input also where forces found it: as if it had been given.
+    """Derivatives of the forces by the inputs, where they were requested and the solution has converged and has
+    contact: derivatives.Fx.xi is dFx/d(xi). Fixed are the undeformed distance (also where semi-axes and the load made
+    it), the tractions before the step, rigid_slip, and the division of the elements, at whose next change the
+    derivatives are one-sided. Motion is an input also where forces found it: as if it had been given.
 
     Attributes:
         Fx: Derivatives of Fx (N), with friction.
@@ -157,21 +157,21 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
         converged: Whether every solver of the problem that ran reached its tolerance; derivatives that did not are
             None.
         evidence: How the solvers ended, and which coefficients they used; what did not run is None.
-        resultant: On curved columns: force (N) and moment about their origin (N mm) of pressures and tractions
-            together, on the upper body, in the axes of the section.
-        slip_x: With friction: slip of the upper body over the lower along x, shape [ny, nx]: of a shift the distance
-            over the step (mm), of rolling the relative slip, per distance rolled. Zero outside of the contact.
-        slip_y: With friction: slip of the upper body over the lower along y, as slip_x.
-        frictional_work: Of a shift: what friction dissipates in the step (N mm).
-        frictional_power: Of rolling: what friction dissipates (N mm/s).
-        motion: With friction: the motion as asked for, with what a prescribed force made of it. Of a shift rigid_shift,
+        resultant: Resultant force (N) and moment about their origin (N mm) of pressures and tractions together on
+            curved columns, on the upper body, in the axes of the section.
+        slip_x: Slip of the upper body over the lower along x, with friction, shape [ny, nx]: in a shift the distance
+            over the step (mm), in rolling the relative slip, per distance rolled. Zero outside of the contact.
+        slip_y: Slip of the upper body over the lower along y, with friction, as slip_x.
+        frictional_work: Energy that friction dissipates in a shift (N mm).
+        frictional_power: Power that friction dissipates in rolling (N mm/s).
+        motion: Motion as requested, with friction, and as found where a force is prescribed: of a shift rigid_shift,
             rotation and duration; else as rolling of the request. force as in the request.
-        derivatives: Where asked for, and the solution has converged and has contact: how forces follow the inputs, to
-            first order: derivatives.Fx.xi is dFx/d(xi). Held are the undeformed distance (also where semi-axes and the
-            load made it), the tractions before the step, rigid_slip, and the division of the elements, at whose next
-            change the derivatives are one-sided. Motion is an input also where forces found it: as if it had been
+        derivatives: Derivatives of the forces by the inputs, where they were requested and the solution has converged
+            and has contact: derivatives.Fx.xi is dFx/d(xi). Fixed are the undeformed distance (also where semi-axes and
+            the load made it), the tractions before the step, rigid_slip, and the division of the elements, at whose
+            next change the derivatives are one-sided. Motion is an input also where forces found it: as if it had been
             given.
-        warnings: What a user of the solution should know, sentences; for example that the contact touches the border of
+        warnings: Sentences that a user of the solution should know; for example that the contact touches the border of
             the potential contact area, or that elements or dq are too large for it.
         grid: The grid of the problem, which the client adds.
     """

@@ -18,12 +18,12 @@ class Progress(ProgressText):
     """A sign of life of the job that a call waits for.
 
     Attributes:
-        stage: What is being done.
-        fraction: Of the whole work, an estimate.
+        stage: Stage of the work.
+        fraction: Estimated fraction of the whole work.
         job: The job that the request waits for.
         iteration: Iteration within the stage.
-        residual: The figure that the stage's stop test compares.
-        state: Of health.watch: the state of the daemon. One of "serving", "stopping".
+        residual: The figure that the stage's stopping criterion compares.
+        state: State of the daemon, of health.watch. One of "serving", "stopping".
         seconds_left: Until the work ends, an estimate (s); None while there is none.
         memory_bytes: Largest memory that the build is expected to take (bytes), an estimate; None while there is none.
     """
@@ -40,7 +40,7 @@ class Progress(ProgressText):
 
 @dataclass(frozen=True)
 class Limits:
-    """What one message may cost.
+    """Limits of one message.
 
     Attributes:
         max_frame_bytes: Bytes of one frame.
@@ -49,7 +49,7 @@ class Limits:
         max_array_elements: Elements of one array.
         max_grid_elements: Elements of one grid, offsets of one table.
         max_queue: Requests that may wait for an answer.
-        max_queue_per_client: Of these, requests that came through one socket.
+        max_queue_per_client: Requests of these that came through one socket.
         max_queue_bytes: Bytes of the messages whose requests wait for an answer.
         max_sessions: Sessions that may be open.
         max_session_bytes: Bytes of all sessions and their saved states together.
@@ -73,14 +73,14 @@ class Limits:
 
 @dataclass(frozen=True)
 class ServerInfo:
-    """What the daemon is and what it has done.
+    """Version, limits and counters of the daemon.
 
     Attributes:
         version: Version of contactd.
         commit: Commit of the sources, with -dirty when they were changed after it; unknown when no repository said it.
         protocol: Version of the protocol.
         libraries: Versions of the libraries by name.
-        limits: What one message may cost.
+        limits: Limits of one message.
         counters: Counted since the start.
         cache: Tables in memory.
         queue: Work that waits and runs.
@@ -106,10 +106,10 @@ class Job:
 
     Attributes:
         job: Name of a job, as progress and job.list give it.
-        kind: What it does. One of "build", "solve", "subsurface", "step".
-        state: Whether it has begun. One of "queued", "running".
-        stage: What is being done, empty while queued.
-        fraction: Of the whole job, an estimate.
+        kind: Kind of work. One of "build", "solve", "subsurface", "step".
+        state: State of the job: queued or running. One of "queued", "running".
+        stage: Stage of the work, empty while queued.
+        fraction: Estimated fraction of the whole job.
         callers: Requests that wait for it.
         seconds: Time since it was queued (s).
         seconds_left: Time to go as last reported, of builds where there is an estimate (s).
@@ -141,7 +141,7 @@ class SessionSummary:
         lease_seconds: It ends when idle for that long (s).
         step: Number of its last step.
         states: Saved states.
-        bytes: What it counts of limits.max_session_bytes, saved states included.
+        bytes: Bytes that it counts of limits.max_session_bytes, saved states included.
         elements: Elements of its grid; of a wheel on its rail those of all patches of its last step.
     """
 

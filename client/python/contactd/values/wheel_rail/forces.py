@@ -36,7 +36,7 @@ class WheelRailForces:
     """Forces on the rail, in the axes of three.
 
     Attributes:
-        track: In track coordinates.
+        track: Forces in track coordinates.
         rail: About the origin of the rail's profile, along its axes.
         wheelset: About the wheelset's centre, along its axes, which do not turn with its pitch.
     """
@@ -51,10 +51,10 @@ class WrenchesByPosition:
     """Derivatives by the position of the wheelset.
 
     Attributes:
-        y: By y (per mm).
-        z: By z (per mm).
-        roll: By roll (per rad).
-        yaw: By yaw (per rad).
+        y: Derivative by y (per mm).
+        z: Derivative by z (per mm).
+        roll: Derivative by roll (per rad).
+        yaw: Derivative by yaw (per rad).
     """
 
     y: Wrench
@@ -68,12 +68,12 @@ class WrenchesByVelocity:
     """Derivatives by the velocity of the wheelset.
 
     Attributes:
-        x: By x (per mm/s).
-        y: By y (per mm/s).
-        z: By z (per mm/s).
-        roll: By roll (per rad/s).
-        yaw: By yaw (per rad/s).
-        pitch: By pitch (per rad/s).
+        x: Derivative by x (per mm/s).
+        y: Derivative by y (per mm/s).
+        z: Derivative by z (per mm/s).
+        roll: Derivative by roll (per rad/s).
+        yaw: Derivative by yaw (per rad/s).
+        pitch: Derivative by pitch (per rad/s).
     """
 
     x: Wrench
@@ -87,7 +87,7 @@ class WrenchesByVelocity:
 @dataclass(frozen=True)
 class WheelRailDerivatives:
     """How the forces on the rail, in track coordinates, follow the state, to first order: derivatives.position.z.Fz is
-    dFz/dz (N/mm). Units are those of a wrench over those of the input. All inputs but the one are held, height and
+    dFz/dz (N/mm). Units are those of a wrench over those of the input. All inputs but the one are fixed, height and
     pitch rate also where forces found them.
 
     Attributes:

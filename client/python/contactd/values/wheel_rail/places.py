@@ -28,7 +28,7 @@ class ContactReference:
         x: Forwards (mm).
         y: To the right (mm).
         z: Down (mm).
-        angle: By which the track's axes are turned about x (rad): positive where the rail falls to the right.
+        angle: Angle by which the track's axes are turned about x (rad): positive where the rail falls to the right.
     """
 
     x: float
@@ -82,10 +82,10 @@ class ContactRadii:
     """Radii of curvature at the reference (mm), positive where convex.
 
     Attributes:
-        wheel_along: Of the wheel along x (mm).
-        wheel_across: Of the wheel along y (mm).
-        rail_along: Of the rail along x (mm).
-        rail_across: Of the rail along y (mm).
+        wheel_along: Radius of the wheel along x (mm).
+        wheel_across: Radius of the wheel along y (mm).
+        rail_along: Radius of the rail along x (mm).
+        rail_across: Radius of the rail along y (mm).
     """
 
     wheel_along: float | None = None
@@ -116,9 +116,10 @@ class ContactPlace:
 
     Attributes:
         reference: Its origin and plane, on the rail.
-        regions: Where the undeformed profiles overlap, from the right to the left; more than one feel a share of each
-            other.
-        shares: What each region feels of the displacements of each, row by row; 1 on the diagonal.
+        regions: Regions where the undeformed profiles overlap, from the right to the left; more than one interact with
+            a weight.
+        shares: Weights of the interaction of regions: the share of the displacements of each region that acts on each,
+            row by row; 1 on the diagonal.
         grid: The potential contact area, in contact coordinates.
         approach: Penetration along z, the largest at the elements (mm).
         penetration: Vertical penetration, the largest (mm).
@@ -140,14 +141,14 @@ class ContactPlace:
 
 @dataclass(frozen=True, eq=False)
 class WheelRailGeometry:
-    """What the profiles and a position tell without a solve.
+    """Results that the profiles and a position give without a solve.
 
     Attributes:
         z: z of the wheelset (mm).
-        places: From the right to the left; none where wheel and rail do not overlap.
+        places: Possible contact patches, from the right to the left; none where wheel and rail do not overlap.
         clearance: Least vertical distance of wheel and rail at this z, negative where they overlap (mm); None where
             they are not above each other.
-        warnings: What a user should know, sentences.
+        warnings: Sentences that a user should know.
     """
 
     z: float

@@ -37,7 +37,7 @@ class WheelRailPatch:
 
 @dataclass(frozen=True)
 class RailDeflection:
-    """By how much a rail on springs has given way beside its deviation, in track coordinates.
+    """Deflection of a massless flexible rail, in addition to its deviation, in track coordinates.
 
     Attributes:
         y: To the right (mm).
@@ -56,21 +56,21 @@ class WheelRailSolution(WheelRailSolutionMethods):
         z: z of the wheelset, as prescribed or found (mm).
         pitch_rate: Pitch rate of the wheelset, as prescribed or found (rad/s).
         forces: Forces of all patches.
-        patches: From the right to the left; none without contact. A step that said patches false lacks them.
+        patches: Patches from the right to the left; none without contact. A step that said patches false lacks them.
         converged: Whether the solvers of all patches and the searches reached their tolerances.
-        warnings: What a user should know, sentences.
+        warnings: Sentences that a user should know.
         clearance: Least vertical distance of wheel and rail at this z, negative where they overlap (mm); None where
             they are not above each other.
         force: Search for z, where Fz was given: solves, and what was left, |F - Fz|/Fz.
         pitch_search: Search for the pitch rate, where Fx was given: searches for z, or solves, and the error of Fx that
             was left, over Fz.
-        rail_deflection: Of a rail on springs: by how much it has given way beside its deviation, in track coordinates
+        rail_deflection: Deflection of a massless flexible rail, in addition to its deviation, in track coordinates
             (mm).
-        rail_search: Of a rail on springs: solves, and what its forces leave of each other over Fz, sideways or
-            downwards.
+        rail_search: Search for the deflection of a flexible rail: solves, and what is left of the balance of its forces
+            over Fz, sideways or downwards.
         derivatives: Where asked for, of a converged solution with contact.
-        contacts: How many patches there are, in place of them: of a step that said patches false.
-        frictional_power: Of rolling with friction: what friction dissipates in all patches (N mm/s).
+        contacts: Number of patches, in place of them, of a step with patches false.
+        frictional_power: Power that friction dissipates in all patches, in rolling (N mm/s).
     """
 
     z: float
@@ -100,7 +100,7 @@ class WheelsetSolution(WheelsetSolutionMethods):
         right: The right wheel on its rail.
         roll_search: Search for the roll: solves of both wheels, and by how much their heights differ (mm).
         converged: Whether the solvers of both wheels and the search for the roll reached their tolerances.
-        warnings: What a user should know of both wheels together, sentences; each wheel has its own, too.
+        warnings: Sentences that a user should know of both wheels together; each wheel has its own, too.
     """
 
     z: float

@@ -29,8 +29,8 @@ class RigidContact:
     """A contact of a rigid wheel with a rigid rail.
 
     Attributes:
-        y: In track coordinates, to the right (mm).
-        z: In track coordinates, down (mm).
+        y: Position in track coordinates, to the right (mm).
+        z: Position in track coordinates, down (mm).
         angle: Angle of the rail's tangent (rad): negative at the right wheel's flange.
         radius: Rolling radius of the wheel (mm).
         height: z of the wheelset that brings this contact, against wheels that touch z = 0 with the nominal radius of
@@ -75,10 +75,11 @@ class EquivalentConicity:
 
     Attributes:
         amplitude: Half of the way from side to side (mm).
-        integrated: From the wavelength of the kinematic motion; 0 where there is no radius difference, None where the
-            wheelset does not swing.
-        harmonic: By the first harmonic of the radius difference; None where there is no centre to swing around.
-        wavelength: Of the kinematic motion (mm); None where the wheelset does not swing, or has no conicity.
+        integrated: Conicity by the wavelength of the kinematic motion; 0 where there is no radius difference, None
+            where the wheelset does not swing.
+        harmonic: Conicity by the first harmonic of the radius difference; None where there is no centre to swing
+            around.
+        wavelength: Wavelength of the kinematic motion (mm); None where the wheelset does not swing, or has no conicity.
     """
 
     amplitude: float
@@ -92,7 +93,7 @@ class ProfileOrigin:
     """Origin of the rail's profile, in the track.
 
     Attributes:
-        y: From the middle of the track to the field side (mm).
+        y: Position from the middle of the track to the field side (mm).
         z: Down from the plane of the track (mm).
     """
 

@@ -54,10 +54,10 @@ class WheelRailFriction:
     Attributes:
         mu: (Static) coefficient of friction: one, or some by the angle of the rail's surface from the horizontal (rad),
             ascending, with straight lines between; angles are negative on the gauge side.
-        along_profile: Whether the angle is that of the rail at each row of elements, or that of the patch. Of model
+        along_profile: Whether the angle is that of the rail at each row of elements, or that of the patch; for model
             full. Default False.
-        kinetic: How friction falls with the slip velocity v; None: it does not. linear: max(mu_k, mu_s - (mu_s - mu_k)
-            v / v_c); exponential: mu_k + (mu_s - mu_k) exp(-v / v_c).
+        kinetic: Velocity-weakening (falling) friction, by the slip velocity v; None, the coefficient is constant.
+            linear: max(mu_k, mu_s - (mu_s - mu_k) v / v_c); exponential: mu_k + (mu_s - mu_k) exp(-v / v_c).
     """
 
     mu: float | Sequence[tuple[float, float]] = field(default=0.3, metadata={"keys": ("angle", "mu")})
@@ -119,18 +119,18 @@ class Wheelset:
 
 @dataclass(frozen=True)
 class PatchRules:
-    """What becomes of regions of overlap that lie close to each other, by their distance. distance_combine <
-    distance_separate < distance_turn.
+    """Rules by which regions of overlap that lie close to each other are combined, by their distance. distance_combine
+    < distance_separate < distance_turn.
 
     Attributes:
         angle_separate: Angle between the planes of two regions above which they are patches of their own (rad). Default
             1.5707963267948966.
-        distance_separate: Distance below which regions are parts of one patch and feel a share of each other (mm).
-            Default 8.
+        distance_separate: Distance below which regions are parts of one patch and interact with a weight (mm). Default
+            8.
         distance_combine: Distance below which regions become one patch (mm). Default 4.
         distance_turn: Distance below which the planes of two patches turn towards each other (mm). Default 12.
         locus_step: Step of the locus across the track, in elements dy. Default 0.3.
-        search: How regions of overlap are found: along the locus, where the distance along the track is least, or on a
+        search: Search for regions of overlap: along the locus, where the distance along the track is least, or on a
             mesh seen from above, for rails that curve along the track. Default "locus".
     """
 
@@ -152,12 +152,12 @@ class WheelRailSetup(Saved):
         side: Which wheel of the wheelset, seen in the direction of travel. Default "right".
         wheel: The wheel's profile, by default S1002.
         rail: The rail's profile, by default 60E1 with an inclination of 1/40.
-        rail_slices: In place of rail where the rail varies along the track: its profiles by ascending x, in the same
+        rail_slices: Profiles by ascending x, in place of rail where the rail varies along the track, in the same
             coordinates. Points at equal shares of the length from kink to kink are joined; slices that do not all have
             as many kinks are refused. Needs track.rail_origin; at most 200000 points together.
-        wheel_slices: In place of wheel where the wheel is not round: its profiles by ascending angles, in the same
-            coordinates and cut at the same y, all within a turn, after which the first one comes again. Radii go from
-            slice to slice with continuous curvature and without overshoot; at most 200000 points together.
+        wheel_slices: Profiles by ascending angles, in place of wheel where the wheel is out of round, in the same
+            coordinates and cut at the same y, all within a revolution, after which the first one comes again. Radii go
+            from slice to slice with continuous curvature and without overshoot; at most 200000 points together.
         track: Where the rails lie.
         wheelset: Where the wheels sit on their axle.
         upper: Material of the rail; without bodies it is steel, G = 82000 and nu = 0.28.
@@ -168,22 +168,23 @@ class WheelRailSetup(Saved):
         dx: Size of the elements along x, in the plane of a contact (mm). Default 0.2.
         dy: Size of the elements across (mm). Default 0.2.
         dq: Step of rolling (mm); 0: dx. Default 0.
-        patches: What becomes of regions of overlap that lie close to each other, by their distance. distance_combine <
-            distance_separate < distance_turn.
+        patches: Rules by which regions of overlap that lie close to each other are combined, by their distance.
+            distance_combine < distance_separate < distance_turn.
         wheel_surface: The wheel by its splines, or bilinear between corners of a mesh as large as the elements, which
             comparisons with other programs want. Default "exact".
-        rigid_slip: What slips before the bodies deform: by the creepages of the reference, as in a plane; or by the
-            motion of both surfaces at each row of elements, for conformal contact, of model full. Default "plane".
+        rigid_slip: Rigid slip, before the bodies deform: by the creepages of the reference, as in a plane; or by the
+            motion of both surfaces at each row of elements, for conformal contact, with model full. Default "plane".
         conformal: Whether a contact is curved across the track, half-way between wheel and rail. off: one plane.
             Otherwise each row of elements has its own normal, along which gaps are measured, tractions turned and slip
             is that of the surfaces, with coefficients of half_space, as if rows lay flat; rotated, half-spaces that
             turn from row to row; fem, wheel and rail by their cross-sections, whose tables are built when they are
             first needed. auto: rotated where a plane would be left by more than 0.24 rad, else off. Of model full.
             Default "off".
-        normal: Stop test of NORM, for the pressures, on which all else builds; its tolerance is 1e-8 unless given.
-        tangential: Stop test for the tractions under friction, and the solver that finds them.
-        outer: Stop test of the loop around these that bodies that differ, kinetic friction and prescribed tangential
-            forces need; its iterations are at most 100 unless given.
+        normal: Stopping criterion of NORM, for the pressures, on which all else builds; its tolerance is 1e-8 unless
+            given.
+        tangential: Stopping criterion for the tractions under friction, and the solver that finds them.
+        outer: Stopping criterion of the outer (Panagiotopoulos) iterations around these, which dissimilar bodies,
+            kinetic friction and prescribed tangential forces need; its iterations are at most 100 unless given.
         force: Search for a height that brings Fz: bounds of |F - Fz|/Fz, 1e-6 unless given, and of solves, 40 unless
             given.
     """

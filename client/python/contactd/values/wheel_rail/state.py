@@ -14,15 +14,17 @@ __all__ = ["RailDeviation", "WheelRailState", "WheelsetPosition", "WheelsetState
 
 @dataclass(frozen=True, kw_only=True)
 class WheelsetPosition:
-    """Of the wheelset's centre, from where it stands in the middle with its tape circles on the plane of the track.
+    """Position of the wheelset's centre, from where it stands in the middle with its tape circles on the plane of the
+    track.
 
     Attributes:
         y: To the right (mm).
         z: Down (mm); where Fz is given, only where to start.
-        roll: From y to z (rad).
-        yaw: From x to y, turned first (rad).
+        roll: Roll, from y to z (rad).
+        yaw: Yaw, from x to y, turned first (rad).
         x: Along the track, where the rail varies (mm); forces and references are told from there on.
-        pitch: How far the wheelset has turned about its axle, where a wheel is not round (rad); any number of turns.
+        pitch: Angle by which the wheelset has turned about its axle, for an out-of-round wheel (rad); any number of
+            revolutions.
     """
 
     y: float = 0.0
@@ -35,7 +37,7 @@ class WheelsetPosition:
 
 @dataclass(frozen=True, kw_only=True)
 class WheelsetVelocity:
-    """Of the wheelset's centre in track coordinates, and about its own axes.
+    """Velocity of the wheelset's centre in track coordinates, and about its own axes.
 
     Attributes:
         x: Forwards (mm/s).
@@ -61,12 +63,12 @@ class RailDeviation:
     Attributes:
         y: To the right (mm).
         z: Down (mm).
-        roll: From y to z (rad).
+        roll: Roll, from y to z (rad).
         y_velocity: Velocity to the right (mm/s).
         z_velocity: Velocity downwards (mm/s).
         roll_velocity: Velocity of roll (rad/s).
-        Fy: Force on a rail on springs to the right, beside those of the wheel and of the springs (N).
-        Fz: Force on a rail on springs downwards, beside those of the wheel and of the springs (N).
+        Fy: Force on a flexible rail to the right, in addition to those of the wheel and of the springs (N).
+        Fz: Force on a flexible rail downwards, in addition to those of the wheel and of the springs (N).
     """
 
     y: float = 0.0
@@ -84,9 +86,9 @@ class WheelRailState(Saved):
     """Where the wheelset is, and how it moves.
 
     Attributes:
-        position: Of the wheelset's centre, from where it stands in the middle with its tape circles on the plane of the
-            track.
-        velocity: Of the wheelset's centre in track coordinates, and about its own axes.
+        position: Position of the wheelset's centre, from where it stands in the middle with its tape circles on the
+            plane of the track.
+        velocity: Velocity of the wheelset's centre in track coordinates, and about its own axes.
         rail: Deviation of the rail from where track and gauge have it, in track coordinates also for a left one.
         roller_pitch: Pitch rate of a roller (rad/s): positive where the wheel on it turns as when rolling forwards.
         Fz: Vertical force of this wheel on the rail, which position.z is found for (N). None: position.z is prescribed.
@@ -111,8 +113,8 @@ class WheelsetState(Saved):
     Attributes:
         Fz_left: Vertical force of the left wheel on its rail (N).
         Fz_right: Vertical force of the right wheel on its rail (N).
-        position: Of the wheelset's centre; z and roll, which are found, only tell where to start.
-        velocity: Of the wheelset's centre in track coordinates, and about its own axes.
+        position: Position of the wheelset's centre; z and roll, which are found, only tell where to start.
+        velocity: Velocity of the wheelset's centre in track coordinates, and about its own axes.
         left_rail: Deviation of the left rail, in track coordinates: y to the right.
         right_rail: Deviation of the right rail, in track coordinates.
         roller_pitch: Pitch rate of a roller (rad/s): positive where the wheel on it turns as when rolling forwards.
