@@ -28,7 +28,7 @@ struct EngineSettings {
     std::size_t influence_budget_bytes = std::size_t{1} << 28;  ///< of operators that are kept between solves
     std::size_t most_patch_elements = 200'000;                  ///< of a patch between wheel and rail
     IcService::Settings tables{};
-    bool keeps_building = false;  ///< a build goes on for the store when nobody waits for its table any more
+    bool keeps_building = false;                          ///< an abandoned build goes on for the store
     std::size_t most_patch_bytes = std::size_t{1} << 32;  ///< of a patch's coefficients, where its rows differ
 };
 
@@ -65,7 +65,7 @@ class Engine {
                                           Observer& observer);
 
     // For those who cannot wait: first the tables, then the solve with them.
-    /// Of tables by finite elements; opens the store when it is first asked for. Throws StoreError.
+    /// Service of tables by finite elements; opens the store when it is first asked for. Throws StoreError.
     IcService& tables();
     /// Solves a valid problem, whose tables are at hand.
     SolveReply solve(const ContactProblem& problem, const IcAnswers& ics, Observer& observer);

@@ -156,7 +156,7 @@ void check_friction(const ContactProblem& problem) {
     check_rigid_slip(problem.rigid_slip, grid.size());
 }
 
-// Of several steps each has tractions before it that follow the motion, too, and of a slip law the bounds follow slip.
+// Several steps are refused, since tractions before each follow the motion, too; a slip law, since bounds follow slip.
 void check_derivatives(const ContactProblem& problem) {
     if (!problem.derivatives || !problem.friction) return;
     const auto* rolling = std::get_if<Rolling>(&problem.motion);

@@ -9,7 +9,7 @@
 
 namespace contactd {
 
-/// Of arrays: products of larger numbers leave the range of a double.
+/// Largest magnitude in arrays: products of larger numbers leave the range of a double.
 constexpr double largest_magnitude = 1e100;
 
 /// For quotients and powers of such values, which otherwise leave the range of a double: curvatures, areas, tables.

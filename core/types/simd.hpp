@@ -1,4 +1,4 @@
-// SIMD: loops over arrays in the widest registers that the processor has.
+// SIMD: loops over arrays in the widest vector registers that the processor has.
 #pragma once
 
 /// Functions marked with it are compiled twice, the second time for processors with AVX2 and FMA, and the fitting one
@@ -11,7 +11,7 @@
 #define CONTACTD_SIMD
 #endif
 
-/// What such functions call must become part of them, or it would be compiled once.
+/// Functions that such functions call must become part of them, or they would be compiled once.
 #define CONTACTD_INLINE [[gnu::always_inline]] inline
 
 namespace contactd {

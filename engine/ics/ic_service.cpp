@@ -17,11 +17,12 @@ using proto::StatusCode;
 
 namespace {
 
-Status nobody_waits() {
-    return failure(StatusCode::cancelled, proto::reason::request_cancelled, "Nobody waits any more.");
+Status request_abandoned() {
+    return failure(StatusCode::cancelled, proto::reason::request_cancelled,
+                   "The request is abandoned: its caller has gone.");
 }
 
-/// Ends what is made while it is waited for, when nobody waits any more.
+/// Ends work that is done in the thread of a request, when the request is abandoned.
 class WhileRequested final : public Observer {
    public:
     explicit WhileRequested(const IcCaller& caller) : caller_(caller) {}
@@ -61,7 +62,7 @@ void IcService::request(const IcSpec& spec, IcCaller caller) {
         try {
             record = std::make_shared<const IcRecord>(closed_form_record(spec, observer));
         } catch (const Cancelled&) {
-            return caller.failed(nobody_waits());
+            return caller.failed(request_abandoned());
         }
         cache_.insert(key, record);
         ++counters_.closed_form;
@@ -138,7 +139,7 @@ void IcService::look_up(const RequestPtr& request) {
     if (!deny_build(request) && !queue_build(request)) fail(request, stop_status_);
 }
 
-/// Those who may not have it built. True when nobody is left, and the request has ended.
+/// Those who may not have it built. True when no caller is left, and the request has ended.
 bool IcService::deny_build(const RequestPtr& request) {
     if (!settings_.may_build) return false;
     std::vector<IcCaller> denied;
@@ -241,7 +242,7 @@ void IcService::drop_abandoned() {
             request->callers.erase(first, request->callers.end());
         }
     }
-    const Status status = nobody_waits();
+    const Status status = request_abandoned();
     for (const IcCaller& caller : gone) caller.failed(status);
 }
 

@@ -20,7 +20,7 @@ namespace contactd::engine {
 struct QueueTicket {
     std::string client;
     proto::Priority priority = proto::Priority::normal;
-    std::function<bool()> abandoned{};  ///< nobody waits for the task any more; asked under the pool's lock
+    std::function<bool()> abandoned{};  ///< whether the task is abandoned; called under the pool's lock
     std::string user{};                 ///< who has the client, which may be one of many
     bool is_large = false;              ///< takes so long that a thread must stay free of its kind
 };

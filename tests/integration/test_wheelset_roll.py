@@ -74,7 +74,7 @@ def test_a_rail_that_lies_lower_lets_the_wheelset_roll(shared):
 def test_a_wheelset_beside_its_track_is_an_answer(shared):
     solution = shared.wheelset(COARSE, rolling(200), fields=[])
     assert not solution.converged
-    assert "The left wheel does not bear its force" in solution.warnings[0]
+    assert "The left wheel does not carry its load" in solution.warnings[0]
     assert solution.left.warnings[0].startswith("No part of the wheel is above the rail")
 
 

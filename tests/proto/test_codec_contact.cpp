@@ -41,7 +41,7 @@ json sent(const json& message) {
     return json::parse(dump(message));
 }
 
-/// What arrives of a problem, sent with its arrays as frames.
+/// The problem that arrives, sent with its arrays as frames.
 ContactProblem arrived(const ContactProblem& original) {
     ArrayWriter arrays(ArrayEncoding::frame);
     const json params = sent(encode_problem(original, arrays));
@@ -249,7 +249,7 @@ TEST_CASE("A rigid body stays rigid", "[codec]") {
     CHECK(arrived(original).bodies == original.bodies);
 }
 
-TEST_CASE("A quick model needs bodies and no coefficients", "[codec]") {
+TEST_CASE("A simplified model needs bodies and no coefficients", "[codec]") {
     ContactProblem original = problem();
     original.model = GENERATE(Model::hertz, Model::fastsim);
     original.gap = SemiAxes{1, 2};

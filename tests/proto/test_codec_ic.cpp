@@ -98,7 +98,7 @@ void check_equal(const IcEvidence& a, const IcEvidence& b) {
     CHECK(a.modelling_error == b.modelling_error);
 }
 
-/// As it arrives: through text.
+/// The message as it arrives, through text.
 json sent(const json& message) {
     return json::parse(dump(message));
 }

@@ -42,7 +42,7 @@ SessionSpec arrived(const SessionSpec& original) {
     return decode_session_spec(params, frames);
 }
 
-/// What becomes of the problem of `opened` when a step says `input`.
+/// The problem of `opened` after a step with `input`.
 ContactProblem stepped(const SessionSpec& opened, const json& input, const std::optional<Motion>& last = {}) {
     json params = input;
     params["session"] = "s";

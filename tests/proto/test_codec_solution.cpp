@@ -215,7 +215,7 @@ TEST_CASE("Evidence tells of the solvers that ran and of the coefficients that w
     SECTION("a rigid body has no coefficients") {
         reply.ics.upper.reset();
     }
-    SECTION("a quick model uses none") {
+    SECTION("a simplified model uses none") {
         reply.ics.upper.reset();
         reply.ics.lower.reset();
     }

@@ -1,4 +1,4 @@
-// What the schemas declare as defaults, which users read, is what the values of C++ start with.
+// Defaults that the schemas declare, which users read, are those of the values of C++.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 
@@ -31,7 +31,7 @@ json filled(const json& schema, json value) {
 json filled_params(const std::string& method, const json& params) {
     json all = filled(schema(method + ".params"), params);
     CHECK(all != params);
-    // What goes with points says nothing of a formula.
+    // Fields that go with points mean nothing to a formula.
     for (const char* body : {"wheel", "rail"})
         if (all.contains("setup") && all["setup"].contains(body) && !all["setup"][body].contains("points"))
             for (const char* name : {"unit", "mirror_y", "mirror_z", "smoothing_length"})

@@ -1,4 +1,4 @@
-// What holds of every field of a struct that the schemas declare, whichever fields these are.
+// Properties of every field of a struct that the schemas declare, whichever fields these are.
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>

@@ -118,7 +118,7 @@ void decode_all(const Request& request) {
     for (const auto& problem : request.params.at("problems")) decode_problem(problem, request.frames);
 }
 
-/// What the server does with a message before it works on it.
+/// Handles a message as the server does before it works on it.
 void handle(const std::string& text, const Frames& frames, Outcome& outcome) {
     std::string id;
     try {

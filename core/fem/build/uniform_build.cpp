@@ -28,7 +28,8 @@ std::vector<std::string> warnings_of(const IcSpec& spec, const SpectrumErrors& e
     }
     if (const auto* rail = std::get_if<RailSection>(&spec.section->shape);
         rail != nullptr && rail->support == RailSupport::foot)
-        result.emplace_back("The rail is held at its foot: its bending is in the table, which moves contacts on it.");
+        result.emplace_back(
+            "The rail is clamped at its foot: its bending is in the table, which moves contacts on it.");
     return result;
 }
 

@@ -33,7 +33,7 @@ class TensorElasticity {
     /// The elements of z end at z = 0.
     TensorElasticity(const PerAxis<AxisElements>& elements, const Material& material, const PlaneSymmetry& symmetry);
 
-    /// Forces that displacements at the nodes of the far faces cause when the others are held: K g, in modes. `given`
+    /// Forces that displacements at the nodes of the far faces cause when the others are fixed: K g, in modes. `given`
     /// is [nodes, nodes, nodes] for each component, zero inside.
     Eigen::VectorXd forces_of(const PerAxis<TensorField>& given) const;
 

@@ -10,7 +10,7 @@
 
 namespace contactd {
 
-/// Stop test and bound of one iterative solver.
+/// Stopping criterion and bound of one iterative solver.
 struct SolverSettings {
     double tolerance = 1e-6;  ///< of the paper's stopping criteria (sections 4.1 and 4.2)
     int max_iterations = 1000;

@@ -36,13 +36,13 @@ struct Bounds {
     }
 };
 
-/// What a number becomes in the mirror image of a wheel, of which y points to the other side: `odd` turns its sign.
+/// How a number changes in the mirror image of a wheel, of which y points to the other side: `odd` turns its sign.
 enum class MirrorParity { even, odd };
 
 /// No number equals it.
 inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-/// What a list says of a field beside its name and its member.
+/// Properties of a field besides its name and its member.
 struct FieldNotes {
     Bounds bounds{};
     double none = no_number;
@@ -70,7 +70,7 @@ struct Field {
     MirrorParity parity = MirrorParity::even;
 };
 
-/// What a type of C++ is on the wire. There is one object a type, whose address is that of no other type.
+/// Form of a type of C++ on the wire. There is one object a type, whose address is that of no other type.
 struct FieldType {
     FieldKind kind = FieldKind::custom;
     bool is_tuple = false;                                ///< of an object: the wire has a list of its fields' values
@@ -137,7 +137,7 @@ FieldType integer_type(FieldKind kind) {
     return type;
 }
 
-/// What has no members is told by being there: the wire has `true` for it.
+/// A struct without members is reported by its presence: the wire has `true` for it.
 inline FieldType presence_type() {
     FieldType type{FieldKind::flag};
     type.integer = [](const void*) { return std::int64_t{1}; };

@@ -1,4 +1,4 @@
-// What friction is and how the bodies move: the tangential half of a contact problem.
+// Friction and the motion of the bodies: the tangential half of a contact problem.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace contactd {
 
-/// How friction falls from its static coefficient with the slip velocity v:
+/// Velocity-weakening (falling) friction: how its coefficient falls from the static one with the slip velocity v:
 /// linear: max(mu_k, mu_s - (mu_s - mu_k) v / v_c); exponential: mu_k + (mu_s - mu_k) exp(-v / v_c).
 enum class SlipLaw { linear, exponential };
 
@@ -29,7 +29,7 @@ struct Force {
     bool operator==(const Force&) const = default;
 };
 
-/// Of the upper body over the lower, at the origin (mm).
+/// Rigid displacement of the upper body over the lower, at the origin (mm).
 struct RigidShift {
     double x = 0, y = 0;
 

@@ -21,7 +21,7 @@ struct IcReply {
 
 /// Where the coefficients of one body came from.
 struct IcUse {
-    std::string origin;  ///< as of IcReply, or "given" when the request held them
+    std::string origin;  ///< as of IcReply, or "given" when the request brought them
     std::string key;
     IcEvidence evidence;
 };
@@ -29,7 +29,7 @@ struct IcUse {
 /// Those of a contact problem: none of the simplified models.
 struct IcUses {
     std::optional<IcUse> upper{}, lower{};  ///< not of a rigid body
-    std::optional<IcUse> pair{};            ///< instead of these, when the request held those of both together
+    std::optional<IcUse> pair{};            ///< instead of these, when the request brought those of both together
 };
 
 /// The answer of ic.export: the file of one body that the store holds (docs/ic-tables.md), its parts as ic.import takes

@@ -1,4 +1,4 @@
-// What a step of a wheel on its rail leaves to the next one.
+// Estimates that a step of a wheel on its rail leaves to the next one.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ struct WheelRailEstimates {
         SurfaceState tractions;
     };
     std::vector<Patch> patches{};    ///< of model full
-    std::optional<double> rail_y{};  ///< by how much a rail on springs has given way to the side (mm)
+    std::optional<double> rail_y{};  ///< lateral deflection of a flexible rail (mm)
 };
 
 }  // namespace contactd

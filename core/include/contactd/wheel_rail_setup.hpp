@@ -18,7 +18,7 @@ namespace contactd {
 /// Which wheel of the wheelset, seen in the direction of travel.
 enum class Side { left, right };
 
-/// Between a rail without mass and the ground (N/mm); the rail is rigid in a direction that has none.
+/// Springs between a massless flexible rail and the ground (N/mm); the rail is rigid in a direction that has none.
 struct RailSprings {
     std::optional<double> y{}, z{};
 
@@ -30,13 +30,13 @@ struct Track {
     double gauge = 1435;       ///< between the rails' gauge faces
     double gauge_height = 14;  ///< below the tops of the rails, where the gauge is measured
     double cant = 0;           ///< of the profile as given, leaning inwards where positive
-    /// Of the profile's origin, with y to the field side from the centre of the track; gauge and its height mean
-    /// nothing then.
+    /// Position of the rail profile's origin, with y to the field side from the centre of the track; overrides
+    /// gauge and gauge_height.
     std::optional<ProfilePoint> rail_origin{};
     /// A roller turns under the wheel in place of the rail: its radius where the profile has z = 0. The profile is not
     /// lifted to the plane of the track then.
     std::optional<double> roller_radius{};
-    std::optional<RailSprings> springs{};  ///< absent: the rail does not give way
+    std::optional<RailSprings> springs{};  ///< absent: the rail is rigid
 
     bool operator==(const Track&) const = default;
 };
@@ -58,7 +58,7 @@ struct RailSlice {
     bool operator==(const RailSlice&) const = default;
 };
 
-/// The profile of a wheel that is not round, at an angle about its axle (rad), from z to x as pitch: at pitch p the
+/// The profile of an out-of-round wheel at an angle about its axle (rad), from z to x as pitch: at pitch p the
 /// slice of angle -p is lowest. z is over the nominal radius, in the same coordinates for all.
 struct WheelSlice {
     double angle = 0;
@@ -71,8 +71,8 @@ struct WheelSlice {
 /// wheel alone is curved; or on a mesh seen from above, for rails that curve along the track, too.
 enum class ContactSearch { locus, mesh };
 
-/// What becomes of regions of overlap that lie close to each other: patches of their own, whose planes turn towards
-/// each other (below distance_turn); parts of one patch that feel a share of each other (blended, below
+/// Rules by which regions of overlap that lie close to each other are patches of their own, whose planes turn towards
+/// each other (below distance_turn); parts of one patch with a weighted interaction (blending, below
 /// distance_separate); or one patch (below distance_combine). Distances in mm; 0 < distance_combine < distance_separate
 /// < distance_turn.
 struct PatchRules {
@@ -91,7 +91,7 @@ struct PatchRules {
 /// reference programs do and what comparisons with them want.
 enum class WheelSurfaceKind { exact, bilinear };
 
-/// What slips before the bodies deform: by the creepages of the reference, as in a plane, which is what reference
+/// Rigid slip, before the bodies deform: by the creepages of the reference, as in a plane, which is what reference
 /// programs do; or by the motion of both surfaces at each row of elements, seen along the surface there. The latter is
 /// for conformal contact, and forces do not jump where regions with different rolling radii become one patch.
 enum class RigidSlipKind { plane, surfaces };
@@ -131,7 +131,7 @@ struct WheelRailSetup {
     /// points are joined that lie at equal shares of the length from kink to kink, of which all slices need as many.
     /// Slices that are equal are equal all between. Needs track.rail_origin.
     std::vector<RailSlice> rail_slices{};
-    /// In place of `wheel` where it is not round: two or more slices by ascending angles, all within a turn, after
+    /// In place of `wheel` where it is out of round: two or more slices by ascending angles, all within a turn, after
     /// which the first one comes again. Radii go from slice to slice with continuous curvature and without
     /// overshoot. Contacts are searched on a mesh.
     std::vector<WheelSlice> wheel_slices{};
@@ -161,7 +161,7 @@ struct WheelsetSetup {
     bool operator==(const WheelsetSetup&) const = default;
 };
 
-/// Of one of its wheels, on its side.
+/// Set-up of one of its wheels, on its side.
 WheelRailSetup setup_of(const WheelsetSetup& wheelset, Side side);
 
 /// Throws InvalidArgument naming the field, in the words of these structs.

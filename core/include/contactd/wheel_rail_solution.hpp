@@ -70,9 +70,9 @@ struct ContactRow {
 /// One place where wheel and rail are in contact, and the problem that it poses to the solvers.
 struct ContactPlace {
     ContactReference reference;
-    std::vector<OverlapRegion> regions;  ///< from the right to the left; more than one feel a share of each other
-    /// Of region j on region k, symmetric, row by row: what of the displacements of one the other feels; 1 on the
-    /// diagonal.
+    std::vector<OverlapRegion> regions;  ///< from the right to the left; several have a weighted interaction
+    /// Weight of region j on region k, symmetric, row by row: the share of the displacements of one that acts on the
+    /// other; 1 on the diagonal.
     std::vector<double> shares;
     Grid grid;  ///< in contact coordinates; of a curved contact y is the arc length from the reference
     std::vector<ContactRow> rows;  ///< of the grid, where the contact is curved; empty where it is plane
@@ -100,12 +100,12 @@ struct WheelRailForces {
 struct WheelRailPatch {
     ContactPlace place;
     std::vector<double>
-        gap;  ///< undeformed distance h less its least value (mm), shape [ny, nx]; empty of quick models
+        gap;  ///< undeformed distance h less its least value (mm), shape [ny, nx]; empty of simplified models
     ContactSolution solution;  ///< in contact coordinates
     WheelRailForces forces;
 };
 
-/// What the profiles and a position tell without a solve.
+/// Results of the profiles and a position without a solve.
 struct WheelRailGeometry {
     double z = 0;                      ///< of the wheelset (mm)
     std::vector<ContactPlace> places;  ///< from the right to the left; none where wheel and rail do not overlap
@@ -115,8 +115,9 @@ struct WheelRailGeometry {
     std::vector<std::string> warnings;
 };
 
-/// Of the forces on the rail in track coordinates, by the state: units are those of a wrench over those of the input.
-/// All inputs but the one are held, height and pitch rate also where forces found them; a rail on springs gives way.
+/// Derivatives of the forces on the rail in track coordinates by the state: units are those of a wrench over those of
+/// the input. All inputs but the one are fixed, height and pitch rate also where forces found them; a flexible rail
+/// deflects.
 struct WheelRailDerivatives {
     struct ByPosition {
         Wrench y, z, roll, yaw;
@@ -132,14 +133,14 @@ struct WheelRailDerivatives {
     bool operator==(const WheelRailDerivatives&) const = default;
 };
 
-/// By how much a rail on springs has given way, beside its deviation (mm, in track coordinates).
+/// Deflection of a massless flexible rail, in addition to its deviation (mm, in track coordinates).
 struct RailDeflection {
     double y = 0, z = 0;
 
     bool operator==(const RailDeflection&) const = default;
 };
 
-/// What an answer tells of patches that it leaves out, as its step said (WheelRailStepInput::patches).
+/// Summary of the patches that an answer leaves out, as its step requested (WheelRailStepInput::patches).
 struct PatchesLeftOut {
     std::size_t count = 0;
     bool converged = true;                     ///< with the searches
@@ -155,16 +156,16 @@ struct WheelRailSolution {
     WheelRailForces forces;                         ///< of all patches
     std::optional<SolverEvidence> force;            ///< of the search for z: solves, |F - Fz|/Fz
     std::optional<SolverEvidence> pitch_search;     ///< for Fx: searches for z, or solves; |F - Fx|/Fz
-    std::optional<RailDeflection> rail_deflection;  ///< of a rail on springs
-    /// Of a rail on springs: solves, and what its forces leave of each other, |Fy + rail.Fy - track.springs.y y|/Fz or
-    /// that of z, whichever is larger.
+    std::optional<RailDeflection> rail_deflection;  ///< of a flexible rail
+    /// Search for the deflection of a flexible rail: solves, and what is left of the balance of its forces,
+    /// |Fy + rail.Fy - track.springs.y y|/Fz or that of z, whichever is larger.
     std::optional<SolverEvidence> rail_search;
     std::optional<WheelRailDerivatives> derivatives;  ///< where asked for, of a converged solution with contact
     std::vector<std::string> warnings;                ///< sentences, those of the patches among them
 
     std::size_t contacts() const { return left_out ? left_out->count : patches.size(); }
     bool in_contact() const { return contacts() > 0; }
-    /// What friction dissipates in all patches (N mm/s); absent where no patch rolls with friction.
+    /// Power that friction dissipates in all patches (N mm/s); absent where no patch rolls with friction.
     std::optional<double> frictional_power() const {
         if (left_out) return left_out->frictional_power;
         std::optional<double> sum;

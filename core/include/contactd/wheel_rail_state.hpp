@@ -1,34 +1,35 @@
-// What a step brings to a wheel on a rail: where the wheelset is and how it moves.
+// Inputs of a step of a wheel on a rail: position and motion of the wheelset.
 #pragma once
 
 #include <optional>
 
 namespace contactd {
 
-/// Of the wheelset's centre, in track coordinates: y and z (mm) from where it stands in the middle with its tape
-/// circles on the plane of the track. Angles (rad) turn from y to z (roll), z to x (pitch) and x to y (yaw), the yaw
-/// first.
+/// Position of the wheelset's centre in track coordinates: y and z (mm) from where it stands in the middle with its
+/// tape circles on the plane of the track. Angles (rad) turn from y to z (roll), z to x (pitch) and x to y (yaw), the
+/// yaw first.
 struct WheelsetPosition {
     double y = 0, z = 0, roll = 0, yaw = 0;
     double x = 0;      ///< along the track (mm), where the rail varies; forces and references are told from there on
-    double pitch = 0;  ///< how far it has turned about its axle (rad), where a wheel is not round; any number of turns
+    double pitch = 0;  ///< rotation about its axle (rad), for an out-of-round wheel; any number of revolutions
 
     bool operator==(const WheelsetPosition&) const = default;
 };
 
-/// Of the wheelset's centre (mm/s, along x, y and z of the track) and about its own axes (rad/s): a wheelset that rolls
-/// forwards has a pitch rate near -x/nominal_radius.
+/// Velocity of the wheelset's centre (mm/s, along x, y and z of the track) and about its own axes (rad/s): a wheelset
+/// that rolls forwards has a pitch rate near -x/nominal_radius.
 struct WheelsetVelocity {
     double x = 0, y = 0, z = 0, roll = 0, yaw = 0, pitch = 0;
 
     bool operator==(const WheelsetVelocity&) const = default;
 };
 
-/// Of the rail from where track and gauge have it, in track coordinates also for a left rail (mm, rad, mm/s, rad/s).
+/// Deviation of the rail from where track and gauge have it, in track coordinates also for a left rail (mm, rad, mm/s,
+/// rad/s).
 struct RailDeviation {
     double y = 0, z = 0, roll = 0;
     double y_velocity = 0, z_velocity = 0, roll_velocity = 0;
-    double Fy = 0, Fz = 0;  ///< on a rail on springs, beside those of the wheel and of the springs (N)
+    double Fy = 0, Fz = 0;  ///< on a flexible rail, in addition to those of wheel and springs (N)
 
     bool operator==(const RailDeviation&) const = default;
 };
@@ -62,7 +63,7 @@ struct WheelsetState {
     bool operator==(const WheelsetState&) const = default;
 };
 
-/// What a wheelset brings to one of its wheels, by the position and the force that it states.
+/// State of one of its wheels, by the position and the force that the wheelset states.
 WheelRailState state_of_right_wheel(const WheelsetState& state);
 WheelRailState state_of_left_wheel(const WheelsetState& state);
 

@@ -1,4 +1,4 @@
-// Four numbers that go the same way side by side, in one wide register where the processor has it; and choices that
+// Four numbers that go the same way side by side, in one SIMD register where the processor has it; and choices that
 // four make each for itself, as one number makes them.
 #pragma once
 

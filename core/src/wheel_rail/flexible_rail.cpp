@@ -77,8 +77,8 @@ class Balance {
                 " of the force is left after " + std::to_string(solves_) + " solves.");
         if (const double most = std::max(std::abs(deflection_.y), std::abs(deflection_.z));
             most > most_usual_deflection)
-            solution_.warnings.push_back("The rail gives way by " + short_text(most) +
-                                         " mm, where rails give way by one or two: stiffnesses of track.springs are in "
+            solution_.warnings.push_back("The rail deflects by " + short_text(most) +
+                                         " mm, where rails deflect by one or two: stiffnesses of track.springs are in "
                                          "N/mm.");
         return std::move(solution_);
     }

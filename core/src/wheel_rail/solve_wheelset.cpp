@@ -93,7 +93,7 @@ bool carries_load(const WheelRailSolution& wheel) {
 }
 
 std::string no_load(const std::string& side, const RisingFound& found) {
-    return "The " + side + " wheel does not bear its force at a roll of " + short_text(found.at) +
+    return "The " + side + " wheel does not carry its load at a roll of " + short_text(found.at) +
            " rad, and no roll was found at which both do; its own warnings say why.";
 }
 

@@ -1,4 +1,4 @@
-// What is asked of a block beyond what is asked of any body.
+// Requirements of a block beyond those of any body.
 #pragma once
 
 #include "contactd/ic_spec.hpp"

@@ -236,7 +236,7 @@ std::vector<std::string> warnings(const IcSpec& spec) {
     const auto advise = [&](bool holds, const std::string& field, const std::string& value, const char* advice) {
         if (!holds) result.push_back(field + " is " + value + "; the paper advises " + advice + " (Table 3).");
     };
-    // Of a half-space the error itself is known.
+    // For a half-space the error itself is known.
     if (const double most = largest_nu(fem.order); spec.body == BodyShape::block && spec.material.nu > most)
         result.push_back("nu is " + number_text(spec.material.nu) + "; elements of order " + std::to_string(fem.order) +
                          " lock near 1/2: their errors may exceed 1 % above " + number_text(most) +
@@ -305,7 +305,7 @@ IcSpec dimensionless(const IcSpec& spec) {
     }
     FemSpec& fem = result.fem;
     if (spec.accuracy != 0) {
-        // What is chosen later does not tell one request from another; neither do accuracies between two levels.
+        // Choices that are made later do not tell one request from another; neither do accuracies between two levels.
         result.accuracy = spec.accuracy >= 1e-2 ? 1e-2 : spec.accuracy >= 1e-3 ? 1e-3 : 1e-4;
         fem = FemSpec{};
         fem.L_over_h = spec.body == BodyShape::block ? rounded(spec.fem.L_over_h) : 0;

@@ -22,12 +22,12 @@ class ProfileLines {
 
     /// The numbers of the line, between blanks and the characters of `separators`. Throws for what is none.
     std::vector<double> numbers(std::string_view separators = {}) const;
-    /// Of a text within the line, as a value. Throws when it is none.
+    /// Value of a text within the line. Throws when it is not a number.
     double number(std::string_view text) const;
 
     /// Throws InvalidArgument that names file and line. The text of a file goes in by `quoted`.
     [[noreturn]] void fail(const std::string& problem) const;
-    /// As fail, but of the whole file.
+    /// Throws as fail does, but names the file only.
     [[noreturn]] void fail_file(const std::string& problem) const;
 
    private:

@@ -13,7 +13,7 @@ namespace {
 using geometry::ProfileLines;
 using geometry::quoted;
 
-/// Of a file's name, in small letters.
+/// Ending of a file's name, in small letters.
 std::string ending_of(const std::string& name) {
     const auto dot = name.rfind('.');
     std::string ending = dot == name.npos ? "" : name.substr(dot + 1);

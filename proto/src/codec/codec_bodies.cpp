@@ -18,8 +18,9 @@ bool is_layered(const json& ics) {
     return ics.value("body", "") == name_of(BodyShape::layered);
 }
 
-// Coefficients mean nothing to quick models; but a section is what the body is, and a line contact what the contact is.
-Ics ics_of_quick_model(const json* ics) {
+// Coefficients mean nothing to simplified models; but a section is what the body is, and a line contact what the
+// contact is.
+Ics ics_of_simplified_model(const json* ics) {
     Ics result;
     if (ics == nullptr) return result;
     if (ics->value("body", "") == name_of(BodyShape::longitudinally_uniform))
@@ -65,7 +66,7 @@ Body decode_body(const json& source, const json* shorthand, const std::string& f
         body.material = Material::rigid();
         return body;
     }
-    if (source.contains("ics") && is_layered(source["ics"])) {  // also with quick models, which refuse them
+    if (source.contains("ics") && is_layered(source["ics"])) {  // also with simplified models, which refuse them
         const Ics ics = decode_ics(source["ics"], frames);
         body.material = ics.layered->surface();
         body.ics = ics;
@@ -73,7 +74,7 @@ Body decode_body(const json& source, const json* shorthand, const std::string& f
     }
     body.material = decode_material(source);
     if (setup.model != Model::full) {
-        body.ics = ics_of_quick_model(source.contains("ics") ? &source["ics"] : shorthand);
+        body.ics = ics_of_simplified_model(source.contains("ics") ? &source["ics"] : shorthand);
         return body;
     }
     if (source.contains("ics"))

@@ -12,15 +12,15 @@ namespace contactd::proto {
 using nlohmann::json;
 
 ConicityRequest decode_conicity(const json& source) {
-    ConicityRequest wanted;
-    read_fields(source, wanted, MemberPath("conicity"));
-    return wanted;
+    ConicityRequest requested;
+    read_fields(source, requested, MemberPath("conicity"));
+    return requested;
 }
 
 ContactsRequest decode_contacts_request(const json& source) {
-    ContactsRequest wanted;
-    read_fields(source, wanted, MemberPath("contacts"));
-    return wanted;
+    ContactsRequest requested;
+    read_fields(source, requested, MemberPath("contacts"));
+    return requested;
 }
 
 // A number that is not finite is left out: why follows from what is there.

@@ -52,10 +52,10 @@ GivenIcs decode_given_ics(const json& source, const Frames& frames, const Grid& 
     return ics;
 }
 
-json encode_ic_export(const IcExport& wanted) {
-    json params = encode_ic_spec(wanted.spec);
-    params["format"] = name_of(wanted.format);
-    if (wanted.lower) params["lower"] = encode_material(*wanted.lower);
+json encode_ic_export(const IcExport& requested) {
+    json params = encode_ic_spec(requested.spec);
+    params["format"] = name_of(requested.format);
+    if (requested.lower) params["lower"] = encode_material(*requested.lower);
     return params;
 }
 
@@ -64,13 +64,13 @@ IcExport decode_ic_export(const json& params) {
 }
 
 IcExport decode_ic_export(const json& params, const Frames& frames) {
-    IcExport wanted;
-    wanted.spec = decode_ic_spec(params, frames);
-    if (wanted.spec.line_contact)
+    IcExport requested;
+    requested.spec = decode_ic_spec(params, frames);
+    if (requested.spec.line_contact)
         throw invalid_field("ics.line_contact", "is nothing that these files can say; ic.get answers such a table");
-    read_name(params["format"], wanted.format);
-    if (params.contains("lower")) wanted.lower = decode_material(params["lower"]);
-    return wanted;
+    read_name(params["format"], requested.format);
+    if (params.contains("lower")) requested.lower = decode_material(params["lower"]);
+    return requested;
 }
 
 json encode_hdf5_reply(std::span<const unsigned char> file, const IcUse& body, ArrayWriter& arrays) {

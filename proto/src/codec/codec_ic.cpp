@@ -53,7 +53,7 @@ IcSpec decode_ic_spec(const json& params, const Frames& frames) {
 
 namespace {
 
-/// Of a longitudinally uniform body the rows are pairs of columns.
+/// Shape of a table; rows of a longitudinally uniform body's are pairs of columns.
 std::vector<std::size_t> table_shape(const IcSpec& spec) {
     const auto nx = static_cast<std::size_t>(spec.nx), ny = static_cast<std::size_t>(spec.ny);
     if (spec.section) return {3, 3, ny, ny, nx};

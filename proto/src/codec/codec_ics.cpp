@@ -42,7 +42,7 @@ void decode_fem(const json& source, FemSpec& fem) {
     read_fields(source, fem, MemberPath("ics"));
 }
 
-// What means nothing to a source is left out.
+// Leaves out fields that mean nothing to a source.
 json encode_ics(const Ics& ics) {
     json result = write_fields(ics, MemberPath("ics"));
     const bool is_built = ics.source == IcSource::fem;

@@ -20,10 +20,10 @@
 
 namespace contactd::proto {
 
-/// The enumerator that `word` names. It has passed its schema, so there is one.
+/// The enumerator that `keyword` names. It has passed its schema, so there is one.
 template <class Enum>
-void read_name(const nlohmann::json& word, Enum& value) {
-    if (!from_name(word.get<std::string>(), value)) throw Error("The word " + word.dump() + " is unknown.");
+void read_name(const nlohmann::json& keyword, Enum& value) {
+    if (!from_name(keyword.get<std::string>(), value)) throw Error("The word " + keyword.dump() + " is unknown.");
 }
 
 /// The shape [ny, nx] of arrays over a grid.
@@ -33,7 +33,7 @@ inline std::vector<std::size_t> shape_of(const Grid& grid) {
 
 /// `value`, which must be finite: JSON would silently turn anything else into null. Throws Error naming `what`.
 double finite(double value, const char* what);
-/// The same of a field of a request. Throws InvalidArgument naming it.
+/// `value` of a field of a request, which must be finite. Throws InvalidArgument naming the field.
 double finite_field(double value, const char* field);
 
 /// nx or ny of a grid. Throws StatusError when no grid has so many elements.
@@ -73,7 +73,7 @@ void decode_bodies(const nlohmann::json& params, const Frames& frames, ContactSe
 nlohmann::json encode_opening(const ContactProblem& problem, ArrayWriter& arrays);
 ContactProblem decode_opening(const nlohmann::json& params, const Frames& frames);
 
-/// What a result holds of a solution, but for its arrays. Throws Error for numbers that are not finite.
+/// Fields of a solution in a result, but for its arrays. Throws Error for numbers that are not finite.
 nlohmann::json encode_summary(const ContactSolution& solution, const Grid& grid);
 void decode_summary(const nlohmann::json& result, ContactSolution& solution);
 /// Adds those of `fields` that the solution has.

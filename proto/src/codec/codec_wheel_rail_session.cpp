@@ -45,25 +45,25 @@ WheelRailSessionSpec decode_wheel_rail_session_spec(const json& params, const Fr
 }
 
 json encode_step(const std::string& session, long long step, const WheelRailStepInput& input) {
-    json said = object({{"state", encode_wheel_rail_state(input.state)}});
-    if (input.friction) said["friction"] = encode_wheel_rail_friction(*input.friction);
-    if (input.gap) said["gap"] = true;
-    if (!input.patches) said["patches"] = false;
-    json params = object({{"session", session}, {"step", step}, {"wheelrail", std::move(said)}});
+    json inputs = object({{"state", encode_wheel_rail_state(input.state)}});
+    if (input.friction) inputs["friction"] = encode_wheel_rail_friction(*input.friction);
+    if (input.gap) inputs["gap"] = true;
+    if (!input.patches) inputs["patches"] = false;
+    json params = object({{"session", session}, {"step", step}, {"wheelrail", std::move(inputs)}});
     if (input.again) params["again"] = true;
     if (!input.fields.empty()) params["fields"] = encode_fields(input.fields);
     return params;
 }
 
 WheelRailStepInput decode_wheel_rail_step(const json& params) {
-    const json& said = params["wheelrail"];
+    const json& inputs = params["wheelrail"];
     WheelRailStepInput input;
-    input.state = decode_wheel_rail_state(said["state"]);
-    if (said.contains("friction")) input.friction = decode_wheel_rail_friction(said["friction"]);
+    input.state = decode_wheel_rail_state(inputs["state"]);
+    if (inputs.contains("friction")) input.friction = decode_wheel_rail_friction(inputs["friction"]);
     input.again = params.value("again", false);
     input.fields = decode_fields(params, {});
-    input.gap = said.value("gap", false);
-    input.patches = said.value("patches", true);
+    input.gap = inputs.value("gap", false);
+    input.patches = inputs.value("patches", true);
     if (!input.patches && input.gap) throw of_left_out("wheelrail.gap");
     if (!input.patches && !input.fields.empty()) throw of_left_out("fields");
     return input;

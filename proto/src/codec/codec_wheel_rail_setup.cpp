@@ -71,15 +71,15 @@ json encode_geometry_request(const WheelRailSetup& setup, std::span<const WheelR
     return params;
 }
 
-json encode_conicity_request(const WheelsetSetup& setup, const ConicityRequest& wanted, ArrayWriter& arrays) {
+json encode_conicity_request(const WheelsetSetup& setup, const ConicityRequest& requested, ArrayWriter& arrays) {
     json params = encode_setups(setup, arrays);
-    params["conicity"] = write_fields(wanted, MemberPath("conicity"));
+    params["conicity"] = write_fields(requested, MemberPath("conicity"));
     return params;
 }
 
-json encode_contacts_request(const WheelsetSetup& setup, const ContactsRequest& wanted, ArrayWriter& arrays) {
+json encode_contacts_request(const WheelsetSetup& setup, const ContactsRequest& requested, ArrayWriter& arrays) {
     json params = encode_setups(setup, arrays);
-    params["contacts"] = write_fields(wanted, MemberPath("contacts"));
+    params["contacts"] = write_fields(requested, MemberPath("contacts"));
     return params;
 }
 

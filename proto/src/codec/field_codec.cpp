@@ -68,9 +68,9 @@ void read_list(const json& source, const FieldType& type, void* list, const Memb
         read_fields(source[i], type.element(), type.add(list), MemberPath(path, i), with);
 }
 
-std::int64_t value_of_keyword(const json& word, const FieldType& type) {
-    const auto at = std::ranges::find(type.keywords, word.get_ref<const std::string&>());
-    if (at == type.keywords.end()) throw Error("The word " + word.dump() + " is unknown.");
+std::int64_t value_of_keyword(const json& keyword, const FieldType& type) {
+    const auto at = std::ranges::find(type.keywords, keyword.get_ref<const std::string&>());
+    if (at == type.keywords.end()) throw Error("The word " + keyword.dump() + " is unknown.");
     return at - type.keywords.begin();
 }
 

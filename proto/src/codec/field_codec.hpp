@@ -1,6 +1,6 @@
 // Structs to JSON and back by their lists of fields (contactd/fields.hpp).
 //
-// What is written holds every field that is there; what is read leaves fields alone that are not. A type whose form on
+// Writing takes every field that is there; reading leaves fields alone that are not. A type whose form on
 // the wire is another one than that of its fields has a hook (field_hooks.cpp).
 #pragma once
 
@@ -32,7 +32,7 @@ class MemberPath {
     std::size_t index_ = 0;
 };
 
-/// What a message is written with: arrays over the grid are left out where there is no grid.
+/// Means by which a message is written: arrays over the grid are left out where there is no grid.
 struct Writing {
     ArrayWriter* arrays = nullptr;  ///< null where a message has none
     const Grid* grid = nullptr;

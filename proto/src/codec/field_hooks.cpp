@@ -166,7 +166,7 @@ void read_coefficient(const json& source, void* value, const MemberPath& path, c
         read_grid_array(source, value, path, with);
 }
 
-/// What of a paraboloid is not on the wire is sent as distances.
+/// A paraboloid that the wire cannot express is sent as distances.
 json write_gap(const void* value, const MemberPath& path, const Writing& with) {
     const auto& gap = as<Gap>(value);
     constexpr double largest_radius = 1e12, flat = std::numeric_limits<double>::infinity();

@@ -36,7 +36,7 @@ int component_of(const json& name) {
     return static_cast<int>(at - names.begin());
 }
 
-/// What to ask for instead.
+/// Request that would fit instead.
 std::string advice(const IcPart& part, int nx, std::size_t most) {
     const auto columns = static_cast<std::size_t>(nx);
     if (const std::size_t rows = most / (columns * count(part)); rows > 0)

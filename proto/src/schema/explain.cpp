@@ -85,9 +85,10 @@ class Explainer {
                                                             : "at most " + std::to_string(most);
             return report(path, "has " + std::to_string(value.size()) + " values; it must have " + rule);
         }
-        if (const json& wanted = member(schema, "contains"); !wanted.empty()) {
-            if (std::none_of(value.begin(), value.end(), [&](const json& entry) { return has_type(wanted, entry); }))
-                return report(path, "has no value that is " + expected(wanted) + "; it must have at least one");
+        if (const json& required_item = member(schema, "contains"); !required_item.empty()) {
+            if (std::none_of(value.begin(), value.end(),
+                             [&](const json& entry) { return has_type(required_item, entry); }))
+                return report(path, "has no value that is " + expected(required_item) + "; it must have at least one");
         }
         const json& items = member(schema, "items");
         if (items.empty()) return;
@@ -158,10 +159,10 @@ class Explainer {
         if (value.size() >= least && value.size() <= most) return;
         const std::string amount = least == most ? "exactly " : value.size() < least ? "at least " : "at most ";
         const std::size_t bound = value.size() < least ? least : most;
-        const std::string words = "is " + shown(value) + "; it must hold " + amount;
+        const std::string problem = "is " + shown(value) + "; it must hold " + amount;
         const std::string number = bound == 1 ? "one" : std::to_string(bound);
         const bool open = schema.contains("additionalProperties") && schema["additionalProperties"] != false;
-        report(path, words + number + (open ? " fields" : " of " + listed(names_of(properties))));
+        report(path, problem + number + (open ? " fields" : " of " + listed(names_of(properties))));
     }
 
     /// if: fields that are there, constants of some; then: the names of the fields that go with them, and perhaps, as
@@ -184,15 +185,15 @@ class Explainer {
     }
 
     static std::string conditions_of(const json& condition) {
-        std::string words;
-        const auto add = [&](const std::string& word) { words += (words.empty() ? "" : " and ") + word; };
+        std::string text;
+        const auto add = [&](const std::string& part) { text += (text.empty() ? "" : " and ") + part; };
         const json properties = condition.value("properties", json::object());
         for (const json& name : condition.value("required", json::array()))
             if (!properties.contains(name)) add(name);
         for (const auto& property : properties.items())
             add(property.key() + (property.value().contains("const") ? " " + shown(property.value()["const"])
                                                                      : "." + conditions_of(property.value())));
-        return words;
+        return text;
     }
 
     const json& root_;

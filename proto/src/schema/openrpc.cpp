@@ -20,7 +20,7 @@ json error(StatusCode code) {
     return {{"code", static_cast<int>(code)}, {"message", name_of(code)}};
 }
 
-/// What every method may answer, and what its schema says that it may answer besides.
+/// Errors of every method, and those that the schema of this one adds.
 json errors_of(const json& params) {
     json errors{error(StatusCode::invalid_argument), error(StatusCode::permission_denied),
                 error(StatusCode::unimplemented), error(StatusCode::unavailable), error(StatusCode::internal)};
@@ -33,10 +33,10 @@ json params_of(const json& schema) {
     const json required = schema.value("required", json::array());
     const json properties = schema.value("properties", json::object());
     // By-name parameters must list the required ones first.
-    for (const bool wanted : {true, false})
+    for (const bool comes_first : {true, false})
         for (const auto& property : properties.items()) {
             const bool is_required = std::find(required.begin(), required.end(), property.key()) != required.end();
-            if (is_required != wanted) continue;
+            if (is_required != comes_first) continue;
             params.push_back({{"name", property.key()},
                               {"description", property.value().value("description", "")},
                               {"required", is_required},

@@ -30,7 +30,7 @@ std::string path_of(const Reference& reference) {
     return reference.pointer.substr(definitions.size());
 }
 
-/// What code is generated from, and a reader of messages need not know.
+/// Notes from which code is generated, which a reader of messages need not know.
 constexpr std::array notes_of_sources{"x-cpp",      "x-cpp-at",    "x-cpp-items",   "x-cpp-list", "x-cpp-none",
                                       "x-cpp-only", "x-cpp-owner", "x-derived",     "x-fmu",      "x-parity",
                                       "x-partial",  "x-python",    "x-python-class"};
@@ -51,7 +51,7 @@ json inlined(const json& schema, const Documents& documents) {
         for (const auto& beside : schema.items())
             if (beside.key() != "$ref") result[beside.key()] = beside.value();
     }
-    // What was referred to may be a reference itself.
+    // The target of a reference may be a reference itself.
     if (result.is_object() && result.contains("$ref")) return inlined(result, documents);
     for (json& child : result) child = inlined(child, documents);
     return result;

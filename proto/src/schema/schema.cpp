@@ -28,7 +28,7 @@ struct CompiledSchema {
 };
 using Registry = std::map<std::string, CompiledSchema, std::less<>>;
 
-/// Of params that are one list of another method's.
+/// Schema of params that are one list of another method's.
 struct ListSchema {
     std::string name;      ///< of the list
     CompiledSchema shape;  ///< of all but the members

@@ -47,9 +47,9 @@ std::string shown(const nlohmann::json& value) {
     return shortened(dump(value));
 }
 
-std::string listed(const std::vector<std::string>& words, std::string_view separator) {
+std::string listed(const std::vector<std::string>& names, std::string_view separator) {
     std::string text;
-    for (const std::string& word : words) text += (text.empty() ? std::string() : std::string(separator)) + word;
+    for (const std::string& name : names) text += (text.empty() ? std::string() : std::string(separator)) + name;
     return text;
 }
 

@@ -23,6 +23,6 @@ std::string shortened(std::string_view text, std::size_t limit = max_shown);
 std::string shown(const nlohmann::json& value);
 
 /// "a, b, c"
-std::string listed(const std::vector<std::string>& words, std::string_view separator = ", ");
+std::string listed(const std::vector<std::string>& names, std::string_view separator = ", ");
 
 }  // namespace contactd::proto

@@ -20,19 +20,19 @@ bool is_letter_or_sign(char c) {
     return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '+';
 }
 
-/// "NaN", "-Infinity", ... as other languages write them, when the character at `at` belongs to such a word; else
+/// "NaN", "-Infinity", ... as other languages write them, when the character at `at` belongs to such a token; else
 /// empty.
-std::string_view non_finite_word(std::string_view text, std::size_t at) {
+std::string_view non_finite_token(std::string_view text, std::size_t at) {
     if (!is_letter_or_sign(text[at])) return {};
     std::size_t begin = at, end = at;
     while (begin > 0 && is_letter_or_sign(text[begin - 1])) --begin;
     while (end < text.size() && is_letter_or_sign(text[end])) ++end;
     const std::string_view found = text.substr(begin, end - begin);
-    std::string word(found);
-    std::erase_if(word, [](char c) { return c == '-' || c == '+'; });
-    std::transform(word.begin(), word.end(), word.begin(),
+    std::string token(found);
+    std::erase_if(token, [](char c) { return c == '-' || c == '+'; });
+    std::transform(token.begin(), token.end(), token.begin(),
                    [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
-    const bool known = word == "nan" || word == "inf" || word == "infinity";
+    const bool known = token == "nan" || token == "inf" || token == "infinity";
     return known ? found : std::string_view{};
 }
 
@@ -66,7 +66,7 @@ class EventReader : public nlohmann::json_sax<json> {
     bool parse_error(std::size_t position, const std::string& token, const json::exception& problem) override {
         if (text_.empty()) fail(reason::not_json, "is empty; it must be a JSON object");
         const std::size_t last = std::min(position, text_.size()) - (position > 0 ? 1 : 0);
-        if (const auto word = non_finite_word(text_, last); !word.empty()) refuse_number(word);
+        if (const auto token = non_finite_token(text_, last); !token.empty()) refuse_number(token);
         if (problem.id == number_overflow) refuse_number(token);
         std::string detail = problem.what();
         if (const auto at = detail.find(": "); at != std::string::npos) detail.erase(0, at + 2);

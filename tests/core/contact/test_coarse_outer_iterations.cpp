@@ -88,7 +88,7 @@ TEST_CASE("outer iterations start on the fine grid where elements have friction,
     SECTION("friction") {
         problem.friction->mu.assign(n, 0.3);
     }
-    SECTION("friction that falls") {
+    SECTION("falling friction") {
         problem.friction->kinetic = KineticFriction{};
     }
     SECTION("slip") {

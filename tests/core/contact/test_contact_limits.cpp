@@ -82,7 +82,7 @@ TEST_CASE("where nothing rubs the slip is that of the motion", "[limits]") {
         }
 }
 
-TEST_CASE("friction that falls to nothing lets go", "[limits]") {
+TEST_CASE("falling friction that ends at nothing lets go", "[limits]") {
     ContactProblem problem = cattaneo_problem(12);
     // The whole contact slides a hundred times faster than where friction ends.
     problem.motion = GENERATE(Motion{Shift{.rigid_shift = {.x = 0.1}}}, Motion{Rolling{.xi = 0.1}});

@@ -249,7 +249,7 @@ TEST_CASE("creepages are found from forces", "[contact]") {
     CHECK_THAT(found.forces.Fx, WithinRel(given.forces.Fx, 1e-5));
 }
 
-TEST_CASE("friction that falls with slip carries less than its static coefficient", "[contact]") {
+TEST_CASE("falling friction carries less than its static coefficient", "[contact]") {
     ContactProblem problem = cattaneo_problem(16);
     problem.motion = Rolling{.xi = 4e-3, .velocity = 1000};
     const auto coulomb = solve_half_spaces(problem);

@@ -225,7 +225,7 @@ TEST_CASE("the error that is stated of a table of layers is no less than the one
               (errors.zz->largest + rounding) * error_scale(reference.body, table));
 }
 
-TEST_CASE("a table of layers is not finished when nobody waits for it") {
+TEST_CASE("a table of layers is not finished when its request is abandoned") {
     struct Impatient final : Observer {
         mutable int asked = 0;
         bool cancelled() const override { return ++asked > 5; }

@@ -148,7 +148,7 @@ TEST_CASE("A wheelset beside its track carries no load, and says so") {
     const WheelsetSolution solution = solve_wheelset(wheel(Side::left), wheel(Side::right), state, observer);
     CHECK_FALSE(solution.converged());
     REQUIRE_FALSE(solution.warnings.empty());
-    CHECK_THAT(solution.warnings.back(), ContainsSubstring("The left wheel does not bear its force"));
+    CHECK_THAT(solution.warnings.back(), ContainsSubstring("The left wheel does not carry its load"));
     CHECK(std::isfinite(solution.roll_search.residual));
     CHECK(std::isfinite(solution.z));
 }

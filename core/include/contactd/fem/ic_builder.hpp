@@ -47,7 +47,7 @@ double predicted_memory(const IcSpec& spec);
 /// with the closed form. With dx = dy the y case is the x case mirrored and not solved again. Every process gets the
 /// same record. Progress comes on the first process only, where the observer's cancelled() counts too. A Runtime must
 /// exist.
-/// Of several processes the first one builds alone, and the others sleep, where the equations are factorised or the
+/// The first of several processes builds alone, and the others sleep, where the equations are factorised or the
 /// mesh is adaptive; `evidence.processes` is 1 then. Throws InvalidArgument for a spec that cannot be meshed,
 /// OutOfMemory when the processes together would need more than `max_memory_bytes` (0: no limit) by all that is known
 /// before, NotConverged when a load case misses its tolerance and Cancelled, each on all processes; errors of the

@@ -11,7 +11,7 @@ namespace contactd {
 /// one, k times as large, that adheres: k^3 = 1 - F/(mu Fn). Assumed: half-spaces, quasi-identical; tractions parallel
 /// to the force everywhere, so that slip is not exactly opposite to them (an error of a few per cent of the shift, none
 /// for nu = 0); constant mu. Shift and force have each its own compliance along x and y.
-/// Of a strip k^2 = 1 - F/(mu Fn), and the shift follows from the datum.
+/// In line contact k^2 = 1 - F/(mu Fn), and the shift follows from the datum.
 /// `shift` prescribes x and y, or Fx and Fy, or one of each; beyond the adhesion limit the whole area slips.
 /// The theory does not tell the slip: slip_x and slip_y stay empty. Throws InvalidArgument ("friction.rotation") for a
 /// rotation and ("friction.force") for a force that friction cannot carry.

@@ -13,7 +13,7 @@ namespace contactd {
 /// between leading edge and adhesion area, which makes the force of small creepages too large: by 6 per cent where the
 /// contact is long (a/b = 10) to 28 where it is short (1/10), against Kalker's coefficients. Slip is told by the theory
 /// nowhere but in adhesion: slip_x and slip_y stay empty.
-/// Of a strip the theory is Carter's, and exact: the adhesion area is a strip, F = mu Fn (1 - k^2).
+/// In line contact the theory is Carter's, and exact: the adhesion area is a strip, F = mu Fn (1 - k^2).
 /// `rolling` prescribes xi and eta, or Fx and Fy, or one of each. Throws InvalidArgument ("friction.rolling.phi") for
 /// spin, ("friction.rolling.chi") for a direction that is no axis of the ellipse, ("friction.rolling.force") for a
 /// force that friction cannot carry.

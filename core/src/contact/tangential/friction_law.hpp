@@ -1,4 +1,4 @@
-// Friction that falls with the slip velocity: the law, and how coefficients follow the slip that they cause.
+// Velocity-weakening (falling) friction: the law, and how coefficients follow the slip that they cause.
 #pragma once
 
 #include <span>

@@ -14,7 +14,7 @@ namespace {
 
 using geometry::Points;
 
-/// Weights as the distances of the points, more at the ends, which are held, and most at kinks.
+/// Weights as the distances of the points, more at the ends, which are fixed, and most at kinks.
 std::vector<double> weights_between(const std::vector<double>& s, std::size_t from, std::size_t to) {
     std::vector<double> weights;
     for (std::size_t i = from; i <= to; ++i) {

@@ -18,7 +18,7 @@ struct RegionGroup {
     double size = 0;
 };
 
-/// Regions are those of an OverlapSearch. Where `blends` is false those that would feel a share of each other are
+/// Regions are those of an OverlapSearch. Where `blends` is false those that would have a weighted interaction are
 /// groups of their own, and no plane is turned.
 std::vector<RegionGroup> group_regions(const std::vector<OverlapRegion>& regions, const PatchRules& rules, bool blends,
                                        const RailSurface& rail);

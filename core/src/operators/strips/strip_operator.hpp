@@ -11,7 +11,7 @@
 
 namespace contactd {
 
-/// A periodic symbol of a body that is held far away is not positive, so that the preconditioner is that of other
+/// A periodic symbol of a body that is clamped far away is not positive, so that the preconditioner is that of other
 /// bodies: half-spaces near the surface of this one. Has coarser grids and boxes where these have.
 class StripOperator final : public InfluenceOperator {
    public:

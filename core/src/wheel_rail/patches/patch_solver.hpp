@@ -12,8 +12,8 @@ namespace contactd {
 ContactProblem problem_of(const WheelRailSetup& setup, const geometry::CandidatePatch& found,
                           const geometry::RailSurface& rail, const WheelRailFriction* friction);
 
-/// Solves it, on the strips of its patch. Regions that feel a share of each other only are solved in outer iterations:
-/// what they do not feel of the displacements of the others is taken out of the gap.
+/// Solves it, on the strips of its patch. Regions with a weighted interaction are solved in outer iterations: the
+/// share of the displacements of the others that does not act on them is taken out of the gap.
 ContactSolution solve_patch(ContactProblem problem, const ContactPlace& place, const PatchStrips& strips,
                             const PatchRules& rules, const InfluenceSource& influences, Observer& observer);
 

@@ -82,7 +82,7 @@ nlohmann::json encode_subsurface_reply(const SubsurfaceReply& reply, ArrayWriter
 SubsurfaceReply decode_subsurface_reply(const nlohmann::json& result, const Frames& frames);
 
 // --- ic.export -------------------------------------------------------------------------------------------------------
-nlohmann::json encode_ic_export(const IcExport& wanted);
+nlohmann::json encode_ic_export(const IcExport& requested);
 /// `params` has passed its schema.
 IcExport decode_ic_export(const nlohmann::json& params);
 nlohmann::json encode_hdf5_reply(std::span<const unsigned char> file, const IcUse& body, ArrayWriter& arrays);

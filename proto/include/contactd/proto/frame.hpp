@@ -24,7 +24,7 @@ class Frame {
         const auto held = std::make_shared<const std::vector<Number, Allocator>>(std::move(values));
         *this = Frame(held, {reinterpret_cast<const char*>(held->data()), held->size() * sizeof(Number)});
     }
-    /// Of a message as a socket gave it.
+    /// Bytes of a message as a socket gave it.
     template <class Message>
         requires requires(const Message& message) { message.to_string_view(); }
     explicit Frame(Message message) {

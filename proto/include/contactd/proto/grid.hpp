@@ -8,8 +8,8 @@
 namespace contactd::proto {
 
 nlohmann::json encode_grid(const Grid& grid);
-/// Of an object that has passed its schema. Throws StatusError naming the field, before anything of the grid's size is
-/// allocated.
+/// Grid of an object that has passed its schema. Throws StatusError naming the field, before anything of the grid's
+/// size is allocated.
 Grid decode_grid(const nlohmann::json& json);
 
 }  // namespace contactd::proto

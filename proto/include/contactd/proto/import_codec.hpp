@@ -9,7 +9,7 @@
 
 namespace contactd::proto {
 
-/// As decode_ic_spec and decode_ic_export, of requests that come with frames.
+/// Decode as decode_ic_spec and decode_ic_export of codec.hpp, for requests that come with frames.
 IcSpec decode_ic_spec(const nlohmann::json& params, const Frames& frames);
 IcExport decode_ic_export(const nlohmann::json& params, const Frames& frames);
 

@@ -23,8 +23,8 @@ struct KeyFile {
 /// Reads the content of a key file. Throws contactd::Error saying what is missing or wrong, never quoting the content.
 KeyFile parse_key_file(std::string_view text);
 
-/// The same from a file. Errors begin with the path; what is no ordinary file, or larger than a key file can be, is
-/// refused before it is read.
+/// Reads a key file, as parse_key_file does its content. Errors begin with the path; what is no ordinary file, or
+/// larger than a key file can be, is refused before it is read.
 KeyFile read_key_file(const std::filesystem::path& path);
 
 /// Throws Error, naming the path, when others than the file's owner can read or write it.

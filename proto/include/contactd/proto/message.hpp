@@ -92,7 +92,7 @@ std::vector<double> read_array(const nlohmann::json& json, const Frames& frames,
                                const std::string& field);
 UnsetArray read_unset_array(const nlohmann::json& json, const Frames& frames, const std::vector<std::size_t>& shape,
                             const std::string& field);
-/// The same for dtype "|u1".
+/// Reads an array of dtype "|u1".
 std::vector<unsigned char> read_byte_array(const nlohmann::json& json, const Frames& frames,
                                            const std::vector<std::size_t>& shape, const std::string& field);
 

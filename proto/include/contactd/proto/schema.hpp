@@ -19,10 +19,10 @@ const std::vector<std::string>& method_names();
 /// The schema kept as proto/schema/<name>.json, e.g. "ic.get.params", "envelope". Throws std::out_of_range.
 const nlohmann::json& schema(std::string_view name);
 
-/// What is wrong with `document`, by path, each description saying what the value is and what would be right; empty
+/// Violations of `document`, by path, each description saying what the value is and what would be right; empty
 /// when it conforms. Thread-safe.
 std::vector<Violation> violations_of(std::string_view schema_name, const nlohmann::json& document);
-/// The same for a schema of one's own, without references.
+/// Violations of a schema that is given, without references.
 std::vector<Violation> violations_against(const nlohmann::json& schema, const nlohmann::json& document);
 
 /// Throws StatusError: UNIMPLEMENTED/UNKNOWN_METHOD, or INVALID_ARGUMENT/FIELD_INVALID with all violations.

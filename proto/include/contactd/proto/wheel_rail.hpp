@@ -17,7 +17,7 @@
 namespace contactd::proto {
 
 // --- wheelrail.solve -------------------------------------------------------------------------------------------------
-/// What an answer shall hold: its patches, and these arrays of each.
+/// Contents that are requested of an answer: its patches, and these arrays of each.
 struct PatchFields {
     SolutionFields solution = all_solution_fields;
     bool gap = false;
@@ -60,8 +60,10 @@ nlohmann::json encode_geometry_request(const WheelRailSetup& setup, std::span<co
 nlohmann::json encode_wheel_rail_geometries(std::span<const WheelRailGeometry> geometries);
 std::vector<WheelRailGeometry> decode_wheel_rail_geometries(const nlohmann::json& result);
 
-nlohmann::json encode_conicity_request(const WheelsetSetup& setup, const ConicityRequest& wanted, ArrayWriter& arrays);
-nlohmann::json encode_contacts_request(const WheelsetSetup& setup, const ContactsRequest& wanted, ArrayWriter& arrays);
+nlohmann::json encode_conicity_request(const WheelsetSetup& setup, const ConicityRequest& requested,
+                                       ArrayWriter& arrays);
+nlohmann::json encode_contacts_request(const WheelsetSetup& setup, const ContactsRequest& requested,
+                                       ArrayWriter& arrays);
 nlohmann::json encode_profiles_request(const WheelsetSetup& setup, ArrayWriter& arrays);
 /// `conicity` of params that have passed their schema.
 ConicityRequest decode_conicity(const nlohmann::json& conicity);

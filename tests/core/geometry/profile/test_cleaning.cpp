@@ -31,7 +31,7 @@ TEST_CASE("of a rail remains what nothing lies above", "[profile]") {
     CHECK(rail_seen_from_above(lip) == Points{{0, 0}, {20, 5}, {25, 6}, {35, 7}});
 }
 
-TEST_CASE("kinks are sharp turns between smooth parts", "[profile]") {
+TEST_CASE("kinks are sharp corners between smooth parts", "[profile]") {
     const Points roof{{0, 5}, {1, 4}, {2, 3}, {3, 2}, {4, 3}, {5, 4}, {6, 5}};
     CHECK(kinks_of(roof) == std::vector<std::size_t>{3});
     const Points noise{{0, 0}, {1, 1}, {2, 0}, {3, 1}, {4, 0}};
