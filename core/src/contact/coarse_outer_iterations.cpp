@@ -46,13 +46,9 @@ ContactProblem on_coarser(const ContactProblem& fine, const CoarserGrid& coarse,
     ContactProblem problem = fine;
     problem.initial = {};
     problem.derivatives = false;
-    Grid& grid = problem.grid;
-    grid.dx *= coarse.along_x();
-    grid.dy *= coarse.along_y();
-    grid.nx = (grid.nx + coarse.along_x() - 1) / coarse.along_x();
-    grid.ny = (grid.ny + coarse.along_y() - 1) / coarse.along_y();
+    problem.grid = coarser(fine.grid, coarse);
     if (!paraboloid_of(fine)) {
-        std::vector<double> gap(grid.size());
+        std::vector<double> gap(problem.grid.size());
         coarse.average(distance, gap);
         problem.gap = std::move(gap);
     }

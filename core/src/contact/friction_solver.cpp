@@ -115,6 +115,17 @@ class FrictionSolver::Area {
         return result;
     }
 
+    Field tractions() const {
+        Field part(bodies_.grid.size());
+        contact_.scatter(newton_.tractions().x, part.x);
+        contact_.scatter(newton_.tractions().y, part.y);
+        if (is_whole_) return part;
+        Field whole(size_);
+        restriction_.paste(part.x, whole.x);
+        restriction_.paste(part.y, whole.y);
+        return whole;
+    }
+
    private:
     Values crop(std::span<const double> whole) const {
         return is_whole_ ? Values(whole.begin(), whole.end()) : restriction_.crop(whole);
@@ -159,6 +170,13 @@ FrictionSolution FrictionSolver::solve(const FrictionTask& task, Observer& obser
     solution.evidence.seconds = stopwatch.seconds();
     if (!solution.evidence.converged) area_.reset();  // what it has learnt is of no use
     return solution;
+}
+
+Field FrictionSolver::first_tractions(const FrictionTask& task, Observer& observer) {
+    start(task, observer);
+    Field first = area_->tractions();
+    area_.reset();
+    return first;
 }
 
 void FrictionSolver::forget() {

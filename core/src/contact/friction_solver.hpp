@@ -44,6 +44,9 @@ class FrictionSolver {
     /// - the estimated error of the tractions, the violation times an approximate inverse of the law's Jacobian,
     ///   relative to the tractions.
     FrictionSolution solve(const FrictionTask& task, Observer& observer);
+    /// The tractions on all elements that a solve which knows of no other would start from, for other solvers. Like
+    /// forget() afterwards.
+    Field first_tractions(const FrictionTask& task, Observer& observer);
     /// The next solve has nothing to do with the last one.
     void forget();
 

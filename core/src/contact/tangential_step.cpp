@@ -110,13 +110,14 @@ RollingSolution TangentialStep::solve_for_motion(const Field& rest, std::span<co
                                                  Observer& observer) {
     Field rigid = rigid_slip();
     add(rigid, rest);
-    if (asks_tang_cg()) return solve_with(rigid, bound, estimate, settings, observer);
-    const FrictionTask task{bound, rigid, {}, Pair::Zero(), estimate, settings, estimate_is_good_};
+    FrictionTask task{bound, rigid, {}, Pair::Zero(), estimate, settings, estimate_is_good_};
+    if (asks_tang_cg()) return solve_with(task, observer);
     const FrictionSolution found = solver_.solve(task, observer);
     const int left = settings.max_iterations - found.evidence.iterations;
     if (found.evidence.converged || left <= 0) return found;
     if (is_steady()) return march_to_steady_state(friction_bodies(problem_, influence_), task, found, observer);
-    RollingSolution other = solve_with(rigid, bound, estimate, {settings.tolerance, left}, observer);
+    task.settings.max_iterations = left;
+    RollingSolution other = solve_with(task, observer);
     other.evidence.iterations += found.evidence.iterations;
     return other;
 }
@@ -142,18 +143,23 @@ void TangentialStep::add_free_slip(std::span<const double> pressure, std::span<c
     }
 }
 
-RollingSolution TangentialStep::solve_with(const Field& rigid, std::span<const double> bound, const Field& estimate,
-                                           const SolverSettings& settings, Observer& observer) {
-    std::span<const double> x, y;
-    if (any(estimate)) {
-        x = estimate.x;
-        y = estimate.y;
+// By TangCG, from where Newton's method starts; steady rolling, whose operator is not symmetric, by Newton's method.
+RollingSolution TangentialStep::solve_with(const FrictionTask& task, Observer& observer) {
+    const std::span<const double> bound = task.bound;
+    const Field& rigid = task.rigid;
+    if (is_steady()) {
+        std::span<const double> x, y;
+        if (any(task.estimate)) {
+            x = task.estimate.x;
+            y = task.estimate.y;
+        }
+        return solve_steady_rolling(bodies(), bound, rigid.x, rigid.y, task.settings, x, y, observer);
     }
-    if (is_steady()) return solve_steady_rolling(bodies(), bound, rigid.x, rigid.y, settings, x, y, observer);
     solver_used_ = TangentialSolver::tangcg;
+    const Field first = task.estimate_is_good ? task.estimate : solver_.first_tractions(task, observer);
     RollingSolution solution;
     static_cast<TangentialSolution&>(solution) =
-        solve_tangential(*influence_.current, bound, rigid.x, rigid.y, settings, x, y, observer);
+        solve_tangential(*influence_.current, bound, rigid.x, rigid.y, task.settings, first.x, first.y, observer);
     SlipDistance slip =
         slip_distance(*influence_.current, bound, rigid.x, rigid.y, solution.traction_x, solution.traction_y);
     solution.slip_x = std::move(slip.x);

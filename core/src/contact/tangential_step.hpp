@@ -68,8 +68,7 @@ class TangentialStep {
                                    const Field& estimate, const SolverSettings& settings, Observer& observer);
     RollingSolution search(const PrescribedForces& forces, const Field& rest, std::span<const double> bound,
                            const Field& estimate, Observer& observer);
-    RollingSolution solve_with(const Field& rigid, std::span<const double> bound, const Field& estimate,
-                               const SolverSettings& settings, Observer& observer);
+    RollingSolution solve_with(const FrictionTask& task, Observer& observer);
     bool asks_tang_cg() const { return problem_.settings.tangential_solver == TangentialSolver::tangcg; }
     void continue_force_evidence(const SolverEvidence& next);
 

@@ -112,7 +112,7 @@ RollingSolution TangentialStep::search(const PrescribedForces& forces, const Fie
         SilentObserver silent(observer);
         SolverSettings one = problem_.settings.tangential;
         if (tolerance > problem_.settings.outer.tolerance) one.tolerance = std::max(one.tolerance, tolerance);
-        solution = solve_with(rigid, bound, *start, one, silent);
+        solution = solve_with({bound, rigid, {}, Pair::Zero(), *start, one, start == &last}, silent);
         last.x = solution.traction_x;
         last.y = solution.traction_y;
         start = &last;

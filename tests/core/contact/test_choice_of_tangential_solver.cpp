@@ -63,6 +63,28 @@ TEST_CASE("TangCG finds the shift that a force takes", "[tangential]") {
     CHECK_THAT(same_by_both(problem).forces.Fx, WithinRel(Fx, 1e-6));
 }
 
+TEST_CASE("TangCG starts where Newton's method does: from a good estimate, else from a coarser grid", "[tangential]") {
+    ContactProblem problem = sliding_sphere(Shift{.rigid_shift = {0.003, 0.0004}});
+    problem.grid = Grid::centred(66, 64, 0.04, 0.04);
+    problem.settings.tangential_solver = TangentialSolver::tangcg;
+    const ContactSolution cold = solve_half_spaces(problem);
+    REQUIRE(cold.converged());
+    REQUIRE(cold.elements.contact > 1000);
+    const auto from = [&](double factor) {
+        problem.initial.traction_x = cold.traction_x;
+        problem.initial.traction_y = cold.traction_y;
+        for (auto* values : {&problem.initial.traction_x, &problem.initial.traction_y})
+            for (double& value : *values) value *= factor;
+        return solve_half_spaces(problem);
+    };
+    const auto iterations = [](const ContactSolution& solution) { return solution.evidence.tangential->iterations; };
+    CHECK(iterations(from(1)) < iterations(cold) / 2);
+    const ContactSolution after_bad = from(-1);
+    CHECK(iterations(after_bad) == iterations(cold));
+    CHECK(after_bad.traction_x == cold.traction_x);
+    CHECK(after_bad.traction_y == cold.traction_y);
+}
+
 TEST_CASE("TangCG is refused where operators are not symmetric", "[tangential]") {
     ContactProblem problem = sliding_sphere(Rolling{.xi = 0.002});
     problem.settings.tangential_solver = TangentialSolver::tangcg;

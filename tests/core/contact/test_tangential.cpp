@@ -184,20 +184,6 @@ TEST_CASE("the estimate does not change the tractions", "[tangential]") {
     }
 }
 
-TEST_CASE("on a fine grid a good estimate is used and a bad one is not", "[tangential]") {
-    const ShiftCase shift(Grid::centred(66, 64, 1, 1), 1, 1.5, 0.5);
-    const TangentialSolution cold = shift.solve();
-    REQUIRE(cold.evidence.converged);
-    CHECK(shift.solve(cold.traction_x, cold.traction_y).evidence.iterations < cold.evidence.iterations / 2);
-    Values opposite_x = cold.traction_x, opposite_y = cold.traction_y;
-    for (Values* values : {&opposite_x, &opposite_y})
-        for (double& value : *values) value = -value;
-    const TangentialSolution after_bad = shift.solve(opposite_x, opposite_y);
-    CHECK(after_bad.evidence.iterations == cold.evidence.iterations);
-    CHECK(after_bad.traction_x == cold.traction_x);
-    CHECK(after_bad.traction_y == cold.traction_y);
-}
-
 TEST_CASE("an opposite shift gives opposite tractions", "[tangential]") {
     const Grid grid = Grid::centred(15, 12, 0.1, 0.1);
     const auto one = ShiftCase(grid, 1.7, 0.004, 0.001).solve(), other = ShiftCase(grid, 1.7, -0.004, -0.001).solve();

@@ -15,11 +15,7 @@ std::optional<FrictionBodies> coarser(const FrictionBodies& bodies) {
     const CoarserGrid* coarse = bodies.influence.coarser();
     const StepOperator* increment = bodies.increment == nullptr ? nullptr : bodies.increment->coarser();
     if (coarse == nullptr || (bodies.increment != nullptr && increment == nullptr)) return {};
-    Grid grid = bodies.grid;
-    grid.dx *= coarse->along_x();
-    grid.dy *= coarse->along_y();
-    grid.nx = (grid.nx + coarse->along_x() - 1) / coarse->along_x();
-    grid.ny = (grid.ny + coarse->along_y() - 1) / coarse->along_y();
+    const Grid grid = coarser(bodies.grid, *coarse);
     if (coarse->influence().size() != grid.size() || (increment != nullptr && increment->size() != grid.size()))
         return {};
     return FrictionBodies{coarse->influence(), increment, grid, bodies.step_x, bodies.step_y};

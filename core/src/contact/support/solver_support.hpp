@@ -8,6 +8,8 @@
 #include <string>
 
 #include "contactd/error.hpp"
+#include "contactd/grid.hpp"
+#include "contactd/influence_operator.hpp"
 #include "contactd/observer.hpp"
 #include "traction_loops.hpp"
 
@@ -21,6 +23,15 @@ inline void require_size(std::span<const double> values, std::size_t size, const
     if (values.size() != size)
         throw InvalidArgument(field, "has " + std::to_string(values.size()) + " values; the grid has " +
                                          std::to_string(size) + " elements");
+}
+
+/// The grid of the larger elements.
+inline Grid coarser(Grid grid, const CoarserGrid& coarse) {
+    grid.dx *= coarse.along_x();
+    grid.dy *= coarse.along_y();
+    grid.nx = (grid.nx + coarse.along_x() - 1) / coarse.along_x();
+    grid.ny = (grid.ny + coarse.along_y() - 1) / coarse.along_y();
+    return grid;
 }
 
 /// How far an iteration has come from `first` to `tolerance` when residuals fall geometrically, 0..1.

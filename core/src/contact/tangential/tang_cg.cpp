@@ -51,15 +51,14 @@ TangCg::TangCg(const InfluenceOperator& influence, const Contact& contact, const
     }
 }
 
-double TangCg::start(const Field& estimate) {
+void TangCg::start(const Field& estimate) {
     set_tractions(estimate);
     stands_ = true;
     released_ = !any_pushed_back();
     linearise();
-    return error_;
 }
 
-TangentialSolution TangCg::solve(bool as_estimate) {
+TangentialSolution TangCg::solve() {
     TangentialSolution result;
     double update = error_;
     for (int iteration = 0;; ++iteration) {
@@ -67,7 +66,7 @@ TangentialSolution TangCg::solve(bool as_estimate) {
         // A small update alone may only mean slow progress.
         const double figure = std::max(error_, update);
         report(iteration, figure);
-        const bool is_final = as_estimate || (stands_ && released_ && drift_ <= stale_at_end * settings_.tolerance);
+        const bool is_final = stands_ && released_ && drift_ <= stale_at_end * settings_.tolerance;
         result.evidence = {iteration, figure, is_final && figure <= settings_.tolerance, 0};
         if (result.evidence.converged || iteration == settings_.max_iterations) break;
         update = step();

@@ -17,10 +17,9 @@ class TangCg {
     TangCg(const InfluenceOperator& influence, const Contact& contact, const SolverSettings& settings,
            Observer& observer);
 
-    // Starts from an estimate of the tractions and returns its error, relative.
-    double start(const Field& estimate);
-    // An estimate for a finer grid need not have a division that stands, nor a slip distance without drift.
-    TangentialSolution solve(bool as_estimate = false);
+    // Starts from an estimate of the tractions.
+    void start(const Field& estimate);
+    TangentialSolution solve();
 
    private:
     void set_tractions(const Field& estimate);
