@@ -42,14 +42,20 @@ void check(const Wheelset& wheelset) {
             "be less than half the flange_back_distance, so that the wheel is on its side of the axle");
 }
 
+void check_profile(const ProfileSpec& profile, ProfileKind kind, const std::string& field) {
+    if (profile.kind != kind)
+        throw InvalidArgument(field + ".kind", "is " + std::string(name_of(profile.kind)) + "; it must be " +
+                                                   std::string(name_of(kind)));
+    renaming(in_place_of("profile", field), [&] { validate(profile); });
+}
+
 void check_slices(const WheelRailSetup& setup) {
     const std::vector<RailSlice>& slices = setup.rail_slices;
     if (slices.empty()) return;
     if (slices.size() == 1) throw InvalidArgument("rail_slices", "has one slice; give two at least, or `rail` instead");
     for (std::size_t i = 0; i < slices.size(); ++i) {
         const std::string field = "rail_slices[" + std::to_string(i) + "]";
-        if (slices[i].profile.kind != ProfileKind::rail)
-            throw InvalidArgument(field + ".profile.kind", "is wheel; it must be rail");
+        check_profile(slices[i].profile, ProfileKind::rail, field + ".profile");
         if (i > 0)
             require(slices[i].x - slices[i - 1].x >= 1e-3, field + ".x", slices[i].x,
                     "be beyond the one before, " + number_text(slices[i - 1].x));
@@ -67,8 +73,7 @@ void check_slices(const std::vector<WheelSlice>& slices) {
     for (std::size_t i = 0; i < slices.size(); ++i) {
         const double angle = slices[i].angle;
         const std::string field = "wheel_slices[" + std::to_string(i) + "]";
-        if (slices[i].profile.kind != ProfileKind::wheel)
-            throw InvalidArgument(field + ".profile.kind", "is rail; it must be wheel");
+        check_profile(slices[i].profile, ProfileKind::wheel, field + ".profile");
         if (i == 0) continue;
         require(angle - slices[i - 1].angle >= closest, field + ".angle", angle,
                 "be larger than the one before, " + number_text(slices[i - 1].angle) + " rad");
@@ -101,11 +106,6 @@ void check(const WheelRailFriction& friction) {
 }  // namespace
 
 void validate(const WheelRailSetup& setup) {
-    const auto check_profile = [](const ProfileSpec& profile, ProfileKind kind, const std::string& field) {
-        if (profile.kind != kind)
-            throw InvalidArgument(field + ".kind", "is " + std::string(name_of(profile.kind)) + "; it must be " +
-                                                       std::string(name_of(kind)));
-    };
     check_profile(setup.wheel, ProfileKind::wheel, "wheel");
     check_profile(setup.rail, ProfileKind::rail, "rail");
     check(setup.track);

@@ -38,6 +38,17 @@ TEST_CASE("Mistakes in a set-up are refused by name") {
     refused([](auto& setup) { setup.bodies.upper.material.G = -1; }, "bodies.upper.G is -1");
 }
 
+TEST_CASE("A set-up is not valid with a profile that is none") {
+    WheelRailSetup setup;
+    setup.rail.shape = ArcProfile{.radius = 0};
+    CHECK_THROWS_WITH(validate(setup), ContainsSubstring("rail.arc.radius is 0"));
+    setup.rail.shape = Rail60E1{};
+    setup.wheel_slices = {{0, setup.wheel}, {1, setup.wheel}};
+    CHECK_NOTHROW(validate(setup));
+    setup.wheel_slices[1].profile.shape = ConeProfile{.slope = 9};
+    CHECK_THROWS_WITH(validate(setup), ContainsSubstring("wheel_slices[1].profile.cone.slope is 9"));
+}
+
 TEST_CASE("Other units and other sides are refused by a sentence that says what to do") {
     // A user has S1002 on 60E1 at 1/40, by points in mm.
     const auto points_of = [](const ProfileSpec& profile) {
