@@ -1,5 +1,6 @@
 #include "contactd/friction.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "contactd/error.hpp"
@@ -18,6 +19,17 @@ void validate(const KineticFriction& kinetic, std::span<const double> mu_static)
             throw InvalidArgument("friction.kinetic.mu", "is " + number_text(kinetic.mu) +
                                                              "; it must not exceed the static coefficient, which is " +
                                                              number_text(mu));
+}
+
+double friction_coefficient(const KineticFriction& kinetic, double mu_static, double v) {
+    const double fall = mu_static - kinetic.mu, relative = v / kinetic.slip_velocity;
+    switch (kinetic.law) {
+        case SlipLaw::linear:
+            return std::max(kinetic.mu, mu_static - fall * relative);
+        case SlipLaw::exponential:
+            break;
+    }
+    return kinetic.mu + fall * std::exp(-relative);
 }
 
 }  // namespace contactd

@@ -75,6 +75,9 @@ struct Rolling {
 /// leave than slip to enter, and adhesion at mu_s would no longer be the limit of slow slip.
 void validate(const KineticFriction& kinetic, std::span<const double> mu_static);
 
+/// mu(v) for a slip velocity v >= 0 (mm/s): the static coefficient in adhesion (v = 0), see SlipLaw.
+double friction_coefficient(const KineticFriction& kinetic, double mu_static, double v);
+
 using Motion = std::variant<Shift, Rolling>;
 enum class MotionKind { shift, rolling };
 

@@ -1,5 +1,4 @@
 // Results with one number an element.
-#include <algorithm>
 #include <cmath>
 
 #include "closed_forms/undeformed_distance.hpp"
@@ -66,13 +65,9 @@ Values friction_of(const Solved& solved) {
     if (!law.kinetic) return mu;
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
     const double per_slip = rolling ? rolling->velocity : 1 / std::get<Shift>(problem.motion).duration;
-    const KineticFriction& kinetic = *law.kinetic;
-    for (std::size_t i = 0; i < mu.size(); ++i) {
-        const double v =
-            std::hypot(solved.solution.slip_x[i], solved.solution.slip_y[i]) * per_slip / kinetic.slip_velocity;
-        const double share = kinetic.law == SlipLaw::linear ? std::max(0.0, 1 - v) : std::exp(-v);
-        mu[i] = kinetic.mu + (mu[i] - kinetic.mu) * share;
-    }
+    for (std::size_t i = 0; i < mu.size(); ++i)
+        mu[i] = friction_coefficient(*law.kinetic, mu[i],
+                                     std::hypot(solved.solution.slip_x[i], solved.solution.slip_y[i]) * per_slip);
     return mu;
 }
 

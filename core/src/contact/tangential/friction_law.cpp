@@ -12,17 +12,6 @@ constexpr double least_relaxation = 0.05;
 
 }  // namespace
 
-double friction_coefficient(const KineticFriction& kinetic, double mu_static, double v) {
-    const double fall = mu_static - kinetic.mu, relative = v / kinetic.slip_velocity;
-    switch (kinetic.law) {
-        case SlipLaw::linear:
-            return std::max(kinetic.mu, mu_static - fall * relative);
-        case SlipLaw::exponential:
-            break;
-    }
-    return kinetic.mu + fall * std::exp(-relative);
-}
-
 SlipLawIteration::SlipLawIteration(const KineticFriction& kinetic, std::span<const double> mu_static)
     : kinetic_(kinetic),
       static_(mu_static.begin(), mu_static.end()),

@@ -8,9 +8,6 @@
 
 namespace contactd {
 
-/// mu(v) for a slip velocity v >= 0: the static coefficient in adhesion (v = 0), see SlipLaw.
-double friction_coefficient(const KineticFriction& kinetic, double mu_static, double v);
-
 /// The coefficients of friction on their way to the slip they cause. Every element is relaxed by a secant of its own,
 /// because falling friction would overshoot: less friction, more slip, less friction.
 class SlipLawIteration {
