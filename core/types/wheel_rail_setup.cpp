@@ -44,8 +44,8 @@ void check(const Wheelset& wheelset) {
 
 void check_profile(const ProfileSpec& profile, ProfileKind kind, const std::string& field) {
     if (profile.kind != kind)
-        throw InvalidArgument(field + ".kind", "is " + std::string(name_of(profile.kind)) + "; it must be " +
-                                                   std::string(name_of(kind)));
+        throw InvalidArgument(
+            field + ".kind", "is " + std::string(name_of(profile.kind)) + "; it must be " + std::string(name_of(kind)));
     renaming(in_place_of("profile", field), [&] { validate(profile); });
 }
 

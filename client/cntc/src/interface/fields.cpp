@@ -1,4 +1,5 @@
 // Results with one number an element.
+#include <algorithm>
 #include <cmath>
 
 #include "closed_forms/undeformed_distance.hpp"
