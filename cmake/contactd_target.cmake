@@ -31,8 +31,8 @@ function(contactd_library name)
 endfunction()
 
 # contactd_unity(TARGET sources...): where CONTACTD_UNITY says so, the sources of each folder are compiled as one. They share what
-# costs more than they do: parsing the header of JSON, and instances of its templates. The `sources` stay alone: each has a
-# name that another one of its folder has, too. So do files with options of their own.
+# costs more than they do: parsing the headers of JSON, Eigen and MFEM, and instances of their templates. The `sources` stay
+# alone: each has a name that another one of its folder has, too. So do files with options of their own.
 function(contactd_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${CONTACTD_UNITY} UNITY_BUILD_MODE GROUP)
   get_target_property(sources ${target} SOURCES)
