@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <utility>
 
 #include "contactd/error.hpp"
@@ -33,7 +34,19 @@ ProfileLines::ProfileLines(std::string_view text, std::string name, std::string_
         fail_file("is no text: it has bytes that are zero; export the profile as plain text");
 }
 
+std::optional<double> number_in(std::string_view text) {
+    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+    std::string digits(text);
+    if (const auto at = digits.find_first_of("dD"); at != digits.npos) digits[at] = 'e';  // as Fortran writes it
+    double value = 0;
+    const char* const whole = digits.data() + digits.size();
+    const auto [end, error] = std::from_chars(digits.data(), whole, value);
+    if (digits.empty() || error != std::errc() || end != whole || !(std::abs(value) <= 1e100)) return {};
+    return value;
+}
+
 bool ProfileLines::next() {
+    follows_empty_ = false;
     while (!rest_.empty()) {
         ++number_;
         const auto end = std::min(rest_.find('\n'), rest_.size());
@@ -41,6 +54,7 @@ bool ProfileLines::next() {
         rest_.remove_prefix(std::min(end + 1, rest_.size()));
         if (line_.size() > longest_line)
             fail("has " + std::to_string(line_.size()) + " characters; a point has a line of its own, of 4096 at most");
+        if (trimmed(line_).empty()) follows_empty_ = true;
         line_ = trimmed(line_.substr(0, line_.find_first_of(comments_)));
         if (!line_.empty()) return true;
     }
@@ -48,24 +62,27 @@ bool ProfileLines::next() {
 }
 
 double ProfileLines::number(std::string_view text) const {
-    double value = 0;
-    std::string_view digits = text;
-    if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc() || end != digits.data() + digits.size() || !(std::abs(value) <= 1e100))
-        fail("has " + quoted(text) + " where a number should stand, such as -12.5 or 1.25e-3");
-    return value;
+    const auto value = number_in(text);
+    if (!value) fail("has " + quoted(text) + " where a number should stand, such as -12.5 or 1.25e-3");
+    return *value;
+}
+
+std::vector<std::string_view> fields_of(std::string_view line, std::string_view separators) {
+    std::vector<std::string_view> found;
+    const std::string ends = std::string(blanks) + std::string(separators);
+    std::string_view rest = line;
+    while (!(rest = trimmed(rest)).empty()) {
+        const auto end = std::min(rest.find_first_of(ends), rest.size());
+        found.push_back(rest.substr(0, end));
+        rest = trimmed(rest.substr(end));
+        if (!rest.empty() && separators.find(rest.front()) != separators.npos) rest.remove_prefix(1);
+    }
+    return found;
 }
 
 std::vector<double> ProfileLines::numbers(std::string_view separators) const {
     std::vector<double> values;
-    std::string_view rest = line_;
-    while (!(rest = trimmed(rest)).empty()) {
-        const auto end = std::min(rest.find_first_of(std::string(blanks) + std::string(separators)), rest.size());
-        values.push_back(number(rest.substr(0, end)));
-        rest = trimmed(rest.substr(end));
-        if (!rest.empty() && separators.find(rest.front()) != separators.npos) rest.remove_prefix(1);
-    }
+    for (const std::string_view field : fields_of(line_, separators)) values.push_back(number(field));
     return values;
 }
 

@@ -70,7 +70,7 @@ std::vector<ProfilePoint> processed(const std::vector<ProfilePoint>& read, const
 }  // namespace
 
 ProfilePoints read_simpack(std::string_view text, const std::string& name, ProfileKind kind) {
-    ProfileLines lines(text, name, "!");
+    ProfileLines lines(text, name, "!%");
     Keys keys = defaults;
     std::vector<ProfilePoint> read;
     bool in_header = false, has_points = false;
@@ -82,7 +82,9 @@ ProfilePoints read_simpack(std::string_view text, const std::string& name, Profi
             if (has_points) lines.fail("begins points a second time; a file has one profile, split it");
             has_points = true;
             read = read_points(lines);
-        } else if (line != "spline.begin" && line != "spline.end")
+        } else if (line == "spline.end")
+            break;
+        else if (line != "spline.begin")
             read_key(lines, in_header, kind, keys);
     }
     if (!has_points) lines.fail_file("has no line point.begin; a profile of Simpack has its points behind one");

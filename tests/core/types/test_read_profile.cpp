@@ -95,11 +95,65 @@ TEST_CASE("columns take what separates them in practice", "[profile]") {
           std::vector<ProfilePoint>{{1, 2}, {3, 4}, {5, 6}, {7, -8}});
 }
 
+TEST_CASE("columns of tables are taken with their headings, quotation marks and decimal commas", "[profile]") {
+    const auto points = [](const std::string& text) {
+        return points_of(read_profile(std::string_view(text), "a.csv", ProfileKind::rail)).points;
+    };
+    const std::vector<ProfilePoint> expected{{-30, 1.5}, {0, 0}, {30, 1.5}};
+    CHECK(points("y;z\n-30;1,5\n0;0\n30;1,5\n") == expected);
+    CHECK(points("Y [mm]\tZ [mm]\r\n-30\t1,5\r\n0\t0\r\n30\t1,5\r\n") == expected);
+    CHECK(points("-30,0 1,5\n0,0 0,0\n30,0 1,5\n") == expected);
+    CHECK(points("\"y\",\"z\"\n-30,1.5\n0,0\n30,1.5\n") == expected);
+    CHECK(points("\"-30\",\"1.5\"\n\"0\",\"0\"\n\"30\",\"1.5\"\n") == expected);
+    CHECK(points("-3.0d1 .15D+1 \"a remark\n0 0\n30 1.5\n") == expected);
+    CHECK(points("-30, 1,5\n0, 0\n30, 1,5\n") == expected);
+}
+
+TEST_CASE("heads of MiniProf of all years are read", "[profile]") {
+    const std::string points = "-30 -3\n0 0\n30 -3\n";
+    const auto read = [](const std::string& text) { return points_of(read_profile(std::string_view(text), "a.ban")); };
+    const std::vector<ProfilePoint> expected{{-30, -3}, {0, 0}, {30, -3}};
+    CHECK(read("#MINIPROF\na.ban\nStock.......:\n32.5 37.1 14.7\n(Sd/Sh/qR)\n\n" + points).points == expected);
+    CHECK(read("Stock=%Talent\nTilt=\nXOffset=\nXYPoints=3\n\"ColumnDef=Y,X\n\n" + points).points == expected);
+    CHECK(read("Date=1/2/2020\n" + points).points == expected);
+    CHECK(read("Date=1/2/2020\n\n-30 -3 % dent\n\"5 5\n0 0\n30 -3 added by hand\n").points == expected);
+    CHECK(read("Xoffset=1\nYOffset=-2\n\n-31 -1\n-1 2\n29 -1\n").points == expected);
+}
+
+TEST_CASE("which way z points is seen by the shape, where the file does not say it", "[profile]") {
+    const std::string ending = GENERATE("whl", "ban", "txt");
+    const auto kind = ending == "ban" ? ProfileKind::rail : ProfileKind::wheel;
+    std::string text = file_text(ending), turned;
+    const std::size_t points = text.find("\n\n") == text.npos ? text.find('\n') + 1 : text.find("\n\n") + 2;
+    std::istringstream lines(text.substr(points));
+    turned = text.substr(0, points);
+    for (double y, z; lines >> y >> z; lines.ignore(1000, '\n'))
+        turned += std::to_string(y) + " " + std::to_string(-z) + "\n";
+    if (ending != "txt") turned.replace(turned.find("X,Y,A,C"), 7, "X,Y");
+    const auto as_written = read_profile(std::string_view(text), "a." + ending, kind);
+    const auto upside_down = read_profile(std::string_view(turned), "a." + ending, kind);
+    CHECK(points_of(as_written).mirror_z != points_of(upside_down).mirror_z);
+    const ProfileCurve one = make_profile(as_written).curve, other = make_profile(upside_down).curve;
+    for (const double y : {-25.0, -3.0, 10.0, 20.0})
+        CHECK_THAT(one.at(one.s_at_y(y)).z, WithinAbs(other.at(other.s_at_y(y)).z, 1e-4));
+}
+
+TEST_CASE("Simpack's files have comments of both kinds, and end where their spline does", "[profile]") {
+    const auto spec = read_profile(
+        std::string_view("% a rail\nspline.begin\n units.len.f = 1000. ! mm\n point.begin\n -30 3 % left\n 0 0\n 30 3\n"
+                         "point.end\nspline.end\nwritten by somebody\n"),
+        "a.prr");
+    CHECK(points_of(spec).points == std::vector<ProfilePoint>{{-30, 3}, {0, 0}, {30, 3}});
+}
+
 TEST_CASE("what is wrong with a file is said with its line", "[profile]") {
     refused("1 2\n3 x\n", "a.txt", "a.txt, line 2, has \"x\" where a number should stand");
     refused("1 2\n3 nan\n", "a.txt", "a.txt, line 2, has \"nan\"");
     refused("1 1e400\n", "a.txt", "a.txt, line 1, has \"1e400\"");
-    refused("1,5 2,5\n", "a.txt", "a.txt, line 1, has 4 numbers; a point has two");
+    refused("1,5,2,5\n", "a.txt", "a.txt, line 1, has 4 numbers; a point has two");
+    refused("1 2\ny z\n", "a.txt", "a.txt, line 2, has \"y\" where a number should stand");
+    refused("\"1\",\"x\"\n1 2\n", "a.txt", "a.txt, line 1, has");
+    refused("1.234,5 1.234,5\n", "a.txt", "a.txt, line 1, has 4 numbers");
     refused("1 \xff\x01\n", "a.txt", "has \"??\" where");
     refused(std::string("1 2\n\0\n", 6), "a.txt", "a.txt is no text");
     refused(std::string(5000, '1'), "a.txt", "a.txt, line 1, has 5000 characters");

@@ -6,6 +6,7 @@
 
 #include "contactd/error.hpp"
 #include "types/number_text.hpp"
+#include "types/profile_files/points_upwards.hpp"
 
 namespace contactd::geometry {
 namespace {
@@ -51,16 +52,12 @@ void check_sense(const Points& points, ProfileKind kind) {
     std::nth_element(heights.begin(), median, heights.end());
     const double usual = *median, centre = (points.front().y + points.back().y) / 2;
     if (kind == ProfileKind::wheel) {
-        // Where both faces were measured, what is lowest of a wheel that is upside down is the edge of a face.
-        constexpr double part_of_faces = 0.05;
-        const double faces = part_of_faces * (points.back().y - points.front().y);
-        const auto is_inside = [&](double y) { return y > points.front().y + faces && y < points.back().y - faces; };
-        const bool lies_on_faces = is_inside(upper->y) && !is_inside(lower->y);
-        if (usual - upper->z > flange_height && (lies_on_faces || usual - upper->z > 2 * (lower->z - usual)))
+        if (points_upwards(points, kind).value_or(false))
             throw InvalidArgument("profile.points",
                                   "rise to z = " + number_text(upper->z) + " at y = " + number_text(upper->y) +
                                       "; z points downwards, to the tip of the flange: change mirror_z");
-        if (lower->z - usual > flange_height && lower->y > centre)
+        // What falls off evenly to one side is a cone, and no flange.
+        if (lower->z - usual > std::max(flange_height, 2 * (usual - upper->z)) && lower->y > centre)
             throw InvalidArgument("profile.points", "have the flange at y = " + number_text(lower->y) +
                                                         "; y grows to the field side: change mirror_y");
     } else if (const double half = (upper->z + lower->z) / 2; std::max(points.front().z, points.back().z) < half &&
