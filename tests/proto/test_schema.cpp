@@ -127,7 +127,11 @@ TEST_CASE("A bad value of ic.get is named with what would be right", "[schema]")
             Case{"/ics/tolerance", "1", "ics.tolerance", "is 1; it must lie in [1e-13, 1)"},
             Case{"/ics/max_iterations", "0", "ics.max_iterations", "is 0; it must be at least 1"},
             Case{"/ics/strength_threshold", "-1", "ics.strength_threshold", "is -1; it must lie in [0, 1)"},
-            Case{"/ics/colour", "\"red\"", "ics.colour", "is not a field of ics"},
+            Case{"/ics/colour", "\"red\"", "ics.colour", "is not a field of ics; known fields are"},
+            Case{"/ics/stop_test", "\"update\"", "ics.stop_test",
+                 "is not a field of ics, but stopping_criterion is; known"},
+            Case{"/ics/tolerence", "1", "ics.tolerence", "is not a field of ics, but tolerance is; known fields are"},
+            Case{"/ics/sourc", "1", "ics.sourc", "is not a field of ics, but source is; known fields are"},
             Case{"/extra", "{}", "extra",
                  "is not a field of ic.get; known fields are components, grid, ics, material, rows"}));
 }
@@ -377,5 +381,6 @@ TEST_CASE("A schema of one's own can be used", "[schema]") {
         "properties": {"port": {"type": "integer", "minimum": 1, "maximum": 65535}}})");
     CHECK(violations_against(own, {{"port", 80}}).empty());
     REQUIRE(violations_against(own, {{"port", 0}}).size() == 1);
-    CHECK(violations_against(own, {{"prot", 1}})[0].description == "is not a field of the file; known fields are port");
+    CHECK(violations_against(own, {{"prot", 1}})[0].description ==
+          "is not a field of the file, but port is; known fields are port");
 }

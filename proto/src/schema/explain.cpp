@@ -142,10 +142,15 @@ class Explainer {
                 visit(properties[entry.key()], entry.value(), field);
             else if (others == false)
                 report(field, "is not a field of " + (path.empty() ? root_.value("title", "the message") : path) +
-                                  "; " + known_fields(properties));
+                                  closest_field(entry.key(), properties) + "; " + known_fields(properties));
             else
                 visit(others, entry.value(), field);
         }
+    }
+
+    static std::string closest_field(const std::string& name, const json& properties) {
+        const std::string closest = closest_name(name, names_of(properties));
+        return closest.empty() ? "" : ", but " + closest + " is";
     }
 
     static std::string known_fields(const json& properties) {

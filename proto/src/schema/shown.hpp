@@ -22,6 +22,9 @@ std::string shortened(std::string_view text, std::size_t limit = max_shown);
 /// A scalar as JSON, shortened; lists and objects by their kind and size.
 std::string shown(const nlohmann::json& value);
 
+/// The one of `names` that looks most like `name`, for a hint at what was misspelt; empty where none does.
+std::string closest_name(std::string_view name, const std::vector<std::string>& names);
+
 /// "a, b, c"
 std::string listed(const std::vector<std::string>& names, std::string_view separator = ", ");
 
