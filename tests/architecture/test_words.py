@@ -20,8 +20,8 @@ ROOT = Path(__file__).parents[2]
 #: Folders with C++, folders with C++ whose comments are held to it too, and folders with Python.
 FOLDERS = ["core", "engine", "tests/core", "tests/engine"]
 WITH_COMMENTS = [
-    "server", "bench", "proto", "client/cpp", "client/cntc", "packaging", "tests/server", "tests/verification", "tests/support",
-    "tests/fuzz",
+    "server", "bench", "proto", "client/cpp", "client/cntc", "packaging", "tests/proto", "tests/server", "tests/verification",
+    "tests/support", "tests/fuzz",
 ]  # fmt: skip
 PYTHON = [
     "bench", "docs", "packaging", "proto", "tests/integration", "tests/support", "tests/fuzz", "tests/load", "tests/conformance",

@@ -166,14 +166,14 @@ TEST_CASE("What a request leaves out has its default", "[codec]") {
 TEST_CASE("The schema tells the defaults of the solvers as they are", "[codec]") {
     const ContactProblem defaults;
     const json& solvers = schema("contact.solve.params")["properties"]["settings"]["properties"];
-    const auto told = [&](const char* solver) {
+    const auto settings_of = [&](const char* solver) {
         const json& fields = solvers[solver]["properties"];
         return SolverSettings{fields["tolerance"]["default"].get<double>(),
                               fields["max_iterations"]["default"].get<int>()};
     };
-    CHECK(told("normal") == defaults.settings.normal);
-    CHECK(told("tangential") == defaults.settings.tangential);
-    CHECK(told("outer") == defaults.settings.outer);
+    CHECK(settings_of("normal") == defaults.settings.normal);
+    CHECK(settings_of("tangential") == defaults.settings.tangential);
+    CHECK(settings_of("outer") == defaults.settings.outer);
 }
 
 TEST_CASE("A radius left out is a flat direction, one corner may be given", "[codec]") {

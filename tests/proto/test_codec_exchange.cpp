@@ -196,15 +196,15 @@ TEST_CASE("An export is asked for like a table, with a format and perhaps a seco
 
 TEST_CASE("What a client asks an export for arrives", "[codec]") {
     const IcSpec spec = decode_ic_spec(wire::ic_params());
-    for (const IcExport& wanted : {IcExport{spec, {}, FileFormat::hdf5}, IcExport{spec, {}, FileFormat::contents},
-                                   IcExport{spec, Material{1, 0.1}, FileFormat::contact}}) {
-        const json params = encode_ic_export(wanted);
+    for (const IcExport& requested : {IcExport{spec, {}, FileFormat::hdf5}, IcExport{spec, {}, FileFormat::contents},
+                                      IcExport{spec, Material{1, 0.1}, FileFormat::contact}}) {
+        const json params = encode_ic_export(requested);
         CAPTURE(params.dump());
         CHECK_NOTHROW(check_params("ic.export", params));
         const IcExport read = decode_ic_export(params);
-        CHECK(read.spec == wanted.spec);
-        CHECK(read.lower == wanted.lower);
-        CHECK(read.format == wanted.format);
+        CHECK(read.spec == requested.spec);
+        CHECK(read.lower == requested.lower);
+        CHECK(read.format == requested.format);
     }
 }
 

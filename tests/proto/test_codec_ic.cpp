@@ -229,9 +229,9 @@ TEST_CASE("Evidence of a closed form speaks of no build", "[codec]") {
     IcEvidence evidence;
     evidence.source = "analytic";
     evidence.version = "contactd 0.1.0";
-    const json said = sent(encode_evidence(evidence));
-    CHECK(said == json{{"source", "analytic"}, {"version", "contactd 0.1.0"}});
-    const IcEvidence read = decode_evidence(said);
+    const json message = sent(encode_evidence(evidence));
+    CHECK(message == json{{"source", "analytic"}, {"version", "contactd 0.1.0"}});
+    const IcEvidence read = decode_evidence(message);
     CHECK(read.elements == 0);
     CHECK(read.load_cases.empty());
     CHECK_FALSE(read.errors.zz);

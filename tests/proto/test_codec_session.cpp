@@ -213,9 +213,9 @@ TEST_CASE("An answer holds the arrays that were asked for") {
 }
 
 TEST_CASE("An opened session arrives as it was told") {
-    SessionReply told{"name", 60, 3, {}};
-    told.ics.upper = IcUse{"closed_form", std::string(64, 'a'), {}};
-    const SessionReply read = decode_session_reply(encode_session_reply(told));
+    SessionReply reported{"name", 60, 3, {}};
+    reported.ics.upper = IcUse{"closed_form", std::string(64, 'a'), {}};
+    const SessionReply read = decode_session_reply(encode_session_reply(reported));
 
     CHECK(read.session == "name");
     CHECK(read.lease_seconds == 60);
@@ -225,18 +225,18 @@ TEST_CASE("An opened session arrives as it was told") {
 }
 
 TEST_CASE("Where a session is arrives as it was told") {
-    SessionInfo told;
-    told.step = 7;
-    told.lease_seconds = 60;
-    told.states = 2;
-    told.bytes = 3;
-    told.grid = Grid{2, 1, 0.5, 1, -1, 4};
-    told.ics.lower = IcUse{"memory", std::string(64, 'a'), {}};
-    told.ics.lower->evidence.source = "analytic";
+    SessionInfo reported;
+    reported.step = 7;
+    reported.lease_seconds = 60;
+    reported.states = 2;
+    reported.bytes = 3;
+    reported.grid = Grid{2, 1, 0.5, 1, -1, 4};
+    reported.ics.lower = IcUse{"memory", std::string(64, 'a'), {}};
+    reported.ics.lower->evidence.source = "analytic";
     for (const auto& motion :
          {std::optional<MotionKind>(), std::optional(MotionKind::shift), std::optional(MotionKind::rolling)}) {
-        told.motion = motion;
-        const json result = encode_session_info(told);
+        reported.motion = motion;
+        const json result = encode_session_info(reported);
         CAPTURE(result.dump());
         REQUIRE(violations_of("session.info.result", result).empty());
         const SessionInfo info = decode_session_info(result);
@@ -245,9 +245,9 @@ TEST_CASE("Where a session is arrives as it was told") {
         CHECK(info.lease_seconds == 60);
         CHECK(info.states == 2);
         CHECK(info.bytes == 3);
-        CHECK(info.grid == told.grid);
+        CHECK(info.grid == reported.grid);
         REQUIRE(info.ics.lower);
-        CHECK(info.ics.lower->key == told.ics.lower->key);
+        CHECK(info.ics.lower->key == reported.ics.lower->key);
         CHECK_FALSE(info.ics.upper);
         CHECK(info.motion == motion);
     }

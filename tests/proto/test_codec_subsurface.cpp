@@ -80,10 +80,10 @@ TEST_CASE("A request for stresses arrives as it was sent", "[codec]") {
         CHECK(std::get<StressPoints>(read.points) == points);
         return;
     }
-    const StressBlock &block = std::get<StressBlock>(read.points), &wanted = std::get<StressBlock>(original.points);
-    CHECK(block.x == wanted.x);
-    CHECK(block.y == wanted.y);
-    CHECK(block.z == wanted.z);
+    const StressBlock &block = std::get<StressBlock>(read.points), &expected = std::get<StressBlock>(original.points);
+    CHECK(block.x == expected.x);
+    CHECK(block.y == expected.y);
+    CHECK(block.z == expected.z);
 }
 
 TEST_CASE("The lower body is the one meant when none is named", "[codec]") {

@@ -245,22 +245,22 @@ TEST_CASE("The solution of a wheel on a rail comes back exactly", "[codec]") {
     CHECK(read.rail_search->residual == 1e-7);
     CHECK(read.derivatives == original.derivatives);
     REQUIRE(read.patches.size() == 1);
-    const WheelRailPatch &patch = read.patches[0], &wanted = original.patches[0];
-    CHECK(patch.place.reference == wanted.place.reference);
-    CHECK(patch.place.regions == wanted.place.regions);
-    CHECK(patch.place.shares == wanted.place.shares);
-    CHECK(patch.place.grid == wanted.place.grid);
-    CHECK(patch.place.approach == wanted.place.approach);
-    CHECK(patch.place.penetration == wanted.place.penetration);
-    CHECK(patch.place.creepages == wanted.place.creepages);
-    CHECK(patch.place.radii == wanted.place.radii);
-    CHECK(patch.gap == wanted.gap);
-    CHECK(patch.solution.pressure == wanted.solution.pressure);
-    CHECK(patch.solution.traction_x == wanted.solution.traction_x);
-    CHECK(patch.solution.element_division == wanted.solution.element_division);
+    const WheelRailPatch &patch = read.patches[0], &expected = original.patches[0];
+    CHECK(patch.place.reference == expected.place.reference);
+    CHECK(patch.place.regions == expected.place.regions);
+    CHECK(patch.place.shares == expected.place.shares);
+    CHECK(patch.place.grid == expected.place.grid);
+    CHECK(patch.place.approach == expected.place.approach);
+    CHECK(patch.place.penetration == expected.place.penetration);
+    CHECK(patch.place.creepages == expected.place.creepages);
+    CHECK(patch.place.radii == expected.place.radii);
+    CHECK(patch.gap == expected.gap);
+    CHECK(patch.solution.pressure == expected.solution.pressure);
+    CHECK(patch.solution.traction_x == expected.solution.traction_x);
+    CHECK(patch.solution.element_division == expected.solution.element_division);
     CHECK(patch.solution.forces.Fn == 3);
     CHECK(patch.solution.evidence.normal.iterations == 2);
-    CHECK(patch.forces.track == wanted.forces.track);
+    CHECK(patch.forces.track == expected.forces.track);
 }
 
 TEST_CASE("Arrays of patches come where they are asked for", "[codec]") {
@@ -308,11 +308,11 @@ TEST_CASE("Geometries come back exactly", "[codec]") {
 }
 
 TEST_CASE("Conicities are asked for and come back", "[codec]") {
-    const ConicityRequest wanted{{1, 2.5}, {WheelsetRoll::demanded, 1510, 1e-2}};
+    const ConicityRequest expected{{1, 2.5}, {WheelsetRoll::demanded, 1510, 1e-2}};
     ArrayWriter arrays(ArrayEncoding::frame);
-    const json params = sent(encode_conicity_request({unusual_setup()}, wanted, arrays));
+    const json params = sent(encode_conicity_request({unusual_setup()}, expected, arrays));
     CHECK_NOTHROW(check_params("wheelrail.geometry", params));
-    CHECK(decode_conicity(params["conicity"]) == wanted);
+    CHECK(decode_conicity(params["conicity"]) == expected);
     CHECK(decode_conicity({{"amplitudes", {3}}}) == ConicityRequest{{3}});
 
     const double none = std::numeric_limits<double>::quiet_NaN();
@@ -399,13 +399,13 @@ TEST_CASE("Points of many slices are limited, though they come in one frame", "[
 }
 
 TEST_CASE("Contacts of a wheelset are asked for and come back exactly", "[codec]") {
-    const ContactsRequest wanted{{-1, 0.1 + 0.2}, WheelsetRoll::demanded};
+    const ContactsRequest expected{{-1, 0.1 + 0.2}, WheelsetRoll::demanded};
     const WheelsetSetup setup{WheelRailSetup{}, unusual_setup()};
     ArrayWriter asked(ArrayEncoding::frame);
-    const json params = sent(encode_contacts_request(setup, wanted, asked));
+    const json params = sent(encode_contacts_request(setup, expected, asked));
     CHECK_NOTHROW(check_params("wheelrail.geometry", params));
     CHECK(decode_wheelset_setup(params, asked.take_frames()) == setup);
-    CHECK(decode_contacts_request(params["contacts"]) == wanted);
+    CHECK(decode_contacts_request(params["contacts"]) == expected);
     CHECK(decode_contacts_request({{"shifts", {3}}}) == ContactsRequest{{3}});
 
     const std::vector<WheelsetContacts> contacts{

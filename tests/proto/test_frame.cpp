@@ -21,9 +21,9 @@ const std::string text = "longer than what a string keeps within itself";
 }  // namespace
 
 TEST_CASE("A frame keeps the memory of what it is made of", "[frame]") {
-    std::string words = text;
-    const void* memory = words.data();
-    CHECK(Frame(std::move(words)).data() == memory);
+    std::string characters = text;
+    const void* memory = characters.data();
+    CHECK(Frame(std::move(characters)).data() == memory);
 
     std::vector<double> numbers{1, 2};
     memory = numbers.data();

@@ -103,8 +103,8 @@ void damage(json& node, Generator& generator) {
 }
 
 bool says_what_would_be_right(const std::string& description) {
-    for (const char* words : {"it must", "known fields", "does not go with"})
-        if (description.find(words) != std::string::npos) return true;
+    for (const char* phrase : {"it must", "known fields", "does not go with"})
+        if (description.find(phrase) != std::string::npos) return true;
     return false;
 }
 

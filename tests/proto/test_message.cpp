@@ -143,14 +143,14 @@ TEST_CASE("The id is found before the mistake", "[message]") {
 }
 
 TEST_CASE("Numbers that are not finite are refused by field", "[message]") {
-    const std::string word =
+    const std::string token =
         GENERATE(as<std::string>{}, "NaN", "nan", "Infinity", "-Infinity", "inf", "-inf", "1e400", "-1e999999999");
-    CAPTURE(word);
-    const Refusal refusal = refusal_of(envelope_with(R"("params": {"grid": {"dx": )" + word + "}}"));
+    CAPTURE(token);
+    const Refusal refusal = refusal_of(envelope_with(R"("params": {"grid": {"dx": )" + token + "}}"));
 
     CHECK(refusal.status.reason == "NOT_JSON");
     CHECK(refusal.field() == "grid.dx");
-    CHECK_THAT(refusal.status.message, ContainsSubstring(word) && ContainsSubstring("finite"));
+    CHECK_THAT(refusal.status.message, ContainsSubstring(token) && ContainsSubstring("finite"));
     CHECK(refusal.id == "7f");
 }
 
