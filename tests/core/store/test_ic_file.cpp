@@ -1,5 +1,7 @@
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
 
+#include "contactd/ic_contents.hpp"
 #include "ic_records.hpp"
 
 using namespace contactd;
@@ -160,6 +162,23 @@ TEST_CASE("A family that does not hold together is damaged") {
     write_ic_file(folder.path() / "family.h5", record);
 
     CHECK_THROWS_AS(read_ic_file(folder.path() / "family.h5"), DamagedTable);
+}
+
+TEST_CASE("A file that names a field or its keyword otherwise is damaged, and says which") {
+    FileContents contents = contents_of(record_of(fem_spec(5, 1)));
+    std::string message;
+    SECTION("a keyword") {
+        contents.attributes.at("spec/body") = std::string("prism");
+        message = "spec/body of the file is not known.";
+    }
+    SECTION("a field") {
+        auto field = contents.attributes.extract("spec/stopping_criterion");
+        REQUIRE_FALSE(field.empty());
+        field.key() = "spec/stop_test";
+        contents.attributes.insert(std::move(field));
+        message = "spec/stopping_criterion of the file is missing.";
+    }
+    CHECK_THROWS_MATCHES(record_from(contents), DamagedTable, Catch::Matchers::Message(message));
 }
 
 TEST_CASE("Writing where nothing can be written is an error that names the file") {
