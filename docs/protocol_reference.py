@@ -40,7 +40,7 @@ class Reference:
         sections += [self.method(method) for method in self.document["methods"]]
         sections += ["## Messages\n"]
         sections += [self.message(name) for name in ("envelope", "progress", "reply")]
-        sections += ["## Parts\n\nWhat several messages have in common.\n"]
+        sections += ["## Parts\n\nDefinitions that several messages have in common.\n"]
         sections += [
             f"### {name}\n\n{_paragraph(schema['description'])}\n{self.table(schema)}" for name, schema in self.parts.items()
         ]
