@@ -18,15 +18,22 @@ named there has a form of its own on the wire, and so has an object with fields 
 `x-partial`   an object that has some fields only of the struct that it names
 `x-python`    a field in Python, where that is not plain:
                type      its type;  default: its default, both as code
+               says      its sentence
                keys      an object that is a tuple there: the names of its parts
-               flat      an object whose fields are those of the class around it
+               array     the name that an array has in the object in whose place it stands
+               flat      an object whose fields are those of the class around it;  spread: these, too
                required  whether it must be there, where it differs
-`x-python-class` an object, or a list of words, in Python:
-               name, description  of the class, where they are not that of C++ and that of the object
+`x-python-class` an object, or a list of words, in Python. An object that is several classes has a list of these:
+               name, description  of the class, where they are not that of C++ and that of the object; a list of paragraphs
                bases, dataclass, keywords, examples: its bases, the arguments of the decorator, the name of the typed keyword
                          arguments, and lines of code that its docstring shows
+               public    refusals end at the line that makes a value;  typed_dict: a dictionary instead of a dataclass
+               fields, without  those of the object that it has, or has not
+               of_fields x-python of fields that are otherwise in this class
+               order, positional  the fields that come first, and those that are given by place in a class of keywords
                adds      fields that the client fills in, with their types and sentences
                sends_defaults  fields that are left out have the defaults of the schema, not None
+               fixed     a field of the wire and the value that it always has;  key: the object in which all others are
 """
 
 from __future__ import annotations

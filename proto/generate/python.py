@@ -11,7 +11,7 @@ import textwrap
 from pathlib import Path
 
 from .declarations import ROOT, Declarations, Schema
-from .python_classes import Class, Collected, Member, in_python, literal
+from .python_classes import Class, Collected, Member, in_code, in_python, literal
 from .python_modules import MODULES, Module
 
 VALUES = ROOT / "client" / "python" / "contactd" / "values"
@@ -20,21 +20,21 @@ WIDTH = 120
 #: Names of other modules that generated code uses, and what imports them.
 NAMES = {
     "Sequence": "collections.abc", "Mapping": "collections.abc", "dataclass": "dataclasses", "field": "dataclasses",
-    "replace": "dataclasses", "TYPE_CHECKING": "typing", "Any": "typing", "Literal": "typing", "TypedDict": "typing",
+    "replace": "dataclasses", "KW_ONLY": "dataclasses", "TYPE_CHECKING": "typing", "Any": "typing", "Literal": "typing", "TypedDict": "typing",
     "Generic": "typing", "npt": "import numpy.typing as npt", "np": "import numpy as np", "public": "...refusals",
 }  # fmt: skip
 UNPACK = "\nif TYPE_CHECKING:\n    from typing_extensions import Unpack\n"
 REPLACE = '''
     @public
     def replace(self, **changes: Unpack[{keywords}]) -> {name}:
-        """A copy with some fields changed."""
-        return replace(self, **changes)
+        """A copy with some fields changed{says}."""
+        return replace(self, **{changes})
 '''
 
 
 def python_files(declarations: Declarations) -> dict[Path, str]:
     """The text of each file."""
-    homes = {**_written_by_hand(), **NAMES}
+    homes = {**_written_by_hand(), **NAMES, "instead": "params"}
     mine = {module.name: Collected(declarations, module) for module in MODULES}
     roots = {name: module for module, collected in mine.items() for name in collected.roots}
     files = {}
@@ -42,7 +42,7 @@ def python_files(declarations: Declarations) -> dict[Path, str]:
         found = mine[module.name]
         found.collect(lambda name, here=module.name, taken=frozenset(homes): name not in taken and roots.get(name, here) == here)
         files[VALUES / f"{module.name}.py"] = _text(module, found, homes)
-        homes.update(dict.fromkeys([*found.classes, *found.words], module.name))
+        homes.update(dict.fromkeys([*found.classes, *found.words, *module.aliases], module.name))
     return files
 
 
@@ -65,49 +65,68 @@ def _text(module: Module, found: Collected, homes: dict[str, str]) -> str:
     code = [f"{name} = Literal[{', '.join(map(literal, words))}]" for name, words in found.words.items()]
     keywords = {one.name: one.schema.get("x-python-class", {}).get("keywords") for one in listed}
     parts = ["\n".join(code)] if code else []
-    parts += [_class(one, keywords[one.name]) for one in listed]
-    parts += [_keywords(one, keywords[one.name]) for one in listed if keywords[one.name]]
+    parts += [_class(one) for one in listed]
+    parts += [_keywords(one, keywords[one.name], f"Keywords of {one.name}.") for one in listed if keywords[one.name]]
+    parts += [f"{name} = {means}" for name, means in module.aliases.items()]
     body = "\n\n\n".join(parts)
-    exported = _all([*found.classes, *found.words, *filter(None, keywords.values())])
+    exported = _all([*found.classes, *found.words, *filter(None, keywords.values()), *module.aliases])
     body = f"{UNPACK if any(keywords.values()) else ''}\n{exported}{'' if code else chr(10)}\n{body}"
     head = f'"""{_filled(module.says, 3, 0)}\n\n{NOTE}\n"""\n\nfrom __future__ import annotations\n\n'
     return f"{head}{_imports(module.name, body, homes, {*found.classes, *found.words})}{body}\n"
 
 
-def _class(one: Class, keywords: str | None) -> str:
+def _class(one: Class) -> str:
     options = one.schema.get("x-python-class", {})
+    if options.get("typed_dict"):
+        return _keywords(one, one.name, options["description"])
     bases = f"({', '.join(options['bases'])})" if "bases" in options else ""
     arguments = ", ".join(["frozen=True", *(f"{name}={value}" for name, value in options.get("dataclass", {}).items())])
-    lines = [f"@dataclass({arguments})", f"class {one.name}{bases}:", _docstring(one, options), ""]
-    lines += [_member(member) for member in one.members]
-    method = REPLACE.format(keywords=keywords, name=one.name).rstrip() if keywords else ""
-    return "\n".join(lines) + (f"\n{method}" if method else "")
+    lines = ["@public"] if options.get("public") else []
+    lines += [f"@dataclass({arguments})", f"class {one.name}{bases}:", _docstring(one, options)]
+    marks = [f"    _{name} = {in_code(options[name])}" for name in ("key", "fixed") if name in options]
+    members = [_member(member) for member in one.members]
+    if "positional" in options:
+        members.insert(len(options["positional"]), "    _: KW_ONLY")
+    blocks = ["\n".join(block) for block in (marks, members) if block]
+    if "keywords" in options:
+        blocks.append(_replace(one, options["keywords"]))
+    return "\n\n".join(["\n".join(lines), *blocks])
+
+
+def _replace(one: Class, keywords: str) -> str:
+    """The method; of fields of which the schema wants one, each takes the place of the others."""
+    either = [part["required"][0] for part in one.schema.get("oneOf", ())]
+    says = f"; {' and '.join(either)} take the place of each other" if either else ""
+    changes = f"instead(changes, {', '.join(map(literal, either))})" if either else "changes"
+    return REPLACE.format(keywords=keywords, name=one.name, says=says, changes=changes).strip("\n")
 
 
 def _docstring(one: Class, options: Schema) -> str:
     """Returns the docstring of a class, without what the schema says of leaving its object out."""
-    says = in_python(re.sub(r"[.;] [Ll]eft out:? [^.;]*", "", options.get("description", one.schema["description"])))
-    lines = [f'    """{_filled(says, 7, 4)}', ""]
+    says = options.get("description", one.schema["description"])
+    first, *others = says if isinstance(says, list) else [re.sub(r"[.;] [Ll]eft out:? [^.;]*", "", says)]
+    paragraphs = [f'    """{_filled(in_python(first), 7, 4)}', *("    " + _filled(other, 4, 4) for other in others)]
     if "examples" in options:
-        lines += ["    ::", "", *(f"        {example}" for example in options["examples"]), ""]
-    lines.append("    Attributes:")
-    lines += [" " * 8 + _filled(f"{member.name}: {member.says}", 8, 12) for member in one.members]
-    return "\n".join([*lines, '    """'])
+        paragraphs.append("\n".join(["    ::", "", *(f"        {example}" for example in options["examples"])]))
+    if one.members:
+        attributes = [" " * 8 + _filled(f"{member.name}: {member.says}", 8, 12) for member in one.members]
+        paragraphs.append("\n".join(["    Attributes:", *attributes]))
+    text = "\n\n".join(paragraphs)
+    return text + ('\n    """' if "\n" in text else '"""')
 
 
 def _member(member: Member) -> str:
     line = f"    {member.name}: {member.type}"
     if member.notes:
-        notes = {key: tuple(value) if isinstance(value, list) else value for key, value in member.notes.items()}
-        metadata = repr(notes).replace("'", '"')
-        arguments = f"default={member.default}, metadata={metadata}"
+        arguments = "" if member.default is None else f"default={member.default}, "
+        arguments += f"metadata={in_code(member.notes)}"
         whole = f"{line} = field({arguments})"
         return whole if len(whole) <= WIDTH else f"{line} = field(\n        {arguments}\n    )"
     return line if member.default is None else f"{line} = {member.default}"
 
 
-def _keywords(one: Class, name: str) -> str:
-    lines = [f"class {name}(TypedDict, total=False):", f'    """Keywords of {one.name}."""', ""]
+def _keywords(one: Class, name: str, says: str) -> str:
+    lines = [f"class {name}(TypedDict, total=False):", f'    """{_filled(says, 7, 4)}"""', ""]
     return "\n".join(lines + [f"    {member.name}: {member.type}" for member in one.members])
 
 
@@ -125,7 +144,7 @@ def _listing(head: str, items: list[str], tail: str) -> str:
 
 
 def _all(names: list[str]) -> str:
-    return _listing("__all__ = [", [f'"{name}"' for name in sorted(names)], "]") + "\n"
+    return _listing("__all__ = [", [f'"{name}"' for name in sorted(names, key=_order)], "]") + "\n"
 
 
 def _imports(module: str, body: str, homes: dict[str, str], own: set[str]) -> str:

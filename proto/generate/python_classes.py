@@ -12,8 +12,13 @@ from .cpp import number_text
 from .declarations import DeclarationError, Declarations, Schema
 from .python_modules import Module
 
-OF_FIELDS = {"type", "default", "keys", "flat", "required"}
-OF_CLASSES = {"name", "description", "bases", "dataclass", "keywords", "examples", "adds", "sends_defaults"}
+OF_FIELDS = {"type", "default", "keys", "array", "flat", "spread", "required", "says"}
+OF_CLASSES = {
+    "name", "description", "bases", "dataclass", "public", "keywords", "typed_dict", "examples", "adds", "sends_defaults",
+    "fields", "without", "of_fields", "order", "positional", "key", "fixed",
+}  # fmt: skip
+BOUNDS = {"minimum": ">=", "exclusiveMinimum": ">", "maximum": "<=", "exclusiveMaximum": "<"}
+MEANT_BY_NOBODY = 1000
 JSON_TYPES = {"number": "float", "integer": "int", "boolean": "bool", "string": "str"}
 
 
@@ -40,10 +45,20 @@ class Collected:
 
     def __init__(self, declarations: Declarations, module: Module) -> None:
         self._resolved = declarations.resolved
-        schemas = [self._resolved({"$ref": root}) for root in module.roots]
+        self._says_ranges = module.is_asked
+        schemas = [self._root(root) for root in module.roots]
         self.roots = {_name(schema): schema for schema in schemas}
         self.classes: dict[str, Class] = {}
         self.words: dict[str, tuple[str, ...]] = {}
+
+    def _root(self, root: str) -> Schema:
+        """The schema at a pointer, behind which a schema that is several classes has the name of one."""
+        pointer, _, name = root.partition(" ")
+        schema = self._resolved({"$ref": pointer})
+        if not name:
+            return schema
+        (options,) = [options for options in schema["x-python-class"] if options["name"] == name]
+        return {**schema, "x-python-class": options}
 
     def collect(self, is_mine: Callable[[str], bool]) -> None:
         self._is_mine = is_mine
@@ -59,27 +74,41 @@ class Collected:
             return
         schema = self.roots.get(name, schema)
         options = schema.get("x-python-class", {})
-        members = list(self._members(schema, options))
-        members += [Member(added, f"{kind} | None", "None", says, {}) for added, (kind, says) in options.get("adds", {}).items()]
-        members.sort(key=lambda member: member.default is not None)
-        self.classes[name] = Class(name, schema, members)
+        members = {member.name: member for member in self._members(schema, options)}
+        for added, (kind, says) in options.get("adds", {}).items():
+            members[added] = Member(added, f"{kind} | None", "None", says, {})
+        order = {member: place for place, member in enumerate(options.get("order", ()))}
+        if lacking := {*options.get("positional", ()), *order} - members.keys():
+            raise DeclarationError(f"{name} has no {', '.join(sorted(lacking))}, which x-python-class names")
+        listed = sorted(members.values(), key=lambda member: (member.default is not None, order.get(member.name, len(order))))
+        self.classes[name] = Class(name, schema, listed)
 
     def _members(self, schema: Schema, options: Schema, within: str = "") -> Iterator[Member]:
-        for name, given in schema["properties"].items():
-            part = self._resolved(given)
-            own = part.get("x-python", {})
+        """The fields; where it is within another one's, those of a field of the wire that is none here."""
+        properties = schema.get("properties", {})
+        chosen = properties if within else options.get("fields", properties)
+        for name in chosen:
+            part = self._resolved(properties[name])
+            own = {**part.get("x-python", {}), **options.get("of_fields", {}).get(name, {})}
             if unknown := (own.keys() - OF_FIELDS) | (options.keys() - OF_CLASSES):
                 raise DeclarationError(f"{name} has {', '.join(sorted(unknown))} in Python, which nobody knows")
-            if own.get("flat"):
-                yield from self._members(part, options, name)
+            if name in options.get("without", ()):
                 continue
+            part = {**part, "x-python": own}
+            if own.get("flat") or own.get("spread"):
+                yield from self._members(part, options, name)
+                if own.get("flat"):
+                    continue
             kind = self._type_of_value(part)
-            required = own.get("required", name in schema.get("required", [])) and not within
+            required = own.get("required", name in schema.get("required", ()) and not within)
             default = None if required and "default" not in own else self._default(part, own, kind, options)
             if (default == "None" or "null" in _types(part)) and not kind.endswith("| None"):
                 kind = f"{kind} | None"
             notes = {key: value for key, value in [("keys", own.get("keys")), ("within", within)] if value}
-            yield Member(name, kind, default, _sentence(part, default), notes)
+            if own.get("array") or kind.startswith("npt.ArrayLike"):
+                notes["array"] = own.get("array", "")
+            says = own["says"] if "says" in own else _sentence(part, default, self._says_ranges)
+            yield Member(name, kind, default, says, notes)
 
     def _default(self, schema: Schema, own: Schema, kind: str, options: Schema) -> str:
         if "default" in own:
@@ -89,6 +118,8 @@ class Collected:
             return "None"
         if isinstance(value, dict):
             return f"{kind}()"
+        if isinstance(value, list):
+            return f"({', '.join(repr(float(item)) for item in value)})"
         return repr(float(value)) if kind == "float" else literal(value)
 
     def _type_of_value(self, schema: Schema) -> str:
@@ -136,18 +167,38 @@ def literal(value: Any) -> str:
     return number_text(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else repr(value)
 
 
-def _sentence(schema: Schema, default: str | None) -> str:
-    """The description, with its unit, and what the daemon takes in place of None."""
+def in_code(value: Any) -> str:
+    """A value of JSON, lists as tuples, in Python's words."""
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{literal(key)}: {in_code(item)}" for key, item in value.items()) + "}"
+    return f"({', '.join(map(literal, value))})" if isinstance(value, list) else literal(value)
+
+
+def _sentence(schema: Schema, default: str | None, says_range: bool) -> str:
+    """The description, with its unit and its range, and what the daemon takes in place of None."""
     text = in_python(schema["description"])
-    if unit := schema.get("x-unit"):
-        end = r"(?=; |\. |\.$)" if text.startswith(("Of ", "Where ")) else r"(?=: |; |\. |\.$)"
-        text = re.sub(end, f" ({unit})", text, count=1)
+    unit, bounds = schema.get("x-unit"), _range(schema) if says_range else ""
+    if unit or bounds:
+        notes = f"({unit}), {bounds}" if unit and bounds else f"({unit or bounds})"
+        ends = re.finditer(r"; |\. |\.$" if text.startswith(("Of ", "Where ")) else r": |; |\. |\.$", text)
+        first = next(end.start() for end in ends if text.count("(", 0, end.start()) == text.count(")", 0, end.start()))
+        text = f"{text[:first]} {notes}{text[first:]}"
     if "enum" in schema and (schema.get("x-python", {}).get("type") or not {"x-cpp", "x-python-class"} & schema.keys()):
         text = f"{text} One of {', '.join(map(literal, schema['enum']))}."
     daemons = schema.get("default")
-    if default == "None" and daemons is not None and not isinstance(daemons, (dict, list)):
-        text = f"{text} Default {literal(daemons)}."
+    if default == "None" and daemons is not None and not isinstance(daemons, dict):
+        text = f"{text} Default {in_code(daemons)}."
     return text
+
+
+def _range(schema: Schema) -> str:
+    """Bounds that tell something: others keep out what nobody means, or a number of things from being negative."""
+    found = {key: schema[key] for key in BOUNDS if abs(schema.get(key, MEANT_BY_NOBODY)) < MEANT_BY_NOBODY}
+    if {*found} == {"minimum", "maximum"}:
+        return f"{found['minimum']:g} to {found['maximum']:g}"
+    if "number" not in _types(schema):
+        return ""
+    return ", ".join(f"{BOUNDS[key]} {value:g}" for key, value in found.items())
 
 
 def in_python(text: str) -> str:

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 
 @dataclass(frozen=True)
 class Module:
-    """`name` is its path; `roots` are what it declares, with all that this is made of."""
+    """`name` is its path; `roots` are what it declares, with all that this is made of: pointers, and behind a space the class
+    where a schema is several. `aliases` are other names of types. What `is_asked` says its ranges."""
 
     name: str
     says: str
     roots: tuple[str, ...]
+    aliases: dict[str, str] = field(default_factory=dict)
+    is_asked: bool = False
 
 
 MODULES = [
@@ -24,6 +27,54 @@ MODULES = [
             "job.list.result.json#/properties/jobs/items",
             "session.list.result.json#/properties/sessions/items",
         ),
+    ),
+    Module(
+        "grid",
+        "The potential contact area, and undeformed distances, such as the paraboloid of a Hertzian contact.",
+        (
+            "definitions.json#/definitions/grid",
+            "contact.solve.params.json#/properties/gap/properties/paraboloid",
+            "contact.solve.params.json#/properties/gap/properties/semi_axes",
+        ),
+        is_asked=True,
+    ),
+    Module(
+        "materials",
+        "What bodies are made of. Any consistent system of units works; the docstrings name N and mm.",
+        (
+            "definitions.json#/definitions/material",
+            "definitions.json#/definitions/body/properties/rigid",
+            "definitions.json#/definitions/ics/properties/layers/items",
+            "definitions.json#/definitions/ics LayeredBody",
+        ),
+        is_asked=True,
+    ),
+    Module(
+        "profile_shapes",
+        "Profiles of wheels and rails. They are those of the right side, also of a left wheel: y to the field side, z down, the "
+        "flange of a wheel and the gauge face of a rail at y < 0 (mm).",
+        (
+            "definitions.json#/definitions/profile/properties/s1002",
+            "definitions.json#/definitions/profile/properties/rail_60e1",
+            "definitions.json#/definitions/profile/properties/arc",
+            "definitions.json#/definitions/profile/properties/cone",
+            "definitions.json#/definitions/profile",
+        ),
+        {"Profile": "S1002 | Rail60E1 | ArcProfile | ConeProfile | ProfilePoints"},
+        is_asked=True,
+    ),
+    Module(
+        "fem_ics",
+        "Influence coefficients by finite elements: how tables of them are asked for.",
+        ("definitions.json#/definitions/ics FemIcs",),
+        is_asked=True,
+    ),
+    Module(
+        "ics",
+        "Influence coefficients: where they come from.",
+        ("definitions.json#/definitions/ics/properties/line_contact", "definitions.json#/definitions/ics AnalyticIcs"),
+        {"Ics": "AnalyticIcs | FemIcs"},
+        is_asked=True,
     ),
     Module(
         "evidence",
@@ -41,8 +92,20 @@ MODULES = [
     ),
     Module(
         "motion",
-        "Rolling, and how friction falls with the slip velocity.",
-        ("definitions.json#/definitions/rolling", "contact.solve.params.json#/properties/friction/properties/kinetic"),
+        "How bodies move, a shift or rolling, and how friction falls with the slip velocity.",
+        (
+            "definitions.json#/definitions/rolling",
+            "contact.solve.result.json#/properties/motion",
+            "contact.solve.params.json#/properties/friction/properties/kinetic",
+        ),
+        is_asked=True,
+    ),
+    Module(
+        "friction",
+        "Friction, and how the bodies move. Slip is that of the upper body over the lower one; in slip the traction on the upper "
+        "body opposes it.",
+        ("contact.solve.params.json#/properties/friction",),
+        is_asked=True,
     ),
     Module(
         "result",
@@ -61,15 +124,34 @@ MODULES = [
         ),
     ),
     Module(
+        "problem",
+        "What is asked: contact problems as plain, immutable values. Any consistent system of units works; the docstrings name N "
+        "and mm. Ranges are the daemon's business: a value it cannot use comes back as InvalidArgument naming the field.",
+        (
+            "contact.solve.params.json#/properties/previous",
+            "contact.solve.params.json#/properties/columns",
+            "contact.solve.params.json#",
+        ),
+        is_asked=True,
+    ),
+    Module("step_input", "What a step of a contact says.", ("session.step.params.json# StepInput",)),
+    Module(
         "wheel_rail/setup",
         "A wheel on a rail: what all steps of a simulation have in common. Lengths in mm, angles in rad, forces in N on the "
         "rail. What is None takes the daemon's default.",
         ("definitions.json#/definitions/wheel_rail_friction", "definitions.json#/definitions/wheel_rail_setup"),
+        is_asked=True,
     ),
     Module(
         "wheel_rail/state",
         "Where a wheelset is, and how it moves. Lengths in mm, angles in rad, forces in N.",
         ("definitions.json#/definitions/wheel_rail_state", "wheelrail.wheelset.params.json#/properties/state"),
+        is_asked=True,
+    ),
+    Module(
+        "wheel_rail/step_input",
+        "What a step of a wheel on its rail says.",
+        ("session.step.params.json# WheelRailStepInput",),
     ),
     Module(
         "wheel_rail/forces",

@@ -60,7 +60,7 @@ from contactd.values.answers import read
 from contactd.values.wheel_rail.params import setup_params
 from contactd.wheel_rail import RailDeflection, Track, WheelRailSetup
 
-assert "probe: A number (mm). Default 1." in Track.__doc__, Track.__doc__
+assert "probe: A number (mm), 0 to 5. Default 1." in Track.__doc__, Track.__doc__
 track = Track(probe=3, probe_kind="second")
 assert setup_params(WheelRailSetup(track=track))["track"] == {"probe": 3, "probe_kind": "second"}
 assert read(RailDeflection, {"y": 1, "z": 2, "probe": 3}).probe == 3

@@ -53,19 +53,23 @@ from .files.table_files import load_table, save_table
 from .local import LocalDaemon, local
 from .values.dictionaries import from_dict, to_dict
 from .values.evidence import IcEvidence, SectionEvidence, SolverEvidence, SolverSettings, TangentialSettings
-from .values.friction import Friction, KineticFriction, Rolling, Shift
+from .values.fem_ics import FemIcs
+from .values.friction import Friction
 from .values.grid import Grid, Paraboloid, SemiAxes
-from .values.ics import AnalyticIcs, FemIcs, LineContact
+from .values.ics import AnalyticIcs, LineContact
 from .values.materials import Layer, LayeredBody, Material, RigidBody
-from .values.partial_solution import PartialSolution, SavedState, StepInput, StepSolution
+from .values.motion import KineticFriction, Rolling, Shift
+from .values.partial_solution import PartialSolution, SavedState, StepSolution
 from .values.problem import ContactColumns, ContactProblem, Estimate
 from .values.records import ImportedIc, QuarantinedIc, RecentPatch, RecentSolve, StoredIc
 from .values.registry import register
 from .values.service import Job, Limits, Progress, ServerInfo, SessionSummary
 from .values.solution import ContactSolution
+from .values.step_input import StepInput
 from .values.subsurface import LargestStress, StressBlock, SubsurfaceStress
 from .values.tables import IcTable, TableIcs, combined_modulus
-from .values.wheel_rail.solution import WheelRailStepInput, WheelRailStepSolution
+from .values.wheel_rail.solution import WheelRailStepSolution
+from .values.wheel_rail.step_input import WheelRailStepInput
 
 if TYPE_CHECKING:
     from .aio import AsyncClient, AsyncSession, AsyncWheelRailSession

@@ -23,11 +23,13 @@ from .errors import ConnectionFailed, ContactdError, StatusError
 from .refusals import public
 from .transport.event_loop import Exchanges
 from .transport.messages import Reply, Request
-from .values.partial_solution import PartialSolution, StepInput, StepSolution
+from .values.partial_solution import PartialSolution, StepSolution
 from .values.problem import ContactProblem
 from .values.records import StoredIc
 from .values.solution import ContactSolution, Fields
-from .values.wheel_rail.solution import WheelRailStepInput, WheelRailStepSolution
+from .values.step_input import StepInput
+from .values.wheel_rail.solution import WheelRailStepSolution
+from .values.wheel_rail.step_input import WheelRailStepInput
 
 if TYPE_CHECKING:
     from typing_extensions import Self, Unpack

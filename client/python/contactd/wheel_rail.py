@@ -21,7 +21,7 @@ draws them. Forces act on the rail. What is None takes the daemon's default.
 
 from __future__ import annotations
 
-from .values.profiles import S1002, ArcProfile, ConeProfile, Profile, ProfilePoints, Rail60E1
+from .values.profile_shapes import S1002, ArcProfile, ConeProfile, Profile, ProfilePoints, Rail60E1
 from .values.wheel_rail.forces import (
     WheelRailDerivatives,
     WheelRailForces,

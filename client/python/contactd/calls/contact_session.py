@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy.typing as npt
 
 from ..errors import ProtocolError
 from ..values.answers import read
-from ..values.contact_params import gap_params
 from ..values.evidence import IcUse
-from ..values.friction import Force, Friction, RollingKind, coefficient_param, slip_param
+from ..values.friction import Friction
+from ..values.friction_methods import Force
 from ..values.grid import Grid, Paraboloid, SemiAxes
-from ..values.partial_solution import StepInput, StepSolution, check_arrays, on_grid
+from ..values.motion import Rolling, RollingKind
+from ..values.params import fields_of, names_of_fields
+from ..values.partial_solution import StepSolution, check_arrays, on_grid
+from ..values.problem import ContactProblem
 from ..values.representation import Rows
 from ..values.solution import Fields
+from ..values.step_input import StepInput
 from .any_session import AnySession, ProgressCallback, SessionThatWaits, told_number
 from .call import Answering, asks
 from .steps import Steps
@@ -25,8 +28,10 @@ if TYPE_CHECKING:
 
 __all__ = ["AnyContactSession", "ContactSteps", "Session"]
 
-_ROLLING = ("xi", "eta", "phi", "chi", "dq", "spin_offset", "kind", "steps", "velocity")
-_SHIFT = ("rigid_shift", "rotation", "duration")
+_ROLLING = names_of_fields(Rolling) - {"force"}
+_FRICTION = names_of_fields(Friction)
+_SHIFT = {"rigid_shift", "rotation", "duration"}
+_OWN = ("approach", "Fn", "gap")
 
 
 class ContactSteps(Steps):
@@ -44,9 +49,7 @@ class ContactSteps(Steps):
         self._rolls = rolls
 
     def _said(self, step: StepInput) -> dict[str, Any]:
-        params: dict[str, Any] = {name: load for name in ("approach", "Fn") if (load := step.get(name)) is not None}
-        if (gap := step.get("gap")) is not None:
-            params["gap"] = gap_params(gap)
+        params = fields_of(ContactProblem, {name: step.get(name) for name in _OWN})
         if friction := self._friction(step):
             params["friction"] = friction
         if (derivatives := step.get("derivatives")) is not None:
@@ -60,21 +63,17 @@ class ContactSteps(Steps):
         return on_grid(solution, self.grid)
 
     def _friction(self, step: StepInput) -> dict[str, Any]:
-        friction = step.get("friction")
-        changes = friction.params() if friction is not None else {}
-        if (mu := step.get("mu")) is not None:
-            changes["mu"] = coefficient_param(mu)
+        whole = {} if (friction := step.get("friction")) is None else friction.params()
         given = {name: value for name, value in step.items() if value is not None}
-        shift = {name: _listed(given[name]) for name in _SHIFT if name in given}
-        rolling = {name: given[name] for name in _ROLLING if name in given}
-        rolls = bool(rolling) or "rolling" in changes or (self._rolls and not shift and friction is None)
-        if "force" in given:
-            (rolling if rolls else shift)["force"] = _listed(given["force"])
+        rolling = {name: value for name, value in given.items() if name in _ROLLING}
+        others = {name: value for name, value in given.items() if name in _FRICTION}
+        rolls = bool(rolling) or "rolling" in whole or (self._rolls and friction is None and _SHIFT.isdisjoint(others))
+        if rolls and "force" in others:
+            rolling["force"] = others.pop("force")
+        changes = fields_of(Friction, others)
         if rolling:
-            changes["rolling"] = {**changes.get("rolling", {}), **rolling}
-        if (slip := step.get("rigid_slip")) is not None:
-            changes["rigid_slip"] = slip_param(slip)
-        return {**changes, **shift}
+            changes["rolling"] = {**whole.get("rolling", {}), **fields_of(Rolling, rolling)}
+        return {**whole, **changes}
 
 
 class AnyContactSession(AnySession):
@@ -178,8 +177,3 @@ class Session(AnyContactSession, SessionThatWaits):
         ics: Where the influence coefficients came from, as in ContactEvidence.
         retries: How often a step or a restore whose answer does not come is asked for again.
     """
-
-
-def _listed(value: Any) -> Any:
-    """A pair as a list, whatever sequence it is. What is no sequence is the daemon's to refuse, by name."""
-    return list(value) if isinstance(value, Iterable) else value

@@ -11,7 +11,8 @@ from ..values.answers import read
 from ..values.contact_params import opening_params
 from ..values.friction import Friction
 from ..values.grid import Grid
-from ..values.problem import ContactProblem, ProblemFields, check_field_types
+from ..values.problem import ContactProblem, ProblemFields
+from ..values.problem_methods import check_field_types
 from ..values.service import SessionSummary
 from ..values.wheel_rail.params import setup_params
 from ..values.wheel_rail.setup import Side, WheelRailSetup
@@ -132,7 +133,7 @@ def _lease_params(lease: float | None, accept_unconverged: bool) -> dict[str, An
 def _opening(fields: dict[str, Any], lease: float | None, accept_unconverged: bool) -> dict[str, Any]:
     """The parameters of session.open."""
     given = {name: value for name, value in fields.items() if value is not None}
-    check_field_types(given)
+    check_field_types(ContactProblem, given)
     if given.keys() >= {"approach", "Fn"}:
         raise TypeError("session() takes either approach or Fn")
     return opening_params(given) | _lease_params(lease, accept_unconverged)

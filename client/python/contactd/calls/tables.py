@@ -9,11 +9,12 @@ import numpy as np
 
 from ..errors import InvalidArgument, ProtocolError
 from ..values.answers import read
+from ..values.arrays import Array
 from ..values.contact_params import table_params, table_shape
-from ..values.grid import Array, Grid
+from ..values.grid import Grid
 from ..values.ics import Ics
 from ..values.materials import LayeredBody, Material
-from ..values.params import plain
+from ..values.params import params_of
 from ..values.records import ImportedIc, QuarantinedIc, StoredIc
 from ..values.service import Limits
 from ..values.tables import IcTable
@@ -84,7 +85,7 @@ class TableCalls(Caller):
         """
         params = {**table_params(material, grid, ics), "format": format}
         if lower is not None:
-            params["lower"] = plain(lower)
+            params["lower"] = params_of(lower)
         result = yield from self.asked("ic.export", params, timeout=timeout, on_progress=on_progress, progress=progress)
         content = result.get("file", result.get("text"))
         if isinstance(content, str):

@@ -14,7 +14,7 @@ from ..errors import TableFileError
 from .whole import read_whole
 
 if TYPE_CHECKING:
-    from ..values.grid import Array
+    from ..values.arrays import Array
 
 __all__ = ["format_text", "parse_text", "read_text"]
 

@@ -12,8 +12,9 @@ import numpy as np
 
 from ..errors import TableFileError
 from ..values.evidence import ComponentError, IcErrors, IcEvidence, LoadCase, SectionEvidence
+from ..values.fem_ics import FemIcs
 from ..values.grid import Grid
-from ..values.ics import AnalyticIcs, FemIcs
+from ..values.ics import AnalyticIcs
 from ..values.materials import Layer, LayeredBody, Material, RigidBody
 from ..values.tables import IcSpec, IcTable
 from .hdf5 import need_h5py

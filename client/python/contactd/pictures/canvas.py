@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from ..values.grid import Array, Grid
+from ..values.arrays import Array
+from ..values.grid import Grid
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

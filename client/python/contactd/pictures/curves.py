@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy.typing as npt
 
 from ..refusals import public
-from ..values.friction import Rolling
+from ..values.motion import Rolling
 from ..values.solution import Solution
 from .canvas import COLOURS, axes_or_new, bare
 

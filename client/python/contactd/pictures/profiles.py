@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import invalid
-from ..values.grid import Array
+from ..values.arrays import Array
 from ..values.wheel_rail.rigid_wheelset import EquivalentConicity, PlacedProfiles, ProfilesOfSides, WheelsetContacts
 from ..values.wheel_rail.setup import Side
 from ..values.wheel_rail.solution import WheelRailPatch, WheelRailSolution

@@ -148,13 +148,17 @@ def _converter(hint: Any) -> Convert:
 
 
 def _one_of(kinds: list[Any]) -> Convert:
-    """Of dataclasses the first that knows `value` for its own, by its `_is_told`; else the one that does not say."""
-    telling = [(kind._is_told, _reader(kind)) for kind in kinds if hasattr(kind, "_is_told")]
-    (otherwise,) = [_reader(kind) for kind in kinds if not hasattr(kind, "_is_told")]
+    """Reads the first dataclass of which `value` has what it always has and all that must be there, or else the first one."""
+    readers = [_reader(kind) for kind in kinds]
+    marks = [getattr(kind, "_fixed", None) for kind in kinds]
+    needs = [{name for name, _, has_default, _ in _fields(kind) if not has_default} for kind in kinds]
 
     def read_one(value: Any) -> Any:
-        mine = [reader for is_told, reader in telling if isinstance(value, dict) and is_told(value)]
-        return (mine[0] if mine else otherwise)(value)
+        if isinstance(value, dict):
+            for reader, mark, needed in zip(readers, marks, needs):
+                if (mark is None or value.get(mark[0]) == mark[1]) and needed <= value.keys():
+                    return reader(value)
+        return readers[0](value)
 
     return read_one
 

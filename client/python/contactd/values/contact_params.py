@@ -4,7 +4,6 @@ them."""
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any, Literal
 
 import numpy as np
@@ -12,10 +11,12 @@ import numpy.typing as npt
 
 from ..errors import invalid
 from ..refusals import check_type
-from .grid import Grid, Paraboloid, SemiAxes
-from .ics import AnalyticIcs, FemIcs, Ics
+from .arrays import array_of
+from .fem_ics import FemIcs
+from .grid import Grid
+from .ics import AnalyticIcs, Ics
 from .materials import LayeredBody, Material, RigidBody
-from .params import array_of, plain
+from .params import fields_of, params_of
 from .problem import ContactProblem, Estimate
 from .profiles import profile_params
 from .solution import ContactSolution
@@ -25,7 +26,6 @@ from .tables import TableIcs
 __all__ = [
     "body_params",
     "coefficient_params",
-    "gap_params",
     "ics_params",
     "layered_params",
     "opening_params",
@@ -37,13 +37,9 @@ __all__ = [
 ]
 
 
-def gap_params(gap: Paraboloid | SemiAxes | npt.ArrayLike) -> dict[str, Any]:
-    """`gap` of contact.solve."""
-    if isinstance(gap, Paraboloid):
-        return {"paraboloid": plain(gap)}
-    if isinstance(gap, SemiAxes):
-        return {"semi_axes": plain(gap)}
-    return {"array": array_of(gap)}
+#: Fields of a ContactProblem that depend on each other on the wire, and fields that a solution may stand for.
+_OF_BODIES = ("upper", "lower", "ics", "upper_ics", "lower_ics")
+_TRACTIONS = ("initial", "previous")
 
 
 def problem_params(problem: ContactProblem, fields: list[str] | None = None) -> dict[str, Any]:
@@ -53,22 +49,11 @@ def problem_params(problem: ContactProblem, fields: list[str] | None = None) -> 
 
 
 def opening_params(fields: Mapping[str, Any]) -> dict[str, Any]:
-    """The same of fields of a problem, of which gap and load may be missing: steps of a session bring them."""
+    """The parameters of session.open: fields of a problem, of which gap and load may be missing, as steps bring them."""
     given = {name: value for name, value in fields.items() if value is not None}
-    params = {"grid": plain(given["grid"]), **_influence_params(given)}
-    if "gap" in given:
-        params["gap"] = gap_params(given["gap"])
-    params.update({name: given[name] for name in ("approach", "Fn", "model") if name in given})
-    if "friction" in given:
-        params["friction"] = given["friction"].params()
-    if settings := {name: plain(given[name]) for name in ("normal", "tangential", "outer") if name in given}:
-        params["settings"] = settings
-    params.update({name: traction_params(given[name], name) for name in ("initial", "previous") if name in given})
-    if given.get("derivatives"):
-        params["derivatives"] = True
-    if "columns" in given:
-        params["columns"] = given["columns"].params()
-    return params
+    others = {name: value for name, value in given.items() if name not in (*_OF_BODIES, *_TRACTIONS)}
+    params = {**fields_of(ContactProblem, others), **_influence_params(given)}
+    return params | {name: traction_params(given[name], name) for name in _TRACTIONS if name in given}
 
 
 def _influence_params(given: Mapping[str, Any]) -> dict[str, Any]:
@@ -94,7 +79,7 @@ def body_params(
     """`bodies.upper` or `bodies.lower`; `ics` is the body's own, where it is not that of both."""
     if isinstance(body, LayeredBody):
         return {"ics": layered_params(body, both if ics is None else ics)}
-    params = {"rigid": True} if isinstance(body, RigidBody) else plain(body)
+    params: dict[str, Any] = params_of(body)
     return params if ics is None else {**params, "ics": coefficient_params(ics, grid)}
 
 
@@ -120,15 +105,10 @@ def traction_params(tractions: Estimate | ContactSolution, field: str) -> dict[s
 
 def ics_params(ics: Ics) -> dict[str, Any]:
     """`ics` of ic.get, ic.export and contact.solve."""
-    source: Literal["analytic", "fem"] = "fem" if isinstance(ics, FemIcs) else "analytic"
-    given = plain(ics)
-    if given.get("body") == "layered":
+    if isinstance(ics, AnalyticIcs) and ics.body == "layered":
         raise TypeError("the ics of layers say no more than load_shape; give the layers as a LayeredBody")
-    if isinstance(ics, AnalyticIcs) and ics.line_contact is not None:
-        given["line_contact"] = plain(ics.line_contact)
-    if ics.section is not None:
-        given["section"] = _section_params(ics.section)
-    return {"source": source, **given}
+    given: dict[str, Any] = params_of(ics)
+    return given if ics.section is None else {**given, "section": _section_params(ics.section)}
 
 
 def _section_params(section: Mapping[str, Any]) -> Mapping[str, Any]:
@@ -145,9 +125,8 @@ def layered_params(body: LayeredBody, ics: Ics | TableIcs) -> dict[str, Any]:
     """`ics` of a body of layers; they take the load shape of the other body's, and what they refuse of closed forms."""
     if isinstance(ics, TableIcs):
         raise TypeError("a table says all of a body; give it with a Material instead of a LayeredBody")
-    said = plain(ics) if isinstance(ics, FemIcs) else ics_params(replace(ics, body=None))
-    kept: dict[str, Any] = {name: said[name] for name in ("load_shape", "line_contact") if name in said}
-    return {"source": "analytic", **kept, **body.params()}
+    kept: dict[str, Any] = params_of(AnalyticIcs(load_shape=ics.load_shape, line_contact=getattr(ics, "line_contact", None)))
+    return {**kept, **body.params()}
 
 
 def table_shape(grid: Grid, ics: Ics) -> tuple[int, ...]:
@@ -163,7 +142,7 @@ def table_params(material: Material | LayeredBody, grid: Grid, ics: Ics) -> dict
     extent = {"nx": grid.nx, "ny": grid.ny, "dx": grid.dx, "dy": grid.dy}
     if isinstance(material, LayeredBody):
         return {"grid": extent, "ics": layered_params(material, ics)}
-    return {"material": plain(material), "grid": extent, "ics": ics_params(ics)}
+    return {"material": params_of(material), "grid": extent, "ics": ics_params(ics)}
 
 
 def subsurface_params(
@@ -178,7 +157,7 @@ def subsurface_params(
     tractions = traction_params(solution, "solution")
     if "pressure" not in tractions:
         raise invalid("pressure", "is missing; it must be that of a solution")
-    params = {"grid": plain(problem.grid), **_ics_of(problem, body), "body": body, **tractions}
+    params = {"grid": params_of(problem.grid), **_ics_of(problem, body), "body": body, **tractions}
     if nu is not None and isinstance(_material_of(problem, body), LayeredBody):
         raise invalid("nu", f"is {nu}, and body {body!r} has layers; layers have their own")
     params["nu"] = _nu_of(problem, body) if nu is None else nu
@@ -209,7 +188,7 @@ def _ics_of(problem: ContactProblem, body: str) -> dict[str, Any]:
     name, ics = ("ics", problem.ics) if own is None else (f"{body}_ics", own)
     if problem.model not in (None, "full"):  # of half-spaces by their theory
         line = getattr(ics, "line_contact", None)
-        return {} if line is None else {"ics": {"source": "analytic", "line_contact": plain(line)}}
+        return {} if line is None else {"ics": params_of(AnalyticIcs(line_contact=line))}
     if isinstance(ics, TableIcs):
         raise invalid(
             name,
@@ -218,7 +197,7 @@ def _ics_of(problem: ContactProblem, body: str) -> dict[str, Any]:
         )
     material = _material_of(problem, body)
     params = layered_params(material, ics) if isinstance(material, LayeredBody) else ics_params(ics)
-    return {} if params == {"source": "analytic"} else {"ics": params}
+    return {} if params == params_of(AnalyticIcs()) else {"ics": params}
 
 
 def _material_of(problem: ContactProblem, body: str) -> Material | RigidBody | LayeredBody | None:

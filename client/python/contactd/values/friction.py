@@ -1,32 +1,25 @@
-"""Friction, and how the bodies move: a shift or rolling.
+"""Friction, and how the bodies move. Slip is that of the upper body over the lower one; in slip the traction on the
+upper body opposes it.
 
-Slip is that of the upper body over the lower one; in slip the traction on the upper body opposes it.
+Written by ./dev generate from proto/schema: edit it there.
 """
 
 from __future__ import annotations
 
-import reprlib
-from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
-import numpy as np
 import numpy.typing as npt
 
 from ..refusals import public
-from .motion import KineticFriction, Rolling, RollingKind, SlipLaw
-from .params import array_of, plain
-from .solution_methods import Shift
+from .friction_methods import Force, FrictionMethods
+from .motion import KineticFriction, Rolling
 
-__all__ = ["Force", "Friction", "KineticFriction", "Rolling", "RollingKind", "Shift", "SlipLaw"]
-
-#: (Fx, Fy) on the upper body (N); None where the motion is prescribed instead
-Force = tuple[float | None, float | None]
+__all__ = ["Friction"]
 
 
 @public
 @dataclass(frozen=True, eq=False)
-class Friction:
+class Friction(FrictionMethods):
     """Coulomb friction and a motion: a shift (by `rigid_shift`, `force` or both), or `rolling`.
 
     ::
@@ -36,16 +29,21 @@ class Friction:
         Friction(mu=0.3, rolling=Rolling(xi=1e-3, phi=1e-4))
 
     Attributes:
-        mu: (Static) coefficient, >= 0: one for all elements, or an array [ny, nx].
-        rigid_shift: (w_x, w_y) of the upper body (mm); where `force` prescribes a component, an estimate. None: zero.
-        rotation: Of a shift: about z, positive from x to y (rad); default 0.
-        force: Of a shift: on the upper body (N), within the bound of friction.
-        duration: Of a shift (s), default 1; slip velocity = slip / duration, for kinetic friction.
-        kinetic: How it falls with the slip velocity; None: it does not.
-        rolling: Rolling instead of a shift, whose fields it excludes.
-        rigid_slip: (along x, along y) of each element, each of shape [ny, nx], beside that of the motion, where the
-            surfaces do not move like a plane: of a shift over the step (mm), of rolling over the distance rolled, as
-            creepages are. None: none.
+        mu: (Static) coefficient of friction, zero or positive (>= 0): one for all elements, or an array of shape [ny,
+            nx].
+        rigid_shift: Rigid shift along x and y (mm) of a step that is a shift, default 0; where force prescribes a
+            component, an estimate.
+        rotation: Rotation about z of a shift, positive from x to y (rad). Default 0.
+        force: Fx and Fy of a shift, on the upper body (N), None where rigid_shift holds instead; the rigid shift is
+            found then.
+        duration: Duration of a shift (s), > 0: slip velocity = slip / duration; only kinetic friction depends on it.
+            Default 1.
+        kinetic: Velocity-weakening (falling) friction, by the slip velocity v; None, the coefficient is constant.
+            linear: max(mu_k, mu_s - (mu_s - mu_k) v / v_c); exponential: mu_k + (mu_s - mu_k) exp(-v / v_c).
+        rolling: Rolling instead of a shift.
+        rigid_slip: Rigid slip (along x, along y) of each element, each of shape [ny, nx], beside that of the motion,
+            where the surfaces do not move like a plane: of a shift over the step (mm), of rolling over the distance
+            rolled, as creepages are. None: none.
     """
 
     mu: float | npt.ArrayLike
@@ -56,39 +54,3 @@ class Friction:
     kinetic: KineticFriction | None = None
     rolling: Rolling | None = None
     rigid_slip: tuple[npt.ArrayLike, npt.ArrayLike] | None = None
-
-    def __post_init__(self) -> None:
-        if all(motion is None for motion in (self.rigid_shift, self.force, self.rolling, self.rigid_slip)):
-            raise TypeError("Friction() takes a motion: rigid_shift, force, rolling or rigid_slip")
-
-    def params(self) -> dict[str, Any]:
-        """`friction` of contact.solve."""
-        given = _motion(plain(self))
-        given["mu"] = coefficient_param(self.mu)
-        if self.kinetic is not None:
-            given["kinetic"] = plain(self.kinetic)
-        if self.rolling is not None:
-            given["rolling"] = _motion(plain(self.rolling))
-        if self.rigid_slip is not None:
-            given["rigid_slip"] = slip_param(self.rigid_slip)
-        return given
-
-
-def slip_param(slip: tuple[npt.ArrayLike, npt.ArrayLike]) -> dict[str, Any]:
-    """`friction.rigid_slip` of contact.solve."""
-    if not isinstance(slip, Sequence) or len(slip) != 2:
-        raise TypeError(f"rigid_slip is {reprlib.repr(slip)}; it must be a pair of arrays, along x and along y")
-    x, y = slip
-    return {"x": array_of(x), "y": array_of(y)}
-
-
-def coefficient_param(mu: float | npt.ArrayLike) -> Any:
-    """`friction.mu` of contact.solve."""
-    coefficient = array_of(mu)
-    return coefficient if coefficient.ndim or np.ma.is_masked(coefficient) else coefficient.item()
-
-
-def _motion(given: dict[str, Any]) -> dict[str, Any]:
-    """With pairs as lists, whatever sequence they were given as. What is no sequence is the daemon's to refuse."""
-    pairs = {name: given[name] for name in ("rigid_shift", "force") if isinstance(given.get(name), Iterable)}
-    return {**given, **{name: list(pair) for name, pair in pairs.items()}}

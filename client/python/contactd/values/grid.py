@@ -1,31 +1,31 @@
-"""The potential contact area, arrays over it, and undeformed distances, such as the paraboloid of a Hertzian contact."""
+"""The potential contact area, and undeformed distances, such as the paraboloid of a Hertzian contact.
+
+Written by ./dev generate from proto/schema: edit it there.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-import numpy.typing as npt
+from .grid_methods import GridMethods
 
-__all__ = ["Array", "Grid", "Paraboloid", "SemiAxes"]
-
-Array = npt.NDArray[np.float64]
+__all__ = ["Grid", "Paraboloid", "SemiAxes"]
 
 
 @dataclass(frozen=True)
-class Grid:
-    """The potential contact area: `nx` x `ny` elements of size `dx` x `dy` (mm), unknowns at their centres.
+class Grid(GridMethods):
+    """The potential contact area: `nx` x `ny` elements of size `dx` x `dy`, unknowns at their centres.
 
-    `dx` and `dy` are those of one element; `Grid.centred` takes the size of the whole area.
-    Arrays over the grid have shape `[ny, nx]`: the first index counts along y.
+    `dx` and `dy` are those of one element; `Grid.centred` takes the size of the whole area. Arrays over the grid have
+    shape `[ny, nx]`: the first index counts along y.
 
     Attributes:
-        nx: Number of elements along x.
-        ny: Number of elements along y.
-        dx: Size of an element along x (mm), > 0.
-        dy: Size of an element along y (mm), > 0.
-        x0: x of the lower left corner (mm); None: centred on the origin.
-        y0: y of the lower left corner (mm); None: centred on the origin.
+        nx: Number of elements along x; nx*ny is at most limits.max_grid_elements of server.info.
+        ny: Number of elements along y; nx*ny is at most limits.max_grid_elements of server.info.
+        dx: Element size along x (mm), > 0.
+        dy: Element size along y, 1/1000 to 1000 times dx (mm), > 0; of a line contact any length.
+        x0: x of the lower left corner (mm); without it the grid is centred on the origin.
+        y0: y of the lower left corner (mm); without it the grid is centred on the origin.
     """
 
     nx: int
@@ -35,45 +35,17 @@ class Grid:
     x0: float | None = None
     y0: float | None = None
 
-    @classmethod
-    def centred(cls, nx: int, ny: int, width: float, height: float) -> Grid:
-        """`nx` x `ny` elements that together fill a `width` x `height` rectangle (mm) around the origin.
-
-        ``Grid.centred(40, 40, 2.4, 2.4)`` is ``Grid(40, 40, 0.06, 0.06)``.
-        """
-        if nx < 1 or ny < 1:
-            raise ValueError(f"nx and ny are {nx} and {ny}; a rectangle is divided into at least one element each way.")
-        return cls(nx, ny, width / nx, height / ny)
-
-    @property
-    def shape(self) -> tuple[int, int]:
-        """Shape of arrays over the grid: (ny, nx)."""
-        return (self.ny, self.nx)
-
-    @property
-    def x(self) -> Array:
-        """Element centres along x (mm), shape [nx]."""
-        return _centres(self.nx, self.dx, self.x0)
-
-    @property
-    def y(self) -> Array:
-        """Element centres along y (mm), shape [ny]."""
-        return _centres(self.ny, self.dy, self.y0)
-
-
-def _centres(n: int, size: float, corner: float | None) -> Array:
-    start = -0.5 * n * size if corner is None else corner
-    return np.asarray(start + (np.arange(n) + 0.5) * size, dtype=np.float64)
-
 
 @dataclass(frozen=True)
 class Paraboloid:
     """Undeformed distance h = x^2/(2 Rx) + y^2/(2 Ry), without the approach. One direction may be flat, not both.
 
     Attributes:
-        Rx: Radius of curvature along x (mm), negative where concave; None: flat.
-        Ry: Radius of curvature along y (mm), negative where concave; None: flat.
+        Rx: Radius of curvature along x, negative is concave (mm); None: flat.
+        Ry: Radius of curvature along y, negative is concave (mm); None: flat.
     """
+
+    _key = "paraboloid"
 
     Rx: float | None = None
     Ry: float | None = None
@@ -87,6 +59,8 @@ class SemiAxes:
         a: Semi-axis along x (mm), > 0.
         b: Semi-axis along y (mm), > 0.
     """
+
+    _key = "semi_axes"
 
     a: float
     b: float

@@ -1,4 +1,7 @@
-"""Influence coefficients: where they come from, and how tables of them are asked for."""
+"""Influence coefficients: where they come from.
+
+Written by ./dev generate from proto/schema: edit it there.
+"""
 
 from __future__ import annotations
 
@@ -6,10 +9,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from ..refusals import check_type, public
+from ..refusals import public
 from .fem_ics import FemIcs, LoadShape
+from .params import Checked
 
-__all__ = ["AnalyticIcs", "FemIcs", "Ics", "LineContact"]
+__all__ = ["AnalyticIcs", "Ics", "LineContact"]
 
 
 @dataclass(frozen=True)
@@ -21,8 +25,8 @@ class LineContact:
     depend on it; under prescribed forces, and in steady rolling, nothing else does.
 
     Attributes:
-        datum: Distance from a load, along the surface, at which its displacements xx, yy and zz vanish (mm), at least the
-            length of the grid.
+        datum: Distance from a load along the surface at which its xx, yy and zz vanish, at least the length of the grid
+            (mm), > 0. It decides approach and rigid shift; forces and steady rolling do not depend on it.
     """
 
     datum: float
@@ -30,26 +34,27 @@ class LineContact:
 
 @public
 @dataclass(frozen=True)
-class AnalyticIcs:
+class AnalyticIcs(Checked):
     """Influence coefficients of the elastic half-space in closed form.
 
     Attributes:
-        body: "half_space" (default), or "longitudinally_uniform": half-spaces that are turned from column to column of
-            `section` (docs/sections.md); "layered" is what answers say of a LayeredBody.
-        load_shape: Traction of the loaded element: "constant" (default), or "bilinear", the tent
-            (1 - |x|/dx) (1 - |y|/dy).
+        body: The half-space, or longitudinally_uniform: half-spaces that are turned from column to column of `section`
+            (docs/sections.md); layered is what answers say of a LayeredBody. Default "half_space".
+        load_shape: Traction of the loaded element: 1 over it, or the bilinear hat function (1 - |x|/dx)(1 - |y|/dy).
+            Default "constant".
         line_contact: A contact that does not change along y; None: elements end along y.
-        section: Of a longitudinally uniform body, as FemIcs.section.
+        section: Cross-section of a longitudinally uniform body as the wire has it (docs/protocol.md, docs/sections.md),
+            for example {"rail_60e1": {"from": 2}} or {"edge_block": {"width": 100, "height": 50, "edge_distance": 1}},
+            or {"profile_section": {"kind": "rail", "profile": ProfilePoints(...), "depth": 60}} of contactd.wheel_rail.
+            Its columns are the rows of the grid, dy wide along the outline.
     """
+
+    _fixed = ("source", "analytic")
 
     body: Literal["half_space", "layered", "longitudinally_uniform"] | None = None
     load_shape: LoadShape | None = None
     line_contact: LineContact | None = None
     section: Mapping[str, Any] | None = None
-
-    def __post_init__(self) -> None:
-        if self.line_contact is not None:
-            check_type("line_contact", self.line_contact, LineContact)
 
 
 Ics = AnalyticIcs | FemIcs

@@ -1,4 +1,4 @@
-"""Rolling, and how friction falls with the slip velocity.
+"""How bodies move, a shift or rolling, and how friction falls with the slip velocity.
 
 Written by ./dev generate from proto/schema: edit it there.
 """
@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-__all__ = ["KineticFriction", "Rolling", "RollingKind", "SlipLaw"]
+__all__ = ["KineticFriction", "Rolling", "RollingKind", "Shift", "SlipLaw"]
 
 RollingKind = Literal["steady", "transient"]
 SlipLaw = Literal["linear", "exponential"]
@@ -25,15 +25,15 @@ class Rolling:
         eta: Lateral creepage, along y; where force prescribes Fy, an estimate.
         phi: Spin creepage (rad/mm).
         chi: Rolling direction, angle from the x axis (rad).
-        dq: Distance rolled in one step (mm); None: the size of an element along chi, dx dy / sqrt((dy cos chi)^2 + (dx
-            sin chi)^2). Not the distance of a time step: from three elements or a tenth of the contact on, forces are
-            wrong by several per cent, and the answer warns.
-        spin_offset: Where the rigid slip of spin is evaluated, in steps dq ahead of the element's centre; 0: at the
-            centre. The limit for small elements is the same; with much spin 1/6 errs half as much on coarse grids.
-            Default 0.
+        dq: Distance rolled in one step (mm), > 0; None: the size of an element along chi, dx dy / sqrt((dy cos chi)^2 +
+            (dx sin chi)^2). Not the distance of a time step: from three elements or a tenth of the contact on, forces
+            are wrong by several per cent, and the answer warns.
+        spin_offset: Where the rigid slip of spin is evaluated, in steps dq ahead of the element's centre (0 to 1); 0:
+            at the centre. The limit for small elements is the same; with much spin 1/6 errs half as much on coarse
+            grids. Default 0.
         kind: steady: the state that does not change any more; transient: step by step from the previous tractions.
         steps: Number of steps of transient rolling; steady has no steps. Default 1.
-        velocity: Rolling velocity, of slip velocities and the frictional power (mm/s). Default 1.
+        velocity: Rolling velocity, of slip velocities and the frictional power (mm/s), > 0. Default 1.
         force: Fx and Fy on the upper body (N), None where the creepage holds instead; xi and eta are found then.
     """
 
@@ -49,14 +49,31 @@ class Rolling:
     force: tuple[float | None, float | None] | None = None
 
 
+@dataclass(frozen=True, kw_only=True)
+class Shift:
+    """The shift of a solution, as asked for, with what a prescribed force made of it.
+
+    Attributes:
+        rigid_shift: (w_x, w_y) of the upper body over the lower, at the origin (mm).
+        rotation: Rotation about z, positive from x to y (rad).
+        duration: Duration of the step (s).
+        force: What was prescribed (N).
+    """
+
+    rigid_shift: tuple[float, float]
+    rotation: float = 0.0
+    duration: float = 1.0
+    force: tuple[float | None, float | None] | None = None
+
+
 @dataclass(frozen=True)
 class KineticFriction:
     """Velocity-weakening (falling) friction, by the slip velocity v; None, the coefficient is constant. linear:
     max(mu_k, mu_s - (mu_s - mu_k) v / v_c); exponential: mu_k + (mu_s - mu_k) exp(-v / v_c).
 
     Attributes:
-        mu: Kinetic coefficient mu_k, at most the static one.
-        slip_velocity: Slip velocity v_c of the fall (mm/s).
+        mu: Kinetic coefficient mu_k, at most the static one (>= 0).
+        slip_velocity: Slip velocity v_c of the fall (mm/s), > 0.
         law: Shape of the fall from the static coefficient friction.mu to this one. Default "exponential".
     """
 

@@ -1,19 +1,20 @@
-"""What values have in common on their way to the wire."""
+"""How values are written as the wire has them, and what their fields may be, as their types say it."""
 
 from __future__ import annotations
 
 import functools
 import types
-from collections.abc import Callable
-from dataclasses import Field, fields, is_dataclass
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import MISSING, Field, fields, is_dataclass
 from typing import Any, NamedTuple, Union, get_args, get_origin, get_type_hints
 
 import numpy as np
 
 from ..errors import invalid
 from ..refusals import check_type
+from .arrays import array_of
 
-__all__ = ["array_of", "params_of", "plain", "whole"]
+__all__ = ["Checked", "HasParams", "array_of", "check_fields", "fields_of", "instead", "names_of_fields", "params_of", "whole"]
 
 Convert = Callable[[Any, str], Any]
 
@@ -21,27 +22,35 @@ Convert = Callable[[Any, str], Any]
 class _Member(NamedTuple):
     """How a field of a dataclass is written."""
 
-    name: str
     within: str | None  # the object of the wire that it stands in, where that is no class here
-    may_be_null: bool  # None is a value of it, as it is not what is left out
+    left_out: Any  # the value that is not written
     convert: Convert | None
 
 
 def params_of(value: Any, field: str = "") -> Any:
     """A value as the wire has it: its fields that are not None, by name, and values in it alike. `field` is where it stands.
 
-    Raises TypeError where a value in it is of a wrong class. A class that looks otherwise on the wire says by a method
-    ``_on_wire(field)`` how. Fields that do are known by their metadata: "within" is the object that they are in, "keys"
-    are the names that the parts of a tuple have.
+    Raises TypeError where a value in it is of a wrong class. What looks otherwise on the wire is known
+
+    * by the metadata of its field: "within" is the object that it is in, "keys" are the names that the parts of a tuple have,
+      and an "array" is anything that numpy takes for one, in an object of this name unless that is empty;
+    * by a method ``_write_NAME(value, field)`` of its class;
+    * by what the class says: ``_fixed`` is a name and the value that it always has, ``_key`` the name of all the rest.
     """
-    if hasattr(value, "_on_wire"):
-        return value._on_wire(field)
-    if (members := _members(value.__class__)) is None:
-        return plain(value)
+    kind: type = value.__class__
+    written = fields_of(kind, vars(value), field)
+    if (fixed := getattr(kind, "_fixed", None)) is not None:
+        written = {fixed[0]: fixed[1], **written}
+    return written if (key := getattr(kind, "_key", None)) is None else {key: written}
+
+
+def fields_of(kind: type, given: Mapping[str, Any], field: str = "") -> dict[str, Any]:
+    """Some fields of a value of this class as the wire has them."""
     written: dict[str, Any] = {}
-    for name, within, may_be_null, convert in members:
-        item = getattr(value, name)
-        if item is None and not may_be_null:
+    members = _members(kind)
+    for name, item in given.items():
+        within, left_out, convert = members[name]
+        if item is left_out:
             continue
         if convert is not None and item is not None:
             item = convert(item, f"{field}.{name}" if field else name)
@@ -49,31 +58,67 @@ def params_of(value: Any, field: str = "") -> Any:
     return written
 
 
+def names_of_fields(kind: type) -> frozenset[str]:
+    return frozenset(field.name for field in fields(kind))
+
+
 @functools.cache
-def _members(kind: type) -> tuple[_Member, ...] | None:
-    """How the fields of a dataclass are written, looked at once; None where all of them are as the wire has them."""
+def _members(kind: type) -> dict[str, _Member]:
+    """How the fields of a dataclass are written, looked at once: steps are told thousands of times a second."""
     hints = get_type_hints(kind)
-    members = tuple(_member(one, hints[one.name]) for one in fields(kind))
-    return members if any(member[1:] != (None, False, None) for member in members) else None
+    return {one.name: _member(kind, one, hints[one.name]) for one in fields(kind)}
 
 
-def _member(one: Field[Any], hint: Any) -> _Member:
-    keys = one.metadata.get("keys")
-    convert = _writer(hint) if keys is None else _writer_of_tuples(hint, keys)
-    may_be_null = one.default is not None and type(None) in get_args(hint)
-    return _Member(one.name, one.metadata.get("within"), may_be_null, convert)
+def _member(kind: type, one: Field[Any], hint: Any) -> _Member:
+    keys, array = one.metadata.get("keys"), one.metadata.get("array")
+    if (convert := getattr(kind, f"_write_{one.name}", None)) is None:
+        if array is not None:
+            convert = _writer_of_arrays(hint, array)
+        else:
+            convert = _writer(hint) if keys is None else _writer_of_tuples(hint, keys)
+    # None is a value where it is none by default, and a flag is written where it is on.
+    left_out = False if one.default is False else MISSING if one.default is not None and type(None) in get_args(hint) else None
+    return _Member(one.metadata.get("within"), left_out, convert)
+
+
+def _kinds(hint: Any) -> list[Any]:
+    return [kind for kind in _alternatives(hint) if is_dataclass(kind)]
 
 
 def _writer(hint: Any) -> Convert | None:
-    """What writes values of the dataclasses that a type names; None where they are as the wire has them."""
-    kinds: list[Any] = [kind for kind in _alternatives(hint) if is_dataclass(kind)]
-    if not kinds:
-        return None
+    """What writes values of the dataclasses that a type names, or a sequence; None where they are as the wire has them."""
+    kinds = _kinds(hint)
+    if kinds:
+
+        def write(value: Any, field: str) -> Any:
+            if value.__class__ not in kinds:
+                check_type(field, value, *kinds)
+            return params_of(value, field)
+
+        return write
+    inner = [get_args(one)[0] for one in _alternatives(hint) if get_origin(one) is tuple]
+    return _writer_of_sequences(_writer(inner[0])) if inner else None
+
+
+def _writer_of_sequences(convert: Convert | None) -> Convert:
+    """What writes a list, of whatever sequence; what is none is the daemon's to refuse, by name."""
+
+    def write(values: Any, field: str) -> Any:
+        if not isinstance(values, Iterable):
+            return values
+        return [item if convert is None else convert(item, f"{field}[{i}]") for i, item in enumerate(values)]
+
+    return write
+
+
+def _writer_of_arrays(hint: Any, key: str) -> Convert:
+    """What writes an array, or a value of one of the dataclasses that may stand in its place."""
+    kinds = tuple(_kinds(hint))
 
     def write(value: Any, field: str) -> Any:
-        if value.__class__ not in kinds:
-            check_type(field, value, *kinds)
-        return params_of(value, field)
+        if isinstance(value, kinds):
+            return params_of(value, field)
+        return {key: array_of(value)} if key else array_of(value)
 
     return write
 
@@ -102,23 +147,56 @@ def _alternatives(hint: Any) -> tuple[Any, ...]:
     return get_args(hint) if get_origin(hint) in (Union, types.UnionType) else (hint,)
 
 
-def plain(value: Any) -> dict[str, Any]:
-    """The fields of a dataclass that are not None, as the wire names them."""
-    return {name: item for name in _names(value.__class__) if (item := getattr(value, name)) is not None}
+def instead(changes: Mapping[str, Any], *either: str) -> dict[str, Any]:
+    """Changes of fields of which there is one: that which is given takes the place of the others."""
+    given = [name for name in either if changes.get(name) is not None]
+    return {**dict.fromkeys(either if given else ()), **changes}
+
+
+class HasParams:
+    """A value that users may see as the wire has it."""
+
+    def params(self) -> dict[str, Any]:
+        """Returns what contact.solve takes of this value."""
+        params: dict[str, Any] = params_of(self)
+        return params
+
+
+class Checked:
+    """A value whose fields are looked at when it is made."""
+
+    def __post_init__(self) -> None:
+        check_fields(type(self), vars(self))
+
+
+def check_fields(kind: type, given: Mapping[str, Any]) -> None:
+    """Raises TypeError when a field of a value of this class is of a wrong type, one that is required is missing, or there is
+    none of its name. What other than values of contactd and flags they are is the daemon's to refuse."""
+    checked = _checked(kind)
+    if unknown := given.keys() - names_of_fields(kind):
+        raise TypeError(f"{kind.__name__} has no field {', '.join(sorted(unknown))}")
+    for name, kinds, is_optional, is_list, default in checked:
+        value = given.get(name, default)
+        if not is_list:
+            check_type(name, value, *kinds, optional=is_optional)
+            continue
+        for i, item in enumerate(value):
+            check_type(f"{name}[{i}]", item, *kinds)
 
 
 @functools.cache
-def _names(kind: type) -> tuple[str, ...]:
-    """Of the fields of a dataclass, looked at once: steps are told thousands of times a second."""
-    return tuple(field.name for field in fields(kind))
-
-
-def array_of(value: Any) -> np.ndarray[Any, Any]:
-    """`value` as an array that still has its mask, should it have one, for `encode` to refuse."""
-    if isinstance(value, (list, tuple)) and any(isinstance(row, np.ma.MaskedArray) for row in value):
-        masked: np.ndarray[Any, Any] = np.ma.array(value)
-        return masked
-    return np.asanyarray(value)
+def _checked(kind: type) -> list[tuple[str, tuple[type, ...], bool, bool, Any]]:
+    """The fields that are values of contactd or flags: their types, whether None is one, whether they are lists, and their
+    defaults."""
+    found = []
+    for one in fields(kind):
+        hint = get_type_hints(kind)[one.name]
+        is_list = get_origin(hint) is tuple
+        kinds = tuple(_kinds(get_args(hint)[0] if is_list else hint)) or ((bool,) if hint is bool else ())
+        if kinds and "array" not in one.metadata:
+            default = None if one.default is MISSING else one.default
+            found.append((one.name, kinds, hint is bool or type(None) in get_args(hint), is_list, default))
+    return found
 
 
 def whole(array: np.ndarray[Any, Any], field: str) -> np.ndarray[Any, Any]:

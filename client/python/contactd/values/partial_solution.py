@@ -4,22 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any, TypedDict, TypeVar
-
-import numpy.typing as npt
+from typing import Any, TypeVar
 
 from ..errors import ProtocolError
 from .answers import read
-from .friction import Force, Friction, RollingKind
-from .grid import Grid, Paraboloid, SemiAxes
+from .grid import Grid
 from .representation import with_inherited_attributes
-from .solution import ContactSolution, Fields, PartialSolution, Solution
+from .solution import ContactSolution, PartialSolution, Solution
 
 __all__ = [
     "ALL_FIELDS",
     "PartialSolution",
     "SavedState",
-    "StepInput",
     "StepSolution",
     "check_arrays",
     "on_grid",
@@ -56,33 +52,6 @@ def read_solution(
     solution = read(ContactSolution, result, path) if names is None else read(PartialSolution, result, path)
     check_arrays(solution, ALL_FIELDS if names is None else names, grid)
     return on_grid(solution, grid)
-
-
-class StepInput(TypedDict, total=False):
-    """What a step says: the keywords of Session.step, for Client.step_many, as in ``{"Fn": 9e3, "xi": 1e-3}``."""
-
-    approach: float | None
-    Fn: float | None
-    gap: Paraboloid | SemiAxes | npt.ArrayLike | None
-    friction: Friction | None
-    mu: float | npt.ArrayLike | None
-    force: Force | None
-    rigid_shift: tuple[float, float] | None
-    rotation: float | None
-    duration: float | None
-    rigid_slip: tuple[npt.ArrayLike, npt.ArrayLike] | None
-    xi: float | None
-    eta: float | None
-    phi: float | None
-    chi: float | None
-    dq: float | None
-    spin_offset: float | None
-    kind: RollingKind | None
-    steps: int | None
-    velocity: float | None
-    derivatives: bool | None
-    fields: Fields
-    again: bool
 
 
 @with_inherited_attributes

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from .arrays import Array
 from .evidence import IcEvidence, IcUse
-from .grid import Array, Grid
+from .grid import Grid
 from .tables import IcSpec
 
 __all__ = ["ImportedIc", "QuarantinedIc", "RecentPatch", "RecentSolve", "StoredIc"]

@@ -8,12 +8,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Generic
 
+from .arrays import Array
 from .dictionaries import Saved
 from .evidence import ContactEvidence
-from .grid import Array, Grid
-from .motion import Rolling
+from .grid import Grid
+from .motion import Rolling, Shift
 from .representation import Shown
-from .solution_methods import Bytes, Floats, Shift, SolutionMethods
+from .solution_methods import Bytes, Floats, SolutionMethods
 
 __all__ = ["Areas", "Counts", "Derivatives", "DerivativesOfAnswer", "Forces", "Resultant", "Solution"]
 

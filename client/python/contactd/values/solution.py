@@ -12,7 +12,7 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
-from .grid import Array
+from .arrays import Array
 from .representation import with_inherited_attributes
 from .result import Areas, Counts, Derivatives, DerivativesOfAnswer, Forces, Resultant, Solution
 

@@ -1,15 +1,14 @@
-"""Methods of solutions of contacts, whose fields are in `result`, and shifts."""
+"""Methods of solutions of contacts, whose fields are in `result`."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
 from ..refusals import public
-from .grid import Array
+from .arrays import Array
 from .registry import extra
 from .representation import Rows
 
@@ -17,36 +16,15 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.axes import Axes
 
-__all__ = ["Bytes", "Floats", "Shift", "SolutionMethods"]
+__all__ = ["Bytes", "Floats", "SolutionMethods"]
 
 # What the arrays of a solution are: of a step each may be left out.
 Floats = TypeVar("Floats", bound="Array | None")
 Bytes = TypeVar("Bytes", bound="npt.NDArray[np.uint8] | None")
 
 
-@dataclass(frozen=True, kw_only=True)
-class Shift:
-    """The shift of a solution, as asked for, with what a prescribed force made of it.
-
-    Attributes:
-        rigid_shift: (w_x, w_y) of the upper body over the lower, at the origin (mm).
-        rotation: About z, positive from x to y (rad).
-        duration: That of the step (s).
-        force: What was prescribed (N).
-    """
-
-    rigid_shift: tuple[float, float]
-    rotation: float = 0.0
-    duration: float = 1.0
-    force: tuple[float | None, float | None] | None = None
-
-    @staticmethod
-    def _is_told(told: dict[str, Any]) -> bool:
-        return "rigid_shift" in told
-
-
 class SolutionMethods:
-    """Of a Solution."""
+    """Methods of a Solution."""
 
     @public
     def plot(self, axes: Axes | None = None) -> Axes:

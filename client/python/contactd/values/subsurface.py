@@ -9,8 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ..refusals import public
+from .arrays import Array
 from .dictionaries import Saved
-from .grid import Array
 from .registry import extra
 from .representation import Rows, Shown
 

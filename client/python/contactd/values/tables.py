@@ -12,12 +12,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..refusals import public
+from .arrays import Array, array_of
 from .dictionaries import HasDict
 from .evidence import IcEvidence
-from .grid import Array, Grid
-from .ics import FemIcs, Ics
+from .fem_ics import FemIcs
+from .grid import Grid
+from .ics import Ics
 from .materials import LayeredBody, Material
-from .params import array_of, whole
+from .params import whole
 from .registry import extra
 from .representation import Rows, Shown, number
 
@@ -57,7 +59,7 @@ class IcSpec:
         ics = spec.get("ics")
         if not isinstance(ics, dict) or "layers" not in ics:
             return spec
-        return {**spec, "material": {name: ics[name] for name in ("layers", "base") if name in ics}}
+        return {**spec, "material": {name: ics[name] for name in ("body", "layers", "base") if name in ics}}
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from ..arrays import Array
 from ..evidence import SolverEvidence
-from ..grid import Array
 from ..solution import PartialSolution
 from .forces import WheelRailDerivatives, WheelRailForces
 from .places import ContactPlace

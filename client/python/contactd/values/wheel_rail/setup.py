@@ -15,7 +15,7 @@ from ..dictionaries import Saved
 from ..evidence import Model, SolverSettings
 from ..materials import Material, RigidBody
 from ..motion import KineticFriction
-from ..profiles import Profile
+from ..profile_shapes import Profile
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -52,8 +52,8 @@ class WheelRailFriction:
         WheelRailFriction([(-1.2, 0.1), (-0.4, 0.3)])  # less at the gauge face
 
     Attributes:
-        mu: (Static) coefficient of friction: one, or some by the angle of the rail's surface from the horizontal (rad),
-            ascending, with straight lines between; angles are negative on the gauge side.
+        mu: (Static) coefficient of friction (>= 0): one, or some by the angle of the rail's surface from the horizontal
+            (rad), ascending, with straight lines between; angles are negative on the gauge side.
         along_profile: Whether the angle is that of the rail at each row of elements, or that of the patch; for model
             full. Default False.
         kinetic: Velocity-weakening (falling) friction, by the slip velocity v; None, the coefficient is constant.
@@ -70,8 +70,8 @@ class RailSprings:
     """Springs between a rail without mass and the ground; it is rigid in a direction that has none.
 
     Attributes:
-        y: Stiffness sideways (N/mm).
-        z: Stiffness downwards (N/mm).
+        y: Stiffness sideways (N/mm), >= 0.001.
+        z: Stiffness downwards (N/mm), >= 0.001.
     """
 
     y: float | None = None
@@ -83,13 +83,13 @@ class Track:
     """Where the rails lie.
 
     Attributes:
-        gauge: Distance between the gauge faces of the rails (mm). Default 1435.
-        gauge_height: How far below the tops of the rails the gauge is measured (mm). Default 14.
-        cant: Cant of the rail's profile as given, leaning inwards where positive (rad). Default 0.
+        gauge: Distance between the gauge faces of the rails (mm), > 0. Default 1435.
+        gauge_height: How far below the tops of the rails the gauge is measured (mm), >= 0. Default 14.
+        cant: Cant of the rail's profile as given, leaning inwards where positive (rad), -0.5 to 0.5. Default 0.
         rail_origin: Where the origin of the rail's profile is: y and z (mm) from the centre of the track to the field
             side, and down; gauge and gauge_height mean nothing then. None: as they say.
         roller_radius: Radius of a roller that turns under the wheel in place of the rail, where its profile has z = 0
-            (mm). None: a rail.
+            (mm), > 0. None: a rail.
         springs: Springs between a rail without mass and the ground; it is rigid in a direction that has none. None: a
             rigid rail.
     """
@@ -107,9 +107,9 @@ class Wheelset:
     """Where the wheels sit on their axle.
 
     Attributes:
-        flange_back_distance: Distance between the backs of the flanges (mm). Default 1360.
+        flange_back_distance: Distance between the backs of the flanges (mm), > 0. Default 1360.
         flange_back_position: y of the flange's back in the wheel's profile (mm). Default -70.
-        nominal_radius: Radius of the wheel where its profile has z = 0 (mm). Default 460.
+        nominal_radius: Radius of the wheel where its profile has z = 0 (mm), > 0. Default 460.
     """
 
     flange_back_distance: float | None = None
@@ -123,13 +123,13 @@ class PatchRules:
     < distance_separate < distance_turn.
 
     Attributes:
-        angle_separate: Angle between the planes of two regions above which they are patches of their own (rad). Default
-            1.5707963267948966.
-        distance_separate: Distance below which regions are parts of one patch and interact with a weight (mm). Default
-            8.
-        distance_combine: Distance below which regions become one patch (mm). Default 4.
-        distance_turn: Distance below which the planes of two patches turn towards each other (mm). Default 12.
-        locus_step: Step of the locus across the track, in elements dy. Default 0.3.
+        angle_separate: Angle between the planes of two regions above which they are patches of their own (rad), > 0, <=
+            3.14159. Default 1.5707963267948966.
+        distance_separate: Distance below which regions are parts of one patch and interact with a weight (mm), > 0.
+            Default 8.
+        distance_combine: Distance below which regions become one patch (mm), > 0. Default 4.
+        distance_turn: Distance below which the planes of two patches turn towards each other (mm), > 0. Default 12.
+        locus_step: Step of the locus across the track, in elements dy (> 0, <= 1). Default 0.3.
         search: Search for regions of overlap: along the locus, where the distance along the track is least, or on a
             mesh seen from above, for rails that curve along the track. Default "locus".
     """
@@ -165,9 +165,9 @@ class WheelRailSetup(Saved):
         model: full: boundary elements. hertz: closed forms of elliptic contact. fastsim: Hertzian contact and Kalker's
             simplified theory of rolling. Default "full".
         friction: Coulomb friction, by default 0.3 everywhere; None: frictionless.
-        dx: Size of the elements along x, in the plane of a contact (mm). Default 0.2.
-        dy: Size of the elements across (mm). Default 0.2.
-        dq: Step of rolling (mm); 0: dx. Default 0.
+        dx: Size of the elements along x, in the plane of a contact (mm), 0.0001 to 100. Default 0.2.
+        dy: Size of the elements across (mm), 0.0001 to 100. Default 0.2.
+        dq: Step of rolling (mm), 0 to 100; 0: dx. Default 0.
         patches: Rules by which regions of overlap that lie close to each other are combined, by their distance.
             distance_combine < distance_separate < distance_turn.
         wheel_surface: The wheel by its splines, or bilinear between corners of a mesh as large as the elements, which

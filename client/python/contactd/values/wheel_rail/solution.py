@@ -5,22 +5,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any, TypedDict, TypeVar
+from typing import Any, TypeVar
 
 from ...errors import ProtocolError
 from ..answers import read
 from ..partial_solution import ALL_FIELDS, check_arrays, on_grid
 from ..representation import with_inherited_attributes
-from ..solution import Fields
 from .result import RailDeflection, WheelRailPatch, WheelRailSolution, WheelsetSolution
-from .setup import WheelRailFriction
-from .state import WheelRailState
 
 __all__ = [
     "RailDeflection",
     "WheelRailPatch",
     "WheelRailSolution",
-    "WheelRailStepInput",
     "WheelRailStepSolution",
     "WheelsetSolution",
     "read_wheel_rail",
@@ -69,17 +65,6 @@ def _checked(solution: S, names: Iterable[str] | None, gap: bool) -> S:
         if gap and patch.gap is not None and patch.gap.shape != patch.place.grid.shape:
             raise ProtocolError(f"The answer's gap of patch {index} does not fit its grid.")
     return solution
-
-
-class WheelRailStepInput(TypedDict, total=False):
-    """What a step says: the arguments of WheelRailSession.step, for Client.step_many, as in ``{"state": state}``."""
-
-    state: WheelRailState
-    friction: WheelRailFriction | None
-    fields: Fields
-    gap: bool
-    patches: bool
-    again: bool
 
 
 @with_inherited_attributes

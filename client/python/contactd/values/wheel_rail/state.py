@@ -20,8 +20,8 @@ class WheelsetPosition:
     Attributes:
         y: To the right (mm).
         z: Down (mm); where Fz is given, only where to start.
-        roll: Roll, from y to z (rad).
-        yaw: Yaw, from x to y, turned first (rad).
+        roll: Roll, from y to z (rad), -0.5 to 0.5.
+        yaw: Yaw, from x to y, turned first (rad), -0.5 to 0.5.
         x: Along the track, where the rail varies (mm); forces and references are told from there on.
         pitch: Angle by which the wheelset has turned about its axle, for an out-of-round wheel (rad); any number of
             revolutions.
@@ -63,7 +63,7 @@ class RailDeviation:
     Attributes:
         y: To the right (mm).
         z: Down (mm).
-        roll: Roll, from y to z (rad).
+        roll: Roll, from y to z (rad), -0.5 to 0.5.
         y_velocity: Velocity to the right (mm/s).
         z_velocity: Velocity downwards (mm/s).
         roll_velocity: Velocity of roll (rad/s).
@@ -91,7 +91,8 @@ class WheelRailState(Saved):
         velocity: Velocity of the wheelset's centre in track coordinates, and about its own axes.
         rail: Deviation of the rail from where track and gauge have it, in track coordinates also for a left one.
         roller_pitch: Pitch rate of a roller (rad/s): positive where the wheel on it turns as when rolling forwards.
-        Fz: Vertical force of this wheel on the rail, which position.z is found for (N). None: position.z is prescribed.
+        Fz: Vertical force of this wheel on the rail, which position.z is found for (N), >= 1e-06. None: position.z is
+            prescribed.
         Fx: Longitudinal force on the rail along the wheelset's x axis, which velocity.pitch is found for (N); needs
             friction. None: velocity.pitch is prescribed.
         derivatives: Whether the solution has derivatives of the forces by position and velocity.
@@ -111,8 +112,8 @@ class WheelsetState(Saved):
     """Where a wheelset is that is free to roll, and how it moves.
 
     Attributes:
-        Fz_left: Vertical force of the left wheel on its rail (N).
-        Fz_right: Vertical force of the right wheel on its rail (N).
+        Fz_left: Vertical force of the left wheel on its rail (N), >= 1e-06.
+        Fz_right: Vertical force of the right wheel on its rail (N), >= 1e-06.
         position: Position of the wheelset's centre; z and roll, which are found, only tell where to start.
         velocity: Velocity of the wheelset's centre in track coordinates, and about its own axes.
         left_rail: Deviation of the left rail, in track coordinates: y to the right.

@@ -1,0 +1,38 @@
+"""How friction is made and written, whose fields are in `friction`."""
+
+from __future__ import annotations
+
+import reprlib
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .arrays import array_of
+from .params import HasParams
+
+__all__ = ["Force", "FrictionMethods"]
+
+#: (Fx, Fy) on the upper body (N); None where the motion is prescribed instead
+Force = tuple[float | None, float | None]
+
+
+class FrictionMethods(HasParams):
+    """Methods of a Friction."""
+
+    def __post_init__(self: Any) -> None:
+        if all(motion is None for motion in (self.rigid_shift, self.force, self.rolling, self.rigid_slip)):
+            raise TypeError("Friction() takes a motion: rigid_shift, force, rolling or rigid_slip")
+
+    @staticmethod
+    def _write_mu(mu: float | npt.ArrayLike, _field: str) -> Any:
+        coefficient = array_of(mu)
+        return coefficient if coefficient.ndim or np.ma.is_masked(coefficient) else coefficient.item()
+
+    @staticmethod
+    def _write_rigid_slip(slip: tuple[npt.ArrayLike, npt.ArrayLike], _field: str) -> dict[str, Any]:
+        if not isinstance(slip, Sequence) or len(slip) != 2:
+            raise TypeError(f"rigid_slip is {reprlib.repr(slip)}; it must be a pair of arrays, along x and along y")
+        x, y = slip
+        return {"x": array_of(x), "y": array_of(y)}

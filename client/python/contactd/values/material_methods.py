@@ -1,0 +1,70 @@
+"""How materials and bodies of layers are made, whose fields are in `materials`."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from numbers import Real
+from typing import Any, Generic, TypeVar
+
+from ..errors import invalid
+from ..refusals import public
+
+__all__ = ["LayeredBodyMethods", "MaterialMethods"]
+
+
+L = TypeVar("L")  #: a layer
+B = TypeVar("B")  #: what layers lie on
+
+
+class MaterialMethods:
+    """A Material is made of its shear modulus or of Young's."""
+
+    @public
+    def __init__(self, G: float | None = None, nu: float | None = None, *, E: float | None = None) -> None:
+        if nu is None:
+            raise TypeError("Material() lacks nu")
+        if (G is None) == (E is None):
+            raise TypeError("Material() takes either G, the shear modulus, or E, Young's modulus")
+        object.__setattr__(self, "G", _shear_modulus(E, nu) if E is not None else G)
+        object.__setattr__(self, "nu", nu)
+
+    @property
+    def E(self: Any) -> float:
+        """Young's modulus 2 G (1 + nu) (N/mm^2)."""
+        modulus: float = 2 * self.G * (1 + self.nu)
+        return modulus
+
+
+def _shear_modulus(E: float, nu: float) -> float:
+    """Says of Young's modulus what the daemon, which gets G only, would say of that."""
+    for name, value in (("E", E), ("nu", nu)):
+        if not isinstance(value, Real) or isinstance(value, bool):
+            raise TypeError(f"{name} is {value!r}; it must be a number")
+    if not 0 < E < math.inf:
+        raise invalid("E", f"is {E}; it must be a positive, finite number")
+    if not 0 <= nu <= 0.5:
+        raise invalid("nu", f"is {nu}; it must lie in [0, 0.5]")
+    return float(E / (2 * (1 + nu)))
+
+
+class LayeredBodyMethods(Generic[L, B]):
+    """A LayeredBody is made of any sequence of layers."""
+
+    @public
+    def __init__(self: Any, layers: Iterable[L], base: B) -> None:
+        object.__setattr__(self, "layers", tuple(layers))
+        object.__setattr__(self, "base", base)
+        self.__post_init__()
+
+    @property
+    def G(self: Any) -> float:
+        """Shear modulus at the surface (N/mm^2)."""
+        modulus: float = self.layers[0].G
+        return modulus
+
+    @property
+    def nu(self: Any) -> float:
+        """Poisson's ratio at the surface."""
+        ratio: float = self.layers[0].nu
+        return ratio

@@ -1,0 +1,36 @@
+"""How a contact problem is made, whose fields are in `problem`."""
+
+from __future__ import annotations
+
+import reprlib
+from collections.abc import Mapping
+from typing import Any
+
+from .ics import AnalyticIcs
+from .params import check_fields
+
+__all__ = ["CLOSED_FORMS", "REQUIRED", "ProblemMethods", "check_field_types"]
+
+CLOSED_FORMS = AnalyticIcs()
+REQUIRED: Any = object()  #: stands behind `upper`, which may be left out, without being left out itself
+
+
+class ProblemMethods:
+    """Methods of a ContactProblem."""
+
+    def __post_init__(self: Any) -> None:
+        if self.gap is REQUIRED:
+            raise TypeError("ContactProblem() lacks gap")
+        if (self.approach is None) == (self.Fn is None):
+            raise TypeError("ContactProblem() takes either approach or Fn")
+        check_field_types(type(self), vars(self))
+
+
+def check_field_types(kind: type, fields: Mapping[str, Any]) -> None:
+    """Raises TypeError where a field of a problem is of a wrong type, one lacks that must be there, or there is none of its
+    name. In the place of tractions may stand whatever has them."""
+    tractions = {name: fields[name] for name in ("initial", "previous") if fields.get(name) is not None}
+    check_fields(kind, {name: value for name, value in fields.items() if name not in tractions})
+    for name, value in tractions.items():
+        if not hasattr(value, "pressure"):
+            raise TypeError(f"{name} is {reprlib.repr(value)}; it must be a solution or an Estimate")
