@@ -83,8 +83,8 @@ class Collected:
         listed = sorted(members.values(), key=lambda member: (member.default is not None, order.get(member.name, len(order))))
         self.classes[name] = Class(name, schema, listed)
 
-    def _members(self, schema: Schema, options: Schema, within: str = "") -> Iterator[Member]:
-        """The fields; where it is within another one's, those of a field of the wire that is none here."""
+    def _members(self, schema: Schema, options: Schema, within: str = "", is_there: bool = True) -> Iterator[Member]:
+        """The fields; where it is `within` another one's, those of a field of the wire that is none here."""
         properties = schema.get("properties", {})
         chosen = properties if within else options.get("fields", properties)
         for name in chosen:
@@ -96,11 +96,11 @@ class Collected:
                 continue
             part = {**part, "x-python": own}
             if own.get("flat") or own.get("spread"):
-                yield from self._members(part, options, name)
+                yield from self._members(part, options, name, name in schema.get("required", ()))
                 if own.get("flat"):
                     continue
             kind = self._type_of_value(part)
-            required = own.get("required", name in schema.get("required", ()) and not within)
+            required = own.get("required", name in schema.get("required", ()) and is_there)
             default = None if required and "default" not in own else self._default(part, own, kind, options)
             if (default == "None" or "null" in _types(part)) and not kind.endswith("| None"):
                 kind = f"{kind} | None"

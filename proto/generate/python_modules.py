@@ -113,6 +113,15 @@ MODULES = [
         ("definitions.json#/definitions/derivatives_of_answer", "contact.solve.result.json#"),
     ),
     Module(
+        "subsurface",
+        "Stresses inside the bodies: what `Client.subsurface` takes and answers.",
+        (
+            "contact.subsurface.params.json#/properties/block",
+            "contact.subsurface.result.json#/properties/largest",
+            "contact.subsurface.result.json#",
+        ),
+    ),
+    Module(
         "records",
         "What a daemon keeps: tables in its store, and its last solves.",
         (

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..values.subsurface import Component, SubsurfaceStress
+from ..values.subsurface import SubsurfaceStress
+from ..values.subsurface_methods import Component
 from .canvas import INK, aspect_of, axes_or_new, bare, colour_bar, warm
 
 if TYPE_CHECKING:

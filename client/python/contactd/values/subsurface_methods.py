@@ -1,0 +1,63 @@
+"""Methods of stresses inside the bodies, and of the blocks that they are on, whose fields are in `subsurface`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from ..refusals import public
+from .registry import extra
+from .representation import Rows
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.axes import Axes
+
+__all__ = ["Component", "StressBlockMethods", "SubsurfaceStressMethods"]
+
+Component = Literal["von_mises", "xx", "yy", "zz", "xy", "xz", "yz"]
+
+
+class StressBlockMethods:
+    """Methods of a StressBlock."""
+
+    @property
+    def shape(self: Any) -> tuple[int, int, int]:
+        """Shape of the stresses: (nz, ny, nx)."""
+        return (np.size(self.z), np.size(self.y), np.size(self.x))
+
+
+class SubsurfaceStressMethods:
+    """Methods of a SubsurfaceStress."""
+
+    @public
+    def plot(
+        self,
+        component: Component = "von_mises",
+        *,
+        x: float | None = None,
+        y: float | None = None,
+        z: float | None = None,
+        axes: Axes | None = None,
+    ) -> Axes:
+        """Draws a stress on a plane through a block, such as that at `y` (mm; the nearest points count), or on a line.
+
+        Left out, the plane is that with the largest von Mises stress. Into `axes`, or a figure of its own; returns the axes.
+        Needs matplotlib ("contactd[pictures]").
+        """
+        drawn: Axes = extra("SubsurfaceStress.plot")(self, component, x=x, y=y, z=z, axes=axes)
+        return drawn
+
+    @public
+    def to_xarray(self) -> xarray.Dataset:
+        """Stresses over x, y and z of a block, or over points. Needs xarray ("contactd[xarray]")."""
+        labelled: xarray.Dataset = extra("SubsurfaceStress.to_xarray")(self)
+        return labelled
+
+    def _title(self: Any) -> str:
+        return f"SubsurfaceStress at {self.von_mises.size} points"
+
+    def _rows(self: Any) -> Rows:
+        at = self.largest
+        return [("largest von Mises", at.von_mises), ("at x", at.x), ("y", at.y), ("z", at.z)]
