@@ -1,13 +1,16 @@
-"""A field that is new to a wheel on its rail is declared in its struct and its schema, and nowhere else by hand.
+"""A field that is new to a wheel on its rail, or to a contact, is declared in its struct and its schema, and nowhere else
+by hand. Slip laws and methods are named in few files.
 
-The tree is copied, and a number, a word and a signed number of an answer are added there. From two files each follow
-lists, bounds, messages, mirrored wheels, paths of the C interface, variables of FMUs and values of Python.
+The tree is copied, and a number, a word and a signed number of an answer are added there, and to contacts a number, an
+option of finite elements and a slip law. From two files each follow lists, bounds, messages, mirrored wheels, paths of the
+C interface, variables of FMUs and values of Python.
 """
 
 from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -56,7 +59,9 @@ int main() {
 
 
 PYTHON = """
+from contactd import ContactProblem, FemIcs, Friction, Grid, KineticFriction, Material, Paraboloid
 from contactd.values.answers import read
+from contactd.values.contact_params import problem_params
 from contactd.values.wheel_rail.params import setup_params
 from contactd.wheel_rail import RailDeflection, Track, WheelRailSetup
 
@@ -64,7 +69,22 @@ assert "probe: A number (mm), 0 to 5. Default 1." in Track.__doc__, Track.__doc_
 track = Track(probe=3, probe_kind="second")
 assert setup_params(WheelRailSetup(track=track))["track"] == {"probe": 3, "probe_kind": "second"}
 assert read(RailDeflection, {"y": 1, "z": 2, "probe": 3}).probe == 3
+
+friction = Friction(0.3, (0.1, 0), kinetic=KineticFriction(0.2, 5, "probe"), probe=4)
+problem = ContactProblem(
+    grid=Grid(2, 2, 1, 1), upper=Material(1, 0), gap=Paraboloid(50), Fn=1, ics=FemIcs(probe=3), friction=friction, probe=2
+)
+assert "probe: A number (mm), 0 to 5. Default 1." in ContactProblem.__doc__, ContactProblem.__doc__
+sent = problem_params(problem.replace(probe=5))
+assert sent["ics"] == {"source": "fem", "probe": 3}
+assert sent["friction"]["kinetic"]["law"] == "probe"
+assert (sent["probe"], sent["friction"]["probe"]) == (5, 4)
 """
+#: A method of each family whose work is little. Others have a cost, too, in two files more.
+METHODS = ["ic.delete", "job.cancel", "session.forget", "solves.pressures"]
+#: Folders with sources. The interface of CONTACT has numbers of its own, for the laws that CONTACT has.
+SUFFIXES = {".cpp", ".hpp", ".h", ".c", ".py", ".f90"}
+SOURCES = ["core", "engine", "proto/src", "server", "client/c", "client/cpp", "client/fmu", "client/python/contactd"]
 
 
 def replace(path: Path, old: str, new: str) -> None:
@@ -97,6 +117,23 @@ def add_fields(tree: Path) -> None:
     signed = {"description": "A signed number.", "x-unit": "mm", "x-parity": "odd", "x-fmu": "output", "type": "number"}
     result["properties"]["rail_deflection"]["properties"]["probe"] = signed
     path.write_text(json.dumps(result))
+    add_to_contacts(tree / "proto" / "schema", {key: value for key, value in number.items() if key != "x-fmu"})
+
+
+def add_to_contacts(schemas: Path, number: dict[str, object]) -> None:
+    """Fields of a problem, of friction and of coefficients, and a slip law: for Python, whose structs are their schemas."""
+    number = {**number, "x-derived": True}
+    path = schemas / "contact.solve.params.json"
+    solve = json.loads(path.read_text())
+    friction = solve["properties"]["friction"]["properties"]
+    for properties in (solve["properties"], friction):
+        properties["probe"] = number
+    friction["kinetic"]["properties"]["law"]["enum"].append("probe")
+    path.write_text(json.dumps(solve))
+    path = schemas / "definitions.json"
+    definitions = json.loads(path.read_text())
+    definitions["definitions"]["ics"]["properties"]["probe"] = number
+    path.write_text(json.dumps(definitions))
 
 
 def run(command: list[str], folder: Path, environment: dict[str, str]) -> None:
@@ -118,6 +155,28 @@ def tree(tmp_path: Path) -> Path:
 def test_python_has_a_new_field(tree: Path) -> None:
     ran = subprocess.run([sys.executable, "-B", "-c", PYTHON], cwd=tree / "client" / "python", capture_output=True, text=True)
     assert ran.returncode == 0, ran.stderr
+
+
+def files_with(pattern: str) -> set[Path]:
+    """Sources that are written by hand, in which the pattern is found."""
+    files = (path for folder in SOURCES for path in (ROOT / folder).rglob("*.*") if path.suffix in SUFFIXES)
+    texts = ((path, path.read_text()) for path in files)
+    return {path for path, text in texts if "Written by ./dev generate" not in text[:2000] and re.search(pattern, text)}
+
+
+def test_a_slip_law_is_named_in_few_files() -> None:
+    """In the enum, where it is computed, in its schema and in the enumeration of FMUs."""
+    named = files_with(r'SlipLaw::exponential\b|"exponential"|enum class SlipLaw {')
+    assert len(named) + 1 <= 5, sorted(named)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_method_is_named_in_few_files(method: str) -> None:
+    """In its two schemas, its handler, the client of Python, and the client of C++, whose header declares a function."""
+    schemas = {ROOT / "proto" / "schema" / f"{method}.{part}.json" for part in ("params", "result")}
+    assert all(path.exists() for path in schemas)
+    named = files_with(rf'"{re.escape(method)}"')
+    assert len(schemas | named) + 1 <= 6, sorted(named)
 
 
 @pytest.mark.slow  # compiles a dozen files
