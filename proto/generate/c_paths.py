@@ -20,11 +20,26 @@ RESULTS = [
     ("roll", "wheelrail.wheelset.result.json#/properties/roll"),
     ("roll_search", "wheelrail.wheelset.result.json#/properties/roll_search"),
 ]
-CONTACT = [("", "contact.solve.result.json#")]
+CONTACT_INPUTS = [
+    ("", "contact.solve.params.json#"),
+    ("", "session.open.params.json#"),
+]
+CONTACT_RESULTS = [
+    ("", "session.step.result.json#"),
+    ("ics", "session.open.result.json#/properties/ics"),
+]
+TITLED = {
+    "inputs of a contact": CONTACT_INPUTS,
+    "results of a contact": CONTACT_RESULTS,
+    "inputs of a wheel": INPUTS,
+    "results of a wheel": RESULTS,
+}
 #: Forms of their own on the wire of which contactd.h has the fields all the same.
-WITH_FIELDS = re.compile(r"setup\.bodies\b")
-#: The length of a list, which has a path.
-NO_TOTALS = {"contacts"}
+WITH_FIELDS = re.compile(r"(setup\.)?bodies\b|ics\b|columns\.frames|friction\.(rolling\.)?force|motion\b")
+#: They have the fields of "ics", and evidence those of ic.get.
+NOT_BELOW = re.compile(r"bodies\.\w+\.ics|ics\.\w+\.evidence")
+#: The length of a list, which has a path; and what other functions say.
+NO_FIELDS = {"contacts", "fields", "initial", "wheelrail"}
 HEAD = """/* Paths of fields and keywords for contactd.h. An entry of a list has its number printed in place of %d:
  *
  *     snprintf(path, sizeof path, CONTACTD_PATH_PATCHES_SOLUTION_PMAX, patch);
@@ -38,7 +53,7 @@ def c_files(declarations: Declarations) -> dict[Path, str]:
     enums: set[str] = set()
     lines = [NOTE.replace("// ", "/* ").replace(".\n", ". */\n").rstrip(), HEAD]
     known: set[str] = set()
-    for title, roots in (("inputs of a wheel", INPUTS), ("results of a wheel", RESULTS), ("results of a contact", CONTACT)):
+    for title, roots in TITLED.items():
         lines.append(f"/* --- {title} --- */")
         for root, reference in roots:
             schema = declarations.resolved({"$ref": reference})
@@ -62,11 +77,13 @@ def _fields(declarations: Declarations, schema: Schema, above: str) -> Iterator[
         field, path = declarations.resolved(given), above + name
         if "x-partial" in field:  # the struct has all fields
             field = declarations.schemas[field["x-cpp"]]
-        is_beside_struct = "x-derived" in field and ("." in path or name in NO_TOTALS)
-        if is_beside_struct or not _has_path(declarations, field, path):
+        if "else" in field and "$ref" in field["else"]:  # coefficients that no table gives
+            field = declarations.resolved(field["else"])
+        is_beside_struct = "x-derived" in field and "." in path
+        if is_beside_struct or path in NO_FIELDS or not _has_path(declarations, field, path):
             continue
         yield path, field
-        if _is_array(field):
+        if _is_array(field) or NOT_BELOW.fullmatch(path):
             continue
         if "x-cpp-items" in field:
             yield from ((f"{path}.{name}", field["items"]) for name in field["x-cpp-items"])
@@ -93,4 +110,6 @@ def _path(path: str, field: Schema) -> str:
 
 
 def _upper(name: str) -> str:
+    """Returns the name in capitals; a capital letter that is another field's small one says so."""
+    name = re.sub(r"\b([A-Z])_", r"capital_\1_", name)
     return re.sub(r"(?<=[a-z])(?=[A-Z][a-z])", "_", name).replace(".", "_").replace("::", "_").upper()

@@ -120,7 +120,7 @@ CONTACTD_API const char* contactd_last_reason(const void* handle); /* "FIELD_INV
  * handle, so that it may be used in a loop.
  *
  * Numbers, flags (0 or 1) and whole numbers; a field that may be left out is there from then on, and a list gets its
- * next entry where that is named. Inputs of contacts have functions of their own (CONTACTD_UNIMPLEMENTED). */
+ * next entry where that is named. Inputs of a contact are those of contact.solve, as "grid.dx" or "bodies.upper.G". */
 CONTACTD_API int32_t contactd_set(void* handle, const char* path, double value);
 /* One of the keywords that the field has, such as "setup.model" "hertz". */
 CONTACTD_API int32_t contactd_set_word(void* handle, const char* path, const char* word);

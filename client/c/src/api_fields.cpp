@@ -6,12 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "contactd/fields/contact.hpp"
 #include "contactd/fields/wheel_rail_setup.hpp"
-#include "contactd/fields/wheel_rail_solution.hpp"
 #include "edge.hpp"
 #include "field_array.hpp"
-#include "wheel_fields.hpp"
+#include "results.hpp"
 
 using namespace contactd::c;
 using contactd::FieldPath;
@@ -20,46 +18,6 @@ using contactd::InvalidArgument;
 using contactd::SolutionField;
 
 namespace {
-
-/// These follow from a solution, or from the search for the roll; a result has them beside the solution's fields.
-struct WheelTotals {
-    bool converged = false;
-    std::optional<double> frictional_power{};
-    double roll = 0;
-    std::optional<contactd::SolverEvidence> roll_search{};
-};
-struct ContactTotals {
-    bool converged = false;
-};
-
-const FieldType& type_of_totals(const Wheel&) {
-    static const std::array list{contactd::fields::field<&WheelTotals::converged>("converged"),
-                                 contactd::fields::field<&WheelTotals::frictional_power>("frictional_power"),
-                                 contactd::fields::field<&WheelTotals::roll>("roll"),
-                                 contactd::fields::field<&WheelTotals::roll_search>("roll_search")};
-    static const FieldType type = contactd::fields::object_type(list);
-    return type;
-}
-
-const FieldType& type_of_totals(const Contact&) {
-    static const std::array list{contactd::fields::field<&ContactTotals::converged>("converged")};
-    static const FieldType type = contactd::fields::object_type(list);
-    return type;
-}
-
-Roots results(const Contact& contact) {
-    static const std::array roots{&type_of_totals(contact), &contactd::type_of<contactd::ContactSolution>()};
-    return roots;
-}
-Roots results(const Wheel& wheel) {
-    static const std::array roots{&type_of_totals(wheel), &contactd::type_of<contactd::WheelRailSolution>()};
-    return roots;
-}
-
-const RootedPath& path_of(PathCache& paths, Roots roots, const PathName& name) {
-    if (const auto* id = std::get_if<std::int32_t>(&name)) return paths.at(roots, *id);
-    return paths.find(roots, given(std::get<const char*>(name), "path"));
-}
 
 // --- arrays over the grid --------------------------------------------------------------------------------------------
 
@@ -79,7 +37,7 @@ std::size_t elements_of(Contact& contact, const FieldPath&, const void*) {
 std::size_t elements_of(Wheel& wheel, const FieldPath& path, const void* root) {
     const std::string grid = path.text().substr(0, path.text().find('.')) + ".place.grid.n";
     const auto along = [&](const char* axis) {
-        return number_at(wheel.paths.find(results(wheel), grid + axis).path, root).value_or(0);
+        return number_at(wheel.paths.find(PathCache::result, (grid + axis).c_str()).path, root).value_or(0);
     };
     return static_cast<std::size_t>(along("x") * along("y"));
 }
@@ -111,43 +69,36 @@ void* as_contact(void* handle) {
     return contacts().find_any(handle) ? handle : nullptr;
 }
 
-/// Calls `read` with the object, the path, and what holds its results.
+/// Calls `read` with the object, the path, and the struct that holds its result.
 template <class Read>
 std::int32_t read(void* handle, const PathName& name, const Read& read) {
-    const auto read_below = [&](auto& object, const auto& solution, const auto& totals) {
-        const RootedPath& found = path_of(object.paths, results(object), name);
-        const bool is_total = found.root == &type_of_totals(object);
-        read(object, found.path, is_total ? static_cast<const void*>(&totals) : &solution);
+    const auto read_one = [&](auto& object) {
+        const RootedPath& found = object.paths.find(PathCache::result, name);
+        read_result(object, found, [&](const FieldPath& path, const void* root) { read(object, path, root); });
     };
-    if (as_contact(handle) != nullptr)
-        return with(static_cast<contactd_contact*>(handle), [&](Contact& contact) {
-            const contactd::ContactSolution& solution = contact.result().reply.solution;
-            read_below(contact, solution, ContactTotals{solution.converged()});
-        });
-    return with(static_cast<contactd_wheel*>(handle), [&](Wheel& wheel) {
-        const contactd::WheelRailSolution& solution = wheel.solution();
-        read_below(wheel, solution,
-                   WheelTotals{wheel.converged(), solution.frictional_power(), wheel.roll(), wheel.roll_search()});
+    if (as_contact(handle) != nullptr) return with(static_cast<contactd_contact*>(handle), read_one);
+    return with(static_cast<contactd_wheel*>(handle), read_one);
+}
+
+/// Calls `change` with the path and the struct that holds its input. Whatever it refuses leaves the inputs as they
+/// were.
+template <class Change>
+std::int32_t change(void* handle, const PathName& name, bool is_clear, const Change& change) {
+    if (as_contact(handle) == nullptr)
+        return with(static_cast<contactd_wheel*>(handle),
+                    [&](Wheel& wheel) { change(wheel.paths.find(PathCache::input, name).path, &wheel.said); });
+    return with(static_cast<contactd_contact*>(handle), [&](Contact& contact) {
+        const RootedPath& found = contact.paths.find(PathCache::input, name);
+        if (!is_load(found.path)) contact.require_set_up(found.path.text().c_str());
+        if (!is_clear) contact.said.require_motion_of(found.path);
+        change(found.path, contact.said.at(found));
+        is_clear ? contact.said.was_cleared(found.path) : contact.said.was_set(found.path);
     });
 }
 
-[[noreturn]] void refuse_input_of_contact() {
-    throw contactd::StatusError(contactd::StatusCode::unimplemented, "NO_PATHS",
-                                "Inputs of a contact are set by functions of their own, as contactd_set_material; "
-                                "paths are for its results.");
-}
-
-/// Calls `change` with the path and the inputs of a wheel. Whatever it refuses leaves them as they were.
-template <class Change>
-std::int32_t change(void* handle, const PathName& name, const Change& change) {
-    if (as_contact(handle) != nullptr)
-        return with(static_cast<contactd_contact*>(handle), [](Contact&) { refuse_input_of_contact(); });
-    return with(static_cast<contactd_wheel*>(handle),
-                [&](Wheel& wheel) { change(path_of(wheel.paths, Wheel::inputs(), name).path, &wheel.said); });
-}
-
 std::int32_t set(void* handle, const PathName& name, double value) {
-    return change(handle, name, [&](const FieldPath& field, void* root) {
+    return change(handle, name, false, [&](const FieldPath& field, void* root) {
+        if (is_one_or_array(field.type())) return set_numbers(field, root, std::array{value});
         if (&field.type() != &contactd::type_of<std::vector<contactd::FrictionAtAngle>>())
             return contactd::set_number(field, root, value);
         // One coefficient is the same at every angle, and refused by the name of the whole, as on the wire.
@@ -188,18 +139,18 @@ std::int32_t contactd_set(void* handle, const char* path, double value) {
 }
 
 std::int32_t contactd_set_word(void* handle, const char* path, const char* word) {
-    return change(handle, path,
+    return change(handle, path, false,
                   [&](const FieldPath& field, void* root) { contactd::set_text(field, root, given(word, "word")); });
 }
 
 std::int32_t contactd_set_array(void* handle, const char* path, const double* values, std::int32_t count) {
-    return change(handle, path, [&](const FieldPath& field, void* root) {
+    return change(handle, path, false, [&](const FieldPath& field, void* root) {
         set_numbers(field, root, array(values, count, "values"));
     });
 }
 
 std::int32_t contactd_clear(void* handle, const char* path) {
-    return change(handle, path, [&](const FieldPath& field, void* root) { field.clear(root); });
+    return change(handle, path, true, [&](const FieldPath& field, void* root) { field.clear(root); });
 }
 
 std::int32_t contactd_get(void* handle, const char* path, double* value) {
@@ -231,16 +182,9 @@ std::int32_t contactd_length(void* handle, const char* path, std::int32_t* count
 }
 
 std::int32_t contactd_path(void* handle, const char* path, std::int32_t* id) {
-    const auto number = [&](auto& object, Roots roots) {
-        *given(id, "id") = object.paths.number(roots, given(path, "path"));
-    };
-    if (as_contact(handle) != nullptr)
-        return with(static_cast<contactd_contact*>(handle),
-                    [&](Contact& contact) { number(contact, results(contact)); });
-    return with(static_cast<contactd_wheel*>(handle), [&](Wheel& wheel) {
-        const bool is_input = PathCache::begins_below(type_of_wheel_input(), given(path, "path"));
-        number(wheel, is_input ? Wheel::inputs() : results(wheel));
-    });
+    const auto number = [&](auto& object) { *given(id, "id") = object.paths.number(path); };
+    if (as_contact(handle) != nullptr) return with(static_cast<contactd_contact*>(handle), number);
+    return with(static_cast<contactd_wheel*>(handle), number);
 }
 
 std::int32_t contactd_set_at(void* handle, std::int32_t id, double value) {

@@ -145,5 +145,5 @@ std::int32_t contactd_set_rigid_slip(contactd_contact* contact, const double* x,
 }
 
 std::int32_t contactd_want_derivatives(contactd_contact* contact, std::int32_t wanted) {
-    return load(contact, [&](Said& said) { said.derivatives = word(wanted, 1, "wanted") != 0; });
+    return load(contact, [&](Said& said) { said.problem.derivatives = word(wanted, 1, "wanted") != 0; });
 }

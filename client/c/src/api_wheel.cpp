@@ -6,7 +6,6 @@
 #include "contactd/fields/profile_spec.hpp"
 #include "contactd/read_profile.hpp"
 #include "edge.hpp"
-#include "wheel_fields.hpp"
 
 using namespace contactd::c;
 using contactd::InvalidArgument;
@@ -25,7 +24,7 @@ std::int32_t contactd_wheel_free(contactd_wheel* wheel) {
 std::int32_t contactd_wheel_read_profile(contactd_wheel* wheel, const char* path, const char* file) {
     using contactd::ProfileKind;
     return with(wheel, [&](Wheel& changed) {
-        const contactd::FieldPath& profile = changed.paths.find(Wheel::inputs(), given(path, "path")).path;
+        const contactd::FieldPath& profile = changed.paths.find(PathCache::input, path).path;
         if (&profile.type() != &contactd::type_of<contactd::ProfileSpec>())
             throw InvalidArgument(profile.text(),
                                   "is no profile; setup.wheel and setup.rail are, and profile of each slice");

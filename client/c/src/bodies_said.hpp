@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "arguments.hpp"
-#include "said.hpp"
+#include "inputs.hpp"
 
 namespace contactd::c {
 

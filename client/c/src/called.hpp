@@ -45,8 +45,12 @@ class Called {
     }
 
    protected:
-    explicit Called(const Connection& connection)
-        : user(0), backend_(connection.backend), settings_(connection.told().first), log_(connection.told().second) {}
+    Called(const Connection& connection, Roots inputs, Roots results)
+        : user(0),
+          paths(inputs, results),
+          backend_(connection.backend),
+          settings_(connection.told().first),
+          log_(connection.told().second) {}
     ~Called() = default;
 
     /// Calls `ask` with a Control that cancel() reaches.

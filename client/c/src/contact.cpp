@@ -4,6 +4,8 @@
 #include <set>
 #include <utility>
 
+#include "results.hpp"
+
 namespace contactd::c {
 namespace {
 
@@ -17,7 +19,7 @@ std::string percent(double fraction) {
 
 }  // namespace
 
-Contact::Contact(const Connection& connection) : Called(connection) {}
+Contact::Contact(const Connection& connection) : Called(connection, ContactInputs::roots(), results_of_contacts()) {}
 
 void Contact::require_set_up(const char* what) const {
     if (started())
@@ -44,6 +46,7 @@ void Contact::start() {
     for (const auto* use : {&open_->ics().upper, &open_->ics().lower, &open_->ics().pair})
         if (*use) of_tables.insert((*use)->evidence.warnings.begin(), (*use)->evidence.warnings.end());
     for (const std::string& warning : of_tables) warn(warning);
+    said.problem.grid = spec.setup.grid;
     said.problem.previous = {};  // the contact has it now, and steps need not check it
     said.changed = {};
 }
@@ -76,7 +79,7 @@ void Contact::close() {
 std::int32_t Contact::save() {
     require_started();
     std::string name = controlled([&](Control& control) { return open_->save(control); });
-    saved_.emplace(++states_, Saved{std::move(name), result_, said.rolling});
+    saved_.emplace(++states_, Saved{std::move(name), result_, said.problem.motion});
     return states_;
 }
 
@@ -96,8 +99,7 @@ void Contact::restore(std::int32_t state) {
     const Saved& back = saved(state)->second;
     controlled([&](Control& control) { open_->restore(back.name, control); });
     result_ = back.result;
-    if (said.force.Fx) said.rolling.xi = back.rolling.xi;
-    if (said.force.Fy) said.rolling.eta = back.rolling.eta;
+    said.restore_estimates(back.motion);
 }
 
 void Contact::forget(std::int32_t state) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "called.hpp"
-#include "said.hpp"
+#include "inputs.hpp"
 
 namespace contactd::c {
 
@@ -54,7 +54,7 @@ class Contact : public Called {
     struct Saved {
         std::string name;  // in the session
         std::shared_ptr<const Result> result;
-        Rolling rolling;  // the estimates that Said had
+        Motion motion;  // with the estimates that the next step would have started from
     };
 
     std::map<std::int32_t, Saved>::iterator saved(std::int32_t state);

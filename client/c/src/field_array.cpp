@@ -62,6 +62,10 @@ bool is_grid_array(const FieldType& type) {
     return &type == &custom_type<std::vector<double>>() || &type == &custom_type<std::vector<ElementState>>();
 }
 
+bool is_one_or_array(const FieldType& type) {
+    return &type == &custom_type<ElementwiseCoefficient>();
+}
+
 std::optional<std::vector<double>> numbers_at(const FieldPath& path, const void* root) {
     const FieldType& type = path.type();
     const void* value = path.find(root);
@@ -85,6 +89,11 @@ std::optional<std::vector<double>> numbers_at(const FieldPath& path, const void*
 
 void set_numbers(const FieldPath& path, void* root, std::span<const double> values) {
     const FieldType& type = path.type();
+    if (&type == &custom_type<std::vector<double>>() || is_one_or_array(type)) {
+        for (const double value : values) check_number(path.field(), value, path.text());
+        static_cast<std::vector<double>*>(path.make(root))->assign(values.begin(), values.end());
+        return;
+    }
     const bool is_list = type.kind == FieldKind::list;
     const FieldType& entry = is_list ? type.element() : type;
     const std::size_t width = width_of(entry, path), entries = values.size() / width;

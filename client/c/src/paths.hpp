@@ -2,9 +2,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +14,7 @@
 #include <unordered_map>
 #include <variant>
 
+#include "arguments.hpp"
 #include "contactd/error.hpp"
 #include "contactd/field_path.hpp"
 
@@ -30,52 +33,95 @@ struct RootedPath {
 using PathName = std::variant<const char*, std::int32_t>;
 
 /// The paths that were used with one object, each of which is read once: a call in a loop looks its text up, or only
-/// its number.
+/// its number. A text may be the path of an input, of a result, or of both.
 class PathCache {
    public:
-    /// Throws InvalidArgument naming `text` where no field has that path.
-    const RootedPath& find(Roots roots, const std::string& text) {
+    enum Use : std::size_t { input, result };
+
+    PathCache(Roots inputs, Roots results) : roots_{inputs, results} {}
+
+    /// Throws InvalidArgument naming the text where no field has that path, or "id" for a number that is none.
+    const RootedPath& find(Use use, const PathName& name) {
+        if (const auto* number = std::get_if<std::int32_t>(&name)) return at(use, *number);
+        const std::string_view text = given(std::get<const char*>(name), "path");
+        const auto at = known_.find(text);
+        std::optional<RootedPath>* found = at == known_.end() ? nullptr : &paths_[at->second].of[use];
+        if (found != nullptr && *found) return **found;
+        RootedPath path = read(use, std::string(text));
         constexpr std::size_t most = 1000;
-        if (const auto at = known_[roots.front()].find(text); at != known_[roots.front()].end())
-            return paths_[at->second];
-        if (paths_.size() < most) return paths_[number(roots, text)];
-        return beyond_.emplace(RootedPath{&root_of(roots, text), FieldPath(root_of(roots, text), text)});
+        if (found == nullptr && paths_.size() >= most) return beyond_.emplace(std::move(path));
+        if (found == nullptr) found = &paths_[add(text)].of[use];
+        return found->emplace(std::move(path));
     }
 
-    /// The number of the path `text`, for at(); it stays. Throws as find.
-    std::int32_t number(Roots roots, const std::string& text) {
-        auto& known = known_[roots.front()];
-        if (const auto at = known.find(text); at != known.end()) return at->second;
-        const FieldType& root = root_of(roots, text);
-        paths_.push_back({&root, FieldPath(root, text)});
-        return known.emplace(text, static_cast<std::int32_t>(paths_.size() - 1)).first->second;
-    }
-
-    /// Throws InvalidArgument for a number that is none, or that of a path which begins elsewhere.
-    const RootedPath& at(Roots roots, std::int32_t number) const {
-        if (number < 0 || static_cast<std::size_t>(number) >= paths_.size())
-            throw InvalidArgument("id", "is " + std::to_string(number) + "; contactd_path of this handle tells one");
-        const RootedPath& found = paths_[static_cast<std::size_t>(number)];
-        if (std::ranges::find(roots, found.root) == roots.end())
-            throw InvalidArgument(found.path.text(), "is an input where a result is read, or a result that is set");
-        return found;
-    }
-
-    /// Returns whether a field of the root has the first name of the path.
-    static bool begins_below(const FieldType& root, std::string_view path) {
-        const std::string_view first = path.substr(0, path.find_first_of(".["));
-        return std::ranges::find(root.fields, first, &Field::name) != root.fields.end();
+    /// The number of the path `text`, for find(); it stays. Throws as find.
+    std::int32_t number(const char* text) {
+        const std::string path = given(text, "path");
+        if (const auto at = known_.find(path); at != known_.end()) return static_cast<std::int32_t>(at->second);
+        std::array<std::optional<RootedPath>, 2> found;
+        std::optional<InvalidArgument> refusal;
+        for (const Use use : {input, result}) {
+            if (root_of(use, path) == nullptr) continue;
+            try {
+                found[use] = read(use, path);
+            } catch (const InvalidArgument& refused) {
+                if (!refusal) refusal = refused;
+            }
+        }
+        if (!found[input] && !found[result]) {
+            if (refusal) throw *refusal;
+            found[result] = read(result, path);  // which says what there is
+        }
+        const std::size_t number = add(path);
+        paths_[number].of = std::move(found);
+        return static_cast<std::int32_t>(number);
     }
 
    private:
-    /// The last one where the path begins at none: it then says what it has.
-    static const FieldType& root_of(Roots roots, std::string_view path) {
-        const auto at = std::ranges::find_if(roots, [&](const FieldType* root) { return begins_below(*root, path); });
-        return at == roots.end() ? *roots.back() : **at;
+    struct Named {
+        std::string text;
+        std::array<std::optional<RootedPath>, 2> of;  // by Use
+    };
+    struct Hash : std::hash<std::string_view> {
+        using is_transparent = void;
+    };
+
+    const RootedPath& at(Use use, std::int32_t number) {
+        if (number < 0 || static_cast<std::size_t>(number) >= paths_.size())
+            throw InvalidArgument("id", "is " + std::to_string(number) + "; contactd_path of this handle tells one");
+        Named& named = paths_[static_cast<std::size_t>(number)];
+        if (!named.of[use] && root_of(use, named.text) == nullptr)
+            throw InvalidArgument(named.text, "is an input where a result is read, or a result that is set");
+        if (!named.of[use]) named.of[use] = read(use, named.text);
+        return *named.of[use];
     }
 
-    std::unordered_map<const FieldType*, std::unordered_map<std::string, std::int32_t>> known_;  // by the first root
-    std::deque<RootedPath> paths_;                                                               // by their numbers
+    std::size_t add(std::string_view text) {
+        known_.emplace(text, paths_.size());
+        paths_.push_back({std::string(text), {}});
+        return paths_.size() - 1;
+    }
+
+    /// The root of which a field has the first name of the path, or null.
+    const FieldType* root_of(Use use, std::string_view path) const {
+        const std::string_view first = path.substr(0, path.find_first_of(".["));
+        for (const FieldType* root : roots_[use])
+            if (std::ranges::find(root->fields, first, &Field::name) != root->fields.end()) return root;
+        return nullptr;
+    }
+
+    RootedPath read(Use use, const std::string& path) const {
+        if (const FieldType* root = root_of(use, path)) return {root, FieldPath(*root, path)};
+        std::string known;
+        for (const FieldType* root : roots_[use])
+            for (const Field& field : root->fields) known += (known.empty() ? "" : ", ") + std::string(field.name);
+        throw InvalidArgument(
+            path, "is no field: there is no \"" + path.substr(0, path.find_first_of(".[")) + "\", but " + known);
+    }
+
+    std::array<Roots, 2> roots_;  // by Use
+    std::unordered_map<std::string, std::size_t, Hash, std::equal_to<>> known_;
+    std::deque<Named> paths_;           // by their numbers
     std::optional<RootedPath> beyond_;  // the last one that was not kept
 };
 

@@ -4,10 +4,16 @@
 #include <array>
 #include <string>
 
+#include "results.hpp"
 #include "wheel_fields.hpp"
 
 namespace contactd::c {
 namespace {
+
+Roots inputs() {
+    static const std::array roots{&type_of_wheel_input()};
+    return roots;
+}
 
 StatusError not_brought() {
     return {StatusCode::failed_precondition, no_result,
@@ -16,10 +22,7 @@ StatusError not_brought() {
 
 }  // namespace
 
-Roots Wheel::inputs() {
-    static const std::array roots{&type_of_wheel_input()};
-    return roots;
-}
+Wheel::Wheel(const Connection& connection) : Called(connection, inputs(), results_of_wheels()) {}
 
 void Wheel::solve() {
     if (!open_) open_ = backend_->open_wheel(settings_);

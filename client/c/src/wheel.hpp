@@ -13,10 +13,9 @@ namespace contactd::c {
 /// One thread at a time (Turn), but for cancel and the failures.
 class Wheel : public Called {
    public:
-    explicit Wheel(const Connection& connection) : Called(connection) {}
+    explicit Wheel(const Connection& connection);
 
-    WheelInput said;        ///< the setters write here
-    static Roots inputs();  ///< of the paths below it
+    WheelInput said;  ///< the setters write here
     std::optional<std::chrono::milliseconds> timeout;
 
     void solve();

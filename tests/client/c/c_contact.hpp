@@ -6,15 +6,8 @@
 #include <array>
 #include <cstdint>
 #include <string>
-#include <vector>
 
-#include "contactd.h"
-
-/// Fails the test with the sentence of the library unless `code` is CONTACTD_OK.
-inline void require_ok(std::int32_t code, const void* handle) {
-    INFO(contactd_last_error(handle));
-    REQUIRE(code == CONTACTD_OK);
-}
+#include "c_fields.hpp"
 
 class Place {
    public:
@@ -62,20 +55,11 @@ struct Read {
 };
 
 inline Read read(contactd_contact* contact) {
-    Read all;
-    require_ok(contactd_get_forces(contact, &all.Fn, &all.Fx, &all.Fy, &all.Mz), contact);
-    require_ok(contactd_get_approach(contact, &all.approach), contact);
-    require_ok(contactd_get_pmax(contact, &all.pmax), contact);
-    return all;
+    const Numbers forces = get_array(contact, "forces");
+    return {forces[0], forces[1], forces[2], forces[3], get(contact, "approach"), get(contact, "pmax")};
 }
 
 inline Read stepped(contactd_contact* contact) {
     require_ok(contactd_step(contact), contact);
     return read(contact);
-}
-
-inline std::vector<double> array_of(contactd_contact* contact, const char* path) {
-    std::vector<double> values(elements, -1);
-    require_ok(contactd_get_array(contact, path, values.data(), elements), contact);
-    return values;
 }

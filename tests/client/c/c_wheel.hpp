@@ -1,56 +1,9 @@
-// A wheel on its rail to start from, how tests set and read its fields, and all that a solve has found.
+// A wheel on its rail to start from, and all that a solve has found.
 #pragma once
 
-#include <array>
-#include <initializer_list>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "every_wheel_call.hpp"
-
-using Numbers = std::vector<double>;
-
-inline void set(contactd_wheel* w, const std::string& path, double value) {
-    require_ok(contactd_set(w, path.c_str(), value), w);
-}
-inline void set(contactd_wheel* w, std::initializer_list<std::pair<const char*, double>> fields) {
-    for (const auto& [path, value] : fields) set(w, path, value);
-}
-inline void set_word(contactd_wheel* w, const std::string& path, const std::string& word) {
-    require_ok(contactd_set_word(w, path.c_str(), word.c_str()), w);
-}
-inline void set_array(contactd_wheel* w, const std::string& path, const Numbers& values) {
-    require_ok(contactd_set_array(w, path.c_str(), values.data(), static_cast<std::int32_t>(values.size())), w);
-}
-inline void clear(contactd_wheel* w, const std::string& path) {
-    require_ok(contactd_clear(w, path.c_str()), w);
-}
-
-inline double get(contactd_wheel* w, const std::string& path) {
-    double value = 0;
-    require_ok(contactd_get(w, path.c_str(), &value), w);
-    return value;
-}
-/// Returns whether the last solve has the field.
-inline bool has(contactd_wheel* w, const std::string& path) {
-    std::int32_t count = 0;
-    const std::int32_t code = contactd_length(w, path.c_str(), &count);
-    if (code != CONTACTD_NOT_FOUND) require_ok(code, w);
-    return code == CONTACTD_OK;
-}
-inline Numbers get_array(contactd_wheel* w, const std::string& path) {
-    std::int32_t count = 0;
-    require_ok(contactd_length(w, path.c_str(), &count), w);
-    Numbers values(static_cast<std::size_t>(count));
-    require_ok(contactd_get_array(w, path.c_str(), values.data(), count), w);
-    return values;
-}
-inline std::string get_word(contactd_wheel* w, const std::string& path) {
-    char text[500] = {};
-    require_ok(contactd_get_word(w, path.c_str(), text, sizeof text), w);
-    return text;
-}
 
 /// An arc through the origin that falls off to both sides.
 inline void set_arc(contactd_wheel* w, const std::string& profile, double radius) {

@@ -8,7 +8,7 @@ namespace {
 
 class Asked : public Called {
    public:
-    Asked() : Called(Connection(nullptr)) {}
+    Asked() : Called(Connection(nullptr), {}, {}) {}
     bool is_stopped() {
         return controlled([](const Control& control) { return control.stop.stop_requested(); });
     }

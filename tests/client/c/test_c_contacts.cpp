@@ -59,12 +59,12 @@ TEST_CASE("A contact in C shifts as one in C++ does, array by array", "[c]") {
         REQUIRE(contactd_set_shift(contact, x, 0, 0) == CONTACTD_OK);
 
         CHECK(stepped(contact) == read(solution));
-        CHECK(array_of(contact, "pressure") == solution.pressure);
-        CHECK(array_of(contact, "traction_x") == solution.traction_x);
-        CHECK(array_of(contact, "traction_y") == solution.traction_y);
-        CHECK(array_of(contact, "slip_x") == solution.slip_x);
-        CHECK(array_of(contact, "slip_y") == solution.slip_y);
-        CHECK(std::ranges::equal(array_of(contact, "element_division"), solution.element_division,
+        CHECK(get_array(contact, "pressure") == solution.pressure);
+        CHECK(get_array(contact, "traction_x") == solution.traction_x);
+        CHECK(get_array(contact, "traction_y") == solution.traction_y);
+        CHECK(get_array(contact, "slip_x") == solution.slip_x);
+        CHECK(get_array(contact, "slip_y") == solution.slip_y);
+        CHECK(std::ranges::equal(get_array(contact, "element_division"), solution.element_division,
                                  [](double a, contactd::ElementState b) { return a == static_cast<int>(b); }));
         std::int32_t all = 0, adhesion = 0, slip = 0, border = 0, number = 0, ran = 0, converged = 0, warnings = 0;
         double area = 0, adhesion_area = 0, slip_area = 0, work = 0, residual = 0, y = 1, rotation = 1, back = 0;
@@ -162,7 +162,7 @@ TEST_CASE("A contact goes back to a state, its results with it, and comes to the
     REQUIRE(contactd_save(contact, &state) == CONTACTD_OK);
     CHECK(state != start);
     const Read second = stepped(contact);
-    const auto tractions = array_of(contact, "traction_x");
+    const auto tractions = get_array(contact, "traction_x");
 
     REQUIRE(contactd_restore(contact, state) == CONTACTD_OK);
 
@@ -170,7 +170,7 @@ TEST_CASE("A contact goes back to a state, its results with it, and comes to the
     REQUIRE(contactd_get_step(contact, &number) == CONTACTD_OK);
     CHECK(number == 1);
     CHECK(stepped(contact) == second);
-    CHECK(array_of(contact, "traction_x") == tractions);
+    CHECK(get_array(contact, "traction_x") == tractions);
     CHECK(first != second);
     REQUIRE(contactd_restore(contact, start) == CONTACTD_OK);
     double pmax = 0;

@@ -6,6 +6,364 @@
 #ifndef CONTACTD_PATHS_H
 #define CONTACTD_PATHS_H
 
+/* --- inputs of a contact --- */
+#define CONTACTD_PATH_GRID "grid"
+#define CONTACTD_PATH_GRID_NX "grid.nx"
+#define CONTACTD_PATH_GRID_NY "grid.ny"
+#define CONTACTD_PATH_GRID_DX "grid.dx" /* mm */
+#define CONTACTD_PATH_GRID_DY "grid.dy" /* mm */
+#define CONTACTD_PATH_GRID_X0 "grid.x0" /* mm */
+#define CONTACTD_PATH_GRID_Y0 "grid.y0" /* mm */
+#define CONTACTD_PATH_BODIES "bodies"
+#define CONTACTD_PATH_BODIES_UPPER "bodies.upper"
+#define CONTACTD_PATH_BODIES_UPPER_G "bodies.upper.G" /* N/mm^2 */
+#define CONTACTD_PATH_BODIES_UPPER_NU "bodies.upper.nu"
+#define CONTACTD_PATH_BODIES_UPPER_ICS "bodies.upper.ics"
+#define CONTACTD_PATH_BODIES_UPPER_RIGID "bodies.upper.rigid"
+#define CONTACTD_PATH_BODIES_LOWER "bodies.lower"
+#define CONTACTD_PATH_BODIES_LOWER_G "bodies.lower.G" /* N/mm^2 */
+#define CONTACTD_PATH_BODIES_LOWER_NU "bodies.lower.nu"
+#define CONTACTD_PATH_BODIES_LOWER_ICS "bodies.lower.ics"
+#define CONTACTD_PATH_BODIES_LOWER_RIGID "bodies.lower.rigid"
+#define CONTACTD_PATH_ICS "ics"
+#define CONTACTD_PATH_ICS_SOURCE "ics.source"
+#define CONTACTD_PATH_ICS_BODY "ics.body"
+#define CONTACTD_PATH_ICS_LOAD_SHAPE "ics.load_shape"
+#define CONTACTD_PATH_ICS_SECTION "ics.section"
+#define CONTACTD_PATH_ICS_SECTION_RAIL_60E1 "ics.section.rail_60e1"
+#define CONTACTD_PATH_ICS_SECTION_RAIL_60E1_INCLINATION "ics.section.rail_60e1.inclination"
+#define CONTACTD_PATH_ICS_SECTION_RAIL_60E1_SUPPORT "ics.section.rail_60e1.support"
+#define CONTACTD_PATH_ICS_SECTION_RAIL_60E1_FROM "ics.section.rail_60e1.from" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_RIM_S1002 "ics.section.rim_s1002"
+#define CONTACTD_PATH_ICS_SECTION_RIM_S1002_THICKNESS "ics.section.rim_s1002.thickness" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_RIM_S1002_FROM "ics.section.rim_s1002.from"           /* mm */
+#define CONTACTD_PATH_ICS_SECTION_EDGE_BLOCK "ics.section.edge_block"
+#define CONTACTD_PATH_ICS_SECTION_EDGE_BLOCK_WIDTH "ics.section.edge_block.width"                 /* mm */
+#define CONTACTD_PATH_ICS_SECTION_EDGE_BLOCK_HEIGHT "ics.section.edge_block.height"               /* mm */
+#define CONTACTD_PATH_ICS_SECTION_EDGE_BLOCK_EDGE_DISTANCE "ics.section.edge_block.edge_distance" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_GROOVE "ics.section.groove"
+#define CONTACTD_PATH_ICS_SECTION_GROOVE_RADIUS "ics.section.groove.radius" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_GROOVE_DEPTH "ics.section.groove.depth"   /* mm */
+#define CONTACTD_PATH_ICS_SECTION_GROOVE_WIDTH "ics.section.groove.width"   /* mm */
+#define CONTACTD_PATH_ICS_SECTION_GROOVE_HEIGHT "ics.section.groove.height" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_ROUND_END "ics.section.round_end"
+#define CONTACTD_PATH_ICS_SECTION_ROUND_END_RADIUS "ics.section.round_end.radius" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_ROUND_END_LENGTH "ics.section.round_end.length" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_DISC "ics.section.disc"
+#define CONTACTD_PATH_ICS_SECTION_DISC_RADIUS "ics.section.disc.radius" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_DISC_CORE "ics.section.disc.core"     /* mm */
+#define CONTACTD_PATH_ICS_SECTION_PLATE_HOLE "ics.section.plate_hole"
+#define CONTACTD_PATH_ICS_SECTION_PLATE_HOLE_RADIUS "ics.section.plate_hole.radius"             /* mm */
+#define CONTACTD_PATH_ICS_SECTION_PLATE_HOLE_PLATE_RADIUS "ics.section.plate_hole.plate_radius" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_SLAB "ics.section.slab"
+#define CONTACTD_PATH_ICS_SECTION_SLAB_THICKNESS "ics.section.slab.thickness" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_SLAB_WIDTH "ics.section.slab.width"         /* mm */
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE "ics.section.outline"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_OUTSIDE "ics.section.outline.outside"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_OUTSIDE_START "ics.section.outline.outside.start"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_OUTSIDE_START_Y "ics.section.outline.outside.start.y" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_OUTSIDE_START_Z "ics.section.outline.outside.start.z" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_OUTSIDE_PARTS "ics.section.outline.outside.parts"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_OUTSIDE_PARTS_LINE "ics.section.outline.outside.parts[%d].line"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_OUTSIDE_PARTS_LINE_TO "ics.section.outline.outside.parts[%d].line.to"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_OUTSIDE_PARTS_LINE_TO_Y \
+    "ics.section.outline.outside.parts[%d].line.to.y" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_OUTSIDE_PARTS_LINE_TO_Z \
+    "ics.section.outline.outside.parts[%d].line.to.z" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_OUTSIDE_PARTS_ARC "ics.section.outline.outside.parts[%d].arc"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_OUTSIDE_PARTS_ARC_TO "ics.section.outline.outside.parts[%d].arc.to"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_OUTSIDE_PARTS_ARC_TO_Y \
+    "ics.section.outline.outside.parts[%d].arc.to.y" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_OUTSIDE_PARTS_ARC_TO_Z \
+    "ics.section.outline.outside.parts[%d].arc.to.z" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_OUTSIDE_PARTS_ARC_RADIUS \
+    "ics.section.outline.outside.parts[%d].arc.radius" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_OUTSIDE_PARTS_SPLINE "ics.section.outline.outside.parts[%d].spline"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_OUTSIDE_PARTS_SPLINE_THROUGH \
+    "ics.section.outline.outside.parts[%d].spline.through"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_OUTSIDE_PARTS_SPLINE_THROUGH_Y \
+    "ics.section.outline.outside.parts[%d].spline.through[%d].y" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_OUTSIDE_PARTS_SPLINE_THROUGH_Z \
+    "ics.section.outline.outside.parts[%d].spline.through[%d].z" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_OUTSIDE_PARTS_CLAMPED "ics.section.outline.outside.parts[%d].clamped"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_HOLES "ics.section.outline.holes"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_HOLES_START "ics.section.outline.holes[%d].start"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_HOLES_START_Y "ics.section.outline.holes[%d].start.y" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_HOLES_START_Z "ics.section.outline.holes[%d].start.z" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_HOLES_PARTS "ics.section.outline.holes[%d].parts"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_HOLES_PARTS_LINE "ics.section.outline.holes[%d].parts[%d].line"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_HOLES_PARTS_LINE_TO "ics.section.outline.holes[%d].parts[%d].line.to"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_HOLES_PARTS_LINE_TO_Y \
+    "ics.section.outline.holes[%d].parts[%d].line.to.y" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_HOLES_PARTS_LINE_TO_Z \
+    "ics.section.outline.holes[%d].parts[%d].line.to.z" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_HOLES_PARTS_ARC "ics.section.outline.holes[%d].parts[%d].arc"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_HOLES_PARTS_ARC_TO "ics.section.outline.holes[%d].parts[%d].arc.to"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_HOLES_PARTS_ARC_TO_Y \
+    "ics.section.outline.holes[%d].parts[%d].arc.to.y" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_HOLES_PARTS_ARC_TO_Z \
+    "ics.section.outline.holes[%d].parts[%d].arc.to.z" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_HOLES_PARTS_ARC_RADIUS \
+    "ics.section.outline.holes[%d].parts[%d].arc.radius" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_HOLES_PARTS_SPLINE "ics.section.outline.holes[%d].parts[%d].spline"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_HOLES_PARTS_SPLINE_THROUGH \
+    "ics.section.outline.holes[%d].parts[%d].spline.through"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_HOLES_PARTS_SPLINE_THROUGH_Y \
+    "ics.section.outline.holes[%d].parts[%d].spline.through[%d].y" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_HOLES_PARTS_SPLINE_THROUGH_Z \
+    "ics.section.outline.holes[%d].parts[%d].spline.through[%d].z" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_HOLES_PARTS_CLAMPED "ics.section.outline.holes[%d].parts[%d].clamped"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_CARRIER "ics.section.outline.carrier"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_PART "ics.section.outline.part"
+#define CONTACTD_PATH_ICS_SECTION_OUTLINE_FROM "ics.section.outline.from" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION "ics.section.profile_section"
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_KIND "ics.section.profile_section.kind"
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_PROFILE "ics.section.profile_section.profile"
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_PROFILE_S1002 "ics.section.profile_section.profile.s1002"
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_PROFILE_RAIL_60E1 "ics.section.profile_section.profile.rail_60e1"
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_PROFILE_RAIL_60E1_INCLINATION \
+    "ics.section.profile_section.profile.rail_60e1.inclination"
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_PROFILE_ARC "ics.section.profile_section.profile.arc"
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_PROFILE_ARC_RADIUS \
+    "ics.section.profile_section.profile.arc.radius" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_PROFILE_ARC_SLOPE "ics.section.profile_section.profile.arc.slope"
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_PROFILE_ARC_ENDS "ics.section.profile_section.profile.arc.ends"
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_PROFILE_ARC_ENDS_FROM \
+    "ics.section.profile_section.profile.arc.ends.from"
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_PROFILE_ARC_ENDS_TO "ics.section.profile_section.profile.arc.ends.to"
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_PROFILE_CONE "ics.section.profile_section.profile.cone"
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_PROFILE_CONE_SLOPE "ics.section.profile_section.profile.cone.slope"
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_PROFILE_CONE_ENDS "ics.section.profile_section.profile.cone.ends"
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_PROFILE_CONE_ENDS_FROM \
+    "ics.section.profile_section.profile.cone.ends.from"
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_PROFILE_CONE_ENDS_TO \
+    "ics.section.profile_section.profile.cone.ends.to"
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_PROFILE_POINTS "ics.section.profile_section.profile.points"
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_PROFILE_UNIT "ics.section.profile_section.profile.unit"
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_PROFILE_MIRROR_Y "ics.section.profile_section.profile.mirror_y"
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_PROFILE_MIRROR_Z "ics.section.profile_section.profile.mirror_z"
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_PROFILE_SMOOTHING_LENGTH \
+    "ics.section.profile_section.profile.smoothing_length"                                  /* mm */
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_DEPTH "ics.section.profile_section.depth" /* mm */
+#define CONTACTD_PATH_ICS_SECTION_PROFILE_SECTION_FROM "ics.section.profile_section.from"   /* mm */
+#define CONTACTD_PATH_ICS_SECTION_SIZE "ics.section.size"
+#define CONTACTD_PATH_ICS_SECTION_TURN "ics.section.turn" /* rad */
+#define CONTACTD_PATH_ICS_SECTION_FREE "ics.section.free"
+#define CONTACTD_PATH_ICS_LAYERS "ics.layers"
+#define CONTACTD_PATH_ICS_LAYERS_THICKNESS "ics.layers[%d].thickness" /* mm */
+#define CONTACTD_PATH_ICS_LAYERS_G "ics.layers[%d].G"                 /* N/mm^2 */
+#define CONTACTD_PATH_ICS_LAYERS_NU "ics.layers[%d].nu"
+#define CONTACTD_PATH_ICS_BASE "ics.base"
+#define CONTACTD_PATH_ICS_BASE_G "ics.base.G" /* N/mm^2 */
+#define CONTACTD_PATH_ICS_BASE_NU "ics.base.nu"
+#define CONTACTD_PATH_ICS_BASE_RIGID "ics.base.rigid"
+#define CONTACTD_PATH_ICS_LINE_CONTACT "ics.line_contact"
+#define CONTACTD_PATH_ICS_LINE_CONTACT_DATUM "ics.line_contact.datum" /* mm */
+#define CONTACTD_PATH_ICS_ACCURACY "ics.accuracy"
+#define CONTACTD_PATH_ICS_ANY_NU "ics.any_nu"
+#define CONTACTD_PATH_ICS_MESH "ics.mesh"
+#define CONTACTD_PATH_ICS_ORDER "ics.order"
+#define CONTACTD_PATH_ICS_L_OVER_H "ics.l_over_h"
+#define CONTACTD_PATH_ICS_H_OVER_HS "ics.h_over_hs"
+#define CONTACTD_PATH_ICS_F "ics.f"
+#define CONTACTD_PATH_ICS_T1_OVER_HS "ics.t1_over_hs"
+#define CONTACTD_PATH_ICS_CAPITAL_L_OVER_H "ics.L_over_h"
+#define CONTACTD_PATH_ICS_DIAGONAL "ics.diagonal"
+#define CONTACTD_PATH_ICS_MAX_DOFS "ics.max_dofs"
+#define CONTACTD_PATH_ICS_FAR_BOUNDARY "ics.far_boundary"
+#define CONTACTD_PATH_ICS_SAMPLING "ics.sampling"
+#define CONTACTD_PATH_ICS_SOLVER "ics.solver"
+#define CONTACTD_PATH_ICS_STOPPING_CRITERION "ics.stopping_criterion"
+#define CONTACTD_PATH_ICS_TOLERANCE "ics.tolerance"
+#define CONTACTD_PATH_ICS_MAX_ITERATIONS "ics.max_iterations"
+#define CONTACTD_PATH_ICS_STRENGTH_THRESHOLD "ics.strength_threshold"
+#define CONTACTD_PATH_GAP "gap"
+#define CONTACTD_PATH_GAP_PARABOLOID "gap.paraboloid"
+#define CONTACTD_PATH_GAP_PARABOLOID_RX "gap.paraboloid.Rx" /* mm */
+#define CONTACTD_PATH_GAP_PARABOLOID_RY "gap.paraboloid.Ry" /* mm */
+#define CONTACTD_PATH_GAP_SEMI_AXES "gap.semi_axes"
+#define CONTACTD_PATH_GAP_SEMI_AXES_A "gap.semi_axes.a" /* mm */
+#define CONTACTD_PATH_GAP_SEMI_AXES_B "gap.semi_axes.b" /* mm */
+#define CONTACTD_PATH_GAP_ARRAY "gap.array"
+#define CONTACTD_PATH_APPROACH "approach" /* mm */
+#define CONTACTD_PATH_FN "Fn"             /* N */
+#define CONTACTD_PATH_MODEL "model"
+#define CONTACTD_PATH_FRICTION "friction"
+#define CONTACTD_PATH_FRICTION_MU "friction.mu"
+#define CONTACTD_PATH_FRICTION_KINETIC "friction.kinetic"
+#define CONTACTD_PATH_FRICTION_KINETIC_LAW "friction.kinetic.law"
+#define CONTACTD_PATH_FRICTION_KINETIC_MU "friction.kinetic.mu"
+#define CONTACTD_PATH_FRICTION_KINETIC_SLIP_VELOCITY "friction.kinetic.slip_velocity" /* mm/s */
+#define CONTACTD_PATH_FRICTION_RIGID_SHIFT "friction.rigid_shift"
+#define CONTACTD_PATH_FRICTION_RIGID_SHIFT_X "friction.rigid_shift.x"
+#define CONTACTD_PATH_FRICTION_RIGID_SHIFT_Y "friction.rigid_shift.y"
+#define CONTACTD_PATH_FRICTION_ROTATION "friction.rotation" /* rad */
+#define CONTACTD_PATH_FRICTION_DURATION "friction.duration" /* s */
+#define CONTACTD_PATH_FRICTION_FORCE "friction.force"
+#define CONTACTD_PATH_FRICTION_FORCE_FX "friction.force.Fx"
+#define CONTACTD_PATH_FRICTION_FORCE_FY "friction.force.Fy"
+#define CONTACTD_PATH_FRICTION_ROLLING "friction.rolling"
+#define CONTACTD_PATH_FRICTION_ROLLING_XI "friction.rolling.xi"
+#define CONTACTD_PATH_FRICTION_ROLLING_ETA "friction.rolling.eta"
+#define CONTACTD_PATH_FRICTION_ROLLING_PHI "friction.rolling.phi" /* rad/mm */
+#define CONTACTD_PATH_FRICTION_ROLLING_CHI "friction.rolling.chi" /* rad */
+#define CONTACTD_PATH_FRICTION_ROLLING_DQ "friction.rolling.dq"   /* mm */
+#define CONTACTD_PATH_FRICTION_ROLLING_SPIN_OFFSET "friction.rolling.spin_offset"
+#define CONTACTD_PATH_FRICTION_ROLLING_KIND "friction.rolling.kind"
+#define CONTACTD_PATH_FRICTION_ROLLING_STEPS "friction.rolling.steps"
+#define CONTACTD_PATH_FRICTION_ROLLING_VELOCITY "friction.rolling.velocity" /* mm/s */
+#define CONTACTD_PATH_FRICTION_ROLLING_FORCE "friction.rolling.force"
+#define CONTACTD_PATH_FRICTION_ROLLING_FORCE_FX "friction.rolling.force.Fx"
+#define CONTACTD_PATH_FRICTION_ROLLING_FORCE_FY "friction.rolling.force.Fy"
+#define CONTACTD_PATH_FRICTION_RIGID_SLIP "friction.rigid_slip"
+#define CONTACTD_PATH_FRICTION_RIGID_SLIP_X "friction.rigid_slip.x"
+#define CONTACTD_PATH_FRICTION_RIGID_SLIP_Y "friction.rigid_slip.y"
+#define CONTACTD_PATH_PREVIOUS "previous"
+#define CONTACTD_PATH_PREVIOUS_PRESSURE "previous.pressure"
+#define CONTACTD_PATH_PREVIOUS_TRACTION_X "previous.traction_x"
+#define CONTACTD_PATH_PREVIOUS_TRACTION_Y "previous.traction_y"
+#define CONTACTD_PATH_COLUMNS "columns"
+#define CONTACTD_PATH_COLUMNS_FRAMES "columns.frames"
+#define CONTACTD_PATH_COLUMNS_DIRECTION "columns.direction" /* rad */
+#define CONTACTD_PATH_COLUMNS_ORIGIN "columns.origin"
+#define CONTACTD_PATH_COLUMNS_ORIGIN_Y "columns.origin.y"
+#define CONTACTD_PATH_COLUMNS_ORIGIN_Z "columns.origin.z"
+#define CONTACTD_PATH_SETTINGS "settings"
+#define CONTACTD_PATH_SETTINGS_NORMAL "settings.normal"
+#define CONTACTD_PATH_SETTINGS_NORMAL_TOLERANCE "settings.normal.tolerance"
+#define CONTACTD_PATH_SETTINGS_NORMAL_MAX_ITERATIONS "settings.normal.max_iterations"
+#define CONTACTD_PATH_SETTINGS_TANGENTIAL "settings.tangential"
+#define CONTACTD_PATH_SETTINGS_TANGENTIAL_TOLERANCE "settings.tangential.tolerance"
+#define CONTACTD_PATH_SETTINGS_TANGENTIAL_MAX_ITERATIONS "settings.tangential.max_iterations"
+#define CONTACTD_PATH_SETTINGS_TANGENTIAL_SOLVER "settings.tangential.solver"
+#define CONTACTD_PATH_SETTINGS_OUTER "settings.outer"
+#define CONTACTD_PATH_SETTINGS_OUTER_TOLERANCE "settings.outer.tolerance"
+#define CONTACTD_PATH_SETTINGS_OUTER_MAX_ITERATIONS "settings.outer.max_iterations"
+#define CONTACTD_PATH_DERIVATIVES "derivatives"
+#define CONTACTD_PATH_LEASE_SECONDS "lease_seconds" /* s */
+#define CONTACTD_PATH_ACCEPT_UNCONVERGED "accept_unconverged"
+
+/* --- results of a contact --- */
+#define CONTACTD_PATH_STEP "step"
+#define CONTACTD_PATH_FORCES "forces"
+#define CONTACTD_PATH_FORCES_FN "forces.Fn" /* N */
+#define CONTACTD_PATH_FORCES_FX "forces.Fx" /* N */
+#define CONTACTD_PATH_FORCES_FY "forces.Fy" /* N */
+#define CONTACTD_PATH_FORCES_MZ "forces.Mz" /* N mm */
+#define CONTACTD_PATH_RESULTANT "resultant"
+#define CONTACTD_PATH_RESULTANT_FX "resultant.Fx" /* N */
+#define CONTACTD_PATH_RESULTANT_FY "resultant.Fy" /* N */
+#define CONTACTD_PATH_RESULTANT_FZ "resultant.Fz" /* N */
+#define CONTACTD_PATH_RESULTANT_MX "resultant.Mx" /* N mm */
+#define CONTACTD_PATH_RESULTANT_MY "resultant.My" /* N mm */
+#define CONTACTD_PATH_RESULTANT_MZ "resultant.Mz" /* N mm */
+#define CONTACTD_PATH_PMAX "pmax"                 /* N/mm^2 */
+#define CONTACTD_PATH_AREA "area"
+#define CONTACTD_PATH_AREA_CONTACT "area.contact"   /* mm^2 */
+#define CONTACTD_PATH_AREA_ADHESION "area.adhesion" /* mm^2 */
+#define CONTACTD_PATH_AREA_SLIP "area.slip"         /* mm^2 */
+#define CONTACTD_PATH_ELEMENTS "elements"
+#define CONTACTD_PATH_ELEMENTS_CONTACT "elements.contact"
+#define CONTACTD_PATH_ELEMENTS_ADHESION "elements.adhesion"
+#define CONTACTD_PATH_ELEMENTS_SLIP "elements.slip"
+#define CONTACTD_PATH_ELEMENTS_BORDER "elements.border"
+#define CONTACTD_PATH_ELEMENT_DIVISION "element_division"
+#define CONTACTD_PATH_PRESSURE "pressure"
+#define CONTACTD_PATH_TRACTION_X "traction_x"
+#define CONTACTD_PATH_TRACTION_Y "traction_y"
+#define CONTACTD_PATH_SLIP_X "slip_x"
+#define CONTACTD_PATH_SLIP_Y "slip_y"
+#define CONTACTD_PATH_FRICTIONAL_WORK "frictional_work"   /* N mm */
+#define CONTACTD_PATH_FRICTIONAL_POWER "frictional_power" /* N mm/s */
+#define CONTACTD_PATH_MOTION "motion"
+#define CONTACTD_PATH_MOTION_RIGID_SHIFT "motion.rigid_shift"
+#define CONTACTD_PATH_MOTION_RIGID_SHIFT_X "motion.rigid_shift.x"
+#define CONTACTD_PATH_MOTION_RIGID_SHIFT_Y "motion.rigid_shift.y"
+#define CONTACTD_PATH_MOTION_ROTATION "motion.rotation" /* rad */
+#define CONTACTD_PATH_MOTION_DURATION "motion.duration" /* s */
+#define CONTACTD_PATH_MOTION_FORCE "motion.force"
+#define CONTACTD_PATH_MOTION_FORCE_FX "motion.force.Fx"
+#define CONTACTD_PATH_MOTION_FORCE_FY "motion.force.Fy"
+#define CONTACTD_PATH_MOTION_XI "motion.xi"
+#define CONTACTD_PATH_MOTION_ETA "motion.eta"
+#define CONTACTD_PATH_MOTION_PHI "motion.phi" /* rad/mm */
+#define CONTACTD_PATH_MOTION_CHI "motion.chi" /* rad */
+#define CONTACTD_PATH_MOTION_DQ "motion.dq"   /* mm */
+#define CONTACTD_PATH_MOTION_SPIN_OFFSET "motion.spin_offset"
+#define CONTACTD_PATH_MOTION_KIND "motion.kind"
+#define CONTACTD_PATH_MOTION_STEPS "motion.steps"
+#define CONTACTD_PATH_MOTION_VELOCITY "motion.velocity" /* mm/s */
+#define CONTACTD_PATH_DERIVATIVES_FX "derivatives.Fx"
+#define CONTACTD_PATH_DERIVATIVES_FX_XI "derivatives.Fx.xi"
+#define CONTACTD_PATH_DERIVATIVES_FX_ETA "derivatives.Fx.eta"
+#define CONTACTD_PATH_DERIVATIVES_FX_PHI "derivatives.Fx.phi"
+#define CONTACTD_PATH_DERIVATIVES_FX_RIGID_SHIFT "derivatives.Fx.rigid_shift"
+#define CONTACTD_PATH_DERIVATIVES_FX_RIGID_SHIFT_X "derivatives.Fx.rigid_shift.x"
+#define CONTACTD_PATH_DERIVATIVES_FX_RIGID_SHIFT_Y "derivatives.Fx.rigid_shift.y"
+#define CONTACTD_PATH_DERIVATIVES_FX_ROTATION "derivatives.Fx.rotation"
+#define CONTACTD_PATH_DERIVATIVES_FX_APPROACH "derivatives.Fx.approach"
+#define CONTACTD_PATH_DERIVATIVES_FX_FN "derivatives.Fx.Fn"
+#define CONTACTD_PATH_DERIVATIVES_FX_MU "derivatives.Fx.mu"
+#define CONTACTD_PATH_DERIVATIVES_FY "derivatives.Fy"
+#define CONTACTD_PATH_DERIVATIVES_FY_XI "derivatives.Fy.xi"
+#define CONTACTD_PATH_DERIVATIVES_FY_ETA "derivatives.Fy.eta"
+#define CONTACTD_PATH_DERIVATIVES_FY_PHI "derivatives.Fy.phi"
+#define CONTACTD_PATH_DERIVATIVES_FY_RIGID_SHIFT "derivatives.Fy.rigid_shift"
+#define CONTACTD_PATH_DERIVATIVES_FY_RIGID_SHIFT_X "derivatives.Fy.rigid_shift.x"
+#define CONTACTD_PATH_DERIVATIVES_FY_RIGID_SHIFT_Y "derivatives.Fy.rigid_shift.y"
+#define CONTACTD_PATH_DERIVATIVES_FY_ROTATION "derivatives.Fy.rotation"
+#define CONTACTD_PATH_DERIVATIVES_FY_APPROACH "derivatives.Fy.approach"
+#define CONTACTD_PATH_DERIVATIVES_FY_FN "derivatives.Fy.Fn"
+#define CONTACTD_PATH_DERIVATIVES_FY_MU "derivatives.Fy.mu"
+#define CONTACTD_PATH_DERIVATIVES_MZ "derivatives.Mz"
+#define CONTACTD_PATH_DERIVATIVES_MZ_XI "derivatives.Mz.xi"
+#define CONTACTD_PATH_DERIVATIVES_MZ_ETA "derivatives.Mz.eta"
+#define CONTACTD_PATH_DERIVATIVES_MZ_PHI "derivatives.Mz.phi"
+#define CONTACTD_PATH_DERIVATIVES_MZ_RIGID_SHIFT "derivatives.Mz.rigid_shift"
+#define CONTACTD_PATH_DERIVATIVES_MZ_RIGID_SHIFT_X "derivatives.Mz.rigid_shift.x"
+#define CONTACTD_PATH_DERIVATIVES_MZ_RIGID_SHIFT_Y "derivatives.Mz.rigid_shift.y"
+#define CONTACTD_PATH_DERIVATIVES_MZ_ROTATION "derivatives.Mz.rotation"
+#define CONTACTD_PATH_DERIVATIVES_MZ_APPROACH "derivatives.Mz.approach"
+#define CONTACTD_PATH_DERIVATIVES_MZ_FN "derivatives.Mz.Fn"
+#define CONTACTD_PATH_DERIVATIVES_MZ_MU "derivatives.Mz.mu"
+#define CONTACTD_PATH_DERIVATIVES_FN "derivatives.Fn"
+#define CONTACTD_PATH_DERIVATIVES_FN_XI "derivatives.Fn.xi"
+#define CONTACTD_PATH_DERIVATIVES_FN_ETA "derivatives.Fn.eta"
+#define CONTACTD_PATH_DERIVATIVES_FN_PHI "derivatives.Fn.phi"
+#define CONTACTD_PATH_DERIVATIVES_FN_RIGID_SHIFT "derivatives.Fn.rigid_shift"
+#define CONTACTD_PATH_DERIVATIVES_FN_RIGID_SHIFT_X "derivatives.Fn.rigid_shift.x"
+#define CONTACTD_PATH_DERIVATIVES_FN_RIGID_SHIFT_Y "derivatives.Fn.rigid_shift.y"
+#define CONTACTD_PATH_DERIVATIVES_FN_ROTATION "derivatives.Fn.rotation"
+#define CONTACTD_PATH_DERIVATIVES_FN_APPROACH "derivatives.Fn.approach"
+#define CONTACTD_PATH_DERIVATIVES_FN_FN "derivatives.Fn.Fn"
+#define CONTACTD_PATH_DERIVATIVES_FN_MU "derivatives.Fn.mu"
+#define CONTACTD_PATH_DERIVATIVES_APPROACH "derivatives.approach"
+#define CONTACTD_PATH_DERIVATIVES_APPROACH_XI "derivatives.approach.xi"
+#define CONTACTD_PATH_DERIVATIVES_APPROACH_ETA "derivatives.approach.eta"
+#define CONTACTD_PATH_DERIVATIVES_APPROACH_PHI "derivatives.approach.phi"
+#define CONTACTD_PATH_DERIVATIVES_APPROACH_RIGID_SHIFT "derivatives.approach.rigid_shift"
+#define CONTACTD_PATH_DERIVATIVES_APPROACH_RIGID_SHIFT_X "derivatives.approach.rigid_shift.x"
+#define CONTACTD_PATH_DERIVATIVES_APPROACH_RIGID_SHIFT_Y "derivatives.approach.rigid_shift.y"
+#define CONTACTD_PATH_DERIVATIVES_APPROACH_ROTATION "derivatives.approach.rotation"
+#define CONTACTD_PATH_DERIVATIVES_APPROACH_APPROACH "derivatives.approach.approach"
+#define CONTACTD_PATH_DERIVATIVES_APPROACH_FN "derivatives.approach.Fn"
+#define CONTACTD_PATH_DERIVATIVES_APPROACH_MU "derivatives.approach.mu"
+#define CONTACTD_PATH_WARNINGS "warnings"
+#define CONTACTD_PATH_WARNINGS_AT "warnings[%d]"
+#define CONTACTD_PATH_CONVERGED "converged"
+#define CONTACTD_PATH_ICS_UPPER "ics.upper"
+#define CONTACTD_PATH_ICS_UPPER_ORIGIN "ics.upper.origin"
+#define CONTACTD_PATH_ICS_UPPER_KEY "ics.upper.key"
+#define CONTACTD_PATH_ICS_UPPER_EVIDENCE "ics.upper.evidence"
+#define CONTACTD_PATH_ICS_LOWER "ics.lower"
+#define CONTACTD_PATH_ICS_LOWER_ORIGIN "ics.lower.origin"
+#define CONTACTD_PATH_ICS_LOWER_KEY "ics.lower.key"
+#define CONTACTD_PATH_ICS_LOWER_EVIDENCE "ics.lower.evidence"
+#define CONTACTD_PATH_ICS_PAIR "ics.pair"
+#define CONTACTD_PATH_ICS_PAIR_ORIGIN "ics.pair.origin"
+#define CONTACTD_PATH_ICS_PAIR_KEY "ics.pair.key"
+#define CONTACTD_PATH_ICS_PAIR_EVIDENCE "ics.pair.evidence"
+
 /* --- inputs of a wheel --- */
 #define CONTACTD_PATH_SETUP "setup"
 #define CONTACTD_PATH_SETUP_SIDE "setup.side"
@@ -190,7 +548,6 @@
 /* --- results of a wheel --- */
 #define CONTACTD_PATH_Z "z"                   /* mm */
 #define CONTACTD_PATH_PITCH_RATE "pitch_rate" /* rad/s */
-#define CONTACTD_PATH_FORCES "forces"
 #define CONTACTD_PATH_FORCES_TRACK "forces.track"
 #define CONTACTD_PATH_FORCES_TRACK_FX "forces.track.Fx" /* N */
 #define CONTACTD_PATH_FORCES_TRACK_FY "forces.track.Fy" /* N */
@@ -426,10 +783,7 @@
 #define CONTACTD_PATH_PATCHES_FORCES_WHEELSET_MX "patches[%d].forces.wheelset.Mx" /* N mm */
 #define CONTACTD_PATH_PATCHES_FORCES_WHEELSET_MY "patches[%d].forces.wheelset.My" /* N mm */
 #define CONTACTD_PATH_PATCHES_FORCES_WHEELSET_MZ "patches[%d].forces.wheelset.Mz" /* N mm */
-#define CONTACTD_PATH_CONVERGED "converged"
-#define CONTACTD_PATH_WARNINGS "warnings"
-#define CONTACTD_PATH_WARNINGS_AT "warnings[%d]"
-#define CONTACTD_PATH_CLEARANCE "clearance" /* mm */
+#define CONTACTD_PATH_CLEARANCE "clearance"                                       /* mm */
 #define CONTACTD_PATH_FORCE "force"
 #define CONTACTD_PATH_FORCE_ITERATIONS "force.iterations"
 #define CONTACTD_PATH_FORCE_RESIDUAL "force.residual"
@@ -448,7 +802,6 @@
 #define CONTACTD_PATH_RAIL_SEARCH_RESIDUAL "rail_search.residual"
 #define CONTACTD_PATH_RAIL_SEARCH_CONVERGED "rail_search.converged"
 #define CONTACTD_PATH_RAIL_SEARCH_SECONDS "rail_search.seconds" /* s */
-#define CONTACTD_PATH_DERIVATIVES "derivatives"
 #define CONTACTD_PATH_DERIVATIVES_POSITION "derivatives.position"
 #define CONTACTD_PATH_DERIVATIVES_POSITION_Y "derivatives.position.y"
 #define CONTACTD_PATH_DERIVATIVES_POSITION_Y_FX "derivatives.position.y.Fx" /* N */
@@ -521,7 +874,6 @@
 #define CONTACTD_PATH_DERIVATIVES_VELOCITY_PITCH_MX "derivatives.velocity.pitch.Mx" /* N mm */
 #define CONTACTD_PATH_DERIVATIVES_VELOCITY_PITCH_MY "derivatives.velocity.pitch.My" /* N mm */
 #define CONTACTD_PATH_DERIVATIVES_VELOCITY_PITCH_MZ "derivatives.velocity.pitch.Mz" /* N mm */
-#define CONTACTD_PATH_FRICTIONAL_POWER "frictional_power"                           /* N mm/s */
 #define CONTACTD_PATH_ROLL "roll"                                                   /* rad */
 #define CONTACTD_PATH_ROLL_SEARCH "roll_search"
 #define CONTACTD_PATH_ROLL_SEARCH_ITERATIONS "roll_search.iterations"
@@ -529,127 +881,11 @@
 #define CONTACTD_PATH_ROLL_SEARCH_CONVERGED "roll_search.converged"
 #define CONTACTD_PATH_ROLL_SEARCH_SECONDS "roll_search.seconds" /* s */
 
-/* --- results of a contact --- */
-#define CONTACTD_PATH_APPROACH "approach"   /* mm */
-#define CONTACTD_PATH_FORCES_FN "forces.Fn" /* N */
-#define CONTACTD_PATH_FORCES_FX "forces.Fx" /* N */
-#define CONTACTD_PATH_FORCES_FY "forces.Fy" /* N */
-#define CONTACTD_PATH_FORCES_MZ "forces.Mz" /* N mm */
-#define CONTACTD_PATH_RESULTANT "resultant"
-#define CONTACTD_PATH_RESULTANT_FX "resultant.Fx" /* N */
-#define CONTACTD_PATH_RESULTANT_FY "resultant.Fy" /* N */
-#define CONTACTD_PATH_RESULTANT_FZ "resultant.Fz" /* N */
-#define CONTACTD_PATH_RESULTANT_MX "resultant.Mx" /* N mm */
-#define CONTACTD_PATH_RESULTANT_MY "resultant.My" /* N mm */
-#define CONTACTD_PATH_RESULTANT_MZ "resultant.Mz" /* N mm */
-#define CONTACTD_PATH_PMAX "pmax"                 /* N/mm^2 */
-#define CONTACTD_PATH_AREA "area"
-#define CONTACTD_PATH_AREA_CONTACT "area.contact"   /* mm^2 */
-#define CONTACTD_PATH_AREA_ADHESION "area.adhesion" /* mm^2 */
-#define CONTACTD_PATH_AREA_SLIP "area.slip"         /* mm^2 */
-#define CONTACTD_PATH_ELEMENTS "elements"
-#define CONTACTD_PATH_ELEMENTS_CONTACT "elements.contact"
-#define CONTACTD_PATH_ELEMENTS_ADHESION "elements.adhesion"
-#define CONTACTD_PATH_ELEMENTS_SLIP "elements.slip"
-#define CONTACTD_PATH_ELEMENTS_BORDER "elements.border"
-#define CONTACTD_PATH_ELEMENT_DIVISION "element_division"
-#define CONTACTD_PATH_PRESSURE "pressure"
-#define CONTACTD_PATH_TRACTION_X "traction_x"
-#define CONTACTD_PATH_TRACTION_Y "traction_y"
-#define CONTACTD_PATH_SLIP_X "slip_x"
-#define CONTACTD_PATH_SLIP_Y "slip_y"
-#define CONTACTD_PATH_FRICTIONAL_WORK "frictional_work" /* N mm */
-#define CONTACTD_PATH_DERIVATIVES_FX "derivatives.Fx"
-#define CONTACTD_PATH_DERIVATIVES_FX_XI "derivatives.Fx.xi"
-#define CONTACTD_PATH_DERIVATIVES_FX_ETA "derivatives.Fx.eta"
-#define CONTACTD_PATH_DERIVATIVES_FX_PHI "derivatives.Fx.phi"
-#define CONTACTD_PATH_DERIVATIVES_FX_RIGID_SHIFT "derivatives.Fx.rigid_shift"
-#define CONTACTD_PATH_DERIVATIVES_FX_RIGID_SHIFT_X "derivatives.Fx.rigid_shift.x"
-#define CONTACTD_PATH_DERIVATIVES_FX_RIGID_SHIFT_Y "derivatives.Fx.rigid_shift.y"
-#define CONTACTD_PATH_DERIVATIVES_FX_ROTATION "derivatives.Fx.rotation"
-#define CONTACTD_PATH_DERIVATIVES_FX_APPROACH "derivatives.Fx.approach"
-#define CONTACTD_PATH_DERIVATIVES_FX_FN "derivatives.Fx.Fn"
-#define CONTACTD_PATH_DERIVATIVES_FX_MU "derivatives.Fx.mu"
-#define CONTACTD_PATH_DERIVATIVES_FY "derivatives.Fy"
-#define CONTACTD_PATH_DERIVATIVES_FY_XI "derivatives.Fy.xi"
-#define CONTACTD_PATH_DERIVATIVES_FY_ETA "derivatives.Fy.eta"
-#define CONTACTD_PATH_DERIVATIVES_FY_PHI "derivatives.Fy.phi"
-#define CONTACTD_PATH_DERIVATIVES_FY_RIGID_SHIFT "derivatives.Fy.rigid_shift"
-#define CONTACTD_PATH_DERIVATIVES_FY_RIGID_SHIFT_X "derivatives.Fy.rigid_shift.x"
-#define CONTACTD_PATH_DERIVATIVES_FY_RIGID_SHIFT_Y "derivatives.Fy.rigid_shift.y"
-#define CONTACTD_PATH_DERIVATIVES_FY_ROTATION "derivatives.Fy.rotation"
-#define CONTACTD_PATH_DERIVATIVES_FY_APPROACH "derivatives.Fy.approach"
-#define CONTACTD_PATH_DERIVATIVES_FY_FN "derivatives.Fy.Fn"
-#define CONTACTD_PATH_DERIVATIVES_FY_MU "derivatives.Fy.mu"
-#define CONTACTD_PATH_DERIVATIVES_MZ "derivatives.Mz"
-#define CONTACTD_PATH_DERIVATIVES_MZ_XI "derivatives.Mz.xi"
-#define CONTACTD_PATH_DERIVATIVES_MZ_ETA "derivatives.Mz.eta"
-#define CONTACTD_PATH_DERIVATIVES_MZ_PHI "derivatives.Mz.phi"
-#define CONTACTD_PATH_DERIVATIVES_MZ_RIGID_SHIFT "derivatives.Mz.rigid_shift"
-#define CONTACTD_PATH_DERIVATIVES_MZ_RIGID_SHIFT_X "derivatives.Mz.rigid_shift.x"
-#define CONTACTD_PATH_DERIVATIVES_MZ_RIGID_SHIFT_Y "derivatives.Mz.rigid_shift.y"
-#define CONTACTD_PATH_DERIVATIVES_MZ_ROTATION "derivatives.Mz.rotation"
-#define CONTACTD_PATH_DERIVATIVES_MZ_APPROACH "derivatives.Mz.approach"
-#define CONTACTD_PATH_DERIVATIVES_MZ_FN "derivatives.Mz.Fn"
-#define CONTACTD_PATH_DERIVATIVES_MZ_MU "derivatives.Mz.mu"
-#define CONTACTD_PATH_DERIVATIVES_FN "derivatives.Fn"
-#define CONTACTD_PATH_DERIVATIVES_FN_XI "derivatives.Fn.xi"
-#define CONTACTD_PATH_DERIVATIVES_FN_ETA "derivatives.Fn.eta"
-#define CONTACTD_PATH_DERIVATIVES_FN_PHI "derivatives.Fn.phi"
-#define CONTACTD_PATH_DERIVATIVES_FN_RIGID_SHIFT "derivatives.Fn.rigid_shift"
-#define CONTACTD_PATH_DERIVATIVES_FN_RIGID_SHIFT_X "derivatives.Fn.rigid_shift.x"
-#define CONTACTD_PATH_DERIVATIVES_FN_RIGID_SHIFT_Y "derivatives.Fn.rigid_shift.y"
-#define CONTACTD_PATH_DERIVATIVES_FN_ROTATION "derivatives.Fn.rotation"
-#define CONTACTD_PATH_DERIVATIVES_FN_APPROACH "derivatives.Fn.approach"
-#define CONTACTD_PATH_DERIVATIVES_FN_FN "derivatives.Fn.Fn"
-#define CONTACTD_PATH_DERIVATIVES_FN_MU "derivatives.Fn.mu"
-#define CONTACTD_PATH_DERIVATIVES_APPROACH "derivatives.approach"
-#define CONTACTD_PATH_DERIVATIVES_APPROACH_XI "derivatives.approach.xi"
-#define CONTACTD_PATH_DERIVATIVES_APPROACH_ETA "derivatives.approach.eta"
-#define CONTACTD_PATH_DERIVATIVES_APPROACH_PHI "derivatives.approach.phi"
-#define CONTACTD_PATH_DERIVATIVES_APPROACH_RIGID_SHIFT "derivatives.approach.rigid_shift"
-#define CONTACTD_PATH_DERIVATIVES_APPROACH_RIGID_SHIFT_X "derivatives.approach.rigid_shift.x"
-#define CONTACTD_PATH_DERIVATIVES_APPROACH_RIGID_SHIFT_Y "derivatives.approach.rigid_shift.y"
-#define CONTACTD_PATH_DERIVATIVES_APPROACH_ROTATION "derivatives.approach.rotation"
-#define CONTACTD_PATH_DERIVATIVES_APPROACH_APPROACH "derivatives.approach.approach"
-#define CONTACTD_PATH_DERIVATIVES_APPROACH_FN "derivatives.approach.Fn"
-#define CONTACTD_PATH_DERIVATIVES_APPROACH_MU "derivatives.approach.mu"
-#define CONTACTD_PATH_EVIDENCE "evidence"
-#define CONTACTD_PATH_EVIDENCE_NORMAL "evidence.normal"
-#define CONTACTD_PATH_EVIDENCE_NORMAL_ITERATIONS "evidence.normal.iterations"
-#define CONTACTD_PATH_EVIDENCE_NORMAL_RESIDUAL "evidence.normal.residual"
-#define CONTACTD_PATH_EVIDENCE_NORMAL_CONVERGED "evidence.normal.converged"
-#define CONTACTD_PATH_EVIDENCE_NORMAL_SECONDS "evidence.normal.seconds" /* s */
-#define CONTACTD_PATH_EVIDENCE_TANGENTIAL "evidence.tangential"
-#define CONTACTD_PATH_EVIDENCE_TANGENTIAL_ITERATIONS "evidence.tangential.iterations"
-#define CONTACTD_PATH_EVIDENCE_TANGENTIAL_RESIDUAL "evidence.tangential.residual"
-#define CONTACTD_PATH_EVIDENCE_TANGENTIAL_CONVERGED "evidence.tangential.converged"
-#define CONTACTD_PATH_EVIDENCE_TANGENTIAL_SECONDS "evidence.tangential.seconds" /* s */
-#define CONTACTD_PATH_EVIDENCE_OUTER "evidence.outer"
-#define CONTACTD_PATH_EVIDENCE_OUTER_ITERATIONS "evidence.outer.iterations"
-#define CONTACTD_PATH_EVIDENCE_OUTER_RESIDUAL "evidence.outer.residual"
-#define CONTACTD_PATH_EVIDENCE_OUTER_CONVERGED "evidence.outer.converged"
-#define CONTACTD_PATH_EVIDENCE_OUTER_SECONDS "evidence.outer.seconds" /* s */
-#define CONTACTD_PATH_EVIDENCE_FORCE "evidence.force"
-#define CONTACTD_PATH_EVIDENCE_FORCE_ITERATIONS "evidence.force.iterations"
-#define CONTACTD_PATH_EVIDENCE_FORCE_RESIDUAL "evidence.force.residual"
-#define CONTACTD_PATH_EVIDENCE_FORCE_CONVERGED "evidence.force.converged"
-#define CONTACTD_PATH_EVIDENCE_FORCE_SECONDS "evidence.force.seconds" /* s */
-#define CONTACTD_PATH_EVIDENCE_DISCRETISATION "evidence.discretisation"
-#define CONTACTD_PATH_EVIDENCE_DISCRETISATION_ELEMENTS_ACROSS "evidence.discretisation.elements_across"
-#define CONTACTD_PATH_EVIDENCE_DISCRETISATION_FORCE_ERROR "evidence.discretisation.force_error"
-#define CONTACTD_PATH_EVIDENCE_DISCRETISATION_PMAX_ERROR "evidence.discretisation.pmax_error"
-#define CONTACTD_PATH_EVIDENCE_DISCRETISATION_SOURCE "evidence.discretisation.source"
-#define CONTACTD_PATH_EVIDENCE_DISCRETISATION_ROLLING_ERROR "evidence.discretisation.rolling_error"
-#define CONTACTD_PATH_EVIDENCE_DISCRETISATION_COMPLIANCE_RATIO "evidence.discretisation.compliance_ratio"
-#define CONTACTD_PATH_EVIDENCE_DERIVATIVES "evidence.derivatives"
-#define CONTACTD_PATH_EVIDENCE_DERIVATIVES_ITERATIONS "evidence.derivatives.iterations"
-#define CONTACTD_PATH_EVIDENCE_DERIVATIVES_RESIDUAL "evidence.derivatives.residual"
-#define CONTACTD_PATH_EVIDENCE_DERIVATIVES_CONVERGED "evidence.derivatives.converged"
-#define CONTACTD_PATH_EVIDENCE_DERIVATIVES_SECONDS "evidence.derivatives.seconds" /* s */
-#define CONTACTD_PATH_EVIDENCE_TANGENTIAL_SOLVER "evidence.tangential_solver"
-
 /* --- keywords --- */
+#define CONTACTD_WORD_BODY_SHAPE_HALF_SPACE "half_space"
+#define CONTACTD_WORD_BODY_SHAPE_BLOCK "block"
+#define CONTACTD_WORD_BODY_SHAPE_LAYERED "layered"
+#define CONTACTD_WORD_BODY_SHAPE_LONGITUDINALLY_UNIFORM "longitudinally_uniform"
 #define CONTACTD_WORD_CONFORMAL_OFF "off"
 #define CONTACTD_WORD_CONFORMAL_HALF_SPACE "half_space"
 #define CONTACTD_WORD_CONFORMAL_ROTATED "rotated"
@@ -657,17 +893,38 @@
 #define CONTACTD_WORD_CONFORMAL_AUTO "auto"
 #define CONTACTD_WORD_CONTACT_SEARCH_LOCUS "locus"
 #define CONTACTD_WORD_CONTACT_SEARCH_MESH "mesh"
+#define CONTACTD_WORD_DIAGONAL_OUTWARD "outward"
+#define CONTACTD_WORD_DIAGONAL_ACROSS "across"
 #define CONTACTD_WORD_ERROR_SOURCE_HERTZ "hertz"
 #define CONTACTD_WORD_ERROR_SOURCE_ESTIMATE "estimate"
+#define CONTACTD_WORD_FAR_BOUNDARY_CLAMPED "clamped"
+#define CONTACTD_WORD_FAR_BOUNDARY_HALF_SPACE "half_space"
+#define CONTACTD_WORD_IC_SOURCE_ANALYTIC "analytic"
+#define CONTACTD_WORD_IC_SOURCE_FEM "fem"
+#define CONTACTD_WORD_LOAD_SHAPE_CONSTANT "constant"
+#define CONTACTD_WORD_LOAD_SHAPE_BILINEAR "bilinear"
+#define CONTACTD_WORD_MESH_HEX "hex"
+#define CONTACTD_WORD_MESH_PRISM "prism"
+#define CONTACTD_WORD_MESH_ADAPTIVE "adaptive"
 #define CONTACTD_WORD_MODEL_FULL "full"
 #define CONTACTD_WORD_MODEL_HERTZ "hertz"
 #define CONTACTD_WORD_MODEL_FASTSIM "fastsim"
 #define CONTACTD_WORD_RIGID_SLIP_PLANE "plane"
 #define CONTACTD_WORD_RIGID_SLIP_SURFACES "surfaces"
+#define CONTACTD_WORD_ROLLING_STEADY "steady"
+#define CONTACTD_WORD_ROLLING_TRANSIENT "transient"
+#define CONTACTD_WORD_SAMPLING_FEM "fem"
+#define CONTACTD_WORD_SAMPLING_LINEAR "linear"
+#define CONTACTD_WORD_SAMPLING_LINEAR_NODES "linear_nodes"
 #define CONTACTD_WORD_SIDE_LEFT "left"
 #define CONTACTD_WORD_SIDE_RIGHT "right"
 #define CONTACTD_WORD_SLIP_LAW_LINEAR "linear"
 #define CONTACTD_WORD_SLIP_LAW_EXPONENTIAL "exponential"
+#define CONTACTD_WORD_SOLVER_AUTO "auto"
+#define CONTACTD_WORD_SOLVER_AMG_PCG "amg_pcg"
+#define CONTACTD_WORD_SOLVER_DIRECT "direct"
+#define CONTACTD_WORD_STOPPING_CRITERION_RESIDUAL "residual"
+#define CONTACTD_WORD_STOPPING_CRITERION_UPDATE "update"
 #define CONTACTD_WORD_TANGENTIAL_SOLVER_NEWTON "newton"
 #define CONTACTD_WORD_TANGENTIAL_SOLVER_TANGCG "tangcg"
 #define CONTACTD_WORD_WHEEL_SURFACE_EXACT "exact"

@@ -1,0 +1,27 @@
+// Lists of fields of which some are of other types than the declared ones.
+#pragma once
+
+#include <initializer_list>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "contactd/fields.hpp"
+
+namespace contactd::c {
+
+using TypeOf = const FieldType& (*)();
+
+/// The fields of T, of which those that are named are of other types: where the wire has a form of its own.
+template <class T>
+std::vector<Field> fields_with(std::initializer_list<std::pair<std::string_view, TypeOf>> others) {
+    const std::span<const Field> all = type_of<T>().fields;
+    std::vector<Field> list(all.begin(), all.end());
+    for (Field& field : list)
+        for (const auto& [name, type] : others)
+            if (field.name == name) field.type = type;
+    return list;
+}
+
+}  // namespace contactd::c

@@ -1,0 +1,20 @@
+// The results of contacts and wheels as their paths name them.
+#pragma once
+
+#include "contact.hpp"
+#include "wheel.hpp"
+
+namespace contactd::c {
+
+/// What stands beside the fields of a solution: "converged", and of a contact that was started "step" and "ics".
+Roots results_of_contacts();
+/// The same of wheels: "converged", "frictional_power", and of a wheelset "roll" and "roll_search".
+Roots results_of_wheels();
+
+/// Calls `read` with the path and the struct below which it leads to its field. Throws StatusError (NO_RESULT,
+/// WRONG_ORDER) where there is none yet.
+using ReadResult = std::function<void(const FieldPath& path, const void* root)>;
+void read_result(const Contact& contact, const RootedPath& path, const ReadResult& read);
+void read_result(const Wheel& wheel, const RootedPath& path, const ReadResult& read);
+
+}  // namespace contactd::c
