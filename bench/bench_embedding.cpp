@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include <stdexcept>
+#include <utility>
 
 #include "contactd.h"
 #include "contactd/half_space.hpp"
@@ -72,21 +73,33 @@ void c_step(benchmark::State& state) {
     contactd_contact* contact;
     check(contactd_open("local", &connection), nullptr);
     check(contactd_new(connection, &contact), connection);
-    check(contactd_set_grid_centred(contact, n, n, dx, dy), contact);
-    check(contactd_set_material(contact, CONTACTD_BOTH, 82000, 0.28), contact);
-    check(contactd_set_model(contact, model_of(state) == Model::full ? CONTACTD_FULL : CONTACTD_FASTSIM), contact);
-    check(contactd_set_semi_axes(contact, 6, 4), contact);
-    check(contactd_set_Fn(contact, 50000), contact);
-    check(contactd_set_mu(contact, 0.3), contact);
-    check(contactd_set_rolling(contact, CONTACTD_STEADY, creepage(0), 0.001, 1e-4), contact);
+    const std::pair<const char*, double> inputs[] = {
+        {"grid.nx", n},
+        {"grid.ny", n},
+        {"grid.dx", dx},
+        {"grid.dy", dy},
+        {"bodies.upper.G", 82000},
+        {"bodies.upper.nu", 0.28},
+        {"gap.semi_axes.a", 6},
+        {"gap.semi_axes.b", 4},
+        {"Fn", 50000},
+        {"friction.mu", 0.3},
+        {"friction.rolling.xi", creepage(0)},
+        {"friction.rolling.eta", 0.001},
+        {"friction.rolling.phi", 1e-4},
+    };
+    for (const auto& [path, value] : inputs) check(contactd_set(contact, path, value), contact);
+    check(contactd_set_word(contact, "model", model_of(state) == Model::full ? "full" : "fastsim"), contact);
     check(contactd_start(contact), contact);
+    std::int32_t xi;
+    check(contactd_path(contact, "friction.rolling.xi", &xi), contact);
     int step = 0;
-    double Fn, Fx, Fy, Mz;
+    double forces[4];
     for (auto _ : state) {
-        check(contactd_set_rolling(contact, CONTACTD_STEADY, creepage(++step), 0.001, 1e-4), contact);
+        check(contactd_set_at(contact, xi, creepage(++step)), contact);
         check(contactd_step(contact), contact);
-        check(contactd_get_forces(contact, &Fn, &Fx, &Fy, &Mz), contact);
-        benchmark::DoNotOptimize(Fx);
+        check(contactd_get_array(contact, "forces", forces, 4), contact);
+        benchmark::DoNotOptimize(forces);
     }
     contactd_free(contact);
     contactd_close(connection);

@@ -30,7 +30,7 @@ if(TARGET contactd_c)
   contactd_install_c(contactd_c contactd c_library)
   install(DIRECTORY client/c/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT c_development)
   install(FILES client/c/fortran/contactd_calls.f90 client/c/fortran/contactd.f90
-    client/c/matlab/contactd_mex.c client/c/matlab/contactd_mex_calls.h client/c/matlab/contactd_mex_section_calls.h
+    client/c/matlab/contactd_mex.c client/c/matlab/contactd_mex_calls.h
     DESTINATION ${CMAKE_INSTALL_DATADIR}/contactd COMPONENT c_development)
   install(FILES ${PROJECT_BINARY_DIR}/contactd-config.cmake ${PROJECT_BINARY_DIR}/contactd-config-version.cmake
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/contactd COMPONENT c_development)

@@ -61,108 +61,152 @@ contains
         write (*, "(1x, i0)", advance="no") sum
     end subroutine
 
-    subroutine tell_arrays(contact, elements)
+    subroutine tell_field(contact, path)
         type(c_ptr), intent(in) :: contact
-        integer(c_int32_t), intent(in) :: elements
-        real(c_double) :: array(elements)
+        character(*), intent(in) :: path
+        real(c_double) :: value
+        integer(c_int32_t) :: code
+        code = contactd_get(contact, path, value)
+        call tell(value, code)
+    end subroutine
+
+    subroutine tell_whole_field(contact, path)
+        type(c_ptr), intent(in) :: contact
+        character(*), intent(in) :: path
+        real(c_double) :: value
+        integer(c_int32_t) :: code
+        value = 0
+        code = contactd_get(contact, path, value)
+        call tell_whole(nint(value, c_int32_t), code)
+    end subroutine
+
+    subroutine tell_fields(contact, path, number)
+        type(c_ptr), intent(in) :: contact
+        character(*), intent(in) :: path
+        integer(c_int32_t), intent(in) :: number
+        real(c_double) :: values(number)
+        integer(c_int32_t) :: code
+        integer :: i
+        code = contactd_get_array(contact, path, values, number)
+        do i = 1, number
+            call tell(values(i), code)
+        end do
+    end subroutine
+
+    subroutine tell_arrays(contact)
+        type(c_ptr), intent(in) :: contact
         integer :: which
         do which = 1, 6
+            call tell_one(which)
+        end do
+
+    contains
+
+        subroutine tell_one(which)
+            integer, intent(in) :: which
+            integer(c_int32_t) :: elements
+            real(c_double), allocatable :: array(:)
+            call need(contactd_length(contact, arrays(which), elements))
+            allocate (array(elements))
             call need(contactd_get_array(contact, arrays(which), array, elements))
             call tell_array(array, which == 1)
-        end do
+        end subroutine
     end subroutine
 
     subroutine tell_warnings(contact)
         type(c_ptr), intent(in) :: contact
         character(2000) :: text
-        integer(c_int32_t) :: warnings, i
+        character(40) :: path
+        real(c_double) :: warnings
         integer(int64) :: sum
-        integer :: c
+        integer :: c, i
         sum = 0
-        call need(contactd_get_warnings(contact, warnings))
-        do i = 0, warnings - 1
-            call need(contactd_get_warning(contact, i, text))
+        call need(contactd_get(contact, "warnings", warnings))
+        do i = 0, nint(warnings) - 1
+            write (path, "(a, i0, a)") "warnings[", i, "]"
+            call need(contactd_get_word(contact, path, text))
             do c = 1, len_trim(text)
                 call digest(sum, int(ichar(text(c:c)), int64))
             end do
         end do
-        write (*, "(1x, i0, 1x, i0)", advance="no") warnings, sum
+        write (*, "(1x, i0, 1x, i0)", advance="no") nint(warnings), sum
     end subroutine
 
     subroutine tell_solvers(contact)
         type(c_ptr), intent(in) :: contact
-        integer(c_int32_t) :: solver, iterations, converged, code
-        real(c_double) :: v(3)
+        character(10), parameter :: solvers(4) = [character(10) :: "normal", "tangential", "outer", "force"]
+        character(*), parameter :: fine = "evidence.discretisation."
+        character(:), allocatable :: solver
+        integer(c_int32_t) :: code
+        real(c_double) :: value
         integer :: i
-        call need(contactd_get_converged(contact, converged))
-        call tell_whole(converged, contactd_ok)
-        do solver = contactd_normal, contactd_force
-            code = contactd_get_evidence(contact, solver, iterations, v(1), converged)
-            call tell_whole(iterations, code)
-            call tell(v(1), code)
-            call tell_whole(converged, code)
+        call tell_whole_field(contact, "converged")
+        do i = 1, size(solvers)
+            solver = "evidence." // trim(solvers(i))
+            call tell_whole_field(contact, solver // ".iterations")
+            call tell_field(contact, solver // ".residual")
+            call tell_whole_field(contact, solver // ".converged")
         end do
-        code = contactd_get_discretisation(contact, iterations, v(1), v(2), v(3))
-        call tell_whole(iterations, code)
-        do i = 1, 3
-            call tell(v(i), code)
-        end do
+        call tell_whole_field(contact, fine // "elements_across")
+        call tell_field(contact, fine // "force_error")
+        call tell_field(contact, fine // "pmax_error")
+        if (contactd_get(contact, fine // "rolling_error", value) /= contactd_ok) value = 0
+        code = contactd_length(contact, "evidence.discretisation.elements_across", i)
+        call tell(value, code)
     end subroutine
 
-    subroutine tell_step(contact, nx, ny)
+    subroutine tell_motion(contact)
         type(c_ptr), intent(in) :: contact
-        integer(c_int32_t), intent(in) :: nx, ny
-        integer(c_int32_t) :: n(4), of, by, code
-        real(c_double) :: v(4)
-        integer :: i
-        code = contactd_get_step(contact, n(1))
-        call tell_whole(n(1), code)
-        code = contactd_get_forces(contact, v(1), v(2), v(3), v(4))
-        do i = 1, 4
-            call tell(v(i), code)
-        end do
-        code = contactd_get_approach(contact, v(1))
-        call tell(v(1), code)
-        code = contactd_get_pmax(contact, v(1))
-        call tell(v(1), code)
-        code = contactd_get_areas(contact, v(1), v(2), v(3))
-        do i = 1, 3
-            call tell(v(i), code)
-        end do
-        code = contactd_get_counts(contact, n(1), n(2), n(3), n(4))
-        do i = 1, 4
-            call tell_whole(n(i), code)
-        end do
-        code = contactd_get_creepages(contact, v(1), v(2), v(3))
-        if (code /= contactd_ok) code = contactd_get_shift(contact, v(1), v(2), v(3))
-        do i = 1, 3
-            call tell(v(i), code)
-        end do
-        code = contactd_get_frictional_work(contact, v(1))
-        call tell(v(1), code)
-        code = contactd_get_frictional_power(contact, v(1))
-        call tell(v(1), code)
-        call tell_solvers(contact)
-        do of = contactd_of_fx, contactd_of_approach
-            do by = contactd_by_x, contactd_by_mu
-                code = contactd_get_derivative(contact, of, by, v(1))
-                call tell(v(1), code)
+        real(c_double) :: value
+        if (contactd_get(contact, "motion.xi", value) == contactd_ok) then
+            call tell_field(contact, "motion.xi")
+            call tell_field(contact, "motion.eta")
+            call tell_field(contact, "motion.phi")
+        else
+            call tell_field(contact, "motion.rigid_shift.x")
+            call tell_field(contact, "motion.rigid_shift.y")
+            call tell_field(contact, "motion.rotation")
+        end if
+    end subroutine
+
+    ! By whichever of these there is.
+    subroutine tell_derivatives(contact)
+        type(c_ptr), intent(in) :: contact
+        character(8), parameter :: of(5) = [character(8) :: "Fx", "Fy", "Mz", "Fn", "approach"]
+        character(13), parameter :: by(2, 5) = reshape([character(13) :: "xi", "rigid_shift.x", &
+            "eta", "rigid_shift.y", "phi", "rotation", "approach", "Fn", "mu", "mu"], [2, 5])
+        character(:), allocatable :: above
+        integer(c_int32_t) :: code
+        real(c_double) :: value
+        integer :: i, k
+        do i = 1, size(of)
+            above = "derivatives." // trim(of(i)) // "."
+            do k = 1, size(by, 2)
+                code = contactd_get(contact, above // by(1, k), value)
+                if (code /= contactd_ok) code = contactd_get(contact, above // by(2, k), value)
+                call tell(value, code)
             end do
         end do
-        call tell_warnings(contact)
-        call tell_arrays(contact, nx * ny)
-        call tell_resultant(contact)
     end subroutine
 
-    subroutine tell_resultant(contact)
+    subroutine tell_step(contact)
         type(c_ptr), intent(in) :: contact
-        integer(c_int32_t) :: code
-        real(c_double) :: forces(6)
-        integer :: i
-        forces = 0
-        code = contactd_get_resultant(contact, forces)
-        do i = 1, 6
-            call tell(forces(i), code)
-        end do
+        call tell_whole_field(contact, "step")
+        call tell_fields(contact, "forces", 4)
+        call tell_field(contact, "approach")
+        call tell_field(contact, "pmax")
+        call tell_fields(contact, "area", 3)
+        call tell_whole_field(contact, "elements.contact")
+        call tell_whole_field(contact, "elements.adhesion")
+        call tell_whole_field(contact, "elements.slip")
+        call tell_whole_field(contact, "elements.border")
+        call tell_motion(contact)
+        call tell_field(contact, "frictional_work")
+        call tell_field(contact, "frictional_power")
+        call tell_solvers(contact)
+        call tell_derivatives(contact)
+        call tell_warnings(contact)
+        call tell_arrays(contact)
+        call tell_fields(contact, "resultant", 6)
     end subroutine
 end module answers

@@ -4,79 +4,117 @@
 
 #include "telling.h"
 
-static void tell_arrays(contactd_contact* contact, int32_t elements) {
-    double* array = values(elements);
+static int32_t get(contactd_contact* contact, const char* above, const char* field_name, double* value) {
+    char path[100];
+    snprintf(path, sizeof path, "%s.%s", above, field_name);
+    return contactd_get(contact, path, value);
+}
+
+static void tell_field(contactd_contact* contact, const char* path) {
+    double value = 0;
+    const int32_t code = contactd_get(contact, path, &value);
+    tell(value, code);
+}
+
+static void tell_whole_field(contactd_contact* contact, const char* path) {
+    double value = 0;
+    const int32_t code = contactd_get(contact, path, &value);
+    tell_whole((int32_t)value, code);
+}
+
+static void tell_fields(contactd_contact* contact, const char* path, int count_of_fields) {
+    double values_of_fields[6] = {0};
+    const int32_t code = contactd_get_array(contact, path, values_of_fields, count_of_fields);
+    for (int i = 0; i < count_of_fields; ++i) tell(values_of_fields[i], code);
+}
+
+static void tell_arrays(contactd_contact* contact) {
     for (int which = 0; which < contact_arrays; ++which) {
+        int32_t elements = 0;
+        if (contactd_length(contact, arrays[which], &elements) != CONTACTD_OK) exit(3);
+        double* array = values(elements);
         if (contactd_get_array(contact, arrays[which], array, elements) != CONTACTD_OK) exit(3);
         which == 0 ? tell_division(array, elements) : tell_digest(array, elements);
+        free(array);
     }
-    free(array);
 }
 
 static void tell_warnings(contactd_contact* contact) {
-    int32_t warnings = 0;
+    double warnings = 0;
     uint64_t sum = 0;
-    char text[2000];
-    contactd_get_warnings(contact, &warnings);
-    for (int32_t i = 0; i < warnings; ++i) {
-        contactd_get_warning(contact, i, text, sizeof text);
+    char path[40], text[2000];
+    if (contactd_get(contact, "warnings", &warnings) != CONTACTD_OK) exit(3);
+    for (int i = 0; i < warnings; ++i) {
+        snprintf(path, sizeof path, "warnings[%d]", i);
+        contactd_get_word(contact, path, text, sizeof text);
         for (const char* c = text; *c != '\0'; ++c) sum = digest(sum, (unsigned char)*c);
     }
-    printf(" %" PRId32 " %" PRIu64, warnings, sum);
+    printf(" %" PRId32 " %" PRIu64, (int32_t)warnings, sum);
 }
 
 static void tell_solvers(contactd_contact* contact) {
-    int32_t iterations = 0, converged = 0, across = 0, code;
-    double v[4] = {0};
-    contactd_get_converged(contact, &converged);
-    tell_whole(converged, CONTACTD_OK);
-    for (int32_t solver = CONTACTD_NORMAL; solver <= CONTACTD_FORCE; ++solver) {
-        code = contactd_get_evidence(contact, solver, &iterations, v, &converged);
-        tell_whole(iterations, code);
-        tell(v[0], code);
-        tell_whole(converged, code);
+    static const char* const solvers[] = {"evidence.normal", "evidence.tangential", "evidence.outer", "evidence.force"};
+    static const char* const fine = "evidence.discretisation";
+    double value = 0;
+    int32_t code;
+    tell_whole_field(contact, "converged");
+    for (int solver = 0; solver < 4; ++solver) {
+        code = get(contact, solvers[solver], "iterations", &value);
+        tell_whole((int32_t)value, code);
+        code = get(contact, solvers[solver], "residual", &value);
+        tell(value, code);
+        code = get(contact, solvers[solver], "converged", &value);
+        tell_whole((int32_t)value, code);
     }
-    code = contactd_get_discretisation(contact, &across, v, v + 1, v + 2);
-    tell_whole(across, code);
-    for (int i = 0; i < 3; ++i) tell(v[i], code);
+    code = get(contact, fine, "elements_across", &value);
+    tell_whole((int32_t)value, code);
+    tell_field(contact, "evidence.discretisation.force_error");
+    tell_field(contact, "evidence.discretisation.pmax_error");
+    if (get(contact, fine, "rolling_error", &value) != CONTACTD_OK) value = 0;
+    tell(value, code);
 }
 
-static void tell_resultant(contactd_contact* contact) {
-    double forces[6] = {0};
-    const int32_t code = contactd_get_resultant(contact, forces);
-    for (int i = 0; i < 6; ++i) tell(forces[i], code);
+static void tell_motion(contactd_contact* contact) {
+    static const char* const paths[2][3] = {{"motion.xi", "motion.eta", "motion.phi"},
+                                            {"motion.rigid_shift.x", "motion.rigid_shift.y", "motion.rotation"}};
+    double value = 0;
+    const int kind = contactd_get(contact, "motion.xi", &value) == CONTACTD_OK ? 0 : 1;
+    for (int i = 0; i < 3; ++i) tell_field(contact, paths[kind][i]);
 }
 
-static void tell_step(contactd_contact* contact, int32_t elements) {
-    double v[4] = {0};
-    int32_t n[4] = {0}, code = contactd_get_step(contact, n);
-    tell_whole(n[0], code);
-    code = contactd_get_forces(contact, v, v + 1, v + 2, v + 3);
-    for (int i = 0; i < 4; ++i) tell(v[i], code);
-    code = contactd_get_approach(contact, v);
-    tell(v[0], code);
-    code = contactd_get_pmax(contact, v);
-    tell(v[0], code);
-    code = contactd_get_areas(contact, v, v + 1, v + 2);
-    for (int i = 0; i < 3; ++i) tell(v[i], code);
-    code = contactd_get_counts(contact, n, n + 1, n + 2, n + 3);
-    for (int i = 0; i < 4; ++i) tell_whole(n[i], code);
-    code = contactd_get_creepages(contact, v, v + 1, v + 2);
-    if (code != CONTACTD_OK) code = contactd_get_shift(contact, v, v + 1, v + 2);
-    for (int i = 0; i < 3; ++i) tell(v[i], code);
-    code = contactd_get_frictional_work(contact, v);
-    tell(v[0], code);
-    code = contactd_get_frictional_power(contact, v);
-    tell(v[0], code);
-    tell_solvers(contact);
-    for (int32_t of = CONTACTD_OF_FX; of <= CONTACTD_OF_APPROACH; ++of)
-        for (int32_t by = CONTACTD_BY_X; by <= CONTACTD_BY_MU; ++by) {
-            code = contactd_get_derivative(contact, of, by, v);
-            tell(v[0], code);
+/* By whichever of these there is. */
+static void tell_derivatives(contactd_contact* contact) {
+    static const char* const of[] = {"derivatives.Fx", "derivatives.Fy", "derivatives.Mz", "derivatives.Fn",
+                                     "derivatives.approach"};
+    static const char* const by[5][2] = {
+        {"xi", "rigid_shift.x"}, {"eta", "rigid_shift.y"}, {"phi", "rotation"}, {"approach", "Fn"}, {"mu", "mu"}};
+    for (int i = 0; i < 5; ++i)
+        for (int k = 0; k < 5; ++k) {
+            double value = 0;
+            int32_t code = get(contact, of[i], by[k][0], &value);
+            if (code != CONTACTD_OK) code = get(contact, of[i], by[k][1], &value);
+            tell(value, code);
         }
+}
+
+static void tell_step(contactd_contact* contact) {
+    tell_whole_field(contact, "step");
+    tell_fields(contact, "forces", 4);
+    tell_field(contact, "approach");
+    tell_field(contact, "pmax");
+    tell_fields(contact, "area", 3);
+    tell_whole_field(contact, "elements.contact");
+    tell_whole_field(contact, "elements.adhesion");
+    tell_whole_field(contact, "elements.slip");
+    tell_whole_field(contact, "elements.border");
+    tell_motion(contact);
+    tell_field(contact, "frictional_work");
+    tell_field(contact, "frictional_power");
+    tell_solvers(contact);
+    tell_derivatives(contact);
     tell_warnings(contact);
-    tell_arrays(contact, elements);
-    tell_resultant(contact);
+    tell_arrays(contact);
+    tell_fields(contact, "resultant", 6);
 }
 
 #endif

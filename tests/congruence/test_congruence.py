@@ -15,9 +15,13 @@ import pytest
 import contactd
 from congruence.cases import CASES, write
 from congruence.driver import CALLS, answers
+from congruence.paths import write_paths
 from integration.conftest import shared_daemon  # noqa: F401
 from support.daemons import BIN
 from support.slowness import SLOWER
+
+#: The drivers that set fields by their paths.
+BY_PATH = {"c", "c-local-with-a-daemon", "c-local", "fortran"}
 
 #: Cases that an interface cannot say, and why; none at present.
 CANNOT: dict[str, dict[str, str]] = {}
@@ -33,6 +37,11 @@ def expected(shared_daemon, cases) -> list[str]:  # noqa: F811
     """What Python says with a daemon."""
     with contactd.Client(shared_daemon.endpoint) as client:
         return list(answers(client, cases))
+
+
+@pytest.fixture(scope="module")
+def cases_by_path(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return write_paths(tmp_path_factory.mktemp("congruence") / "paths.txt")
 
 
 def program(name: str) -> Callable[[str, Path], list[str]]:
@@ -142,9 +151,10 @@ def test_what_was_restored_takes_the_same_step_again(expected):
 
 @pytest.mark.timeout(200)
 @pytest.mark.parametrize("way", WAYS)
-def test_every_way_answers_alike(way, expected, shared_daemon, cases):  # noqa: F811
+def test_every_way_answers_alike(way, expected, shared_daemon, cases, cases_by_path):  # noqa: F811
     run, asks_daemon = WAYS[way]
-    found, wanted = by_case(run(shared_daemon.endpoint if asks_daemon else "local", cases)), by_case(expected)
+    where = shared_daemon.endpoint if asks_daemon else "local"
+    found, wanted = by_case(run(where, cases_by_path if way in BY_PATH else cases)), by_case(expected)
     assert found.keys() == wanted.keys() == CASES.keys()
     if not way.startswith("python"):
         found, wanted = ({name: [*map(one_reason, lines)] for name, lines in all_.items()} for all_ in (found, wanted))

@@ -5,8 +5,8 @@ module words
     implicit none
     public
 
-    integer, parameter :: most_words = 40
-    character(60) :: word(0:most_words), name, reason, field
+    integer, parameter :: most_words = 2000, longest_line = 65536
+    character(100) :: word(0:most_words), name, reason, field
     integer :: count = 0
     integer(c_int32_t) :: refused = contactd_ok ! what a setter answered since the last line
 
@@ -77,7 +77,7 @@ contains
     ! The next line that says something.
     logical function next_line(unit, line)
         integer, intent(in) :: unit
-        character(1000), intent(out) :: line
+        character(*), intent(out) :: line
         integer :: status
         do
             read (unit, "(a)", iostat=status) line

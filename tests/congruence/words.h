@@ -10,7 +10,7 @@
 
 #include "contactd.h"
 
-enum { most_words = 40 };
+enum { most_words = 2000, longest_line = 65536 };
 
 static contactd_connection* place;
 static char name[100];  /* of the case */
@@ -53,7 +53,7 @@ static void split(char* line) {
 
 /* "WHERE CASES": opens the place, and has each line of the file taken that says something. */
 static int read_cases(int arguments, char** argument, void (*take)(void)) {
-    char line[1000];
+    static char line[longest_line];
     FILE* cases = arguments == 3 ? fopen(argument[2], "r") : NULL;
     if (cases == NULL || contactd_open(argument[1], &place) != CONTACTD_OK) {
         fprintf(stderr, "usage: %s WHERE CASES\n", argument[0]);

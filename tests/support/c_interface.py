@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable, Iterator
-from contextlib import AbstractContextManager, contextmanager
+from contextlib import contextmanager
 
 from support.daemons import BIN
 
 LIBRARY = BIN.parent / "lib" / "libcontactd-local.so"
-BOTH = 2
 Call = Callable[..., list[float]]
 
 
@@ -39,12 +38,8 @@ def _handle(new: str, free: str) -> Iterator[Call]:
         library.contactd_close(connection)
 
 
-def contact() -> AbstractContextManager[Call]:
-    return _handle("contactd_new", "contactd_free")
-
-
-class Wheel:
-    """A wheel on its rail, whose fields have paths."""
+class Fields:
+    """A contact or a wheel, whose fields have paths."""
 
     def __init__(self, call: Call) -> None:
         self._call = call
@@ -59,15 +54,31 @@ class Wheel:
     def set_word(self, path: str, word: str) -> None:
         self._call("set_word", path.encode(), word.encode())
 
-    def solve(self) -> None:
-        self._call("wheel_solve")
-
     def get(self, path: str) -> float:
         return self._call("get", path.encode(), out="d")[0]
 
     def array(self, path: str) -> list[float]:
         count = int(self._call("length", path.encode(), out="i")[0])
         return self._call("get_array", path.encode(), out=f"[{count}]")
+
+
+class Contact(Fields):
+    def start(self) -> None:
+        self._call("start")
+
+    def step(self) -> None:
+        self._call("step")
+
+
+class Wheel(Fields):
+    def solve(self) -> None:
+        self._call("wheel_solve")
+
+
+@contextmanager
+def contact() -> Iterator[Contact]:
+    with _handle("contactd_new", "contactd_free") as call:
+        yield Contact(call)
 
 
 @contextmanager

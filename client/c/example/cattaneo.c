@@ -13,25 +13,37 @@ static int failed(int32_t code, const void* handle) {
     return 1;
 }
 
+static const struct {
+    const char* path;
+    double value;
+} inputs[] = {
+    {"grid.nx", 40},           {"grid.ny", 40},
+    {"grid.dx", 0.06},                                                  /* mm */
+    {"grid.dy", 0.06},         {"bodies.upper.G", 200},                 /* N/mm^2; the lower body is as the upper one */
+    {"bodies.upper.nu", 0.42}, {"gap.paraboloid.Rx", 50},               /* mm */
+    {"gap.paraboloid.Ry", 50}, {"approach", 0.02},                      /* mm; or "Fn", a force (N) */
+    {"friction.mu", 0.4},      {"friction.rigid_shift.x", 0.00817 / 2}, /* mm in each step */
+};
+
 /* Each call answers a code, and the first that is not 0 ends the rest. */
 static int32_t set_up(contactd_contact* contact) {
-    int32_t code = contactd_set_grid_centred(contact, 40, 40, 0.06, 0.06);      /* elements, and the size of one (mm) */
-    if (!code) code = contactd_set_material(contact, CONTACTD_BOTH, 200, 0.42); /* G (N/mm^2), nu */
-    if (!code) code = contactd_set_paraboloid(contact, 50, 50);                 /* radii (mm) */
-    if (!code) code = contactd_set_approach(contact, 0.02); /* mm; or contactd_set_Fn, a force (N) */
-    if (!code) code = contactd_set_mu(contact, 0.4);
-    if (!code) code = contactd_set_shift(contact, 0.00817 / 2, 0, 0); /* mm in each step */
-    if (!code) code = contactd_start(contact);
-    return code;
+    int32_t code = CONTACTD_OK;
+    size_t i;
+    for (i = 0; !code && i < sizeof inputs / sizeof inputs[0]; ++i)
+        code = contactd_set(contact, inputs[i].path, inputs[i].value);
+    return code ? code : contactd_start(contact);
 }
 
 static int32_t step(contactd_contact* contact) {
-    double Fn, Fx, Fy, Mz;
-    int32_t number, all, adhesion, slip, border, code = contactd_step(contact);
-    if (!code) code = contactd_get_step(contact, &number);
-    if (!code) code = contactd_get_forces(contact, &Fn, &Fx, &Fy, &Mz);
-    if (!code) code = contactd_get_counts(contact, &all, &adhesion, &slip, &border);
-    if (!code) printf("step %d: Fn %.8g N, Fx %.8g N, %d elements stick, %d slip\n", number, Fn, Fx, adhesion, slip);
+    double number, forces[4], adhesion, slip;
+    int32_t code = contactd_step(contact);
+    if (!code) code = contactd_get(contact, "step", &number);
+    if (!code) code = contactd_get_array(contact, "forces", forces, 4); /* Fn, Fx, Fy, Mz */
+    if (!code) code = contactd_get(contact, "elements.adhesion", &adhesion);
+    if (!code) code = contactd_get(contact, "elements.slip", &slip);
+    if (!code)
+        printf("step %g: Fn %.8g N, Fx %.8g N, %g elements stick, %g slip\n", number, forces[0], forces[1], adhesion,
+               slip);
     return code;
 }
 

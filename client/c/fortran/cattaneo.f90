@@ -14,12 +14,17 @@ program cattaneo
     call check(contactd_open(where, connection))
     call check(contactd_new(connection, contact))
 
-    call check(contactd_set_grid_centred(contact, 40, 40, 0.06d0, 0.06d0)) ! elements, and the size of one (mm)
-    call check(contactd_set_material(contact, contactd_both, 200d0, 0.42d0)) ! G (N/mm^2), nu
-    call check(contactd_set_paraboloid(contact, 50d0, 50d0)) ! radii (mm)
-    call check(contactd_set_approach(contact, 0.02d0)) ! mm
-    call check(contactd_set_mu(contact, 0.4d0))
-    call check(contactd_set_shift(contact, 0.00817d0 / 2, 0d0, 0d0)) ! mm in each step
+    call set("grid.nx", 40d0) ! elements
+    call set("grid.ny", 40d0)
+    call set("grid.dx", 0.06d0) ! their size (mm)
+    call set("grid.dy", 0.06d0)
+    call set("bodies.upper.G", 200d0) ! N/mm^2; the lower body is as the upper one
+    call set("bodies.upper.nu", 0.42d0)
+    call set("gap.paraboloid.Rx", 50d0) ! mm
+    call set("gap.paraboloid.Ry", 50d0)
+    call set("approach", 0.02d0) ! mm
+    call set("friction.mu", 0.4d0)
+    call set("friction.rigid_shift.x", 0.00817d0 / 2) ! mm in each step
     call check(contactd_want(contact, "pressure", 1))
     call check(contactd_start(contact))
     do step = 1, 2
@@ -30,17 +35,24 @@ program cattaneo
 
 contains
 
+    subroutine set(path, value)
+        character(*), intent(in) :: path
+        real(c_double), intent(in) :: value
+        call check(contactd_set(contact, path, value))
+    end subroutine
+
     subroutine advance()
-        real(c_double) :: Fn, Fx, Fy, Mz, pressure(40, 40)
-        integer(c_int32_t) :: number, all, adhesion, slip, border
+        real(c_double) :: number, Fn, Fx, adhesion, slip, pressure(40, 40)
 
         call check(contactd_step(contact))
-        call check(contactd_get_step(contact, number))
-        call check(contactd_get_forces(contact, Fn, Fx, Fy, Mz))
-        call check(contactd_get_counts(contact, all, adhesion, slip, border))
+        call check(contactd_get(contact, "step", number))
+        call check(contactd_get(contact, "forces.Fn", Fn))
+        call check(contactd_get(contact, "forces.Fx", Fx))
+        call check(contactd_get(contact, "elements.adhesion", adhesion))
+        call check(contactd_get(contact, "elements.slip", slip))
         call check(contactd_get_array(contact, "pressure", pressure, size(pressure, kind=c_int32_t)))
-        print "(a, i0, a, es16.9, a, es16.9, a, i0, a, i0, a)", "step ", number, ": Fn ", Fn, " N, Fx ", Fx, " N, ", &
-            adhesion, " elements stick, ", slip, " slip"
+        print "(a, i0, a, es16.9, a, es16.9, a, i0, a, i0, a)", "step ", nint(number), ": Fn ", Fn, " N, Fx ", Fx, " N, ", &
+            nint(adhesion), " elements stick, ", nint(slip), " slip"
         if (abs(sum(pressure) * 0.06d0**2 - Fn) > 1d-9 * Fn) error stop "the pressures do not sum up to Fn"
     end subroutine
 

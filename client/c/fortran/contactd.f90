@@ -1,10 +1,10 @@
-! contactd in Fortran: the functions of contactd.h under their own names, and its words. docs/c.md says what they do.
+! contactd in Fortran: the functions of contactd.h under their own names, and its enumerators. docs/c.md says what they do.
 !
 !     use contactd
 !     type(c_ptr) :: connection, contact
 !     code = contactd_open("ipc:///run/contactd.sock", connection)
 !     code = contactd_new(connection, contact)
-!     code = contactd_set_mu(contact, 0.3d0)
+!     code = contactd_set(contact, "friction.mu", 0.3d0)
 !     if (code /= contactd_ok) print *, contactd_last_error(contact)
 !
 ! Compile contactd_calls.f90 first. Texts are Fortran's, of any length; arrays over the grid have the shape (nx, ny).
@@ -19,30 +19,13 @@ module contactd
         contactd_failed_precondition = 9, contactd_aborted = 10, contactd_out_of_range = 11, &
         contactd_unimplemented = 12, contactd_internal = 13, contactd_unavailable = 14, &
         contactd_data_loss = 15, contactd_unauthenticated = 16
-    integer(c_int32_t), parameter :: contactd_upper = 0, contactd_lower = 1, contactd_both = 2, &
-        contactd_pair = 3
-    integer(c_int32_t), parameter :: contactd_full = 0, contactd_hertz = 1, contactd_fastsim = 2
-    integer(c_int32_t), parameter :: contactd_constant = 0, contactd_bilinear = 1
-    integer(c_int32_t), parameter :: contactd_half_space = 0, contactd_block = 1
-    integer(c_int32_t), parameter :: contactd_cut = 0, contactd_foot = 1
-    integer(c_int32_t), parameter :: contactd_rail_60e1 = 1, contactd_rim_s1002 = 2, contactd_edge_block = 3, &
-        contactd_groove = 4, contactd_round_end = 5, contactd_disc = 6, contactd_plate_hole = 7, contactd_slab = 8
-    integer(c_int32_t), parameter :: contactd_steady = 0, contactd_transient = 1
-    integer(c_int32_t), parameter :: contactd_linear = 0, contactd_exponential = 1
-    integer(c_int32_t), parameter :: contactd_normal = 0, contactd_tangential = 1, contactd_outer = 2, &
-        contactd_force = 3
     integer(c_int32_t), parameter :: contactd_exterior = 0, contactd_adhesion = 1, contactd_slip = 2
-    integer(c_int32_t), parameter :: contactd_of_fx = 0, contactd_of_fy = 1, contactd_of_mz = 2, &
-        contactd_of_fn = 3, contactd_of_approach = 4
-    integer(c_int32_t), parameter :: contactd_by_x = 0, contactd_by_y = 1, contactd_by_turn = 2, &
-        contactd_by_load = 3, contactd_by_mu = 4
-    integer(c_int32_t), parameter :: contactd_wheel = 0, contactd_rail = 1
     integer(c_int32_t), parameter :: contactd_log_debug = 0, contactd_log_info = 1, &
         contactd_log_warning = 2, contactd_log_error = 3
 
     private :: version_c, code_name_c, last_error_c, last_field_c, last_reason_c, open_c, set_keys_c
     private :: set_c, set_word_c, set_array_c, clear_c, get_c, get_word_c, get_array_c, length_c, want_c, path_c
-    private :: get_warning_c, get_origin_c, set_profile_file_c, wheel_read_profile_c, strlen, text_of, copy_text
+    private :: set_table_c, get_frames_c, read_profile_c, strlen, text_of, copy_text
 
 contains
 
@@ -144,36 +127,24 @@ contains
         integer(c_int32_t), intent(out) :: id
         code = path_c(handle, trim(path) // c_null_char, id)
     end function
-    ! The number of a warning counts from 0, as in C. What does not fit `text` is cut off.
-    integer(c_int32_t) function contactd_get_warning(contact, index, text) result(code)
+    integer(c_int32_t) function contactd_set_table(contact, path, nx, ny, dx, dy, values, count) result(code)
         type(c_ptr), intent(in) :: contact
-        integer(c_int32_t), intent(in) :: index
-        character(*), intent(out) :: text
-        character(c_char) :: buffer(len(text) + 1)
-        code = get_warning_c(contact, index, buffer, size(buffer, kind=c_int32_t))
-        call copy_text(code, buffer, text)
-    end function
-    integer(c_int32_t) function contactd_get_origin(contact, body, text) result(code)
-        type(c_ptr), intent(in) :: contact
-        integer(c_int32_t), intent(in) :: body
-        character(*), intent(out) :: text
-        character(c_char) :: buffer(len(text) + 1)
-        code = get_origin_c(contact, body, buffer, size(buffer, kind=c_int32_t))
-        call copy_text(code, buffer, text)
-    end function
-
-    integer(c_int32_t) function contactd_wheel_read_profile(wheel, path, file) result(code)
-        type(c_ptr), intent(in) :: wheel
-        character(*), intent(in) :: path, file
-        code = wheel_read_profile_c(wheel, trim(path) // c_null_char, trim(file) // c_null_char)
-    end function
-    integer(c_int32_t) function contactd_set_profile_file(contact, body, kind, path, smoothing_length, depth, from) &
-        result(code)
-        type(c_ptr), intent(in) :: contact
-        integer(c_int32_t), intent(in) :: body, kind
         character(*), intent(in) :: path
-        real(c_double), intent(in) :: smoothing_length, depth, from
-        code = set_profile_file_c(contact, body, kind, trim(path) // c_null_char, smoothing_length, depth, from)
+        integer(c_int32_t), intent(in) :: nx, ny, count
+        real(c_double), intent(in) :: dx, dy, values(*)
+        code = set_table_c(contact, trim(path) // c_null_char, nx, ny, dx, dy, values, count)
+    end function
+    integer(c_int32_t) function contactd_get_frames(contact, body, y, z, angle, length) result(code)
+        type(c_ptr), intent(in) :: contact
+        character(*), intent(in) :: body
+        integer(c_int32_t), intent(in) :: length
+        real(c_double), intent(out) :: y(*), z(*), angle(*)
+        code = get_frames_c(contact, trim(body) // c_null_char, y, z, angle, length)
+    end function
+    integer(c_int32_t) function contactd_read_profile(handle, path, file) result(code)
+        type(c_ptr), intent(in) :: handle
+        character(*), intent(in) :: path, file
+        code = read_profile_c(handle, trim(path) // c_null_char, trim(file) // c_null_char)
     end function
 
     function text_of(pointer) result(text)

@@ -6,19 +6,23 @@ function results = cattaneo(where)
 % returns a row [Fn Fx] (N) for each step. Runs in MATLAB and in Octave.
 connection = contactd('open', where);
 contact = contactd('new', connection);
-contactd('set_grid_centred', contact, 40, 40, 0.06, 0.06);  % elements, and the size of one (mm)
-contactd('set_material', contact, 'both', 200, 0.42);       % G (N/mm^2), nu
-contactd('set_paraboloid', contact, 50, 50);                % radii (mm)
-contactd('set_approach', contact, 0.02);                    % mm
-contactd('set_mu', contact, 0.4);
-contactd('set_shift', contact, 0.00817 / 2, 0, 0);          % mm in each step
+set = @(path, value) contactd('set', contact, path, value);
+set('grid.nx', 40), set('grid.ny', 40);                  % elements
+set('grid.dx', 0.06), set('grid.dy', 0.06);              % their size (mm)
+set('bodies.upper.G', 200), set('bodies.upper.nu', 0.42);  % N/mm^2; the lower body is as the upper one
+contactd('set_array', contact, 'gap.paraboloid', [50 50]);  % radii (mm)
+set('approach', 0.02);                                   % mm
+set('friction.mu', 0.4);
+set('friction.rigid_shift.x', 0.00817 / 2);              % mm in each step
 contactd('want', contact, 'pressure', 1);
 contactd('start', contact);
 results = zeros(2, 2);
 for step = 1:2
     contactd('step', contact);
-    [Fn, Fx] = contactd('get_forces', contact);
-    [~, adhesion, slip] = contactd('get_counts', contact);
+    Fn = contactd('get', contact, 'forces.Fn');
+    Fx = contactd('get', contact, 'forces.Fx');
+    adhesion = contactd('get', contact, 'elements.adhesion');
+    slip = contactd('get', contact, 'elements.slip');
     fprintf('step %d: Fn %.8g N, Fx %.8g N, %d elements stick, %d slip\n', step, Fn, Fx, adhesion, slip);
     pressure = contactd('get_array', contact, 'pressure', 40, 40);
     assert(abs(sum(pressure(:)) * 0.06^2 - Fn) < 1e-9 * Fn);

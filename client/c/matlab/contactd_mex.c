@@ -3,15 +3,15 @@
  *
  *     connection = contactd('open', 'ipc:///run/contactd.sock');
  *     contact = contactd('new', connection);
- *     contactd('set_material', contact, 'both', 200, 0.42);
+ *     contactd('set', contact, 'bodies.upper.G', 200);
+ *     contactd('set_word', contact, 'model', 'hertz');
  *     contactd('step', contact);
- *     [Fn, Fx, Fy, Mz] = contactd('get_forces', contact);
+ *     Fn = contactd('get', contact, 'forces.Fn');
  *     p = contactd('get_array', contact, 'pressure', 25, 25);
- *     contactd('set', wheel, 'setup.track.gauge', 1435);
  *
- * Arguments are those of the header; its words are texts in lower case, as 'both' for CONTACTD_BOTH. What the functions
- * put into the caller's memory is returned, an array as a column unless the call says rows and columns, as nx and ny. A
- * code that is not 0 is an error 'contactd:INVALID_ARGUMENT', ..., with the library's sentence.
+ * Arguments are those of the header. What the functions put into the caller's memory is returned, an array as a column
+ * unless the call says rows and columns, as nx and ny. A code that is not 0 is an error 'contactd:INVALID_ARGUMENT',
+ * ..., with the library's sentence.
  *
  *     mex contactd_mex.c -output contactd -lcontactd          (MATLAB)
  *     mkoctfile --mex contactd_mex.c -o contactd -lcontactd   (Octave)
@@ -21,53 +21,6 @@
 #include <string.h>
 
 enum { longest_text = 4096 };
-
-static const struct {
-    const char* name;
-    int32_t value;
-} words[] = {
-    {"upper", CONTACTD_UPPER},
-    {"lower", CONTACTD_LOWER},
-    {"both", CONTACTD_BOTH},
-    {"pair", CONTACTD_PAIR},
-    {"full", CONTACTD_FULL},
-    {"hertz", CONTACTD_HERTZ},
-    {"fastsim", CONTACTD_FASTSIM},
-    {"of_fx", CONTACTD_OF_FX},
-    {"of_fy", CONTACTD_OF_FY},
-    {"of_mz", CONTACTD_OF_MZ},
-    {"of_fn", CONTACTD_OF_FN},
-    {"of_approach", CONTACTD_OF_APPROACH},
-    {"by_x", CONTACTD_BY_X},
-    {"by_y", CONTACTD_BY_Y},
-    {"by_turn", CONTACTD_BY_TURN},
-    {"by_load", CONTACTD_BY_LOAD},
-    {"by_mu", CONTACTD_BY_MU},
-    {"constant", CONTACTD_CONSTANT},
-    {"bilinear", CONTACTD_BILINEAR},
-    {"half_space", CONTACTD_HALF_SPACE},
-    {"block", CONTACTD_BLOCK},
-    {"cut", CONTACTD_CUT},
-    {"foot", CONTACTD_FOOT},
-    {"rail_60e1", CONTACTD_RAIL_60E1},
-    {"rim_s1002", CONTACTD_RIM_S1002},
-    {"edge_block", CONTACTD_EDGE_BLOCK},
-    {"groove", CONTACTD_GROOVE},
-    {"round_end", CONTACTD_ROUND_END},
-    {"disc", CONTACTD_DISC},
-    {"plate_hole", CONTACTD_PLATE_HOLE},
-    {"slab", CONTACTD_SLAB},
-    {"steady", CONTACTD_STEADY},
-    {"transient", CONTACTD_TRANSIENT},
-    {"linear", CONTACTD_LINEAR},
-    {"exponential", CONTACTD_EXPONENTIAL},
-    {"normal", CONTACTD_NORMAL},
-    {"tangential", CONTACTD_TANGENTIAL},
-    {"outer", CONTACTD_OUTER},
-    {"force", CONTACTD_FORCE},
-    {"wheel", CONTACTD_WHEEL},
-    {"rail", CONTACTD_RAIL},
-};
 
 /* The call that runs: MATLAB is one thread. */
 static const mxArray** given;
@@ -99,19 +52,8 @@ static void read_text(const mxArray* value, int place, char text[longest_text]) 
         mexErrMsgIdAndTxt("contactd:arguments", "Argument %d must be a text.", place);
 }
 
-/* A whole number, or a word. */
 static int32_t whole(int k) {
-    const mxArray* value = argument(k);
-    char text[longest_text];
-    double real;
-    size_t i;
-    if (mxIsChar(value)) {
-        read_text(value, k + 3, text);
-        for (i = 0; i < sizeof words / sizeof words[0]; ++i)
-            if (!strcmp(words[i].name, text)) return words[i].value;
-        mexErrMsgIdAndTxt("contactd:arguments", "'%s' is no word of contactd.h.", text);
-    }
-    real = number(k);
+    const double real = number(k);
     if (!(real >= -2147483648.0 && real <= 2147483647.0) || real != (int32_t)real)
         mexErrMsgIdAndTxt("contactd:arguments", "Argument %d must be a whole number.", k + 3);
     return (int32_t)real;
@@ -124,13 +66,9 @@ static const double* array(int k) {
     return mxGetPr(value);
 }
 
-/* Of an array; those that are read together have the length of the first. */
-static int32_t length(int k, int with) {
+static int32_t length(int k) {
     const size_t count = mxGetNumberOfElements(argument(k));
-    int i;
-    for (i = k; i <= with; ++i)
-        if (count > 2147483647u || mxGetNumberOfElements(argument(i)) != count)
-            mexErrMsgIdAndTxt("contactd:arguments", "Argument %d has another length.", i + 3);
+    if (count > 2147483647u) mexErrMsgIdAndTxt("contactd:arguments", "Argument %d is too long.", k + 3);
     return (int32_t)count;
 }
 
@@ -153,7 +91,6 @@ static void print_line(void* user, int32_t level, const char* text) {
 }
 
 #include "contactd_mex_calls.h"
-#include "contactd_mex_section_calls.h"
 
 void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
     char command[longest_text], where[longest_text];
@@ -177,7 +114,7 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
         return;
     }
     handle = handle_in(prhs[1], 2);
-    if (!call_of_field(command, plhs) && !call_of_connection(command, plhs) && !call_that_sets(command) &&
-        !call_of_section(command, nlhs, plhs) && !call_that_reads(command, nlhs, plhs) && !call_of_wheel(command))
+    if (!call_of_field(command, plhs) && !call_of_connection(command, plhs) && !call_of_contact(command, nlhs, plhs) &&
+        !call_of_wheel(command))
         mexErrMsgIdAndTxt("contactd:arguments", "There is no function '%s'.", command);
 }

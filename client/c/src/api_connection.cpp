@@ -78,7 +78,7 @@ std::int32_t contactd_set_log(contactd_connection* connection, contactd_log log,
 }
 
 std::int32_t contactd_set_step_timeout(contactd_contact* contact, double seconds) {
-    return load(contact, [&](Said& said) { said.step_timeout = duration(seconds); });
+    return with(contact, [&](Contact& changed) { changed.inputs.step_timeout = duration(seconds); });
 }
 
 std::int32_t contactd_wheel_set_timeout(contactd_wheel* wheel, double seconds) {

@@ -1,12 +1,16 @@
 // contactd.h: fields of contacts and wheels by their paths.
 #include <algorithm>
 #include <array>
+#include <cstring>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "contactd/fields/wheel_rail_setup.hpp"
+#include "contactd/read_profile.hpp"
 #include "edge.hpp"
 #include "field_array.hpp"
 #include "results.hpp"
@@ -15,6 +19,8 @@ using namespace contactd::c;
 using contactd::FieldPath;
 using contactd::FieldType;
 using contactd::InvalidArgument;
+using contactd::ProfileKind;
+using contactd::ProfileSpec;
 using contactd::SolutionField;
 
 namespace {
@@ -32,7 +38,7 @@ std::size_t array_named(std::string_view name) {
 
 /// How many values an array of that path has: slip is empty without friction, and stands for zeros.
 std::size_t elements_of(Contact& contact, const FieldPath&, const void*) {
-    return contact.said.problem.grid.size();
+    return contact.inputs.problem.grid.size();
 }
 std::size_t elements_of(Wheel& wheel, const FieldPath& path, const void* root) {
     const std::string grid = path.text().substr(0, path.text().find('.')) + ".place.grid.n";
@@ -65,39 +71,39 @@ std::vector<double> read_numbers(Object& object, const FieldPath& path, const vo
 
 // --- reading and changing --------------------------------------------------------------------------------------------
 
-void* as_contact(void* handle) {
-    return contacts().find_any(handle) ? handle : nullptr;
-}
-
 /// Calls `read` with the object, the path, and the struct that holds its result.
 template <class Read>
 std::int32_t read(void* handle, const PathName& name, const Read& read) {
-    const auto read_one = [&](auto& object) {
+    return with_any(handle, [&](auto& object) {
         const RootedPath& found = object.paths.find(PathCache::result, name);
         read_result(object, found, [&](const FieldPath& path, const void* root) { read(object, path, root); });
-    };
-    if (as_contact(handle) != nullptr) return with(static_cast<contactd_contact*>(handle), read_one);
-    return with(static_cast<contactd_wheel*>(handle), read_one);
-}
-
-/// Calls `change` with the path and the struct that holds its input. Whatever it refuses leaves the inputs as they
-/// were.
-template <class Change>
-std::int32_t change(void* handle, const PathName& name, bool is_clear, const Change& change) {
-    if (as_contact(handle) == nullptr)
-        return with(static_cast<contactd_wheel*>(handle),
-                    [&](Wheel& wheel) { change(wheel.paths.find(PathCache::input, name).path, &wheel.said); });
-    return with(static_cast<contactd_contact*>(handle), [&](Contact& contact) {
-        const RootedPath& found = contact.paths.find(PathCache::input, name);
-        if (!is_load(found.path)) contact.require_set_up(found.path.text().c_str());
-        if (!is_clear) contact.said.require_motion_of(found.path);
-        change(found.path, contact.said.at(found));
-        is_clear ? contact.said.was_cleared(found.path) : contact.said.was_set(found.path);
     });
 }
 
+enum class Change { set, clear };
+
+template <class Apply>
+void change_input(Wheel& wheel, const PathName& name, Change, const Apply& apply) {
+    apply(wheel.paths.find(PathCache::input, name).path, &wheel.inputs);
+}
+template <class Apply>
+void change_input(Contact& contact, const PathName& name, Change change, const Apply& apply) {
+    const RootedPath& found = contact.paths.find(PathCache::input, name);
+    const FieldPath& path = found.path;
+    if (!is_load(path)) contact.require_set_up(path.text().c_str());
+    if (change == Change::set) contact.inputs.require_motion_of(path);
+    apply(path, contact.inputs.at(found));
+    change == Change::set ? contact.inputs.was_set(path) : contact.inputs.was_cleared(path);
+}
+
+/// Calls `apply` with the path and the struct that holds its input. Whatever it refuses leaves the inputs as they were.
+template <class Apply>
+std::int32_t change(void* handle, const PathName& name, Change change, const Apply& apply) {
+    return with_any(handle, [&](auto& object) { change_input(object, name, change, apply); });
+}
+
 std::int32_t set(void* handle, const PathName& name, double value) {
-    return change(handle, name, false, [&](const FieldPath& field, void* root) {
+    return change(handle, name, Change::set, [&](const FieldPath& field, void* root) {
         if (is_one_or_array(field.type())) return set_numbers(field, root, std::array{value});
         if (&field.type() != &contactd::type_of<std::vector<contactd::FrictionAtAngle>>())
             return contactd::set_number(field, root, value);
@@ -117,10 +123,47 @@ std::int32_t get(void* handle, const PathName& name, double* value) {
     });
 }
 
+void set_profile(const FieldPath& path, void* root, const char* file) {
+    if (&path.type() != &contactd::type_of<ProfileSpec>())
+        throw InvalidArgument(
+            path.text(),
+            "is not a profile; of a wheel setup.wheel, setup.rail and profile of each slice are, of a "
+            "contact profile of a profile_section");
+    const auto* before = static_cast<const ProfileSpec*>(path.find(root));
+    const ProfileKind of_path = path.text().starts_with("setup.rail") ? ProfileKind::rail : ProfileKind::wheel;
+    const ProfileKind kind = before != nullptr ? before->kind : of_path;
+    ProfileSpec read = contactd::read_profile(std::filesystem::path(given(file, "file")), kind);
+    *static_cast<ProfileSpec*>(path.make(root)) = std::move(read);
+}
+
+void put_text(const std::string& source, char* text, std::int32_t length) {
+    given(text, "text");
+    if (length < 1) throw InvalidArgument("length", "is " + std::to_string(length) + "; it must be at least 1");
+    const std::size_t kept = std::min(source.size(), static_cast<std::size_t>(length) - 1);
+    std::memcpy(text, source.data(), kept);
+    text[kept] = '\0';
+}
+
 void want(contactd::SolutionFields& fields, std::size_t array, bool wanted) {
     const auto field = static_cast<SolutionField>(array);
     std::erase(fields, field);
     if (wanted) fields.push_back(field);
+}
+void want(Contact& contact, std::size_t array, bool wanted) {
+    want(contact.inputs.fields, array, wanted);
+}
+void want(Wheel& wheel, std::size_t array, bool wanted) {
+    if (array == gap)
+        wheel.inputs.gap = wanted;
+    else
+        want(wheel.inputs.fields, array, wanted);
+}
+
+constexpr std::size_t arrays_of(const Contact&) {
+    return gap;
+}
+constexpr std::size_t arrays_of(const Wheel&) {
+    return arrays.size();
 }
 
 /// One of the first `count` arrays.
@@ -139,18 +182,18 @@ std::int32_t contactd_set(void* handle, const char* path, double value) {
 }
 
 std::int32_t contactd_set_word(void* handle, const char* path, const char* word) {
-    return change(handle, path, false,
+    return change(handle, path, Change::set,
                   [&](const FieldPath& field, void* root) { contactd::set_text(field, root, given(word, "word")); });
 }
 
 std::int32_t contactd_set_array(void* handle, const char* path, const double* values, std::int32_t count) {
-    return change(handle, path, false, [&](const FieldPath& field, void* root) {
+    return change(handle, path, Change::set, [&](const FieldPath& field, void* root) {
         set_numbers(field, root, array(values, count, "values"));
     });
 }
 
 std::int32_t contactd_clear(void* handle, const char* path) {
-    return change(handle, path, true, [&](const FieldPath& field, void* root) { field.clear(root); });
+    return change(handle, path, Change::clear, [&](const FieldPath& field, void* root) { field.clear(root); });
 }
 
 std::int32_t contactd_get(void* handle, const char* path, double* value) {
@@ -182,9 +225,7 @@ std::int32_t contactd_length(void* handle, const char* path, std::int32_t* count
 }
 
 std::int32_t contactd_path(void* handle, const char* path, std::int32_t* id) {
-    const auto number = [&](auto& object) { *given(id, "id") = object.paths.number(path); };
-    if (as_contact(handle) != nullptr) return with(static_cast<contactd_contact*>(handle), number);
-    return with(static_cast<contactd_wheel*>(handle), number);
+    return with_any(handle, [&](auto& object) { *given(id, "id") = object.paths.number(path); });
 }
 
 std::int32_t contactd_set_at(void* handle, std::int32_t id, double value) {
@@ -196,17 +237,13 @@ std::int32_t contactd_get_at(void* handle, std::int32_t id, double* value) {
 }
 
 std::int32_t contactd_want(void* handle, const char* array, std::int32_t wanted) {
-    if (as_contact(handle) != nullptr)
-        return with(static_cast<contactd_contact*>(handle), [&](Contact& contact) {
-            const std::size_t named = wanted_array(array, gap);
-            want(contact.said.fields, named, word(wanted, 1, "wanted") != 0);
-        });
-    return with(static_cast<contactd_wheel*>(handle), [&](Wheel& wheel) {
-        const std::size_t named = wanted_array(array, arrays.size());
-        const bool is_wanted = word(wanted, 1, "wanted") != 0;
-        if (named == gap)
-            wheel.said.gap = is_wanted;
-        else
-            want(wheel.said.fields, named, is_wanted);
+    return with_any(handle, [&](auto& object) {
+        const std::size_t named = wanted_array(array, arrays_of(object));
+        want(object, named, word(wanted, 1, "wanted") != 0);
     });
+}
+
+std::int32_t contactd_read_profile(void* handle, const char* path, const char* file) {
+    return change(handle, path, Change::set,
+                  [&](const FieldPath& field, void* root) { set_profile(field, root, file); });
 }

@@ -22,12 +22,6 @@ inline double finite(double value, const char* field) {
     return value;
 }
 
-/// As finite, but infinite is a value, too.
-inline double number(double value, const char* field) {
-    if (std::isnan(value)) throw InvalidArgument(field, "is not a number");
-    return value;
-}
-
 /// One of the words 0..last.
 inline std::int32_t word(std::int32_t value, std::int32_t last, const char* field) {
     if (value < 0 || value > last)

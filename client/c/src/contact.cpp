@@ -33,7 +33,7 @@ void Contact::require_started() const {
 
 void Contact::start() {
     require_set_up("set-up");
-    const SessionSpec spec = said.opening();
+    const SessionSpec spec = inputs.opening();
     controlled([&](Control& control) {
         if (log_)
             control.on_progress = [this](const std::string& stage, double fraction) {
@@ -46,22 +46,22 @@ void Contact::start() {
     for (const auto* use : {&open_->ics().upper, &open_->ics().lower, &open_->ics().pair})
         if (*use) of_tables.insert((*use)->evidence.warnings.begin(), (*use)->evidence.warnings.end());
     for (const std::string& warning : of_tables) warn(warning);
-    said.problem.grid = spec.setup.grid;
-    said.problem.previous = {};  // the contact has it now, and steps need not check it
-    said.changed = {};
+    inputs.problem.grid = spec.setup.grid;
+    inputs.problem.previous = {};  // the contact has it now, and steps need not check it
+    inputs.changed = {};
 }
 
 void Contact::step(Which which) {
     require_started();
     auto result = std::make_shared<Result>();
-    result->fields = said.fields;
-    StepInput input = said.step();
+    result->fields = inputs.fields;
+    StepInput input = inputs.step();
     input.again = which == Which::again;
     result->reply = controlled([&](Control& control) {
-        control.timeout = said.step_timeout;
+        control.timeout = inputs.step_timeout;
         return open_->step(input, control);
     });
-    said.take_estimates(result->reply.solution.motion);
+    inputs.take_estimates(result->reply.solution.motion);
     result_ = std::move(result);
     for (const std::string& warning : result_->reply.solution.warnings) warn(warning);
 }
@@ -79,7 +79,7 @@ void Contact::close() {
 std::int32_t Contact::save() {
     require_started();
     std::string name = controlled([&](Control& control) { return open_->save(control); });
-    saved_.emplace(++states_, Saved{std::move(name), result_, said.problem.motion});
+    saved_.emplace(++states_, Saved{std::move(name), result_, inputs.problem.motion});
     return states_;
 }
 
@@ -99,7 +99,7 @@ void Contact::restore(std::int32_t state) {
     const Saved& back = saved(state)->second;
     controlled([&](Control& control) { open_->restore(back.name, control); });
     result_ = back.result;
-    said.restore_estimates(back.motion);
+    inputs.restore_estimates(back.motion);
 }
 
 void Contact::forget(std::int32_t state) {
@@ -128,7 +128,7 @@ const IcUses& Contact::ics() const {
 }
 
 std::vector<StripFrame> Contact::frames(const Section& section) {
-    const Grid& grid = said.problem.grid;
+    const Grid& grid = inputs.problem.grid;
     return controlled(
         [&](Control& control) { return backend_->frames(section, grid.ny, grid.dy, settings_, control); });
 }

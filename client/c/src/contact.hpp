@@ -1,4 +1,4 @@
-// A contact: what was said of it, where it is solved, and the results of its last step.
+// A contact: its inputs, the place where it is solved, and the results of its last step.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ class Contact : public Called {
    public:
     explicit Contact(const Connection& connection);
 
-    Said said;  ///< the setters write here
+    ContactInputs inputs;  ///< functions that set fields write here
 
     bool started() const { return open_ != nullptr; }
     /// Throws StatusError (WRONG_ORDER) when the contact was started.

@@ -135,8 +135,11 @@ const FieldType& body_type() {
 }
 
 const FieldType& bodies_type() {
-    static const std::array list{field_as<ContactInputs, &ContactInputs::upper>("upper", &body_type),
-                                 field_as<ContactInputs, &ContactInputs::lower>("lower", &body_type)};
+    static const std::array list = [] {
+        Field upper = field_as<ContactInputs, &ContactInputs::upper>("upper", &body_type);
+        upper.clear = [](void* inputs) { static_cast<ContactInputs*>(inputs)->upper = {}; };
+        return std::array{upper, field_as<ContactInputs, &ContactInputs::lower>("lower", &body_type)};
+    }();
     static const FieldType type = object_type(list);
     return type;
 }

@@ -11,7 +11,6 @@
 #include "contact.hpp"
 #include "contactd.h"
 #include "handles.hpp"
-#include "put_results.hpp"
 #include "turn.hpp"
 #include "wheel.hpp"
 
@@ -91,19 +90,16 @@ std::int32_t cancel(const Handles<Object, Handle>& all, Handle* handle) noexcept
     }
 }
 
-/// The same, of a contact that was not started.
+/// Calls `body` with the contact or the wheel that the handle stands for.
 template <class Body>
-std::int32_t set_up(contactd_contact* handle, const char* what, const Body& body) noexcept {
-    return with(handle, [&](Contact& contact) {
-        contact.require_set_up(what);
-        body(contact.said);
-    });
-}
-
-/// The same of a load, which may be said at any time.
-template <class Body>
-std::int32_t load(contactd_contact* handle, const Body& body) noexcept {
-    return with(handle, [&](Contact& contact) { body(contact.said); });
+std::int32_t with_any(void* handle, const Body& body) noexcept {
+    if (contacts().find_any(handle)) return with(static_cast<contactd_contact*>(handle), body);
+    if (wheels().find_any(handle)) return with(static_cast<contactd_wheel*>(handle), body);
+    try {
+        throw not_a_handle("handle", handle);
+    } catch (...) {
+        return failed<Contact>(handle, nullptr);
+    }
 }
 
 inline StatusError nothing_of(const char* what) {

@@ -13,6 +13,15 @@
 
 namespace contactd::c {
 
+inline StatusError not_a_handle(const char* field, const void* handle) {
+    const std::string problem = handle == nullptr ? "is NULL" : "is none that was made and not yet given back";
+    return StatusError(Status{StatusCode::invalid_argument,
+                              std::string(field) + " " + problem + ".",
+                              std::string(no_handle),
+                              {{field, problem}},
+                              0});
+}
+
 /// The live objects of one kind. `Handle` is the type of the interface, which has no definition.
 template <class Object, class Handle>
 class Handles {
@@ -30,12 +39,7 @@ class Handles {
     /// Throws StatusError when it is none.
     std::shared_ptr<Object> find(const Handle* handle) const {
         if (auto found = find_any(handle)) return found;
-        const std::string problem = handle == nullptr ? "is NULL" : "is none that was made and not yet given back";
-        throw StatusError(Status{StatusCode::invalid_argument,
-                                 std::string(field_) + " " + problem + ".",
-                                 std::string(no_handle),
-                                 {{field_, problem}},
-                                 0});
+        throw not_a_handle(field_, handle);
     }
 
     /// Null when it is none.

@@ -69,13 +69,6 @@ Body stated(const BodyInput& given, const std::optional<Coefficients>& of_both, 
     return body;
 }
 
-Grid placed(Grid grid) {
-    const Grid centre = Grid::centred(grid.nx, grid.ny, grid.dx, grid.dy);
-    if (grid.x0 == ContactInputs::centred) grid.x0 = centre.x0;
-    if (grid.y0 == ContactInputs::centred) grid.y0 = centre.y0;
-    return grid;
-}
-
 /// Throws InvalidArgument for coefficients that cannot be made, naming the body's material as in a problem.
 void validate_coefficients(const ContactSetup& setup, const Body& body, const std::string& name) {
     const Ics* ics = body.computed();
@@ -127,7 +120,6 @@ void ContactInputs::was_set(const FieldPath& path) {
     if (is_below(path, "gap")) changed.gap = true;
     if (is_below(path, "friction.mu") || is_below(path, "friction.kinetic")) changed.friction = true;
     if (is_below(path, "friction.rigid_slip")) changed.rigid_slip = true;
-    if (is_below(path, "bodies") || is_below(path, "ics")) has_bodies_by_path = true;
 }
 
 void ContactInputs::was_cleared(const FieldPath& path) {
@@ -138,7 +130,6 @@ void ContactInputs::was_cleared(const FieldPath& path) {
 }
 
 Bodies ContactInputs::bodies() const {
-    if (!has_bodies_by_path) return problem.bodies;
     if (ics && std::holds_alternative<GivenIcs>(*ics)) {
         if (upper.ics || (lower && lower->ics))
             throw InvalidArgument("ics.table",
@@ -149,18 +140,23 @@ Bodies ContactInputs::bodies() const {
     return {above, lower ? stated(*lower, ics, "bodies.lower") : above, {}};
 }
 
-void ContactInputs::put_friction_together() {
-    if (!mu.empty() || kind || kinetic || !force.empty()) {
-        if (mu.empty())
-            throw InvalidArgument("friction.mu", "is missing; what moves the bodies means nothing without friction");
-        problem.friction = FrictionLaw{mu, kinetic};
-        shift.force = rolling.force = force;
-        if (kind.value_or(MotionKind::shift) == MotionKind::rolling)
-            problem.motion = rolling;
-        else
-            problem.motion = shift;
-        return;
-    }
+const Section* ContactInputs::section_of(bool upper_one) const {
+    const BodyInput& body = upper_one || !lower ? upper : *lower;
+    const std::optional<Coefficients>& coefficients = body.ics ? body.ics : ics;
+    const auto* made = coefficients ? std::get_if<Ics>(&*coefficients) : nullptr;
+    return made != nullptr && made->section ? &*made->section : nullptr;
+}
+
+Grid ContactInputs::grid() const {
+    Grid grid = problem.grid;
+    const Grid centre = Grid::centred(grid.nx, grid.ny, grid.dx, grid.dy);
+    if (grid.x0 == centred) grid.x0 = centre.x0;
+    if (grid.y0 == centred) grid.y0 = centre.y0;
+    return grid;
+}
+
+/// Throws InvalidArgument where something means nothing without friction; no coefficient is none.
+void ContactInputs::require_friction() {
     if (problem.friction && !problem.friction->mu.empty()) return;
     if (motion || (problem.friction && problem.friction->kinetic) || !problem.rigid_slip.empty())
         throw InvalidArgument("friction.mu", "is missing; what moves the bodies means nothing without friction");
@@ -168,10 +164,10 @@ void ContactInputs::put_friction_together() {
 }
 
 SessionSpec ContactInputs::opening() {
-    put_friction_together();
+    require_friction();
     problem.bodies = bodies();
     ContactProblem opened = problem;
-    opened.grid = placed(problem.grid);
+    opened.grid = grid();
     validate_opening(opened);
     if (opened.model == Model::full && !opened.bodies.pair) {
         validate_coefficients(opened, opened.bodies.upper, "bodies.upper");
@@ -181,7 +177,7 @@ SessionSpec ContactInputs::opening() {
 }
 
 StepInput ContactInputs::step() {
-    put_friction_together();
+    require_friction();
     validate(problem);
     StepInput input;
     input.approach = problem.approach;
@@ -203,8 +199,8 @@ void ContactInputs::restore_estimates(const Motion& from) {
     const auto* estimates = std::get_if<Rolling>(&from);
     auto* own = std::get_if<Rolling>(&problem.motion);
     if (estimates == nullptr || own == nullptr) return;
-    if (own->force.Fx) rolling.xi = own->xi = estimates->xi;
-    if (own->force.Fy) rolling.eta = own->eta = estimates->eta;
+    if (own->force.Fx) own->xi = estimates->xi;
+    if (own->force.Fy) own->eta = estimates->eta;
 }
 
 }  // namespace contactd::c

@@ -53,6 +53,9 @@ struct ContactInputs {
 
     /// Both bodies with their coefficients. Throws InvalidArgument ("bodies.upper.G") for what is missing.
     Bodies bodies() const;
+    /// The section of the upper or the lower body, or null.
+    const Section* section_of(bool upper) const;
+    Grid grid() const;  ///< with its corner
     /// Puts together what opens the contact. Throws InvalidArgument for what cannot be solved.
     SessionSpec opening();
     /// Puts together what a step is asked. Throws InvalidArgument for what no step can solve.
@@ -64,20 +67,10 @@ struct ContactInputs {
     /// Takes over the creepages that `from` has where forces are prescribed.
     void restore_estimates(const Motion& from);
 
-    // Those of the setters.
-    std::vector<double> mu{};  ///< empty: no friction
-    std::optional<KineticFriction> kinetic{};
-    std::optional<MotionKind> kind{};  ///< of the motion, once it was said
-    Shift shift{};
-    Rolling rolling{};
-    Force force{};  ///< of either
-    bool has_bodies_by_path = false;
-
    private:
     static ContactProblem centred_problem();
-    void put_friction_together();
+    void require_friction();
 };
-using Said = ContactInputs;
 
 /// Returns whether a field can be set at any time, and not before contactd_start only.
 bool is_load(const FieldPath& path);

@@ -10,7 +10,7 @@
 namespace contactd::c {
 namespace {
 
-Roots inputs() {
+Roots input_roots() {
     static const std::array roots{&type_of_wheel_input()};
     return roots;
 }
@@ -22,14 +22,14 @@ StatusError not_brought() {
 
 }  // namespace
 
-Wheel::Wheel(const Connection& connection) : Called(connection, inputs(), results_of_wheels()) {}
+Wheel::Wheel(const Connection& connection) : Called(connection, input_roots(), results_of_wheels()) {}
 
 void Wheel::solve() {
     if (!open_) open_ = backend_->open_wheel(settings_);
-    Result result{{}, said.fields, said.gap, said.state.position.roll};
+    Result result{{}, inputs.fields, inputs.gap, inputs.state.position.roll};
     result.solution = controlled([&](Control& control) {
         control.timeout = patience();
-        return open_->solve(said, control);
+        return open_->solve(inputs, control);
     });
     take(std::move(result));
 }

@@ -1,4 +1,4 @@
-// A wheel on its rail: what was said of it, and the results of its last solve.
+// A wheel on its rail: its inputs, and the results of its last solve.
 #pragma once
 
 #include <chrono>
@@ -15,12 +15,12 @@ class Wheel : public Called {
    public:
     explicit Wheel(const Connection& connection);
 
-    WheelInput said;  ///< the setters write here
+    WheelInput inputs;  ///< functions that set fields write here
     std::optional<std::chrono::milliseconds> timeout;
 
     void solve();
-    /// Both wheels of a wheelset, for each of which it is this thread's turn. Throws InvalidArgument where what was
-    /// said of them does not go together.
+    /// Solves both wheels of a wheelset, each of which this thread uses. Throws InvalidArgument where their inputs do
+    /// not go together.
     static void solve_wheelset(Wheel& right, Wheel& left);
 
     /// Of the last solve. Throws StatusError (NO_RESULT) when there is none.
@@ -45,7 +45,7 @@ class Wheel : public Called {
     const Result& result() const;
     /// Its own timeout, or that of builds where it may have to wait for tables by finite elements.
     std::optional<std::chrono::milliseconds> patience() const {
-        const bool may_build = said.setup.conformal == Conformal::fem;
+        const bool may_build = inputs.setup.conformal == Conformal::fem;
         return !timeout && may_build ? std::optional(settings_.build_timeout) : timeout;
     }
     /// As the last one; tells its warnings.

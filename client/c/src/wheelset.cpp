@@ -1,4 +1,4 @@
-// Both wheels of a wheelset at once: what was said of either is put together, and each gets its part of the answer.
+// Both wheels of a wheelset at once: the inputs of either are put together, and each gets its part of the answer.
 #include "wheel.hpp"
 
 #include <algorithm>
@@ -63,7 +63,7 @@ WheelsetInput put_together(const WheelInput& right, const WheelInput& left) {
 void Wheel::solve_wheelset(Wheel& right, Wheel& left) {
     if (right.backend_ != left.backend_)
         throw InvalidArgument("left", "was made with another connection than the right wheel");
-    const WheelsetInput input = put_together(right.said, left.said);
+    const WheelsetInput input = put_together(right.inputs, left.inputs);
     if (!right.open_) right.open_ = right.backend_->open_wheel(right.settings_);
     WheelsetSolution solution = left.controlled([&](const Control& of_left) {
         return right.controlled([&](Control& control) {
@@ -77,7 +77,7 @@ void Wheel::solve_wheelset(Wheel& right, Wheel& left) {
     });
     const auto give = [&](Wheel& wheel, WheelRailSolution& part) {
         part.warnings.insert(part.warnings.end(), solution.warnings.begin(), solution.warnings.end());
-        wheel.take({std::move(part), wheel.said.fields, wheel.said.gap, solution.roll, solution.roll_search});
+        wheel.take({std::move(part), wheel.inputs.fields, wheel.inputs.gap, solution.roll, solution.roll_search});
     };
     give(right, solution.right);
     give(left, solution.left);

@@ -1,5 +1,6 @@
 // How the forces of a contact follow its inputs.
 #include <limits>
+#include <string>
 
 #include "contact_model.hpp"
 #include "variables/contact_variables.hpp"
@@ -11,13 +12,15 @@ consteval std::size_t at(std::string_view name) {
     return reference_of(contact_variables, name);
 }
 
-/// In the order of CONTACTD_OF_..., and of CONTACTD_BY_... twice: rolling, and shifts.
+/// The answers, and the inputs that `rolling`, `sliding`, `load` and "mu" below name.
 const DerivativePlaces places{
     {at("Fx"), at("Fy"), at("Mz"), at("Fn"), at("approach")},
     {at("motion.xi"), at("motion.eta"), at("motion.phi"), at("motion.shift_x"), at("motion.shift_y"),
      at("motion.shift_turn"), at("load.Fn"), at("load.approach"), at("friction.mu")},
 };
 
+constexpr const char* answers[] = {"Fx", "Fy", "Mz", "Fn", "approach"};
+constexpr const char *rolling[] = {"xi", "eta", "phi"}, *sliding[] = {"rigid_shift.x", "rigid_shift.y", "rotation"};
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
@@ -31,33 +34,31 @@ std::vector<double> ContactModel::derivatives() {
     if (force_is_prescribed_)
         throw Failure(Status::discard, "There are no derivatives where a force along x or y is prescribed.");
     if (!wants_derivatives_) {
-        check(contactd_want_derivatives(c, 1), c);
+        set_field(c, "derivatives", 1);
         try {
             step_again("derivatives");
         } catch (...) {
-            contactd_want_derivatives(c, 0);  // steps go on without
+            contactd_set(c, "derivatives", 0);  // steps go on without
             throw;
         }
         wants_derivatives_ = true;
     }
     // What is prescribed is the answer to itself, and follows nothing else.
-    const int prescribed = by_force_ ? CONTACTD_OF_FN : CONTACTD_OF_APPROACH;
-    const auto value = [&](std::size_t of, std::int32_t by) -> double {
-        if (static_cast<int>(of) == prescribed) return by == CONTACTD_BY_LOAD ? 1 : 0;
-        double found_one = none;
-        return found(contactd_get_derivative(c, static_cast<std::int32_t>(of), by, &found_one), c) ? found_one : none;
+    const std::string prescribed = by_force_ ? "Fn" : "approach";
+    const auto value = [&](const std::string& of, const std::string& by) -> double {
+        if (of == prescribed) return by == prescribed ? 1 : 0;
+        double derivative = none;
+        return found(contactd_get(c, ("derivatives." + of + "." + by).c_str(), &derivative), c) ? derivative : none;
     };
     std::vector<double> all;
-    for (std::size_t of = 0; of < places.of.size(); ++of) {
-        for (const std::int32_t by : {CONTACTD_BY_X, CONTACTD_BY_Y, CONTACTD_BY_TURN})
-            all.push_back(shifts_ ? 0 : value(of, by));
+    for (const char* of : answers) {
+        for (const char* by : rolling) all.push_back(shifts_ ? 0 : value(of, by));
         // Of a velocity over the step.
-        for (const std::int32_t by : {CONTACTD_BY_X, CONTACTD_BY_Y, CONTACTD_BY_TURN})
-            all.push_back(shifts_ ? value(of, by) * step_size_ : 0);
-        const double by_load = value(of, CONTACTD_BY_LOAD);
+        for (const char* by : sliding) all.push_back(shifts_ ? value(of, by) * step_size_ : 0);
+        const double by_load = value(of, prescribed);
         all.push_back(by_force_ ? by_load : 0);
         all.push_back(by_force_ ? 0 : by_load);
-        all.push_back(value(of, CONTACTD_BY_MU));
+        all.push_back(value(of, "mu"));
     }
     return all;
 }

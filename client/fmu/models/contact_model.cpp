@@ -1,6 +1,9 @@
 #include "contact_model.hpp"
 
 #include <cmath>
+#include <iterator>
+#include <string>
+#include <utility>
 
 #include "contact_set_up.hpp"
 #include "variables/contact_variables.hpp"
@@ -13,6 +16,7 @@ consteval std::size_t at(std::string_view name) {
 }
 
 enum { steady, transient, shift };  // motion_words
+enum { full };                      // model_words
 
 /// What a step leaves to the next.
 constexpr const char* arrays[] = {"pressure", "traction_x", "traction_y"};
@@ -24,17 +28,22 @@ void ContactModel::start(const Values& values, const Carried& from) {
     ContactHandle contact = made(values);
     contactd_contact* c = contact.get();
     const bool goes_on = !from.pressure.empty();
-    if (goes_on)
-        check(contactd_set_previous(c, from.pressure.data(), from.traction_x.data(), from.traction_y.data(),
-                                    static_cast<std::int32_t>(from.pressure.size())),
-              c);
-    say(c, values, {});
+    if (goes_on) {
+        const std::vector<double>* const carried[] = {&from.pressure, &from.traction_x, &from.traction_y};
+        for (std::size_t i = 0; i < std::size(arrays); ++i) {
+            const std::string path = std::string("previous.") + arrays[i];
+            check(
+                contactd_set_array(c, path.c_str(), carried[i]->data(), static_cast<std::int32_t>(carried[i]->size())),
+                c);
+        }
+    }
+    set_load(c, values, values.whole(at("motion.kind")), {});
     for (const char* array : arrays) check(contactd_want(c, array, goes_on), c);
     check(contactd_start(c), c);
     contact_ = std::move(contact);
     from_ = from;
     elements_ = static_cast<std::size_t>(values[at("grid.nx")]) * static_cast<std::size_t>(values[at("grid.ny")]);
-    has_history_ = values.whole(at("model")) == CONTACTD_FULL;
+    has_history_ = values.whole(at("model")) == full;
     wants_arrays_ = goes_on;
     wants_derivatives_ = made_ = failed_ = false;
     by_force_ = values.whole(at("load.kind")) == 0;
@@ -55,11 +64,11 @@ ContactHandle ContactModel::made(const Values& values) const {
 void ContactModel::solve_start(Values& values) {
     const ContactHandle contact = made(values);
     contactd_contact* c = contact.get();
-    check(contactd_set_accept_unconverged(c, 1), c);
+    set_field(c, "accept_unconverged", 1);
     check(contactd_set_step_timeout(c, values[at("limits.start")]), c);
-    say(c, values, {});
-    const bool rolls_on = values.whole(at("motion.kind")) == transient;
-    if (rolls_on && has_history_ && !values.is(at("friction.none"))) check(contactd_set_shift(c, 0, 0, 0), c);
+    const int kind = values.whole(at("motion.kind"));
+    const bool rolls_on = kind == transient;
+    set_load(c, values, rolls_on && has_history_ ? shift : kind, {});
     check(contactd_start(c), c);
     check(contactd_step(c), c);
     read(c, values);
@@ -70,7 +79,7 @@ void ContactModel::solve_start(Values& values) {
 
 void ContactModel::step(Values& values, double size) {
     failed_ = true;
-    say(contact_.get(), values, size);
+    set_load(contact_.get(), values, values.whole(at("motion.kind")), size);
     check(contactd_step(contact_.get()), contact_.get());
     failed_ = false;
     made_ = true;
@@ -78,67 +87,77 @@ void ContactModel::step(Values& values, double size) {
     read(contact_.get(), values);
 }
 
-void ContactModel::say(contactd_contact* c, const Values& values, std::optional<double> size) {
-    check(values.whole(at("gap.kind")) == 0 ? contactd_set_paraboloid(c, values[at("gap.Rx")], values[at("gap.Ry")])
-                                            : contactd_set_semi_axes(c, values[at("gap.a")], values[at("gap.b")]),
-          c);
-    check(values.whole(at("load.kind")) == 0 ? contactd_set_Fn(c, values[at("load.Fn")])
-                                             : contactd_set_approach(c, values[at("load.approach")]),
-          c);
+void ContactModel::set_load(contactd_contact* c, const Values& values, int motion, std::optional<double> size) {
+    const bool by_radii = values.whole(at("gap.kind")) == 0, by_force = values.whole(at("load.kind")) == 0;
+    set_field(c, by_radii ? "gap.paraboloid.Rx" : "gap.semi_axes.a", values[by_radii ? at("gap.Rx") : at("gap.a")]);
+    set_field(c, by_radii ? "gap.paraboloid.Ry" : "gap.semi_axes.b", values[by_radii ? at("gap.Ry") : at("gap.b")]);
+    set_field(c, by_force ? "Fn" : "approach", values[by_force ? at("load.Fn") : at("load.approach")]);
     if (values.is(at("friction.none"))) return;
-    check(contactd_set_mu(c, values[at("friction.mu")]), c);
-    if (const int law = values.whole(at("friction.kinetic.law")); law > 0)
-        check(contactd_set_kinetic(c, law - 1, values[at("friction.kinetic.mu")],
-                                   values[at("friction.kinetic.slip_velocity")]),
-              c);
-    say_motion(c, values, size);
-    if (values.is(at("force.prescribe_x"))) check(contactd_set_Fx(c, values[at("force.x")]), c);
-    if (values.is(at("force.prescribe_y"))) check(contactd_set_Fy(c, values[at("force.y")]), c);
+    set_field(c, "friction.mu", values[at("friction.mu")]);
+    constexpr std::size_t law = at("friction.kinetic.law");
+    if (values.is(law)) {
+        set_word(c, "friction.kinetic.law", word_at(contact_variables[law], values[law]));
+        set_field(c, "friction.kinetic.mu", values[at("friction.kinetic.mu")]);
+        set_field(c, "friction.kinetic.slip_velocity", values[at("friction.kinetic.slip_velocity")]);
+    }
+    if (motion == shift)
+        set_shift(c, values, size);
+    else
+        set_rolling(c, values, motion == steady, size);
+    const std::string force = motion == shift ? "friction.force" : "friction.rolling.force";
+    if (values.is(at("force.prescribe_x"))) set_field(c, force + ".Fx", values[at("force.x")]);
+    if (values.is(at("force.prescribe_y"))) set_field(c, force + ".Fy", values[at("force.y")]);
 }
 
-void ContactModel::say_motion(contactd_contact* c, const Values& values, std::optional<double> size) {
-    const int kind = values.whole(at("motion.kind"));
-    if (kind == shift) {
-        const double seconds = size.value_or(0);
-        check(contactd_set_shift(c, values[at("motion.shift_x")] * seconds, values[at("motion.shift_y")] * seconds,
-                                 values[at("motion.shift_turn")] * seconds),
-              c);
-        return check(contactd_set_duration(c, size.value_or(1)), c);
-    }
+void ContactModel::set_shift(contactd_contact* c, const Values& values, std::optional<double> size) {
+    const auto over_step = [&](std::size_t velocity) { return size ? values[velocity] * *size : 0; };
+    set_field(c, "friction.rigid_shift.x", over_step(at("motion.shift_x")));
+    set_field(c, "friction.rigid_shift.y", over_step(at("motion.shift_y")));
+    set_field(c, "friction.rotation", over_step(at("motion.shift_turn")));
+    set_field(c, "friction.duration", size.value_or(1));
+}
+
+void ContactModel::set_rolling(contactd_contact* c, const Values& values, bool is_steady, std::optional<double> size) {
     const double velocity = values[at("motion.velocity")];
-    check(contactd_set_rolling(c, kind == steady ? CONTACTD_STEADY : CONTACTD_TRANSIENT, values[at("motion.xi")],
-                               values[at("motion.eta")], values[at("motion.phi")]),
-          c);
-    check(contactd_set_velocity(c, velocity), c);
+    set_word(c, "friction.rolling.kind", is_steady ? "steady" : "transient");
+    set_field(c, "friction.rolling.xi", values[at("motion.xi")]);
+    set_field(c, "friction.rolling.eta", values[at("motion.eta")]);
+    set_field(c, "friction.rolling.phi", values[at("motion.phi")]);
+    set_field(c, "friction.rolling.velocity", velocity);
     double dq = 0;
-    if (kind == transient && size) {
+    if (!is_steady && size) {
         // As far as the step goes, in steps of rolling that are no longer than an element.
         constexpr double most = 10'000, nearly = 1e-9;
         const double distance = velocity * *size, steps = std::ceil(distance / values[at("grid.dx")] - nearly);
         if (!(distance > 0) || steps > most)
             throw Failure("motion.velocity times the step is " + std::to_string(distance) +
                           " mm; transient rolling takes more than 0, and at most 10000 elements a step.");
-        check(contactd_set_rolling_steps(c, static_cast<std::int32_t>(std::fmax(steps, 1))), c);
+        set_field(c, "friction.rolling.steps", std::fmax(steps, 1));
         dq = distance / std::fmax(steps, 1);
     }
-    check(contactd_set_direction(c, values[at("motion.chi")], dq), c);
+    set_field(c, "friction.rolling.chi", values[at("motion.chi")]);
+    set_field(c, "friction.rolling.dq", dq);
 }
 
 void ContactModel::read(contactd_contact* c, Values& values) {
-    check(contactd_get_forces(c, &values[at("Fn")], &values[at("Fx")], &values[at("Fy")], &values[at("Mz")]), c);
-    check(contactd_get_approach(c, &values[at("approach")]), c);
-    check(contactd_get_pmax(c, &values[at("pmax")]), c);
-    check(contactd_get_areas(c, &values[at("area.contact")], &values[at("area.adhesion")], &values[at("area.slip")]),
-          c);
-    double phi = 0;
-    if (!found(contactd_get_creepages(c, &values[at("xi")], &values[at("eta")], &phi), c))
-        values[at("xi")] = values[at("eta")] = 0;
-    if (!found(contactd_get_frictional_power(c, &values[at("power")]), c)) values[at("power")] = 0;
-    if (!found(contactd_get_frictional_work(c, &values[at("work")]), c)) values[at("work")] = 0;
+    static constexpr std::pair<const char*, std::size_t> outputs[] = {
+        {"forces.Fn", at("Fn")},
+        {"forces.Fx", at("Fx")},
+        {"forces.Fy", at("Fy")},
+        {"forces.Mz", at("Mz")},
+        {"approach", at("approach")},
+        {"pmax", at("pmax")},
+        {"area.contact", at("area.contact")},
+        {"area.adhesion", at("area.adhesion")},
+        {"area.slip", at("area.slip")},
+        {"motion.xi", at("xi")},
+        {"motion.eta", at("eta")},
+        {"frictional_power", at("power")},
+        {"frictional_work", at("work")},
+        {"converged", at("converged")},
+    };
+    for (const auto& [path, place] : outputs) values[place] = read_field(c, path);
     values[at("patches")] = values[at("area.contact")] > 0;
-    std::int32_t converged = 0;
-    check(contactd_get_converged(c, &converged), c);
-    values[at("converged")] = converged;
 }
 
 void ContactModel::step_again(const char* what) {

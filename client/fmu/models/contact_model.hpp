@@ -20,10 +20,11 @@ class ContactModel final : public Model {
     void cancel() override;
 
    private:
-    /// What differs from step to step: the inputs, and the parameters that may change. Without a size nothing has moved
-    /// yet; transient rolling is told with steps of an element.
-    static void say(contactd_contact* c, const Values& values, std::optional<double> size);
-    static void say_motion(contactd_contact* c, const Values& values, std::optional<double> size);
+    /// Sets what differs from step to step: the inputs, and the parameters that may change. Without a size nothing has
+    /// moved yet; transient rolling takes steps of an element then. `motion` is one of motion_words.
+    static void set_load(contactd_contact* c, const Values& values, int motion, std::optional<double> size);
+    static void set_shift(contactd_contact* c, const Values& values, std::optional<double> size);
+    static void set_rolling(contactd_contact* c, const Values& values, bool is_steady, std::optional<double> size);
     static void read(contactd_contact* c, Values& values);
     ContactHandle made(const Values& values) const;
     std::vector<double> array(const char* which);

@@ -1,5 +1,8 @@
 #include "contact_set_up.hpp"
 
+#include <string>
+#include <string_view>
+
 #include "variables/contact_variables.hpp"
 
 namespace contactd::fmu {
@@ -9,47 +12,60 @@ consteval std::size_t at(std::string_view name) {
     return reference_of(contact_variables, name);
 }
 
-/// Where the list has what a body is made of.
+/// Where the list has what a body is made of, and the path of the body.
 struct BodyPlaces {
-    std::int32_t body;
+    std::string_view path;
     std::size_t G, nu, rigid, coefficients, thickness, layer_G, layer_nu;
 };
 constexpr BodyPlaces bodies[] = {
-    {CONTACTD_UPPER, at("upper.G"), at("upper.nu"), at("upper.rigid"), at("upper.coefficients"),
+    {"bodies.upper", at("upper.G"), at("upper.nu"), at("upper.rigid"), at("upper.coefficients"),
      at("upper.layer.thickness"), at("upper.layer.G"), at("upper.layer.nu")},
-    {CONTACTD_LOWER, at("lower.G"), at("lower.nu"), at("lower.rigid"), at("lower.coefficients"),
+    {"bodies.lower", at("lower.G"), at("lower.nu"), at("lower.rigid"), at("lower.coefficients"),
      at("lower.layer.thickness"), at("lower.layer.G"), at("lower.layer.nu")},
 };
 
+void set_material(contactd_contact* c, const Values& values, const BodyPlaces& of, const std::string& path) {
+    set_field(c, path + ".G", values[of.G]);
+    set_field(c, path + ".nu", values[of.nu]);
+}
+
 void set_up_body(contactd_contact* c, const Values& values, const BodyPlaces& of) {
-    if (values.is(of.rigid)) return check(contactd_set_rigid(c, of.body), c);
-    const double G = values[of.G], nu = values[of.nu];
-    check(contactd_set_material(c, of.body, G, nu), c);
+    const std::string body(of.path), ics = body + ".ics";
+    if (values.is(of.rigid)) return set_field(c, body + ".rigid", 1);
     const int kind = values.whole(of.coefficients);
-    if (kind == 3)
-        return check(contactd_set_layers(c, of.body, CONTACTD_CONSTANT, &values.numbers[of.thickness],
-                                         &values.numbers[of.layer_G], &values.numbers[of.layer_nu], 1, G, nu),
-                     c);
+    if (kind == 3) {
+        set_word(c, ics + ".body", "layered");
+        set_field(c, ics + ".layers[0].thickness", values[of.thickness]);
+        set_field(c, ics + ".layers[0].G", values[of.layer_G]);
+        set_field(c, ics + ".layers[0].nu", values[of.layer_nu]);
+        return set_material(c, values, of, ics + ".base");
+    }
+    set_material(c, values, of, body);
     if (kind == 0) return;
     const bool block = kind == 2;
-    check(contactd_set_fem(c, of.body, block ? CONTACTD_BLOCK : CONTACTD_HALF_SPACE, CONTACTD_CONSTANT,
-                           values[at("elements.accuracy")], block ? values[at("elements.L_over_h")] : 0),
-          c);
+    set_word(c, ics + ".source", "fem");
+    set_word(c, ics + ".body", block ? "block" : "half_space");
+    set_field(c, ics + ".accuracy", values[at("elements.accuracy")]);
+    if (block) set_field(c, ics + ".L_over_h", values[at("elements.L_over_h")]);
+}
+
+void set_solver(contactd_contact* c, const std::string& name, double tolerance, int max_iterations) {
+    set_field(c, "settings." + name + ".tolerance", tolerance);
+    set_field(c, "settings." + name + ".max_iterations", max_iterations);
 }
 
 }  // namespace
 
 void set_up(contactd_contact* c, const Values& values) {
-    check(contactd_set_grid_centred(c, values.whole(at("grid.nx")), values.whole(at("grid.ny")), values[at("grid.dx")],
-                                    values[at("grid.dy")]),
-          c);
+    for (const char* size : {"grid.nx", "grid.ny", "grid.dx", "grid.dy"})
+        set_field(c, size, values[reference_in(contact_variables, size)]);
     for (const BodyPlaces& body : bodies) set_up_body(c, values, body);
-    check(contactd_set_model(c, values.whole(at("model"))), c);
-    check(contactd_set_accept_unconverged(c, values.is(at("accept_unconverged"))), c);
+    set_word(c, "model", word_at(contact_variables[at("model")], values[at("model")]));
+    set_field(c, "accept_unconverged", values[at("accept_unconverged")]);
     const int most = values.whole(at("tolerances.iterations"));
-    check(contactd_set_tolerance(c, CONTACTD_NORMAL, values[at("tolerances.normal")], most ? most : 1000), c);
-    check(contactd_set_tolerance(c, CONTACTD_TANGENTIAL, values[at("tolerances.tangential")], most ? most : 1000), c);
-    check(contactd_set_tolerance(c, CONTACTD_OUTER, values[at("tolerances.outer")], most ? most : 100), c);
+    set_solver(c, "normal", values[at("tolerances.normal")], most ? most : 1000);
+    set_solver(c, "tangential", values[at("tolerances.tangential")], most ? most : 1000);
+    set_solver(c, "outer", values[at("tolerances.outer")], most ? most : 100);
     check(contactd_set_step_timeout(c, values[at("limits.step")]), c);
 }
 

@@ -33,6 +33,19 @@ bool found(std::int32_t code, const void* handle) {
     return true;
 }
 
+void set_field(void* handle, const std::string& path, double value) {
+    check(contactd_set(handle, path.c_str(), value), handle);
+}
+
+void set_word(void* handle, const std::string& path, std::string_view word) {
+    check(contactd_set_word(handle, path.c_str(), std::string(word).c_str()), handle);
+}
+
+double read_field(void* handle, const std::string& path) {
+    double value = 0;
+    return found(contactd_get(handle, path.c_str(), &value), handle) ? value : 0;
+}
+
 ConnectionHandle opened(const Values& values, Tell& tell) {
     const std::string& endpoint = values.text(at("endpoint"));
     contactd_connection* made = nullptr;

@@ -4,6 +4,8 @@
 #include <contactd.h>
 
 #include <memory>
+#include <string>
+#include <string_view>
 
 #include "model.hpp"
 
@@ -13,6 +15,12 @@ namespace contactd::fmu {
 void check(std::int32_t code, const void* handle);
 /// The same, and whether there is something: false for CONTACTD_NOT_FOUND.
 bool found(std::int32_t code, const void* handle);
+
+/// Sets a field of a contact or a wheel by its path. Throws Failure.
+void set_field(void* handle, const std::string& path, double value);
+void set_word(void* handle, const std::string& path, std::string_view word);
+/// Returns a result, or 0 where the solution does not have it.
+double read_field(void* handle, const std::string& path);
 
 struct Closes {
     void operator()(contactd_connection* connection) const { contactd_close(connection); }

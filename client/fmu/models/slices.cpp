@@ -34,7 +34,7 @@ void set_slices(contactd_wheel* w, const Slices& slices, const std::string& vari
                           " names a profile that is no file:" + profile);
         const std::string slice = slices.path + "[" + std::to_string(count++) + "].", shape = slice + "profile";
         set_field(w, slice + slices.column, place);
-        check(contactd_wheel_read_profile(w, shape.c_str(), found->c_str()), w);
+        check(contactd_read_profile(w, shape.c_str(), found->c_str()), w);
         set_field(w, shape + ".smoothing_length", smoothing_length);
     }
     if (!file.eof())

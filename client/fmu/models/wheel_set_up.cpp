@@ -35,7 +35,7 @@ void set_file(contactd_wheel* w, const Values& values, const BodyPlaces& of, con
                       (resources / path_of(name)).string() + " is no file. It must be " +
                       (of.profile == wheel.profile ? "S1002" : "60E1") +
                       ", cone, arc, a path from / on, a URI file:///..., or a file in the FMU's resources.");
-    check(contactd_wheel_read_profile(w, profile.c_str(), path->c_str()), w);
+    check(contactd_read_profile(w, profile.c_str(), path->c_str()), w);
     set_field(w, profile + ".smoothing_length", values[of.smoothing]);
 }
 
@@ -65,10 +65,6 @@ void set_material(contactd_wheel* w, const Values& values, const BodyPlaces& of)
 
 }  // namespace
 
-void set_field(contactd_wheel* w, const std::string& path, double value) {
-    check(contactd_set(w, path.c_str(), value), w);
-}
-
 void set_fields(contactd_wheel* w, const Values& values, Role role) {
     for (std::size_t at = 0; at < wheel_variables.size(); ++at) {
         const Variable& variable = wheel_variables[at];
@@ -77,13 +73,8 @@ void set_fields(contactd_wheel* w, const Values& values, Role role) {
         if (variable.enumeration == nullptr)
             set_field(w, path, values[at]);
         else
-            check(contactd_set_word(w, path.c_str(), std::string(word_at(variable, values[at])).c_str()), w);
+            set_word(w, path, word_at(variable, values[at]));
     }
-}
-
-double read_field(contactd_wheel* w, const std::string& path) {
-    double value = 0;
-    return found(contactd_get(w, path.c_str(), &value), w) ? value : 0;
 }
 
 void read_fields(contactd_wheel* w, Values& values) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
 #include "handles.hpp"
 
@@ -10,10 +9,6 @@ namespace contactd::fmu {
 
 /// All parameters. Throws Failure, also for a file that cannot be read, naming the variable.
 void set_up(contactd_wheel* wheel, const Values& values, const std::filesystem::path& resources);
-
-void set_field(contactd_wheel* wheel, const std::string& path, double value);
-/// A result, or 0 where the solution does not have it.
-double read_field(contactd_wheel* wheel, const std::string& path);
 
 /// The variables of this role that are fields by their paths.
 void set_fields(contactd_wheel* wheel, const Values& values, Role role);

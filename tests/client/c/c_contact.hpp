@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include "c_fields.hpp"
 
@@ -42,11 +43,21 @@ inline constexpr std::array every_array{"element_division", "pressure", "tractio
 inline constexpr int across = 12, elements = across * across;
 
 /// Two bodies of rubber and a sphere, on 12 x 12 elements: what all cases have in common.
+inline constexpr std::pair<const char*, double> sphere[] = {
+    {"grid.nx", across},       {"grid.ny", across},       {"grid.dx", 0.2},
+    {"grid.dy", 0.2},          {"bodies.upper.G", 200},   {"bodies.upper.nu", 0.42},
+    {"gap.paraboloid.Rx", 50}, {"gap.paraboloid.Ry", 50}, {"approach", 0.02},
+};
 inline void set_sphere(contactd_contact* contact) {
-    require_ok(contactd_set_grid_centred(contact, across, across, 0.2, 0.2), contact);
-    require_ok(contactd_set_material(contact, CONTACTD_BOTH, 200, 0.42), contact);
-    require_ok(contactd_set_paraboloid(contact, 50, 50), contact);
-    require_ok(contactd_set_approach(contact, 0.02), contact);
+    for (const auto& [path, value] : sphere) set(contact, path, value);
+}
+
+/// A contact whose steps take some seconds: many transient steps on many elements.
+inline void set_long(contactd_contact* contact) {
+    set_sphere(contact);
+    set(contact, {{"grid.nx", 60}, {"grid.ny", 60}, {"grid.dx", 0.04}, {"grid.dy", 0.04}, {"friction.mu", 0.3}});
+    set_word(contact, "friction.rolling.kind", "transient");
+    set(contact, {{"friction.rolling.xi", 2e-3}, {"friction.rolling.phi", 1e-3}, {"friction.rolling.steps", 1e5}});
 }
 
 struct Read {

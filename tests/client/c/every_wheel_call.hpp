@@ -21,7 +21,7 @@ inline std::map<std::string, WheelCall> every_wheel_call(WheelArguments& a) {
     using W = contactd_wheel*;
     return {
         {"contactd_wheel_free", [](W w) { return contactd_wheel_free(w); }},
-        {"contactd_wheel_read_profile", [](W w) { return contactd_wheel_read_profile(w, "setup.rail", "none.prr"); }},
+        {"contactd_read_profile", [](W w) { return contactd_read_profile(w, "setup.rail", "none.prr"); }},
         {"contactd_wheel_solve", [](W w) { return contactd_wheel_solve(w); }},
         {"contactd_wheel_solve_wheelset", [](W w) { return contactd_wheel_solve_wheelset(w, w); }},
         {"contactd_wheel_cancel", [](W w) { return contactd_wheel_cancel(w); }},

@@ -42,17 +42,11 @@ Setting cleared(const std::string& path) {
 const Setting shift = numbers({{"friction.mu", 0.4}, {"friction.rigid_shift.x", 0.004}});
 const Setting rolling = numbers({{"friction.mu", 0.4}, {"friction.rolling.xi", 0.001}});
 
-void set_ball(contactd_contact* contact) {
-    set(contact, {{"grid.nx", across}, {"grid.ny", across}, {"grid.dx", 0.2}, {"grid.dy", 0.2}});
-    set(contact, {{"bodies.upper.G", 200}, {"bodies.upper.nu", 0.42}});
-    set(contact, {{"gap.paraboloid.Rx", 50}, {"gap.paraboloid.Ry", 50}, {"approach", 0.02}});
-}
-
 /// What the second step of a sphere answers to these.
 Read solved(const Setting& setting) {
     const Place place("local");
     const Handle contact(place);
-    set_ball(contact);
+    set_sphere(contact);
     setting(contact);
     require_ok(contactd_start(contact), contact);
     stepped(contact);
@@ -132,7 +126,7 @@ TEST_CASE("What is wrong or missing of a contact is refused by its path", "[c]")
     refused(contactd_clear(contact, "grid.nx"), contact, "grid.nx", "is always there");
     refused(contactd_set(contact, "forces.Fn", 1), contact, "forces.Fn", "but grid");
 
-    set_ball(contact);
+    set_sphere(contact);
     const auto start_refused = [&](const std::string& field, const std::string& sentence) {
         refused(contactd_start(contact), contact, field, sentence);
     };
@@ -152,7 +146,7 @@ TEST_CASE("What is wrong or missing of a contact is refused by its path", "[c]")
 TEST_CASE("The set-up of a contact stays from its start on, and its load does not", "[c]") {
     const Place place("local");
     const Handle contact(place);
-    set_ball(contact);
+    set_sphere(contact);
     shift(contact);
     double value = 0;
     CHECK(contactd_get(contact, "step", &value) == CONTACTD_FAILED_PRECONDITION);
@@ -174,7 +168,7 @@ TEST_CASE("The set-up of a contact stays from its start on, and its load does no
 TEST_CASE("Results of a contact are read by their paths", "[c]") {
     const Place place("local");
     const Handle contact(place);
-    set_ball(contact);
+    set_sphere(contact);
     rolling(contact);
     set(contact, {{"friction.rolling.force.Fx", 0.1}, {"derivatives", 1}});
     require_ok(contactd_start(contact), contact);
@@ -199,7 +193,7 @@ TEST_CASE("Results of a contact are read by their paths", "[c]") {
 TEST_CASE("An id of a contact stands for an input and for the result of the same name", "[c]") {
     const Place place("local");
     const Handle contact(place);
-    set_ball(contact);
+    set_sphere(contact);
     std::int32_t approach = -1, Fn = -1, converged = -1;
     require_ok(contactd_path(contact, "approach", &approach), contact);
     require_ok(contactd_path(contact, "Fn", &Fn), contact);

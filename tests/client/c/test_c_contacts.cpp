@@ -45,8 +45,7 @@ TEST_CASE("A contact in C shifts as one in C++ does, array by array", "[c]") {
     contactd::client::Session session(both.client, spec);
     const Handle contact(both.place);
     set_sphere(contact);
-    REQUIRE(contactd_set_mu(contact, 0.4) == CONTACTD_OK);
-    REQUIRE(contactd_set_shift(contact, 0.004, 0, 0) == CONTACTD_OK);
+    set(contact, {{"friction.mu", 0.4}, {"friction.rigid_shift.x", 0.004}});
     for (const char* array : every_array) REQUIRE(contactd_want(contact, array, 1) == CONTACTD_OK);
     require_ok(contactd_start(contact), contact);
 
@@ -56,7 +55,7 @@ TEST_CASE("A contact in C shifts as one in C++ does, array by array", "[c]") {
         shift.rigid_shift.x = x;
         input.motion = shift;
         const contactd::ContactSolution solution = session.step(input).solution;
-        REQUIRE(contactd_set_shift(contact, x, 0, 0) == CONTACTD_OK);
+        set(contact, "friction.rigid_shift.x", x);
 
         CHECK(stepped(contact) == read(solution));
         CHECK(get_array(contact, "pressure") == solution.pressure);
@@ -66,39 +65,25 @@ TEST_CASE("A contact in C shifts as one in C++ does, array by array", "[c]") {
         CHECK(get_array(contact, "slip_y") == solution.slip_y);
         CHECK(std::ranges::equal(get_array(contact, "element_division"), solution.element_division,
                                  [](double a, contactd::ElementState b) { return a == static_cast<int>(b); }));
-        std::int32_t all = 0, adhesion = 0, slip = 0, border = 0, number = 0, ran = 0, converged = 0, warnings = 0;
-        double area = 0, adhesion_area = 0, slip_area = 0, work = 0, residual = 0, y = 1, rotation = 1, back = 0;
-        REQUIRE(contactd_get_counts(contact, &all, &adhesion, &slip, &border) == CONTACTD_OK);
-        CHECK(all == solution.elements.contact);
-        CHECK(adhesion == solution.elements.adhesion);
-        CHECK(slip == solution.elements.slip);
-        CHECK(border == solution.elements.border);
-        REQUIRE(contactd_get_areas(contact, &area, &adhesion_area, &slip_area) == CONTACTD_OK);
-        CHECK(area == solution.area.contact);
-        CHECK(adhesion_area == solution.area.adhesion);
-        CHECK(slip_area == solution.area.slip);
-        REQUIRE(contactd_get_frictional_work(contact, &work) == CONTACTD_OK);
-        CHECK(work == *solution.frictional_work);
-        REQUIRE(contactd_get_step(contact, &number) == CONTACTD_OK);
-        CHECK(number == session.step_number());
-        REQUIRE(contactd_get_shift(contact, &back, &y, &rotation) == CONTACTD_OK);
-        CHECK(back == x);
-        REQUIRE(contactd_get_evidence(contact, CONTACTD_TANGENTIAL, &ran, &residual, &converged) == CONTACTD_OK);
-        CHECK(ran == solution.evidence.tangential->iterations);
-        CHECK(residual == solution.evidence.tangential->residual);
-        CHECK(converged == 1);
-        REQUIRE(contactd_get_converged(contact, &converged) == CONTACTD_OK);
-        CHECK(converged == 1);
-        REQUIRE(contactd_get_warnings(contact, &warnings) == CONTACTD_OK);
-        REQUIRE(warnings == static_cast<std::int32_t>(solution.warnings.size()));
-        CHECK(contactd_get_evidence(contact, CONTACTD_FORCE, &ran, &residual, &converged) == CONTACTD_NOT_FOUND);
-        CHECK(contactd_get_creepages(contact, &back, &y, &rotation) == CONTACTD_NOT_FOUND);
-        CHECK(contactd_get_frictional_power(contact, &work) == CONTACTD_NOT_FOUND);
+        const contactd::Counts& elements_of = solution.elements;
+        const contactd::Areas& area = solution.area;
+        CHECK(get_array(contact, "elements") == Numbers{double(elements_of.contact), double(elements_of.adhesion),
+                                                        double(elements_of.slip), double(elements_of.border)});
+        CHECK(get_array(contact, "area") == Numbers{area.contact, area.adhesion, area.slip});
+        CHECK(get(contact, "frictional_work") == *solution.frictional_work);
+        CHECK(get(contact, "step") == static_cast<double>(session.step_number()));
+        CHECK(get(contact, "motion.rigid_shift.x") == x);
+        CHECK(get(contact, "evidence.tangential.iterations") == solution.evidence.tangential->iterations);
+        CHECK(get(contact, "evidence.tangential.residual") == solution.evidence.tangential->residual);
+        CHECK(get(contact, "evidence.tangential.converged") == 1);
+        CHECK(get(contact, "converged") == 1);
+        REQUIRE(get(contact, "warnings") == static_cast<double>(solution.warnings.size()));
+        for (const char* path : {"evidence.force.iterations", "motion.xi", "frictional_power"})
+            CHECK_FALSE(has(contact, path));
     }
+    CHECK(get_word(contact, "ics.lower.origin") == "memory");  // the session before had it made
     char origin[20];
-    REQUIRE(contactd_get_origin(contact, CONTACTD_LOWER, origin, 20) == CONTACTD_OK);
-    CHECK(origin == std::string("memory"));  // the session before had it made
-    CHECK(contactd_get_origin(contact, CONTACTD_PAIR, origin, 20) == CONTACTD_NOT_FOUND);
+    CHECK(contactd_get_word(contact, "ics.pair.origin", origin, 20) == CONTACTD_NOT_FOUND);
 }
 
 TEST_CASE("A contact in C rolls under a force as one in C++ does, and starts from what it found", "[c]") {
@@ -113,26 +98,19 @@ TEST_CASE("A contact in C rolls under a force as one in C++ does, and starts fro
     contactd::client::Session session(both.client, spec);
     const Handle contact(both.place);
     set_sphere(contact);
-    REQUIRE(contactd_set_Fx(contact, -1) == CONTACTD_OK);  // in any order
-    REQUIRE(contactd_set_rolling(contact, CONTACTD_STEADY, 0, 1e-3, 2e-3) == CONTACTD_OK);
-    REQUIRE(contactd_set_mu(contact, 0.3) == CONTACTD_OK);
+    set(contact, {{"friction.rolling.force.Fx", -1}, {"friction.rolling.eta", 1e-3}, {"friction.rolling.phi", 2e-3}});
+    set(contact, "friction.mu", 0.3);
     require_ok(contactd_start(contact), contact);
 
     const auto compare = [&](const contactd::StepInput& input) {
         const contactd::ContactSolution solution = session.step(input).solution;
         CHECK(stepped(contact) == read(solution));
-        double xi = 0, eta = 0, phi = 0, power = 0;
-        REQUIRE(contactd_get_creepages(contact, &xi, &eta, &phi) == CONTACTD_OK);
         const auto& found = std::get<contactd::Rolling>(*solution.motion);
-        CHECK(xi == found.xi);
-        CHECK(eta == 1e-3);
-        CHECK(phi == 2e-3);
-        REQUIRE(contactd_get_frictional_power(contact, &power) == CONTACTD_OK);
-        CHECK(power == *solution.frictional_power);
-        std::int32_t iterations = 0, converged = 0;
-        double residual = 0;
-        REQUIRE(contactd_get_evidence(contact, CONTACTD_FORCE, &iterations, &residual, &converged) == CONTACTD_OK);
-        CHECK(iterations == solution.evidence.force->iterations);
+        CHECK(get(contact, "motion.xi") == found.xi);
+        CHECK(get(contact, "motion.eta") == 1e-3);
+        CHECK(get(contact, "motion.phi") == 2e-3);
+        CHECK(get(contact, "frictional_power") == *solution.frictional_power);
+        CHECK(get(contact, "evidence.force.iterations") == solution.evidence.force->iterations);
         return found.xi;
     };
     const double first = compare({});
@@ -141,7 +119,7 @@ TEST_CASE("A contact in C rolls under a force as one in C++ does, and starts fro
     more.motion = rolling;
     std::get<contactd::Rolling>(*more.motion).force.Fx = -1.2;
     std::get<contactd::Rolling>(*more.motion).xi = 0;  // said once more by both: the estimate that was set
-    REQUIRE(contactd_set_Fx(contact, -1.2) == CONTACTD_OK);
+    set(contact, "friction.rolling.force.Fx", -1.2);
     const double second = compare(more);
     CHECK(second > first);
     std::get<contactd::Rolling>(*more.motion).xi = second;  // the C interface takes over what it has found
@@ -152,11 +130,10 @@ TEST_CASE("A contact goes back to a state, its results with it, and comes to the
     Both both;
     const Handle contact(both.place);
     set_sphere(contact);
-    REQUIRE(contactd_set_mu(contact, 0.4) == CONTACTD_OK);
-    REQUIRE(contactd_set_shift(contact, 0.004, 0, 0) == CONTACTD_OK);
+    set(contact, {{"friction.mu", 0.4}, {"friction.rigid_shift.x", 0.004}});
     REQUIRE(contactd_want(contact, "traction_x", 1) == CONTACTD_OK);
     require_ok(contactd_start(contact), contact);
-    std::int32_t start = 0, state = 0, number = -1;
+    std::int32_t start = 0, state = 0;
     REQUIRE(contactd_save(contact, &start) == CONTACTD_OK);
     const Read first = stepped(contact);
     REQUIRE(contactd_save(contact, &state) == CONTACTD_OK);
@@ -167,14 +144,13 @@ TEST_CASE("A contact goes back to a state, its results with it, and comes to the
     REQUIRE(contactd_restore(contact, state) == CONTACTD_OK);
 
     CHECK(read(contact) == first);
-    REQUIRE(contactd_get_step(contact, &number) == CONTACTD_OK);
-    CHECK(number == 1);
+    CHECK(get(contact, "step") == 1);
     CHECK(stepped(contact) == second);
     CHECK(get_array(contact, "traction_x") == tractions);
     CHECK(first != second);
     REQUIRE(contactd_restore(contact, start) == CONTACTD_OK);
     double pmax = 0;
-    CHECK(contactd_get_pmax(contact, &pmax) == CONTACTD_FAILED_PRECONDITION);
+    CHECK(contactd_get(contact, "pmax", &pmax) == CONTACTD_FAILED_PRECONDITION);
     CHECK(stepped(contact) == first);
     REQUIRE(contactd_forget(contact, state) == CONTACTD_OK);
     CHECK(contactd_restore(contact, state) == CONTACTD_NOT_FOUND);
@@ -194,8 +170,9 @@ TEST_CASE("Coefficients that are given serve a body, and the pair", "[c]") {
     for (contactd_contact* contact : {static_cast<contactd_contact*>(made), static_cast<contactd_contact*>(of_bodies),
                                       static_cast<contactd_contact*>(of_pair)})
         set_sphere(contact);
-    REQUIRE(contactd_set_table(of_bodies, CONTACTD_BOTH, across, across, 0.2, 0.2, table.values.data(), count) == 0);
-    REQUIRE(contactd_set_table(of_pair, CONTACTD_PAIR, across, across, 0.2, 0.2, pair.values.data(), count) == 0);
+    REQUIRE(contactd_set_table(of_bodies, "bodies.upper.ics", across, across, 0.2, 0.2, table.values.data(), count) ==
+            0);
+    REQUIRE(contactd_set_table(of_pair, "ics", across, across, 0.2, 0.2, pair.values.data(), count) == 0);
     for (contactd_contact* contact : {static_cast<contactd_contact*>(made), static_cast<contactd_contact*>(of_bodies),
                                       static_cast<contactd_contact*>(of_pair)})
         require_ok(contactd_start(contact), contact);
@@ -204,9 +181,7 @@ TEST_CASE("Coefficients that are given serve a body, and the pair", "[c]") {
 
     CHECK(stepped(of_bodies) == expected);
     CHECK(stepped(of_pair).Fn == Approx(expected.Fn).epsilon(1e-9));
-    char origin[20];
-    REQUIRE(contactd_get_origin(of_pair, CONTACTD_PAIR, origin, 20) == CONTACTD_OK);
-    CHECK(origin == std::string("given"));
+    CHECK(get_word(of_pair, "ics.pair.origin") == "given");
 }
 
 TEST_CASE("A step that does not converge leaves the contact where it was, or counts where that is accepted", "[c]") {
@@ -214,20 +189,17 @@ TEST_CASE("A step that does not converge leaves the contact where it was, or cou
     for (const std::int32_t accepts : {0, 1}) {
         const Handle contact(both.place);
         set_sphere(contact);
-        REQUIRE(contactd_set_tolerance(contact, CONTACTD_NORMAL, 1e-14, 1) == CONTACTD_OK);
-        REQUIRE(contactd_set_accept_unconverged(contact, accepts) == CONTACTD_OK);
+        set(contact, {{"settings.normal.tolerance", 1e-14}, {"settings.normal.max_iterations", 1}});
+        set(contact, "accept_unconverged", accepts);
         require_ok(contactd_start(contact), contact);
-        std::int32_t number = -1, converged = 1;
         if (accepts == 1) {
             require_ok(contactd_step(contact), contact);
-            REQUIRE(contactd_get_converged(contact, &converged) == CONTACTD_OK);
-            CHECK(converged == 0);
+            CHECK(get(contact, "converged") == 0);
             continue;
         }
         CHECK(contactd_step(contact) == CONTACTD_ABORTED);
         CHECK(contactd_last_reason(contact) == std::string("NOT_CONVERGED"));
-        REQUIRE(contactd_get_step(contact, &number) == CONTACTD_OK);
-        CHECK(number == 0);
+        CHECK(get(contact, "step") == 0);
     }
 }
 
@@ -241,13 +213,13 @@ TEST_CASE("A block's coefficients are built while the contact starts, and the lo
     require_ok(contactd_set_log(both.place, keep, &lines), both.place);
     const Handle contact(both.place);
     set_sphere(contact);
-    require_ok(contactd_set_fem(contact, CONTACTD_BOTH, CONTACTD_BLOCK, CONTACTD_CONSTANT, 0.05, 40), contact);
+    set_word(contact, "ics.source", "fem");
+    set_word(contact, "ics.body", "block");
+    set(contact, {{"ics.accuracy", 0.05}, {"ics.L_over_h", 40}});
     require_ok(contactd_start(contact), contact);
     const Read found = stepped(contact);
-    char origin[20];
-    require_ok(contactd_get_origin(contact, CONTACTD_UPPER, origin, 20), contact);
 
-    CHECK(origin == std::string("built"));
+    CHECK(get_word(contact, "ics.upper.origin") == "built");
     REQUIRE_FALSE(lines.empty());
     CHECK(lines[0].starts_with("Waiting for influence coefficients: "));
     contactd::SessionSpec spec = sphere();

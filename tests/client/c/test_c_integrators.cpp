@@ -10,22 +10,16 @@ namespace {
 
 void set_rolling(contactd_contact* contact) {
     set_sphere(contact);
-    require_ok(contactd_set_mu(contact, 0.4), contact);
-    require_ok(contactd_set_rolling(contact, CONTACTD_STEADY, 0.002, 0.001, 0), contact);
-    require_ok(contactd_set_tolerance(contact, CONTACTD_TANGENTIAL, 1e-10, 1000), contact);
-}
-
-double derivative(contactd_contact* contact, std::int32_t of, std::int32_t by) {
-    double value = 0;
-    require_ok(contactd_get_derivative(contact, of, by, &value), contact);
-    return value;
+    set(contact, {{"friction.mu", 0.4}, {"friction.rolling.xi", 0.002}, {"friction.rolling.eta", 0.001}});
+    set(contact, "settings.tangential.tolerance", 1e-10);
 }
 
 std::vector<double> derivatives(contactd_contact* contact) {
     std::vector<double> all;
-    for (const std::int32_t of : {CONTACTD_OF_FX, CONTACTD_OF_FY, CONTACTD_OF_MZ})
-        for (std::int32_t by = CONTACTD_BY_X; by <= CONTACTD_BY_MU; ++by) all.push_back(derivative(contact, of, by));
-    all.push_back(derivative(contact, CONTACTD_OF_FN, CONTACTD_BY_LOAD));
+    for (const std::string of : {"Fx", "Fy", "Mz"})
+        for (const char* by : {"xi", "eta", "phi", "approach", "mu"})
+            all.push_back(get(contact, "derivatives." + of + "." + by));
+    all.push_back(get(contact, "derivatives.Fn.approach"));
     return all;
 }
 
@@ -33,7 +27,7 @@ std::vector<double> derivatives(contactd_contact* contact) {
 double force(contactd_connection* place, double xi) {
     const Handle contact(place);
     set_rolling(contact);
-    require_ok(contactd_set_rolling(contact, CONTACTD_STEADY, xi, 0.001, 0), contact);
+    set(contact, "friction.rolling.xi", xi);
     require_ok(contactd_start(contact), contact);
     return stepped(contact).Fx;
 }
@@ -48,7 +42,7 @@ TEST_CASE("Derivatives are the same in process and behind a daemon, and those of
          {static_cast<contactd_connection*>(remote), static_cast<contactd_connection*>(local)}) {
         const Handle contact(place);
         set_rolling(contact);
-        require_ok(contactd_want_derivatives(contact, 1), contact);
+        set(contact, "derivatives", 1);
         require_ok(contactd_start(contact), contact);
         stepped(contact);
         found.push_back(derivatives(contact));
@@ -63,16 +57,15 @@ TEST_CASE("What has no derivative says so", "[c]") {
     const Handle contact(local);
     set_rolling(contact);
     double value = -1;
-    CHECK(contactd_get_derivative(contact, CONTACTD_OF_FX, CONTACTD_BY_X, &value) == CONTACTD_FAILED_PRECONDITION);
+    CHECK(contactd_get(contact, "derivatives.Fx.xi", &value) == CONTACTD_FAILED_PRECONDITION);
     require_ok(contactd_start(contact), contact);
     stepped(contact);
-    CHECK(contactd_get_derivative(contact, CONTACTD_OF_FX, CONTACTD_BY_X, &value) == CONTACTD_NOT_FOUND);
-    require_ok(contactd_want_derivatives(contact, 1), contact);
+    CHECK(contactd_get(contact, "derivatives.Fx.xi", &value) == CONTACTD_NOT_FOUND);
+    set(contact, "derivatives", 1);
     stepped(contact);
-    CHECK(contactd_get_derivative(contact, CONTACTD_OF_APPROACH, CONTACTD_BY_X, &value) == CONTACTD_NOT_FOUND);
-    CHECK(contactd_get_derivative(contact, 5, CONTACTD_BY_X, &value) == CONTACTD_INVALID_ARGUMENT);
-    CHECK(contactd_get_derivative(contact, CONTACTD_OF_FX, -1, &value) == CONTACTD_INVALID_ARGUMENT);
-    CHECK(contactd_get_derivative(contact, CONTACTD_OF_FX, CONTACTD_BY_X, nullptr) == CONTACTD_INVALID_ARGUMENT);
+    CHECK(contactd_get(contact, "derivatives.approach.xi", &value) == CONTACTD_NOT_FOUND);
+    CHECK(contactd_get(contact, "derivatives.Fx.rotation", &value) == CONTACTD_NOT_FOUND);
+    CHECK(contactd_get(contact, "derivatives.power.xi", &value) == CONTACTD_INVALID_ARGUMENT);
     CHECK(value == -1);
 }
 
@@ -85,21 +78,18 @@ TEST_CASE("A step that is tried again starts where it started, in process and be
         for (contactd_contact* contact :
              {static_cast<contactd_contact*>(tried), static_cast<contactd_contact*>(straight)}) {
             set_sphere(contact);
-            require_ok(contactd_set_mu(contact, 0.4), contact);
-            require_ok(contactd_set_shift(contact, 0.004, 0, 0), contact);
+            set(contact, {{"friction.mu", 0.4}, {"friction.rigid_shift.x", 0.004}});
             require_ok(contactd_start(contact), contact);
             stepped(contact);
         }
-        require_ok(contactd_set_shift(tried, -0.01, 0, 0), tried);
+        set(tried, "friction.rigid_shift.x", -0.01);
         stepped(tried);
-        require_ok(contactd_set_shift(tried, 0.001, 0, 0), tried);
+        set(tried, "friction.rigid_shift.x", 0.001);
         require_ok(contactd_step_again(tried), tried);
-        require_ok(contactd_set_shift(straight, 0.001, 0, 0), straight);
+        set(straight, "friction.rigid_shift.x", 0.001);
         const Read expected = stepped(straight);
         CHECK(read(tried) == expected);
-        std::int32_t step = 0;
-        contactd_get_step(tried, &step);
-        CHECK(step == 2);
+        CHECK(get(tried, "step") == 2);
     }
 }
 
@@ -112,12 +102,10 @@ TEST_CASE("A step that failed is tried again without taking the one before back"
         set_rolling(contact);
         require_ok(contactd_start(contact), contact);
         stepped(contact);
-        require_ok(contactd_set_Fx(contact, 1e9), contact);  // more than friction carries
+        set(contact, "friction.rolling.force.Fx", 1e9);  // more than friction carries
         REQUIRE(contactd_step(contact) != CONTACTD_OK);
-        require_ok(contactd_clear_forces(contact), contact);
+        clear(contact, "friction.rolling.force");
         require_ok(contactd_step_again(contact), contact);
-        std::int32_t step = 0;
-        contactd_get_step(contact, &step);
-        CHECK(step == 2);
+        CHECK(get(contact, "step") == 2);
     }
 }

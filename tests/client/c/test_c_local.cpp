@@ -13,57 +13,61 @@ TEST_CASE("In process and behind a daemon the same is refused, by code, field an
     const Place remote(daemon.endpoint()), local("local");
     REQUIRE(contactd_has_local() == 1);
     REQUIRE(contactd_ping(local) == CONTACTD_OK);
+    const auto set_layer = [](contactd_contact* c, double thickness) {
+        clear(c, "bodies.upper");
+        set_word(c, "bodies.upper.ics.body", "layered");
+        set(c, {{"bodies.upper.ics.base.rigid", 1}, {"bodies.upper.ics.layers[0].thickness", thickness}});
+        set(c, {{"bodies.upper.ics.layers[0].G", 20}, {"bodies.upper.ics.layers[0].nu", 0.3}});
+    };
+    const auto set_block = [](contactd_contact* c, const std::string& body) {
+        set_word(c, "ics.source", "fem");
+        set_word(c, "ics.body", body);
+    };
     const std::vector<std::pair<std::string, std::function<void(contactd_contact*)>>> bad{
-        {"mu", [](contactd_contact* c) { contactd_set_mu(c, -0.1); }},
-        {"gap", [](contactd_contact* c) { contactd_set_paraboloid(c, 0, 50); }},
-        {"gap of another size",
-         [](contactd_contact* c) {
-             const double gap[2] = {};
-             contactd_set_gap(c, gap, 2);
-         }},
-        {"material", [](contactd_contact* c) { contactd_set_material(c, CONTACTD_LOWER, 200, 0.7); }},
-        {"stiff", [](contactd_contact* c) { contactd_set_rigid(c, CONTACTD_BOTH); }},
-        {"Fn", [](contactd_contact* c) { contactd_set_Fn(c, -1); }},
+        {"gap", [](contactd_contact* c) { set(c, "gap.paraboloid.Rx", 0); }},
+        {"gap of another size", [](contactd_contact* c) { set_array(c, "gap.array", {0, 0}); }},
+        {"material", [](contactd_contact* c) { set(c, "bodies.upper.nu", 0.7); }},
+        {"no material", [](contactd_contact* c) { clear(c, "bodies.upper"); }},
+        {"half a material", [](contactd_contact* c) { set(c, "bodies.lower.G", 20); }},
+        {"stiff", [](contactd_contact* c) { set(c, "bodies.upper.rigid", 1); }},
         {"table",
          [](contactd_contact* c) {
              const double table[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-             contactd_set_table(c, CONTACTD_BOTH, 1, 1, 0.2, 0.2, table, 9);
+             require_ok(contactd_set_table(c, "bodies.upper.ics", 1, 1, 0.2, 0.2, table, 9), c);
          }},
-        {"tolerance", [](contactd_contact* c) { contactd_set_tolerance(c, CONTACTD_OUTER, 2, 10); }},
         {"incompressible",
-         [](contactd_contact* c) {
-             contactd_set_material(c, CONTACTD_UPPER, 200, 0.5);
-             contactd_set_fem(c, CONTACTD_UPPER, 0, 0, 0.01, 0);
+         [&](contactd_contact* c) {
+             set_block(c, "half_space");
+             set(c, "bodies.upper.nu", 0.5);
          }},
-        {"block", [](contactd_contact* c) { contactd_set_fem(c, CONTACTD_UPPER, CONTACTD_BLOCK, 0, 0.01, -5); }},
-        {"layer",
-         [](contactd_contact* c) {
-             const double thickness = 0, G = 20, nu = 0.3;
-             contactd_set_layers(c, CONTACTD_LOWER, CONTACTD_CONSTANT, &thickness, &G, &nu, 1, 0, 0);
+        {"block in closed form",
+         [&](contactd_contact* c) {
+             set_block(c, "block");
+             set_word(c, "ics.source", "analytic");
          }},
+        {"mesh beside an accuracy",
+         [&](contactd_contact* c) {
+             set_block(c, "half_space");
+             set(c, "ics.order", 3);
+         }},
+        {"layer", [&](contactd_contact* c) { set_layer(c, 1e-9); }},
         {"quick layers",
-         [](contactd_contact* c) {
-             const double thickness = 1, G = 20, nu = 0.3;
-             contactd_set_layers(c, CONTACTD_LOWER, CONTACTD_CONSTANT, &thickness, &G, &nu, 1, 300, 0.3);
-             contactd_set_model(c, CONTACTD_HERTZ);
+         [&](contactd_contact* c) {
+             set_layer(c, 1);
+             set_word(c, "model", "hertz");
          }},
-        {"line", [](contactd_contact* c) { contactd_set_line_contact(c, 10); }},
-        {"dq",
-         [](contactd_contact* c) {
-             contactd_set_mu(c, 0.3);
-             contactd_set_rolling(c, 0, 0, 0, 0);
-             contactd_set_direction(c, 0, -1);
+        {"material beside layers",
+         [&](contactd_contact* c) {
+             set_layer(c, 1);
+             set(c, "bodies.upper.G", 20);
          }},
-        {"force",
-         [](contactd_contact* c) {
-             contactd_set_mu(c, 0.3);
-             contactd_set_Fx(c, 1e6);
-         }},
+        {"line", [](contactd_contact* c) { set(c, "ics.line_contact.datum", 10); }},
+        {"force", [](contactd_contact* c) { set(c, {{"friction.mu", 0.3}, {"friction.force.Fx", 1e6}}); }},
+        {"motion without friction", [](contactd_contact* c) { set(c, "friction.rolling.xi", 0.001); }},
         {"quick",
          [](contactd_contact* c) {
-             contactd_set_model(c, CONTACTD_HERTZ);
-             const std::vector<double> gap(elements, 1);
-             contactd_set_gap(c, gap.data(), elements);
+             set_word(c, "model", "hertz");
+             set_array(c, "gap.array", Numbers(elements, 1));
          }},
         {"nothing to refuse", [](contactd_contact*) {}},
     };
@@ -91,11 +95,7 @@ TEST_CASE("In process and behind a daemon the same is refused, by code, field an
 TEST_CASE("A step in process ends at its timeout", "[c]") {
     const Place local("local");
     const Handle contact(local);
-    set_sphere(contact);
-    require_ok(contactd_set_grid_centred(contact, 60, 60, 0.04, 0.04), contact);
-    require_ok(contactd_set_mu(contact, 0.3), contact);
-    require_ok(contactd_set_rolling(contact, CONTACTD_TRANSIENT, 2e-3, 0, 1e-3), contact);
-    require_ok(contactd_set_rolling_steps(contact, 100'000), contact);
+    set_long(contact);
     require_ok(contactd_set_step_timeout(contact, 0.05), contact);
     require_ok(contactd_start(contact), contact);
     CHECK(contactd_step(contact) == CONTACTD_DEADLINE_EXCEEDED);

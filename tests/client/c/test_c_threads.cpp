@@ -19,15 +19,6 @@ using Catch::Approx;
 
 namespace {
 
-/// A contact whose steps take some seconds: many transient steps on many elements.
-void set_long(contactd_contact* contact) {
-    set_sphere(contact);
-    require_ok(contactd_set_grid_centred(contact, 60, 60, 0.04, 0.04), contact);
-    require_ok(contactd_set_mu(contact, 0.3), contact);
-    require_ok(contactd_set_rolling(contact, CONTACTD_TRANSIENT, 2e-3, 0, 1e-3), contact);
-    require_ok(contactd_set_rolling_steps(contact, 100'000), contact);
-}
-
 struct Lines {
     std::mutex mutex;
     std::vector<std::pair<std::int32_t, std::string>> all;
@@ -54,8 +45,8 @@ struct Stepping {
 
 /// Waits until another thread has its turn.
 void wait_until_used(contactd_contact* contact) {
-    std::int32_t step = 0;
-    while (contactd_get_step(contact, &step) == CONTACTD_OK) std::this_thread::sleep_for(1ms);
+    double step = 0;
+    while (contactd_get(contact, "step", &step) == CONTACTD_OK) std::this_thread::sleep_for(1ms);
 }
 
 }  // namespace
@@ -71,15 +62,14 @@ TEST_CASE("Ten threads with a contact each come to the same", "[c]") {
             threads.emplace_back([&] {
                 contactd_contact* contact = nullptr;
                 std::int32_t code = contactd_new(place, &contact);
-                if (!code) code = contactd_set_grid_centred(contact, across, across, 0.2, 0.2);
-                if (!code) code = contactd_set_material(contact, CONTACTD_BOTH, 200, 0.42);
-                if (!code) code = contactd_set_paraboloid(contact, 50, 50);
-                if (!code) code = contactd_set_approach(contact, 0.02);
-                if (!code) code = contactd_set_mu(contact, 0.4);
-                if (!code) code = contactd_set_shift(contact, 1e-3, 0, 0);
+                for (const auto& [path, value] : sphere)
+                    if (!code) code = contactd_set(contact, path, value);
+                if (!code) code = contactd_set(contact, "friction.mu", 0.4);
+                if (!code) code = contactd_set(contact, "friction.rigid_shift.x", 1e-3);
                 if (!code) code = contactd_start(contact);
                 for (int i = 0; i < 5 && !code; ++i) code = contactd_step(contact);
-                if (!code) code = contactd_get_forces(contact, &answer.Fn, &answer.Fx, &answer.Fy, &answer.Mz);
+                if (!code) code = contactd_get(contact, "forces.Fn", &answer.Fn);
+                if (!code) code = contactd_get(contact, "forces.Fx", &answer.Fx);
                 if (contactd_free(contact) != CONTACTD_OK || code != CONTACTD_OK) ++failures;
             });
     }
@@ -109,10 +99,8 @@ TEST_CASE("A contact that a thread uses refuses every call of another, and is ca
     stepping.join();
     CHECK(stepping.code == CONTACTD_CANCELLED);
     CHECK(stepping.reason == "REQUEST_CANCELLED");
-    std::int32_t number = -1;
-    REQUIRE(contactd_get_step(contact, &number) == CONTACTD_OK);
-    CHECK(number == 0);
-    require_ok(contactd_set_rolling_steps(contact, 1), contact);
+    CHECK(get(contact, "step") == 0);
+    set(contact, "friction.rolling.steps", 1);
     require_ok(contactd_step(contact), contact);     // it goes on
     CHECK(contactd_cancel(contact) == CONTACTD_OK);  // nothing runs: nothing happens
     require_ok(contactd_step(contact), contact);
@@ -136,19 +124,18 @@ TEST_CASE("The log tells warnings and failures, and may not use the contact", "[
     require_ok(contactd_set_log(place, keep_line, &lines), place);
     const Handle contact(place);
     set_sphere(contact);
-    require_ok(contactd_set_approach(contact, 0.2), contact);  // beyond the grid
+    set(contact, "approach", 0.2);  // beyond the grid
     require_ok(contactd_start(contact), contact);
     require_ok(contactd_step(contact), contact);
-    std::int32_t warnings = 0;
-    REQUIRE(contactd_get_warnings(contact, &warnings) == CONTACTD_OK);
+    const double warnings = get(contact, "warnings");
     REQUIRE(warnings > 0);
-    char text[400], cut[5];
-    REQUIRE(contactd_get_warning(contact, 0, text, 400) == CONTACTD_OK);
-    REQUIRE(contactd_get_warning(contact, 0, cut, 5) == CONTACTD_OK);
-    CHECK(std::string(text).substr(0, 4) == cut);
-    CHECK(contactd_get_warning(contact, warnings, text, 400) == CONTACTD_INVALID_ARGUMENT);
-    CHECK(contactd_get_warning(contact, 0, text, 0) == CONTACTD_INVALID_ARGUMENT);
-    REQUIRE(contactd_get_warning(contact, 0, text, 400) == CONTACTD_OK);
+    char cut[5];
+    const std::string text = get_word(contact, "warnings[0]"),
+                      beyond = "warnings[" + std::to_string(int(warnings)) + "]";
+    REQUIRE(contactd_get_word(contact, "warnings[0]", cut, 5) == CONTACTD_OK);
+    CHECK(text.substr(0, 4) == cut);
+    CHECK(contactd_get_word(contact, beyond.c_str(), cut, 5) == CONTACTD_NOT_FOUND);
+    CHECK(contactd_get_word(contact, "warnings[0]", cut, 0) == CONTACTD_INVALID_ARGUMENT);
 
     REQUIRE(lines.all.size() >= static_cast<std::size_t>(warnings) + 2);
     CHECK(lines.all[0] == std::pair<std::int32_t, std::string>(CONTACTD_LOG_WARNING, text));
@@ -192,13 +179,11 @@ TEST_CASE("A forked process makes contacts of its own, and leaves those of its p
         int wrong = contactd_step(contact) != CONTACTD_FAILED_PRECONDITION;
         wrong += std::string(contactd_last_reason(contact)) != "CONCURRENT_USE";
         std::int32_t code = contactd_new(place, &own);
-        if (!code) code = contactd_set_grid_centred(own, across, across, 0.2, 0.2);
-        if (!code) code = contactd_set_material(own, CONTACTD_BOTH, 200, 0.42);
-        if (!code) code = contactd_set_paraboloid(own, 50, 50);
-        if (!code) code = contactd_set_approach(own, 0.02);
+        for (const auto& [path, value] : sphere)
+            if (!code) code = contactd_set(own, path, value);
         if (!code) code = contactd_start(own);
         if (!code) code = contactd_step(own);
-        if (!code) code = contactd_get_pmax(own, &pmax);
+        if (!code) code = contactd_get(own, "pmax", &pmax);
         if (!code) code = contactd_free(own);
         contactd_free(contact);
         ::_exit(wrong + (code != CONTACTD_OK) + (pmax != first.pmax));

@@ -61,7 +61,7 @@ TEST_CASE("A handle that is no wheel is refused by every function", "[c]") {
             if (handle == other && !name.starts_with("contactd_wheel")) continue;  // fields of contacts are read, too
             INFO(name);
             CHECK(call(static_cast<contactd_wheel*>(handle)) == CONTACTD_INVALID_ARGUMENT);
-            CHECK(field() == "wheel");
+            CHECK(field() == (name.starts_with("contactd_wheel") ? "wheel" : "handle"));
             CHECK(contactd_last_reason(nullptr) == std::string("NO_HANDLE"));
             CHECK(contactd_last_error(handle) != std::string());
         }
@@ -103,8 +103,8 @@ TEST_CASE("Of a wheel, pointers that are NULL are refused by name", "[c]") {
     refused(contactd_want(w, nullptr, 1), "array");
     refused(contactd_path(w, nullptr, &id), "path");
     refused(contactd_path(w, "state.Fz", nullptr), "id");
-    refused(contactd_wheel_read_profile(w, nullptr, "none.prr"), "path");
-    refused(contactd_wheel_read_profile(w, "setup.rail", nullptr), "file");
+    refused(contactd_read_profile(w, nullptr, "none.prr"), "path");
+    refused(contactd_read_profile(w, "setup.rail", nullptr), "file");
 }
 
 TEST_CASE("Of a wheel, what is no number is refused by the path that it has", "[c]") {
@@ -163,7 +163,7 @@ TEST_CASE("Of a wheel, arrays and keywords that do not fit are refused", "[c]") 
     refused(contactd_set(w, "setup.wheel.s1002", 0), "setup.wheel.s1002", "is 0");
     refused(contactd_want(w, "presure", 1), "array", "element_division, pressure");
     refused(contactd_want(w, "pressure", 2), "wanted", "is 2");
-    refused(contactd_wheel_read_profile(w, "setup.track", "none.prr"), "setup.track", "is no profile");
+    refused(contactd_read_profile(w, "setup.track", "none.prr"), "setup.track", "is not a profile");
     std::int32_t input = 0, result = 0;
     REQUIRE(contactd_path(w, "state.Fz", &input) == CONTACTD_OK);
     REQUIRE(contactd_path(w, "forces.track.Fz", &result) == CONTACTD_OK);
@@ -197,8 +197,8 @@ TEST_CASE("What makes no sense together is refused before anything is sent", "[c
 TEST_CASE("A file that is no profile is refused, and what was set stays", "[c]") {
     Nowhere nowhere;
     contactd_wheel* const w = nowhere.wheel;
-    CHECK(contactd_wheel_read_profile(w, "setup.rail", "/nowhere/rail.prr") == CONTACTD_INVALID_ARGUMENT);
+    CHECK(contactd_read_profile(w, "setup.rail", "/nowhere/rail.prr") == CONTACTD_INVALID_ARGUMENT);
     CHECK(std::string(contactd_last_error(w)).find("/nowhere/rail.prr") != std::string::npos);
-    CHECK(contactd_wheel_read_profile(w, "setup.rail_slices[0].profile", HEADER) == CONTACTD_INVALID_ARGUMENT);
+    CHECK(contactd_read_profile(w, "setup.rail_slices[0].profile", HEADER) == CONTACTD_INVALID_ARGUMENT);
     CHECK(contactd_wheel_solve(w) == CONTACTD_UNAVAILABLE);  // without a slice
 }

@@ -173,7 +173,7 @@ TEST_CASE("A profile of a file is that of its points", "[c]") {
         set_cone(w, "setup.wheel", -0.05);
         set(w, {{"setup.track.rail_origin.y", 750}, {"setup.track.rail_origin.z", 0}});
     }
-    require_ok(contactd_wheel_read_profile(from_file, "setup.rail", file.c_str()), from_file);
+    require_ok(contactd_read_profile(from_file, "setup.rail", file.c_str()), from_file);
     set_array(from_points, "setup.rail.points", points);
     std::filesystem::remove(file);
     CHECK(solved(from_file) == solved(from_points));

@@ -9,39 +9,32 @@ from support import c_interface
 NAMES = ("Fn", "Fx", "Fy", "Mz", "approach", "pmax", "area.contact", "area.adhesion", "area.slip", "power", "converged")
 
 
-def c_answers(call):
-    forces = call("get_forces", out="dddd")
-    rest = [call(f"get_{name}", out="d")[0] for name in ("approach", "pmax")]
-    return [
-        *forces, *rest, *call("get_areas", out="ddd"), *call("get_frictional_power", out="d"), *call("get_converged", out="i")
-    ]  # fmt: skip
+def c_answers(direct):
+    single = [direct.get(name) for name in ("frictional_power", "converged")]
+    return [*direct.array("forces"), direct.get("approach"), direct.get("pmax"), *direct.array("area"), *single]
 
 
-def set_up(call, model=0):
+def set_up(direct, model="full"):
     """As an FMU is without parameters."""
-    call("set_grid_centred", 25, 25, 0.56, 0.56)
-    call("set_material", c_interface.BOTH, 82000.0, 0.28)
-    call("set_model", model)
-    call("set_paraboloid", 460.0, 300.0)
-    call("set_mu", 0.3)
-    call("set_velocity", 20e3)
+    direct.set({"grid.nx": 25, "grid.ny": 25, "grid.dx": 0.56, "grid.dy": 0.56})
+    direct.set({"bodies.upper.G": 82000, "bodies.upper.nu": 0.28, "bodies.lower.G": 82000, "bodies.lower.nu": 0.28})
+    direct.set_word("model", model)
+    direct.set({"gap.paraboloid.Rx": 460, "gap.paraboloid.Ry": 300, "friction.mu": 0.3})
 
 
-@pytest.mark.parametrize("model", [0, 2], ids=["full", "fastsim"])
-def test_rolling_steps_are_those_of_the_c_interface_to_the_last_bit(contact, model):
+@pytest.mark.parametrize(("model", "keyword"), [(0, "full"), (2, "fastsim")], ids=["full", "fastsim"])
+def test_rolling_steps_are_those_of_the_c_interface_to_the_last_bit(contact, model, keyword):
     fmu = contact().start({"model": model})
-    with c_interface.contact() as call:
-        set_up(call, model)
-        call("set_Fn", 50e3)
-        call("set_rolling", 0, 0.0, 0.0, 0.0)
-        call("start")
+    with c_interface.contact() as direct:
+        set_up(direct, keyword)
+        direct.set({"Fn": 50e3, "friction.rolling.velocity": 20e3})
+        direct.start()
         for k in range(6):
             Fn, xi, eta, phi = 50e3 + 2e3 * k, 4e-4 * k, -2e-4 * k, 1e-5 * k
-            call("set_Fn", Fn)
-            call("set_rolling", 0, xi, eta, phi)
-            call("step")
+            direct.set({"Fn": Fn, "friction.rolling.xi": xi, "friction.rolling.eta": eta, "friction.rolling.phi": phi})
+            direct.step()
             outputs = fmu.step({"load.Fn": Fn, "motion.xi": xi, "motion.eta": eta, "motion.phi": phi})
-            assert [outputs[name] for name in NAMES] == c_answers(call)
+            assert [outputs[name] for name in NAMES] == c_answers(direct)
             assert (outputs["xi"], outputs["patches"]) == (xi, 1)
     assert abs(outputs["Fx"]) > 1e3
 
@@ -49,37 +42,33 @@ def test_rolling_steps_are_those_of_the_c_interface_to_the_last_bit(contact, mod
 def test_transient_rolling_goes_as_far_as_the_step_does(contact):
     """Steps of 0.5, 1.25 and 3 elements: the last ones take two and three steps of rolling."""
     fmu = contact().start({"motion.kind": 1, "motion.velocity": 560.0})
-    with c_interface.contact() as call:
-        set_up(call)
-        call("set_Fn", 50e3)
-        call("set_rolling", 1, 0.001, 0.0, 0.0)
-        call("set_velocity", 560.0)
-        call("start")
+    with c_interface.contact() as direct:
+        set_up(direct)
+        direct.set_word("friction.rolling.kind", "transient")
+        direct.set({"Fn": 50e3, "friction.rolling.xi": 0.001, "friction.rolling.velocity": 560})
+        direct.start()
         for elements, steps in ((0.5, 1), (1.25, 2), (3.0, 3), (0.5, 1)):
             size = elements * 1e-3
-            call("set_rolling_steps", steps)
-            call("set_direction", 0.0, 560.0 * size / steps)
-            call("step")
+            direct.set({"friction.rolling.steps": steps, "friction.rolling.dq": 560.0 * size / steps})
+            direct.step()
             outputs = fmu.step({"motion.xi": 0.001}, size)
-            assert [outputs[name] for name in NAMES] == c_answers(call)
+            assert [outputs[name] for name in NAMES] == c_answers(direct)
     if fmu.fmi == 3:
         assert fmu.get("time") == fmu.time
 
 
 def test_a_shift_is_a_velocity_times_the_step(contact):
     fmu = contact().start({"motion.kind": 2, "load.kind": 1})
-    with c_interface.contact() as call:
-        set_up(call)
-        call("set_approach", 0.04)
-        call("set_shift", 0.0, 0.0, 0.0)
-        call("start")
+    with c_interface.contact() as direct:
+        set_up(direct)
+        direct.set({"approach": 0.04, "friction.rigid_shift.x": 0})
+        direct.start()
         for size, velocity in ((0.01, 0.2), (0.002, -0.5), (0.03, 0.1)):
-            call("set_shift", velocity * size, 0.0, 0.0)
-            call("set_duration", size)
-            call("step")
+            direct.set({"friction.rigid_shift.x": velocity * size, "friction.duration": size})
+            direct.step()
             outputs = fmu.step({"load.approach": 0.04, "motion.shift_x": velocity}, size)
-            assert [outputs["Fn"], outputs["Fx"]] == call("get_forces", out="dddd")[:2]
-            assert outputs["work"] == call("get_frictional_work", out="d")[0]
+            assert [outputs["Fn"], outputs["Fx"]] == direct.array("forces")[:2]
+            assert outputs["work"] == direct.get("frictional_work")
             assert outputs["approach"] == 0.04
 
 
@@ -103,20 +92,19 @@ def test_a_layer_a_rigid_body_and_falling_friction_are_taken(contact):
         "friction.kinetic.law": 2, "grid.nx": 15, "grid.ny": 15,
     })  # fmt: skip
     outputs = fmu.step({"motion.xi": 0.002, "load.Fn": 20e3})
-    with c_interface.contact() as call:
-        from ctypes import byref, c_double
-
-        set_up(call)
-        call("set_grid_centred", 15, 15, 0.56, 0.56)
-        call("set_rigid", 0)
-        layer = [byref(c_double(value)) for value in (0.8, 40000, 0.28)]
-        call("set_layers", 1, 0, *layer, 1, 82000.0, 0.28)
-        call("set_kinetic", 1, 0.2, 1000.0)
-        call("set_Fn", 20e3)
-        call("set_rolling", 0, 0.002, 0.0, 0.0)
-        call("start")
-        call("step")
-        assert [outputs[name] for name in NAMES] == c_answers(call)
+    with c_interface.contact() as direct:
+        direct.set({"grid.nx": 15, "grid.ny": 15, "grid.dx": 0.56, "grid.dy": 0.56, "bodies.upper.rigid": 1})
+        layered = "bodies.lower.ics"
+        direct.set_word(f"{layered}.body", "layered")
+        direct.set({f"{layered}.layers[0].{name}": value for name, value in {"thickness": 0.8, "G": 40000, "nu": 0.28}.items()})
+        direct.set({f"{layered}.base.G": 82000, f"{layered}.base.nu": 0.28})
+        direct.set({"gap.paraboloid.Rx": 460, "gap.paraboloid.Ry": 300, "Fn": 20e3, "friction.mu": 0.3})
+        direct.set_word("friction.kinetic.law", "exponential")
+        direct.set({"friction.kinetic.mu": 0.2, "friction.kinetic.slip_velocity": 1000})
+        direct.set({"friction.rolling.xi": 0.002, "friction.rolling.velocity": 20e3})
+        direct.start()
+        direct.step()
+        assert [outputs[name] for name in NAMES] == c_answers(direct)
 
 
 def test_ten_instances_at_once_do_not_meet(contact):
