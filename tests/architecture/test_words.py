@@ -20,8 +20,8 @@ ROOT = Path(__file__).parents[2]
 #: Folders with C++, folders with C++ whose comments are held to it too, and folders with Python.
 FOLDERS = ["core", "engine", "tests/core", "tests/engine"]
 WITH_COMMENTS = [
-    "server", "bench", "proto", "client/cpp", "client/cntc", "packaging", "tests/proto", "tests/server", "tests/verification",
-    "tests/support", "tests/fuzz",
+    "server", "bench", "proto", "client/c", "client/cpp", "client/cntc", "client/fmu", "packaging", "tests/proto",
+    "tests/server", "tests/verification", "tests/support", "tests/fuzz",
 ]  # fmt: skip
 PYTHON = [
     "bench", "docs", "packaging", "proto", "tests/integration", "tests/support", "tests/fuzz", "tests/load", "tests/conformance",
@@ -82,6 +82,9 @@ NAMES = {
     "SortColumnIndices": "MFEM's",
     "block_column": "of a table",
     "enum_words": "the keywords of the wire",
+    "contactd_set_word": "of contactd.h",
+    "contactd_get_word": "of contactd.h",
+    "contactd_want": "of contactd.h",
     "HasWords": "the keywords of the wire",
 }
 #: Files that name something else with these words, and why.
@@ -96,6 +99,7 @@ FILES = {
     "core/fem/system/*": "prisms, the shape of finite elements",
     "core/include/contactd/fem_fields.hpp": "prisms, the shape of finite elements",
     "core/types/profile_files/*": "columns of a file",
+    "client/c/include/contactd/paths.h": "paths of the wire, and constants of keywords",
     "tests/core/fem/*": "prisms, the shape of finite elements",
     "bench/import_time.py": "statements of Python",
     "packaging/wheels/import_time.py": "statements of Python",
@@ -106,6 +110,7 @@ FILES = {
 ORDINARY_IN_PYTHON = frozenset({"words?", "columns?", "touch|pulling", "quick"})
 #: Files that quote everyday expressions, and why.
 QUOTING = {
+    "client/fmu/variables/wheel_fields.hpp": "sentences of the schemas",
     "tests/docs/test_glossary.py": "an example of what not to write",
     "tests/integration/test_wheelset_roll.py": "a warning of core",
     "tests/support/field_words.py": "the expressions themselves",

@@ -68,7 +68,7 @@ enum { CONTACTD_LOG_DEBUG = 0, CONTACTD_LOG_INFO = 1, CONTACTD_LOG_WARNING = 2, 
 typedef struct contactd_connection contactd_connection; /* where contacts are solved */
 typedef struct contactd_contact contactd_contact;       /* one contact, step by step */
 typedef struct contactd_wheel contactd_wheel;           /* one wheel on its rail */
-/* Called in the thread of the call that it tells of, which it must let return; `text` holds until then. */
+/* CancellableHandle in the thread of the call that it tells of, which it must let return; `text` holds until then. */
 typedef void (*contactd_log)(void* user, int32_t level, const char* text);
 
 /* --- the library --------------------------------------------------------------------------------------------- */
@@ -96,7 +96,7 @@ CONTACTD_API const char* contactd_last_reason(const void* handle); /* "FIELD_INV
  * next entry where that is named. */
 CONTACTD_API int32_t contactd_set(void* handle, const char* path, double value);
 /* One of the keywords that the field has, such as "model" "hertz". */
-CONTACTD_API int32_t contactd_set_word(void* handle, const char* path, const char* word);
+CONTACTD_API int32_t contactd_set_word(void* handle, const char* path, const char* keyword);
 /* All numbers of an object in the order of its fields, as "state.velocity"; of a list, entry by entry: as many as there
  * are, "setup.friction.mu" an angle and a coefficient each, "setup.rail.points" y and z; or of an array over the grid,
  * as "gap.array" or "friction.mu". */
@@ -115,7 +115,7 @@ CONTACTD_API int32_t contactd_length(void* handle, const char* path, int32_t* co
 /* Whether solves or steps from now on bring along an array over the grid (1), or not (0, as at first): "pressure",
  * "traction_x", "traction_y", "slip_x", "slip_y", "element_division"; of wheels also "gap", the undeformed distances,
  * which the model full has. */
-CONTACTD_API int32_t contactd_want(void* handle, const char* array, int32_t wanted);
+CONTACTD_API int32_t contactd_want(void* handle, const char* array, int32_t requested);
 
 /* For loops in which a text costs too much: *id stands for the path of an input, of a result, or of both, with this
  * handle and as long as it lives. */

@@ -11,7 +11,7 @@
 #include "engine/engine.hpp"
 #include "engine/environment.hpp"
 #include "engine/ics/problem_tables.hpp"
-#include "kept_wheel.hpp"
+#include "wheel_cache.hpp"
 
 namespace contactd::c {
 namespace {
@@ -46,7 +46,7 @@ class LocalObserver final : public Observer {
     const Clock::time_point deadline_;
 };
 
-/// What `act` gives; says why, where it was ended.
+/// Returns the result of `act`; a failure says why it was ended.
 template <class Act>
 auto observed(const Control& control, std::chrono::milliseconds timeout, const Act& act) {
     LocalObserver observer(control, control.timeout.value_or(timeout));
@@ -57,7 +57,7 @@ auto observed(const Control& control, std::chrono::milliseconds timeout, const A
     }
 }
 
-void keep_wanted(const SolutionFields& fields, ContactSolution& solution) {
+void keep_requested(const SolutionFields& fields, ContactSolution& solution) {
     const auto unwanted = [&](SolutionField field) { return std::ranges::find(fields, field) == fields.end(); };
     if (unwanted(SolutionField::element_division)) solution.element_division.clear();
     if (unwanted(SolutionField::pressure)) solution.pressure.clear();
@@ -87,7 +87,7 @@ class LocalContact final : public OpenContact {
         });
         StepReply reply{asked_, solution};
         here_ = {std::make_shared<const StepState>(ContactSteps::after(*from, std::move(solution))), from};
-        keep_wanted(input.fields, reply.solution);
+        keep_requested(input.fields, reply.solution);
         return reply;
     }
 
@@ -133,28 +133,28 @@ class LocalWheel final : public OpenWheel {
     WheelRailSolution solve(const WheelInput& input, const Control& control) override {
         if (!steps_ || !serves(steps_->setup(), input.setup))
             steps_ = engine_->open(WheelRailSessionSpec{input.setup, {}, true});
-        const WheelRailStepInput said = step_of(steps_->setup(), input);
+        const WheelRailStepInput request = step_of(steps_->setup(), input);
         StepState after;  // nothing is carried from one solve to the next
         WheelRailSolution solution = observed(control, timeout_, [&](LocalObserver& observer) {
-            return engine_->solve(*steps_, StepState(), said, after, observer);
+            return engine_->solve(*steps_, StepState(), request, after, observer);
         });
-        keep_wanted(input, solution);
+        keep_requested(input, solution);
         return solution;
     }
     WheelsetSolution solve_wheelset(const WheelsetInput& input, const Control& control) override {
         WheelsetSolution solution = observed(control, timeout_, [&](LocalObserver& observer) {
             return engine_->solve(input.setup, input.state, observer);
         });
-        keep_wanted(input, solution.right);
-        keep_wanted(input, solution.left);
+        keep_requested(input, solution.right);
+        keep_requested(input, solution.left);
         return solution;
     }
 
    private:
     template <class Input>
-    static void keep_wanted(const Input& input, WheelRailSolution& solution) {
+    static void keep_requested(const Input& input, WheelRailSolution& solution) {
         for (WheelRailPatch& patch : solution.patches) {
-            c::keep_wanted(input.fields, patch.solution);
+            c::keep_requested(input.fields, patch.solution);
             if (!input.gap) patch.gap.clear();
         }
     }

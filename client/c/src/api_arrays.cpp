@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "edge.hpp"
+#include "api_boundary.hpp"
 
 using namespace contactd::c;
 using contactd::InvalidArgument;

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string_view>
 
-#include "edge.hpp"
+#include "api_boundary.hpp"
 
 using namespace contactd::c;
 
@@ -46,7 +46,7 @@ std::int32_t contactd_close(contactd_connection* connection) {
 }
 
 std::int32_t contactd_ping(contactd_connection* connection) {
-    return with(connection, [](Connection& asked) { asked.backend->ping(asked.told().first); });
+    return with(connection, [](Connection& asked) { asked.backend->ping(asked.snapshot().first); });
 }
 
 std::int32_t contactd_set_timeout(contactd_connection* connection, double seconds) {

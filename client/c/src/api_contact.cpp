@@ -1,7 +1,7 @@
 // contactd.h: contacts from their making to their end.
 #include <memory>
 
-#include "edge.hpp"
+#include "api_boundary.hpp"
 
 using namespace contactd::c;
 

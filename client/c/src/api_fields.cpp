@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "api_boundary.hpp"
 #include "contactd/fields/wheel_rail_setup.hpp"
 #include "contactd/read_profile.hpp"
-#include "edge.hpp"
 #include "field_array.hpp"
 #include "results.hpp"
 
@@ -53,7 +53,8 @@ void require_gap(const Wheel& wheel) {
     wheel.require_gap();
 }
 
-/// The numbers that the path leads to. Throws StatusError (NO_RESULT) where there are none, or an array was not wanted.
+/// The numbers that the path leads to. Throws StatusError (NO_RESULT) where there are none, or an array was not
+/// requested.
 template <class Object>
 std::vector<double> read_numbers(Object& object, const FieldPath& path, const void* root) {
     std::optional<std::vector<double>> numbers = numbers_at(path, root);
@@ -92,6 +93,7 @@ void change_input(Contact& contact, const PathName& name, Change change, const A
     const FieldPath& path = found.path;
     if (!is_load(path)) contact.require_set_up(path.text().c_str());
     if (change == Change::set) contact.inputs.require_motion_of(path);
+    if (change == Change::clear && contact.started()) ContactInputs::require_clearable_between_steps(path);
     apply(path, contact.inputs.at(found));
     change == Change::set ? contact.inputs.was_set(path) : contact.inputs.was_cleared(path);
 }
@@ -144,19 +146,19 @@ void put_text(const std::string& source, char* text, std::int32_t length) {
     text[kept] = '\0';
 }
 
-void want(contactd::SolutionFields& fields, std::size_t array, bool wanted) {
+void request_array(contactd::SolutionFields& fields, std::size_t array, bool requested) {
     const auto field = static_cast<SolutionField>(array);
     std::erase(fields, field);
-    if (wanted) fields.push_back(field);
+    if (requested) fields.push_back(field);
 }
-void want(Contact& contact, std::size_t array, bool wanted) {
-    want(contact.inputs.fields, array, wanted);
+void request_array(Contact& contact, std::size_t array, bool requested) {
+    request_array(contact.inputs.fields, array, requested);
 }
-void want(Wheel& wheel, std::size_t array, bool wanted) {
+void request_array(Wheel& wheel, std::size_t array, bool requested) {
     if (array == gap)
-        wheel.inputs.gap = wanted;
+        wheel.inputs.gap = requested;
     else
-        want(wheel.inputs.fields, array, wanted);
+        request_array(wheel.inputs.fields, array, requested);
 }
 
 constexpr std::size_t arrays_of(const Contact&) {
@@ -167,7 +169,7 @@ constexpr std::size_t arrays_of(const Wheel&) {
 }
 
 /// One of the first `count` arrays.
-std::size_t wanted_array(const char* name, std::size_t count) {
+std::size_t requested_array(const char* name, std::size_t count) {
     const std::size_t array = array_named(given(name, "array"));
     if (array < count) return array;
     std::string known;
@@ -181,9 +183,10 @@ std::int32_t contactd_set(void* handle, const char* path, double value) {
     return set(handle, path, value);
 }
 
-std::int32_t contactd_set_word(void* handle, const char* path, const char* word) {
-    return change(handle, path, Change::set,
-                  [&](const FieldPath& field, void* root) { contactd::set_text(field, root, given(word, "word")); });
+std::int32_t contactd_set_word(void* handle, const char* path, const char* keyword) {
+    return change(handle, path, Change::set, [&](const FieldPath& field, void* root) {
+        contactd::set_text(field, root, given(keyword, "keyword"));
+    });
 }
 
 std::int32_t contactd_set_array(void* handle, const char* path, const double* values, std::int32_t count) {
@@ -236,10 +239,10 @@ std::int32_t contactd_get_at(void* handle, std::int32_t id, double* value) {
     return get(handle, id, value);
 }
 
-std::int32_t contactd_want(void* handle, const char* array, std::int32_t wanted) {
+std::int32_t contactd_want(void* handle, const char* array, std::int32_t requested) {
     return with_any(handle, [&](auto& object) {
-        const std::size_t named = wanted_array(array, arrays_of(object));
-        want(object, named, word(wanted, 1, "wanted") != 0);
+        const std::size_t named = requested_array(array, arrays_of(object));
+        request_array(object, named, flag(requested, "requested"));
     });
 }
 

@@ -2,7 +2,7 @@
 #include <exception>
 #include <string>
 
-#include "edge.hpp"
+#include "api_boundary.hpp"
 
 namespace contactd::c {
 namespace {

@@ -1,7 +1,7 @@
 // contactd.h: wheels on rails from their making to their end.
 #include <memory>
 
-#include "edge.hpp"
+#include "api_boundary.hpp"
 
 using namespace contactd::c;
 using contactd::InvalidArgument;
@@ -26,7 +26,7 @@ std::int32_t contactd_wheel_solve_wheelset(contactd_wheel* right, contactd_wheel
         const std::shared_ptr<Wheel> left_wheel = wheels().find(left);
         if (left_wheel.get() == &right_wheel)
             throw InvalidArgument("left", "is the right wheel, too; make another one");
-        const Turn turn(left_wheel->user);
+        const HandleGuard turn(left_wheel->user);
         Wheel::solve_wheelset(right_wheel, *left_wheel);
     });
 }

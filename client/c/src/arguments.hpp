@@ -1,4 +1,4 @@
-// What comes in: each throws InvalidArgument naming `field`.
+// Checks of arguments, each of which throws InvalidArgument naming `field`.
 #pragma once
 
 #include <cmath>
@@ -22,12 +22,10 @@ inline double finite(double value, const char* field) {
     return value;
 }
 
-/// One of the words 0..last.
-inline std::int32_t word(std::int32_t value, std::int32_t last, const char* field) {
-    if (value < 0 || value > last)
-        throw InvalidArgument(field, "is " + std::to_string(value) +
-                                         "; it must be one of the words of contactd.h, 0 to " + std::to_string(last));
-    return value;
+/// Returns whether a flag, 0 or 1, is set.
+inline bool flag(std::int32_t value, const char* field) {
+    if (value != 0 && value != 1) throw InvalidArgument(field, "is " + std::to_string(value) + "; it must be 0 or 1");
+    return value == 1;
 }
 
 inline std::vector<double> array(const double* values, std::int32_t count, const char* field) {

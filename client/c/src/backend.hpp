@@ -17,7 +17,7 @@
 
 namespace contactd::c {
 
-/// What a connection was told, for the contacts that are made later.
+/// The settings of a connection, which hold for contacts that are made later.
 struct Settings {
     std::chrono::milliseconds connect_timeout{5'000}, timeout{60'000}, build_timeout{3'600'000};
     std::filesystem::path server_key{}, own_key{};
@@ -27,7 +27,7 @@ struct Settings {
 struct Control {
     std::optional<std::chrono::milliseconds> timeout{};  ///< instead of the settings'
     std::stop_token stop{};
-    /// What is being done and how far it is, 0..1; in the calling thread. May be empty.
+    /// Receives the stage of the work and its fraction, 0..1, in the calling thread. May be empty.
     std::function<void(const std::string& stage, double fraction)> on_progress{};
 };
 
@@ -47,7 +47,7 @@ class OpenContact {
     virtual const IcUses& ics() const = 0;
 };
 
-/// What a wheel on its rail is asked, and the arrays that its patches shall have.
+/// The inputs of a wheel on its rail, and the arrays that its patches shall have.
 struct WheelInput {
     WheelRailSetup setup;
     WheelRailState state;
@@ -55,7 +55,7 @@ struct WheelInput {
     bool gap = false;
 };
 
-/// What both wheels of a wheelset are asked.
+/// The inputs of both wheels of a wheelset.
 struct WheelsetInput {
     WheelsetSetup setup;
     WheelsetState state;
@@ -80,7 +80,8 @@ class Backend {
     /// Returns when the tables lie ready. `spec` has passed validate_opening.
     virtual std::unique_ptr<OpenContact> open(const SessionSpec& spec, const Settings& settings,
                                               const Control& control) const = 0;
-    /// Of so many columns of a section, each `ds` wide; refused as strip_frames does, below "ics.section".
+    /// Returns the frames of so many strips of a section, each `ds` wide. Throws as strip_frames does, below
+    /// "ics.section".
     virtual std::vector<StripFrame> frames(const Section& section, int columns, double ds, const Settings& settings,
                                            const Control& control) const = 0;
     /// Sends nothing yet.
@@ -101,7 +102,7 @@ inline IcSpec spec_of_frames(const Section& section, int columns, double ds) {
     return spec;
 }
 
-/// Of a daemon at `endpoint`. Throws InvalidArgument ("where") when it is no endpoint.
+/// Returns the backend of a daemon at `endpoint`. Throws InvalidArgument ("where") for an invalid endpoint.
 std::unique_ptr<Backend> make_remote_backend(const std::string& endpoint);
 
 /// In process. Defined once for each library: libcontactd has none, and throws StatusError (UNIMPLEMENTED).

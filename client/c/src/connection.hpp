@@ -13,7 +13,7 @@
 
 namespace contactd::c {
 
-/// Whom the user wants to be told. While nobody has said (`is_set`), warnings go to standard error.
+/// The log of the user. While none was set (`is_set`), warnings go to standard error.
 struct Log {
     contactd_log function = nullptr;
     void* user = nullptr;
@@ -36,7 +36,7 @@ class Connection {
         const std::scoped_lock lock(mutex_);
         change(settings_, log_);
     }
-    std::pair<Settings, Log> told() const {
+    std::pair<Settings, Log> snapshot() const {
         const std::scoped_lock lock(mutex_);
         return {settings_, log_};
     }

@@ -19,7 +19,8 @@ std::string percent(double fraction) {
 
 }  // namespace
 
-Contact::Contact(const Connection& connection) : Called(connection, ContactInputs::roots(), results_of_contacts()) {}
+Contact::Contact(const Connection& connection)
+    : CancellableHandle(connection, ContactInputs::roots(), results_of_contacts()) {}
 
 void Contact::require_set_up(const char* what) const {
     if (started())

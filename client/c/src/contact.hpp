@@ -7,19 +7,19 @@
 #include <string>
 #include <vector>
 
-#include "called.hpp"
+#include "cancellable_handle.hpp"
 #include "inputs.hpp"
 
 namespace contactd::c {
 
-/// What a step has answered, and the arrays that it was asked for.
+/// The answer of a step, and the arrays that were requested with it.
 struct Result {
     StepReply reply;
     std::vector<SolutionField> fields;
 };
 
-/// One thread at a time (Turn), but for cancel and the failures.
-class Contact : public Called {
+/// One thread at a time (HandleGuard), but for cancel and the failures.
+class Contact : public CancellableHandle {
    public:
     explicit Contact(const Connection& connection);
 
@@ -28,7 +28,7 @@ class Contact : public Called {
     bool started() const { return open_ != nullptr; }
     /// Throws StatusError (WRONG_ORDER) when the contact was started.
     void require_set_up(const char* what) const;
-    /// The same when it was not.
+    /// Throws StatusError (WRONG_ORDER) when the contact was not started.
     void require_started() const;
 
     void start();
@@ -40,14 +40,14 @@ class Contact : public Called {
     void restore(std::int32_t state);
     void forget(std::int32_t state);
 
-    /// Of the last step. Throws StatusError (NO_RESULT) when there is none.
+    /// Returns the result of the last step. Throws StatusError (NO_RESULT) when there is none.
     const Result& result() const;
     /// Throws StatusError (NO_RESULT) when the last step was not asked for the array.
     void require(SolutionField field) const;
     const IcUses& ics() const;
     /// Where the columns of a section lie that are the rows of the grid.
     std::vector<StripFrame> frames(const Section& section);
-    /// Of the last step, 0 before the first.
+    /// Returns the number of the last step, 0 before the first.
     std::int32_t step_number() const;
 
    private:

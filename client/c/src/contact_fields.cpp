@@ -89,7 +89,7 @@ const FieldType& friction_type() {
     return type;
 }
 
-const FieldType& columns_type() {
+const FieldType& strips_type() {
     static const std::vector<Field> list = fields_with<ContactColumns>({{"frames", &type_of<std::vector<StripFrame>>}});
     static const FieldType type = object_type(list);
     return type;
@@ -180,7 +180,7 @@ const FieldType& motion_type() {
 const FieldType& type_of_problem() {
     static const std::vector<Field> list = [] {
         std::vector<Field> fields = fields_with<ContactProblem>(
-            {{"grid", &grid_type}, {"friction", &friction_type}, {"columns", &columns_type}});
+            {{"grid", &grid_type}, {"friction", &friction_type}, {"columns", &strips_type}});
         std::erase_if(fields, [](const Field& field) { return field.name == "initial"; });  // steps have none
         Field& friction = named(fields, "friction");
         friction.make = [](void* owner) -> void* {

@@ -18,7 +18,7 @@ struct Failure {
 inline constexpr std::string_view concurrent_use = "CONCURRENT_USE", wrong_order = "WRONG_ORDER",
                                   no_handle = "NO_HANDLE", no_connection = "NO_CONNECTION", no_result = "NO_RESULT";
 
-/// Of the exception that is being handled.
+/// Returns the failure that the exception is which is being handled.
 Failure current_failure() noexcept;
 
 /// Keeps a failure as the last one of this thread, of the handle that it happened with (null: of none).

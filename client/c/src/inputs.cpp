@@ -110,6 +110,14 @@ void ContactInputs::require_motion_of(const FieldPath& path) const {
                                            "\" first to change its kind");
 }
 
+void ContactInputs::require_clearable_between_steps(const FieldPath& path) {
+    for (const char* kept : {"friction", "friction.mu", "friction.rigid_slip"})
+        if (path.text() == kept)
+            throw InvalidArgument(path.text(),
+                                  "cannot be left out once the contact was started, whose steps would have that of "
+                                  "the start; set it to 0, friction.mu for no friction");
+}
+
 void ContactInputs::was_set(const FieldPath& path) {
     if (is_below(path, "approach")) problem.Fn.reset();
     if (is_below(path, "Fn")) problem.approach.reset();

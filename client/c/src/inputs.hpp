@@ -47,6 +47,9 @@ struct ContactInputs {
     void* at(const RootedPath& path);
     /// Throws InvalidArgument for a field of the other kind of motion than the one that was named.
     void require_motion_of(const FieldPath& path) const;
+    /// Throws InvalidArgument for a field that a step of a contact which was started cannot leave out: it is as at the
+    /// start then.
+    static void require_clearable_between_steps(const FieldPath& path);
     /// Takes notice of a field that was set or cleared.
     void was_set(const FieldPath& path);
     void was_cleared(const FieldPath& path);

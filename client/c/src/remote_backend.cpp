@@ -7,7 +7,7 @@
 #include "backend.hpp"
 #include "contactd/client/session.hpp"
 #include "contactd/error.hpp"
-#include "kept_wheel.hpp"
+#include "wheel_cache.hpp"
 
 namespace contactd::c {
 namespace {
@@ -58,7 +58,7 @@ class RemoteContact final : public OpenContact {
     client::Session session_;
 };
 
-/// What `ask` gives; fields are called as the setters call them, with which nobody opened a session.
+/// Returns the result of `ask`; refusals name fields as the caller does, who has opened no session.
 template <class Ask>
 auto named_as_set(const Ask& ask) {
     constexpr std::string_view prefix = "wheelrail.";
@@ -96,13 +96,14 @@ class RemoteWheel final : public OpenWheel {
 
    private:
     WheelRailSolution step(const WheelInput& input, const Control& control) {
-        WheelRailStepInput said = step_of(session_ ? opened_ : input.setup, input);  // refuses before anything is sent
+        WheelRailStepInput request =
+            step_of(session_ ? opened_ : input.setup, input);  // refuses before anything is sent
         if (!session_) {
             session_.emplace(client_, WheelRailSessionSpec{input.setup, {}, true}, options_of(control));
             opened_ = input.setup;
         }
-        said.again = true;  // always the first step, so that nothing is carried from one solve to the next
-        return session_->step(said, options_of(control)).solution;
+        request.again = true;  // always the first step, so that nothing is carried from one solve to the next
+        return session_->step(request, options_of(control)).solution;
     }
 
     client::Client client_;  // outlives the session

@@ -6,9 +6,9 @@
 
 namespace contactd::c {
 
-/// What stands beside the fields of a solution: "converged", and of a contact that was started "step" and "ics".
+/// A contact has the fields of its solution and "converged", and from its start on "step" and "ics".
 Roots results_of_contacts();
-/// The same of wheels: "converged", "frictional_power", and of a wheelset "roll" and "roll_search".
+/// A wheel has the fields of its solution, "converged", "frictional_power", and of a wheelset "roll" and "roll_search".
 Roots results_of_wheels();
 
 /// Calls `read` with the path and the struct below which it leads to its field. Throws StatusError (NO_RESULT,

@@ -22,13 +22,13 @@ StatusError not_brought() {
 
 }  // namespace
 
-Wheel::Wheel(const Connection& connection) : Called(connection, input_roots(), results_of_wheels()) {}
+Wheel::Wheel(const Connection& connection) : CancellableHandle(connection, input_roots(), results_of_wheels()) {}
 
 void Wheel::solve() {
     if (!open_) open_ = backend_->open_wheel(settings_);
     Result result{{}, inputs.fields, inputs.gap, inputs.state.position.roll};
     result.solution = controlled([&](Control& control) {
-        control.timeout = patience();
+        control.timeout = effective_timeout();
         return open_->solve(inputs, control);
     });
     take(std::move(result));

@@ -6,12 +6,12 @@
 #include <memory>
 #include <optional>
 
-#include "called.hpp"
+#include "cancellable_handle.hpp"
 
 namespace contactd::c {
 
-/// One thread at a time (Turn), but for cancel and the failures.
-class Wheel : public Called {
+/// One thread at a time (HandleGuard), but for cancel and the failures.
+class Wheel : public CancellableHandle {
    public:
     explicit Wheel(const Connection& connection);
 
@@ -23,9 +23,9 @@ class Wheel : public Called {
     /// not go together.
     static void solve_wheelset(Wheel& right, Wheel& left);
 
-    /// Of the last solve. Throws StatusError (NO_RESULT) when there is none.
+    /// Returns the solution of the last solve. Throws StatusError (NO_RESULT) when there is none.
     const WheelRailSolution& solution() const;
-    /// Of the wheelset, as prescribed or found (rad).
+    /// Returns the roll of the wheelset, as prescribed or found (rad).
     double roll() const { return result().roll; }
     /// Where the roll was found.
     const std::optional<SolverEvidence>& roll_search() const { return result().roll_search; }
@@ -44,11 +44,11 @@ class Wheel : public Called {
     };
     const Result& result() const;
     /// Its own timeout, or that of builds where it may have to wait for tables by finite elements.
-    std::optional<std::chrono::milliseconds> patience() const {
+    std::optional<std::chrono::milliseconds> effective_timeout() const {
         const bool may_build = inputs.setup.conformal == Conformal::fem;
         return !timeout && may_build ? std::optional(settings_.build_timeout) : timeout;
     }
-    /// As the last one; tells its warnings.
+    /// Keeps the result as the last one, and reports its warnings.
     void take(Result result);
 
     std::unique_ptr<OpenWheel> open_;

@@ -71,7 +71,7 @@ void Wheel::solve_wheelset(Wheel& right, Wheel& left) {
             const auto stop = [&either] { either.request_stop(); };
             const std::stop_callback by_left(of_left.stop, stop), by_right(control.stop, stop);
             control.stop = either.get_token();
-            control.timeout = right.patience();
+            control.timeout = right.effective_timeout();
             return right.open_->solve_wheelset(input, control);
         });
     });

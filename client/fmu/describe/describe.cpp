@@ -34,7 +34,7 @@ ordered_json described(const Variable& variable) {
                      {"start", start_of(variable)},
                      {"says", variable.says}};
     if (variable.type == Type::enumeration)
-        all["enumeration"] = {{"name", variable.enumeration->name}, {"words", variable.enumeration->words}};
+        all["enumeration"] = {{"name", variable.enumeration->name}, {"words", variable.enumeration->keywords}};
     return all;
 }
 

@@ -15,21 +15,21 @@ std::string quoted(double value) {
     return text;
 }
 
-/// What is no number of this variable, in the words of the one who set it.
+/// Throws Failure naming the variable where the number is none of its values.
 void validate(const Variable& of, double value) {
     if (!std::isfinite(value))
         throw Failure(std::string(of.name) + " is " + quoted(value) + "; it must be a finite number.");
     const double least = of.same_as.empty() ? 0 : as_the_enumeration;
-    if (!of.enumeration || (value >= least && value < static_cast<double>(of.enumeration->words.size()))) return;
-    std::string words;
-    for (std::size_t word = 0; word < of.enumeration->words.size(); ++word)
-        words += (word ? ", " : "") + std::to_string(word) + " (" + std::string(of.enumeration->words[word]) + ")";
-    throw Failure(std::string(of.name) + " is " + quoted(value) + "; it must be one of " + words + ".");
+    if (!of.enumeration || (value >= least && value < static_cast<double>(of.enumeration->keywords.size()))) return;
+    std::string keywords;
+    for (std::size_t k = 0; k < of.enumeration->keywords.size(); ++k)
+        keywords += (k ? ", " : "") + std::to_string(k) + " (" + std::string(of.enumeration->keywords[k]) + ")";
+    throw Failure(std::string(of.name) + " is " + quoted(value) + "; it must be one of " + keywords + ".");
 }
 
 /// Numbers that were set in the place of enumerations are what these are, whichever of them was set last: importers set
 /// all parameters in an order of their own. From then on both are the same.
-void choose_words(std::span<const Variable> list, Values& values) {
+void choose_keywords(std::span<const Variable> list, Values& values) {
     for (std::size_t at = 0; at < list.size(); ++at) {
         if (list[at].same_as.empty()) continue;
         const std::size_t enumeration = reference_in(list, list[at].same_as);
@@ -81,7 +81,7 @@ void Instance::enter_initialization() {
 void Instance::exit_initialization() {
     require(Phase::initialization, "Leaving the initialization");
     Values first = values_;
-    choose_words(kind_.variables, first);
+    choose_keywords(kind_.variables, first);
     start(first, {}, true);
     try {
         model_->solve_start(first);

@@ -14,7 +14,7 @@
 
 namespace contactd::fmu {
 
-/// Of FMI's phases those that decide what may be called.
+/// Those phases of FMI that decide which functions may be called.
 enum class Phase { instantiated, initialization, stepping, terminated };
 
 /// An instance as it was: FMI's FMU state.

@@ -20,7 +20,7 @@ struct Kind {
 
 std::span<const Kind> kinds();
 
-/// What a model description and the shared object must agree in: a digest of the list.
+/// Returns a digest of the list, in which a model description and the shared object must agree.
 std::string token_of(const Kind& kind);
 
 /// By its token; null when there is none.

@@ -11,7 +11,7 @@
 namespace contactd::fmu {
 
 std::vector<std::byte> serialized(const Kind& kind, const State& state);
-/// The same into memory of the caller's. Throws Failure where it is too little.
+/// Writes these bytes into memory of the caller's. Throws Failure where it is too little.
 void put_serialized(const Kind& kind, const State& state, void* bytes, std::size_t size);
 
 /// Throws Failure for bytes that are no state of this kind, or are damaged.

@@ -1,9 +1,9 @@
-// What the functions of FMI 2 have in common.
+// The functions of FMI 2 share these.
 #pragma once
 
 #include <fmi2Functions.h>
 
-#include "edge.hpp"
+#include "api_boundary.hpp"
 
 namespace contactd::fmu {
 

@@ -1,9 +1,9 @@
-// What the functions of FMI 3 have in common.
+// The functions of FMI 3 share these.
 #pragma once
 
 #include <fmi3Functions.h>
 
-#include "edge.hpp"
+#include "api_boundary.hpp"
 
 namespace contactd::fmu {
 

@@ -1,4 +1,4 @@
-// What importers hold pointers to. One that was given back, or never came from here, is told apart from those that
+// Importers hold pointers to these. One that was given back, or never came from here, is told apart from those that
 // live, so that freeing it twice, or using it afterwards, is refused instead of ending the importer.
 #pragma once
 

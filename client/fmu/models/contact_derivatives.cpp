@@ -33,7 +33,7 @@ std::vector<double> ContactModel::derivatives() {
     contactd_contact* c = contact_.get();
     if (force_is_prescribed_)
         throw Failure(Status::discard, "There are no derivatives where a force along x or y is prescribed.");
-    if (!wants_derivatives_) {
+    if (!requests_derivatives_) {
         set_field(c, "derivatives", 1);
         try {
             step_again("derivatives");
@@ -41,9 +41,9 @@ std::vector<double> ContactModel::derivatives() {
             contactd_set(c, "derivatives", 0);  // steps go on without
             throw;
         }
-        wants_derivatives_ = true;
+        requests_derivatives_ = true;
     }
-    // What is prescribed is the answer to itself, and follows nothing else.
+    // A prescribed quantity is the answer to itself, and follows nothing else.
     const std::string prescribed = by_force_ ? "Fn" : "approach";
     const auto value = [&](const std::string& of, const std::string& by) -> double {
         if (of == prescribed) return by == prescribed ? 1 : 0;
@@ -53,7 +53,7 @@ std::vector<double> ContactModel::derivatives() {
     std::vector<double> all;
     for (const char* of : answers) {
         for (const char* by : rolling) all.push_back(shifts_ ? 0 : value(of, by));
-        // Of a velocity over the step.
+        // A shift is a velocity over the step.
         for (const char* by : sliding) all.push_back(shifts_ ? value(of, by) * step_size_ : 0);
         const double by_load = value(of, prescribed);
         all.push_back(by_force_ ? by_load : 0);

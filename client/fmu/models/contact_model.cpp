@@ -15,10 +15,10 @@ consteval std::size_t at(std::string_view name) {
     return reference_of(contact_variables, name);
 }
 
-enum { steady, transient, shift };  // motion_words
-enum { full };                      // model_words
+enum { steady, transient, shift };  // motion_keywords
+enum { full };                      // model_keywords
 
-/// What a step leaves to the next.
+/// These a step leaves to the next.
 constexpr const char* arrays[] = {"pressure", "traction_x", "traction_y"};
 
 }  // namespace
@@ -44,8 +44,8 @@ void ContactModel::start(const Values& values, const Carried& from) {
     from_ = from;
     elements_ = static_cast<std::size_t>(values[at("grid.nx")]) * static_cast<std::size_t>(values[at("grid.ny")]);
     has_history_ = values.whole(at("model")) == full;
-    wants_arrays_ = goes_on;
-    wants_derivatives_ = made_ = failed_ = false;
+    requests_arrays_ = goes_on;
+    requests_derivatives_ = made_ = failed_ = false;
     by_force_ = values.whole(at("load.kind")) == 0;
     shifts_ = values.whole(at("motion.kind")) == shift;
     force_is_prescribed_ = values.is(at("force.prescribe_x")) || values.is(at("force.prescribe_y"));
@@ -96,7 +96,7 @@ void ContactModel::set_load(contactd_contact* c, const Values& values, int motio
     set_field(c, "friction.mu", values[at("friction.mu")]);
     constexpr std::size_t law = at("friction.kinetic.law");
     if (values.is(law)) {
-        set_word(c, "friction.kinetic.law", word_at(contact_variables[law], values[law]));
+        set_keyword(c, "friction.kinetic.law", keyword_of(contact_variables[law], values[law]));
         set_field(c, "friction.kinetic.mu", values[at("friction.kinetic.mu")]);
         set_field(c, "friction.kinetic.slip_velocity", values[at("friction.kinetic.slip_velocity")]);
     }
@@ -119,14 +119,14 @@ void ContactModel::set_shift(contactd_contact* c, const Values& values, std::opt
 
 void ContactModel::set_rolling(contactd_contact* c, const Values& values, bool is_steady, std::optional<double> size) {
     const double velocity = values[at("motion.velocity")];
-    set_word(c, "friction.rolling.kind", is_steady ? "steady" : "transient");
+    set_keyword(c, "friction.rolling.kind", is_steady ? "steady" : "transient");
     set_field(c, "friction.rolling.xi", values[at("motion.xi")]);
     set_field(c, "friction.rolling.eta", values[at("motion.eta")]);
     set_field(c, "friction.rolling.phi", values[at("motion.phi")]);
     set_field(c, "friction.rolling.velocity", velocity);
     double dq = 0;
     if (!is_steady && size) {
-        // As far as the step goes, in steps of rolling that are no longer than an element.
+        // The bodies roll as far as the step goes, in steps of rolling that are no longer than an element.
         constexpr double most = 10'000, nearly = 1e-9;
         const double distance = velocity * *size, steps = std::ceil(distance / values[at("grid.dx")] - nearly);
         if (!(distance > 0) || steps > most)
@@ -177,10 +177,10 @@ std::vector<double> ContactModel::array(const char* which) {
 
 Carried ContactModel::carried() {
     if (!has_history_ || !made_) return from_;
-    if (!wants_arrays_) {
+    if (!requests_arrays_) {
         for (const char* which : arrays) check(contactd_want(contact_.get(), which, 1), contact_.get());
         step_again("tractions");
-        wants_arrays_ = true;
+        requests_arrays_ = true;
     }
     return {{}, array(arrays[0]), array(arrays[1]), array(arrays[2])};
 }

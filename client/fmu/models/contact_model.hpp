@@ -21,7 +21,7 @@ class ContactModel final : public Model {
 
    private:
     /// Sets what differs from step to step: the inputs, and the parameters that may change. Without a size nothing has
-    /// moved yet; transient rolling takes steps of an element then. `motion` is one of motion_words.
+    /// moved yet; transient rolling takes steps of an element then. `motion` is one of motion_keywords.
     static void set_load(contactd_contact* c, const Values& values, int motion, std::optional<double> size);
     static void set_shift(contactd_contact* c, const Values& values, std::optional<double> size);
     static void set_rolling(contactd_contact* c, const Values& values, bool is_steady, std::optional<double> size);
@@ -35,8 +35,8 @@ class ContactModel final : public Model {
     ConnectionHandle connection_;
     ContactHandle contact_;
     std::size_t elements_ = 0;
-    bool has_history_ = false;  // quick models have none
-    bool wants_arrays_ = false, wants_derivatives_ = false;
+    bool has_history_ = false;  // simplified models have none
+    bool requests_arrays_ = false, requests_derivatives_ = false;
     bool by_force_ = true, shifts_ = false, force_is_prescribed_ = false;
     double step_size_ = 0;
     Carried from_;

@@ -34,7 +34,7 @@ void set_up_body(contactd_contact* c, const Values& values, const BodyPlaces& of
     if (values.is(of.rigid)) return set_field(c, body + ".rigid", 1);
     const int kind = values.whole(of.coefficients);
     if (kind == 3) {
-        set_word(c, ics + ".body", "layered");
+        set_keyword(c, ics + ".body", "layered");
         set_field(c, ics + ".layers[0].thickness", values[of.thickness]);
         set_field(c, ics + ".layers[0].G", values[of.layer_G]);
         set_field(c, ics + ".layers[0].nu", values[of.layer_nu]);
@@ -43,8 +43,8 @@ void set_up_body(contactd_contact* c, const Values& values, const BodyPlaces& of
     set_material(c, values, of, body);
     if (kind == 0) return;
     const bool block = kind == 2;
-    set_word(c, ics + ".source", "fem");
-    set_word(c, ics + ".body", block ? "block" : "half_space");
+    set_keyword(c, ics + ".source", "fem");
+    set_keyword(c, ics + ".body", block ? "block" : "half_space");
     set_field(c, ics + ".accuracy", values[at("elements.accuracy")]);
     if (block) set_field(c, ics + ".L_over_h", values[at("elements.L_over_h")]);
 }
@@ -60,7 +60,7 @@ void set_up(contactd_contact* c, const Values& values) {
     for (const char* size : {"grid.nx", "grid.ny", "grid.dx", "grid.dy"})
         set_field(c, size, values[reference_in(contact_variables, size)]);
     for (const BodyPlaces& body : bodies) set_up_body(c, values, body);
-    set_word(c, "model", word_at(contact_variables[at("model")], values[at("model")]));
+    set_keyword(c, "model", keyword_of(contact_variables[at("model")], values[at("model")]));
     set_field(c, "accept_unconverged", values[at("accept_unconverged")]);
     const int most = values.whole(at("tolerances.iterations"));
     set_solver(c, "normal", values[at("tolerances.normal")], most ? most : 1000);

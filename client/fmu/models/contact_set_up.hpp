@@ -1,4 +1,4 @@
-// What a contact is told before it starts.
+// The inputs of a contact before it starts.
 #pragma once
 
 #include "handles.hpp"

@@ -1,4 +1,4 @@
-// What goes wrong in an instance, in words of neither version of FMI.
+// Failures of an instance, in the terms of neither version of FMI.
 #pragma once
 
 #include <stdexcept>

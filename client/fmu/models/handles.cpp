@@ -11,7 +11,7 @@ consteval std::size_t at(std::string_view name) {
     return reference_of(common_variables, name);
 }
 
-/// What failed is told by who called; this is for what goes on beside.
+/// Reports what goes on beside a call; who called reports its failure.
 void hear(void* user, std::int32_t level, const char* text) {
     const Tell& tell = *static_cast<const Tell*>(user);
     if (level == CONTACTD_LOG_WARNING) tell(Status::warning, text);
@@ -37,8 +37,8 @@ void set_field(void* handle, const std::string& path, double value) {
     check(contactd_set(handle, path.c_str(), value), handle);
 }
 
-void set_word(void* handle, const std::string& path, std::string_view word) {
-    check(contactd_set_word(handle, path.c_str(), std::string(word).c_str()), handle);
+void set_keyword(void* handle, const std::string& path, std::string_view keyword) {
+    check(contactd_set_word(handle, path.c_str(), std::string(keyword).c_str()), handle);
 }
 
 double read_field(void* handle, const std::string& path) {

@@ -18,7 +18,7 @@ bool found(std::int32_t code, const void* handle);
 
 /// Sets a field of a contact or a wheel by its path. Throws Failure.
 void set_field(void* handle, const std::string& path, double value);
-void set_word(void* handle, const std::string& path, std::string_view word);
+void set_keyword(void* handle, const std::string& path, std::string_view keyword);
 /// Returns a result, or 0 where the solution does not have it.
 double read_field(void* handle, const std::string& path);
 

@@ -1,4 +1,4 @@
-// What an instance solves: a plain contact, or a wheel on its rail. Both by contactd.h alone.
+// An instance solves one of these: a plain contact, or a wheel on its rail. Both by contactd.h alone.
 #pragma once
 
 #include <filesystem>
@@ -16,8 +16,8 @@ namespace contactd::fmu {
 /// Tells what happens, in the thread of the call: warnings of a step, how far a build is.
 using Tell = std::function<void(Status status, const std::string& sentence)>;
 
-/// What a step leaves behind, beside the values: the numbers that it was solved with; and of a contact the tractions of
-/// each element, in the order of contactd.h. Empty before the first step.
+/// A step leaves these behind, beside the values: the numbers that it was solved with; and of a contact the tractions
+/// of each element, in the order of contactd.h. Empty before the first step.
 struct Carried {
     std::vector<double> solved, pressure, traction_x, traction_y;
 };
@@ -34,15 +34,16 @@ class Model {
     /// Opens it with the parameters, to go on from where `from` was left, which may be empty. A model that is open goes
     /// there; its parameters are those that it was opened with.
     virtual void start(const Values& values, const Carried& from) = 0;
-    /// What is so before the first step, with the inputs of `values`: its outputs come into these. Made once, after the
-    /// start; what did not converge is told, and no failure.
+    /// Solves the state before the first step with the inputs of `values`, into which its outputs come. Called once,
+    /// after the start; a solution that did not converge is reported, and is no failure.
     virtual void solve_start(Values& values) = 0;
     /// A step of `size` seconds with the inputs of `values`; its outputs come into these.
     virtual void step(Values& values, double size) = 0;
-    /// What the steps made so far leave behind; asked for the first time it solves the last step once more.
+    /// Returns what the steps made so far leave behind; asked for the first time it solves the last step once more.
     virtual Carried carried() = 0;
     virtual const DerivativePlaces& derivative_places() const = 0;
-    /// Of the last step, row by row of `derivative_places`; NaN where there is none. May solve that step once more.
+    /// Returns those of the last step, row by row of `derivative_places`; NaN where there is none. May solve that step
+    /// once more.
     virtual std::vector<double> derivatives() = 0;
     /// From any thread: a step that runs ends.
     virtual void cancel() = 0;

@@ -55,11 +55,11 @@ std::optional<std::filesystem::path> file_named(const std::string& name, const s
     return if_file(resources / path_of(meant));
 }
 
-std::string word_of(std::string_view name) {
-    std::string word;
+std::string lowercase_name(std::string_view name) {
+    std::string result;
     for (const char letter : name)
-        if (blanks.find(letter) == std::string_view::npos) word += small(letter);
-    return word;
+        if (blanks.find(letter) == std::string_view::npos) result += small(letter);
+    return result;
 }
 
 }  // namespace contactd::fmu

@@ -8,7 +8,7 @@
 
 namespace contactd::fmu {
 
-/// Of a URI, file:///... with its %20, or of a path, which stays as it is.
+/// Returns the path of a URI, file:///... with its %20, or a path as it is.
 std::filesystem::path path_of(std::string_view name);
 
 /// The file that `name` means: a URI, a path from the root on, or one from `resources` on; where there is none of this
@@ -16,6 +16,6 @@ std::filesystem::path path_of(std::string_view name);
 std::optional<std::filesystem::path> file_named(const std::string& name, const std::filesystem::path& resources);
 
 /// In small letters and without spaces: s1002 of "S 1002".
-std::string word_of(std::string_view name);
+std::string lowercase_name(std::string_view name);
 
 }  // namespace contactd::fmu

@@ -20,11 +20,11 @@ void set_slices(contactd_wheel* w, const Slices& slices, const std::string& vari
     while (file.getline(text.data(), text.size())) {
         ++number;
         const std::string line = text.data();
-        if (word_of(line).empty()) continue;
-        std::istringstream words(line);
+        if (lowercase_name(line).empty()) continue;
+        std::istringstream entry(line);
         double place = 0;
         std::string profile;
-        if (!(words >> place) || !std::getline(words, profile))
+        if (!(entry >> place) || !std::getline(entry, profile))
             throw Failure(variable + ": line " + std::to_string(number) + " of " + list->string() +
                           " must have a number and the file of a profile.");
         std::optional<std::filesystem::path> found = file_named(profile, list->parent_path());

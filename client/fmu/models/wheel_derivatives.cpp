@@ -58,10 +58,10 @@ std::vector<double> WheelModel::derivatives() {
             say(values);
             check(contactd_wheel_solve(w), w);
         } catch (...) {
-            if (!wants_derivatives_) contactd_set(w, "state.derivatives", 0);  // steps go on without
+            if (!requests_derivatives_) contactd_set(w, "state.derivatives", 0);  // steps go on without
             throw;
         }
-        has_derivatives_ = wants_derivatives_ = true;
+        has_derivatives_ = requests_derivatives_ = true;
     }
     std::vector<double> all(places.of.size() * columns, std::numeric_limits<double>::quiet_NaN());
     for (std::size_t by = 0; by < by_force; ++by) {

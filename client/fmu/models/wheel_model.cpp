@@ -12,7 +12,7 @@ consteval std::size_t at(std::string_view name) {
     return reference_of(wheel_variables, name);
 }
 
-constexpr std::size_t forces_told[] = {at("Fx"), at("Fy"), at("Fz"), at("Mx"), at("My"), at("Mz")};
+constexpr std::size_t forces_reported[] = {at("Fx"), at("Fy"), at("Fz"), at("Mx"), at("My"), at("Mz")};
 
 }  // namespace
 
@@ -40,17 +40,17 @@ void WheelModel::solve_start(Values& values) {
     check(contactd_wheel_set_timeout(w, values[at("limits.step")]), w);
     if (!converged)
         tell_(Status::warning,
-              "The outputs before the first step did not converge: they are estimates. " + doubts(values));
+              "The outputs before the first step did not converge: they are estimates. " + quality_flags(values));
 }
 
 void WheelModel::step(Values& values, double) {
     has_derivatives_ = false;  // those that the handle has are of a solve that may be discarded
     const std::vector<double> asked = values.numbers;
     if (!solved(values) && !values.is(at("accept_unconverged")))
-        throw Failure(Status::discard, "The step did not converge, and is discarded. " + doubts(values) +
+        throw Failure(Status::discard, "The step did not converge, and is discarded. " + quality_flags(values) +
                                            " Try another position or force, other tolerances, or accept_unconverged.");
     solved_ = asked;
-    has_derivatives_ = wants_derivatives_;
+    has_derivatives_ = requests_derivatives_;
 }
 
 bool WheelModel::solved(Values& values) {
@@ -60,7 +60,7 @@ bool WheelModel::solved(Values& values) {
     return values.is(at("converged"));
 }
 
-std::string WheelModel::doubts(const Values& values) const {
+std::string WheelModel::quality_flags(const Values& values) const {
     std::string text = "Fz is " + std::to_string(values[at("Fz")]) + " N";
     if (values.whole(at("vertical")) == 0) text += " of " + std::to_string(values[at("load.Fz")]) + " N";
     text += ".";
@@ -86,7 +86,7 @@ void WheelModel::say(const Values& v) {
         angles != 0)  // each angle is beside its coefficient
         check(contactd_set_array(w, "setup.friction.mu", &v.numbers[at("friction.angle[1]")], 2 * angles), w);
     if (v.whole(at("friction.kinetic.law")) == 0) return;
-    const std::string law(word_at(wheel_variables[at("friction.kinetic.law")], v[at("friction.kinetic.law")]));
+    const std::string law(keyword_of(wheel_variables[at("friction.kinetic.law")], v[at("friction.kinetic.law")]));
     check(contactd_set_word(w, "setup.friction.kinetic.law", law.c_str()), w);
     set("setup.friction.kinetic.mu", v[at("friction.kinetic.mu")]);
     set("setup.friction.kinetic.slip_velocity", v[at("friction.kinetic.slip_velocity")]);
@@ -95,10 +95,10 @@ void WheelModel::say(const Values& v) {
 void WheelModel::read(Values& values) {
     contactd_wheel* w = wheel_.get();
     const Variable& coordinates = wheel_variables[at("coordinates")];
-    const std::string path = "forces." + std::string(word_at(coordinates, values[at("coordinates")]));
+    const std::string path = "forces." + std::string(keyword_of(coordinates, values[at("coordinates")]));
     double forces[6] = {};
     check(contactd_get_array(w, path.c_str(), forces, 6), w);
-    for (std::size_t part = 0; part < 6; ++part) values[forces_told[part]] = forces[part];
+    for (std::size_t part = 0; part < 6; ++part) values[forces_reported[part]] = forces[part];
     read_fields(w, values);
     read_patches(values);
 }
@@ -116,7 +116,7 @@ void WheelModel::read_patches(Values& values) {
         values[at("area.adhesion")] += read_field(w, path + "solution.area.adhesion");
         values[at("area.slip")] += read_field(w, path + "solution.area.slip");
         values[at("power")] += read_field(w, path + "solution.frictional_power");
-        if (patch >= patches_told) continue;
+        if (patch >= patches_reported) continue;
         for (std::size_t part = 0; part < detail::patch_values; ++part)
             values[first + static_cast<std::size_t>(patch) * detail::patch_values + part] =
                 read_field(w, path + std::string(detail::patch_parts[part].path));

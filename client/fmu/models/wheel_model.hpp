@@ -23,7 +23,7 @@ class WheelModel final : public Model {
     /// With outputs in `values`, and whether it converged.
     bool solved(Values& values);
     /// Why the step just made is discarded.
-    std::string doubts(const Values& values) const;
+    std::string quality_flags(const Values& values) const;
     void read(Values& values);
     void read_patches(Values& values);
 
@@ -32,7 +32,7 @@ class WheelModel final : public Model {
     ConnectionHandle connection_;
     WheelHandle wheel_;
     std::vector<double> solved_;  // the numbers of the last step
-    bool wants_derivatives_ = false;
+    bool requests_derivatives_ = false;
     bool has_derivatives_ = false;  // of the numbers above
 };
 

@@ -41,7 +41,8 @@ void set_file(contactd_wheel* w, const Values& values, const BodyPlaces& of, con
 
 void set_profile(contactd_wheel* w, const Values& values, const BodyPlaces& of,
                  const std::filesystem::path& resources) {
-    const std::string name = word_of(values.text(of.profile)), profile(of.profile_path), shape = profile + "." + name;
+    const std::string name = lowercase_name(values.text(of.profile)), profile(of.profile_path),
+                      shape = profile + "." + name;
     if (name == "cone" || name == "arc") {
         if (name == "arc") set_field(w, shape + ".radius", values[of.radius]);
         set_field(w, shape + ".slope", values[of.slope]);
@@ -73,7 +74,7 @@ void set_fields(contactd_wheel* w, const Values& values, Role role) {
         if (variable.enumeration == nullptr)
             set_field(w, path, values[at]);
         else
-            set_word(w, path, word_at(variable, values[at]));
+            set_keyword(w, path, keyword_of(variable, values[at]));
     }
 }
 

@@ -1,4 +1,4 @@
-// What contacts and wheels have in common: where they are solved, how long that may take, friction and accuracy.
+// Contacts and wheels have these in common: where they are solved, how long that may take, friction and accuracy.
 #pragma once
 
 #include <array>
@@ -7,10 +7,10 @@
 
 namespace contactd::fmu {
 
-inline constexpr std::string_view model_words[] = {"full", "hertz", "fastsim"};
-inline constexpr Enumeration models{"Model", model_words};
-inline constexpr std::string_view kinetic_words[] = {"none", "linear", "exponential"};
-inline constexpr Enumeration kinetic_laws{"KineticFriction", kinetic_words};
+inline constexpr std::string_view model_keywords[] = {"full", "hertz", "fastsim"};
+inline constexpr Enumeration models{"Model", model_keywords};
+inline constexpr std::string_view kinetic_keywords[] = {"none", "linear", "exponential"};
+inline constexpr Enumeration kinetic_laws{"KineticFriction", kinetic_keywords};
 
 inline constexpr auto common_variables = std::to_array<Variable>({
     {.name = "time", .role = Role::time, .unit = "s", .says = "Time, at the end of the last step."},
@@ -25,12 +25,12 @@ inline constexpr auto common_variables = std::to_array<Variable>({
     real("limits.connect", Role::parameter, "s", 5,
          "How long to wait for somebody to listen; never more than limits.step."),
     at_path("setup.model",
-            word("model", models, 0,
-                 "full: boundary elements. hertz: closed forms. fastsim: Hertz, and Kalker's simplified theory.")),
+            keyword("model", models, 0,
+                    "full: boundary elements. hertz: closed forms. fastsim: Hertz, and Kalker's simplified theory.")),
     number("model_number", "model", models, "In the place of model: 0 full, 1 hertz, 2 fastsim; -1: as model says."),
     at_path("setup.friction.mu", real("friction.mu", Role::input, "", 0.3, "Coefficient of (static) friction.")),
     boolean("friction.none", Role::parameter, false, "No friction: nothing but normal contact is solved."),
-    word("friction.kinetic.law", kinetic_laws, 0, "How friction falls with the velocity of slip."),
+    keyword("friction.kinetic.law", kinetic_laws, 0, "How friction falls with the velocity of slip."),
     number("friction.kinetic.law_number", "friction.kinetic.law", kinetic_laws,
            "In the place of friction.kinetic.law: 0 none, 1 linear, 2 exponential; -1: as friction.kinetic.law says."),
     real("friction.kinetic.mu", Role::tunable, "", 0.2,

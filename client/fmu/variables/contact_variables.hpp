@@ -5,15 +5,15 @@
 
 namespace contactd::fmu {
 
-inline constexpr std::string_view gap_words[] = {"radii", "semi_axes"};
-inline constexpr Enumeration gaps{"Gap", gap_words};
-inline constexpr std::string_view load_words[] = {"force", "approach"};
-inline constexpr Enumeration loads{"Load", load_words};
-inline constexpr std::string_view motion_words[] = {"steady", "transient", "shift"};
-inline constexpr Enumeration motions{"Motion", motion_words};
-inline constexpr std::string_view coefficient_words[] = {"half_space", "half_space_by_elements", "block_by_elements",
-                                                         "layer"};
-inline constexpr Enumeration coefficients{"Coefficients", coefficient_words};
+inline constexpr std::string_view gap_keywords[] = {"radii", "semi_axes"};
+inline constexpr Enumeration gaps{"Gap", gap_keywords};
+inline constexpr std::string_view load_keywords[] = {"force", "approach"};
+inline constexpr Enumeration loads{"Load", load_keywords};
+inline constexpr std::string_view motion_keywords[] = {"steady", "transient", "shift"};
+inline constexpr Enumeration motions{"Motion", motion_keywords};
+inline constexpr std::string_view coefficient_keywords[] = {"half_space", "half_space_by_elements", "block_by_elements",
+                                                            "layer"};
+inline constexpr Enumeration coefficients{"Coefficients", coefficient_keywords};
 
 namespace detail {
 inline constexpr auto contact_alone = std::to_array<Variable>({
@@ -24,8 +24,8 @@ inline constexpr auto contact_alone = std::to_array<Variable>({
     real("upper.G", Role::parameter, "N/mm2", 82000, "Shear modulus of the upper body."),
     real("upper.nu", Role::parameter, "", 0.28, "Poisson's ratio of the upper body."),
     boolean("upper.rigid", Role::parameter, false, "The upper body does not deform."),
-    word("upper.coefficients", coefficients, 0,
-         "What the upper body is: in closed form, by finite elements, or layered."),
+    keyword("upper.coefficients", coefficients, 0,
+            "What the upper body is: in closed form, by finite elements, or layered."),
     number("upper.coefficients_number", "upper.coefficients", coefficients,
            "In the place of upper.coefficients: 0 half_space, 1 half_space_by_elements, 2 block_by_elements, 3 layer; "
            "-1: as upper.coefficients says."),
@@ -36,7 +36,7 @@ inline constexpr auto contact_alone = std::to_array<Variable>({
     real("lower.G", Role::parameter, "N/mm2", 82000, "The same of the lower body."),
     real("lower.nu", Role::parameter, "", 0.28, "The same of the lower body."),
     boolean("lower.rigid", Role::parameter, false, "The same of the lower body."),
-    word("lower.coefficients", coefficients, 0, "The same of the lower body."),
+    keyword("lower.coefficients", coefficients, 0, "The same of the lower body."),
     number("lower.coefficients_number", "lower.coefficients", coefficients,
            "The same of the lower body; -1: as that says."),
     real("lower.layer.thickness", Role::parameter, "mm", 1, "The same of the lower body."),
@@ -44,21 +44,22 @@ inline constexpr auto contact_alone = std::to_array<Variable>({
     real("lower.layer.nu", Role::parameter, "", 0.28, "The same of the lower body."),
     real("elements.accuracy", Role::parameter, "", 1e-3, "Largest relative error of coefficients by finite elements."),
     real("elements.L_over_h", Role::parameter, "", 640, "Of a block: half its width over the size of an element."),
-    word("gap.kind", gaps, 0, "radii: h = x^2/(2 Rx) + y^2/(2 Ry). semi_axes: that of a Hertzian contact with these."),
+    keyword("gap.kind", gaps, 0,
+            "radii: h = x^2/(2 Rx) + y^2/(2 Ry). semi_axes: that of a Hertzian contact with these."),
     number("gap.kind_number", "gap.kind", gaps,
            "In the place of gap.kind: 0 radii, 1 semi_axes; -1: as gap.kind says."),
     real("gap.Rx", Role::tunable, "mm", 460, "Combined radius of curvature along x."),
     real("gap.Ry", Role::tunable, "mm", 300, "Combined radius of curvature along y."),
     real("gap.a", Role::tunable, "mm", 6, "Semi-axis along x."),
     real("gap.b", Role::tunable, "mm", 4, "Semi-axis along y."),
-    word("load.kind", loads, 0, "What is prescribed: the normal force, or the approach of the bodies."),
+    keyword("load.kind", loads, 0, "What is prescribed: the normal force, or the approach of the bodies."),
     number("load.kind_number", "load.kind", loads,
            "In the place of load.kind: 0 force, 1 approach; -1: as load.kind says."),
     real("load.Fn", Role::input, "N", 50e3, "Normal force, where it is prescribed."),
     real("load.approach", Role::input, "mm", 0.05, "Approach, where it is prescribed."),
-    word("motion.kind", motions, 0,
-         "steady: rolling in its steady state. transient: rolling on from the step before, by velocity times step "
-         "size. shift: sliding on from the step before."),
+    keyword("motion.kind", motions, 0,
+            "steady: rolling in its steady state. transient: rolling on from the step before, by velocity times step "
+            "size. shift: sliding on from the step before."),
     number("motion.kind_number", "motion.kind", motions,
            "In the place of motion.kind: 0 steady, 1 transient, 2 shift; -1: as motion.kind says."),
     real("motion.xi", Role::input, "", 0, "Longitudinal creepage of rolling."),

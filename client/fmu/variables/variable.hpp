@@ -16,7 +16,7 @@ enum class Role { time, parameter, tunable, input, output };
 /// Words, the first of which stands for 0: the order is that of contactd.h where it has them.
 struct Enumeration {
     std::string_view name;
-    std::span<const std::string_view> words;
+    std::span<const std::string_view> keywords;
 };
 
 /// A variable's value reference is its place in its list.
@@ -61,7 +61,7 @@ constexpr Variable boolean(std::string_view name, Role role, bool start, std::st
 constexpr Variable text(std::string_view name, std::string_view start, std::string_view says) {
     return {.name = name, .type = Type::text, .text = start, .says = says};
 }
-constexpr Variable word(std::string_view name, const Enumeration& of, int start, std::string_view says) {
+constexpr Variable keyword(std::string_view name, const Enumeration& of, int start, std::string_view says) {
     return {.name = name, .type = Type::enumeration, .start = double(start), .enumeration = &of, .says = says};
 }
 
@@ -81,7 +81,7 @@ constexpr Variable keyword_at(std::string_view path, const Enumeration& keywords
     return at_path(path, variable);
 }
 
-/// Of an integer in the place of an enumeration: what that says, holds.
+/// The value of an integer in the place of an enumeration that leaves it to that.
 inline constexpr int as_the_enumeration = -1;
 
 /// An integer in the place of the enumeration `as`, for importers that know none.
@@ -95,8 +95,8 @@ constexpr Variable number(std::string_view name, std::string_view as, const Enum
 }
 
 /// The keyword that a value of such a variable stands for.
-constexpr std::string_view word_at(const Variable& variable, double value) {
-    return variable.enumeration->words[static_cast<std::size_t>(value)];
+constexpr std::string_view keyword_of(const Variable& variable, double value) {
+    return variable.enumeration->keywords[static_cast<std::size_t>(value)];
 }
 
 /// The value reference of a name. Throws for one that is not in the list.
@@ -106,7 +106,7 @@ constexpr std::size_t reference_in(std::span<const Variable> list, std::string_v
     throw "the list has no variable of this name";
 }
 
-/// The same while compiling: a name that is in no list is a mistake of ours.
+/// Returns that while compiling: a name that is in no list is a mistake of ours.
 consteval std::size_t reference_of(std::span<const Variable> list, std::string_view name) {
     return reference_in(list, name);
 }

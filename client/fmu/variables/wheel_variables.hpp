@@ -6,25 +6,25 @@
 
 namespace contactd::fmu {
 
-inline constexpr std::string_view side_words[] = {"left", "right"};
-inline constexpr Enumeration sides{"Side", side_words};
-inline constexpr std::string_view coordinate_words[] = {"track", "rail", "wheelset"};
-inline constexpr Enumeration coordinate_systems{"Coordinates", coordinate_words};
-inline constexpr std::string_view conformal_words[] = {"off", "half_space", "rotated", "fem", "auto"};
-inline constexpr Enumeration conformal_kinds{"Conformal", conformal_words};
-inline constexpr std::string_view search_words[] = {"locus", "mesh"};
-inline constexpr Enumeration searches{"Search", search_words};
-inline constexpr std::string_view rigid_slip_words[] = {"plane", "surfaces"};
-inline constexpr Enumeration rigid_slips{"RigidSlip", rigid_slip_words};
-inline constexpr std::string_view vertical_words[] = {"force", "position"};
-inline constexpr Enumeration verticals{"Vertical", vertical_words};
+inline constexpr std::string_view side_keywords[] = {"left", "right"};
+inline constexpr Enumeration sides{"Side", side_keywords};
+inline constexpr std::string_view coordinate_keywords[] = {"track", "rail", "wheelset"};
+inline constexpr Enumeration coordinate_systems{"Coordinates", coordinate_keywords};
+inline constexpr std::string_view conformal_keywords[] = {"off", "half_space", "rotated", "fem", "auto"};
+inline constexpr Enumeration conformal_kinds{"Conformal", conformal_keywords};
+inline constexpr std::string_view search_keywords[] = {"locus", "mesh"};
+inline constexpr Enumeration searches{"Search", search_keywords};
+inline constexpr std::string_view rigid_slip_keywords[] = {"plane", "surfaces"};
+inline constexpr Enumeration rigid_slips{"RigidSlip", rigid_slip_keywords};
+inline constexpr std::string_view vertical_keywords[] = {"force", "position"};
+inline constexpr Enumeration verticals{"Vertical", vertical_keywords};
 
 /// How many patches have variables of their own.
-inline constexpr int patches_told = 3;
+inline constexpr int patches_reported = 3;
 
 namespace detail {
 inline constexpr auto wheel_alone = std::to_array<Variable>({
-    at_path("setup.side", word("side", sides, 1, "Which wheel of the wheelset, in the direction of travel.")),
+    at_path("setup.side", keyword("side", sides, 1, "Which wheel of the wheelset, in the direction of travel.")),
     number("side_number", "side", sides, "In the place of side: 0 left, 1 right; -1: as side says."),
     text("wheel.profile", "S1002",
          "S1002, cone, arc, in any case, or a file (.prw, .whl, or two columns): a path, a URI, or a name in the FMU's "
@@ -87,8 +87,8 @@ inline constexpr auto wheel_alone = std::to_array<Variable>({
     keyword_at("setup.patches.search", searches,
                boolean("mesh_search", Role::parameter, false,
                        "Contacts are looked for on a mesh seen from above, not along a locus.")),
-    at_path("setup.conformal", word("conformal", conformal_kinds, 0,
-                                    "Whether contacts are curved across the track, and with which coefficients.")),
+    at_path("setup.conformal", keyword("conformal", conformal_kinds, 0,
+                                       "Whether contacts are curved across the track, and with which coefficients.")),
     number("conformal_number", "conformal", conformal_kinds,
            "In the place of conformal: 0 off, 1 half_space, 2 rotated, 3 fem, 4 auto; -1: as conformal says."),
     keyword_at("setup.rigid_slip", rigid_slips,
@@ -96,11 +96,12 @@ inline constexpr auto wheel_alone = std::to_array<Variable>({
                        "Elements slip by the motion of both surfaces there, not by creepages.")),
     at_path("setup.force.tolerance",
             real("tolerances.force", Role::parameter, "", 1e-6, "Of the search for the height that brings load.Fz.")),
-    word("vertical", verticals, 0, "What is prescribed: the vertical force, and the height is found; or the height."),
+    keyword("vertical", verticals, 0,
+            "What is prescribed: the vertical force, and the height is found; or the height."),
     number("vertical_number", "vertical", verticals,
            "In the place of vertical: 0 force, 1 position; -1: as vertical says."),
     boolean("prescribe_Fx", Role::parameter, false, "The longitudinal force is prescribed, and the pitch rate found."),
-    word("coordinates", coordinate_systems, 0, "Those of the forces and moments, and their origin."),
+    keyword("coordinates", coordinate_systems, 0, "Those of the forces and moments, and their origin."),
     number("coordinates_number", "coordinates", coordinate_systems,
            "In the place of coordinates: 0 track, 1 rail, 2 wheelset; -1: as coordinates says."),
     at_path("state.position.x", real("position.x", Role::input, "mm", 0,
@@ -174,7 +175,7 @@ consteval auto friction_variables() {
     return all;
 }
 
-inline constexpr std::string_view patch_names[][patches_told] = {
+inline constexpr std::string_view patch_names[][patches_reported] = {
     {"patch[1].x", "patch[2].x", "patch[3].x"},          {"patch[1].y", "patch[2].y", "patch[3].y"},
     {"patch[1].z", "patch[2].z", "patch[3].z"},          {"patch[1].angle", "patch[2].angle", "patch[3].angle"},
     {"patch[1].Fn", "patch[2].Fn", "patch[3].Fn"},       {"patch[1].Fx", "patch[2].Fx", "patch[3].Fx"},
@@ -183,7 +184,7 @@ inline constexpr std::string_view patch_names[][patches_told] = {
     {"patch[1].xi", "patch[2].xi", "patch[3].xi"},       {"patch[1].eta", "patch[2].eta", "patch[3].eta"},
     {"patch[1].phi", "patch[2].phi", "patch[3].phi"},    {"patch[1].power", "patch[2].power", "patch[3].power"},
 };
-/// What a patch has, each by its path below the patch; 0 where it does not have it.
+/// The outputs of a patch, each by its path below the patch; 0 where it does not have it.
 inline constexpr struct {
     std::string_view unit, path, says;
 } patch_parts[] = {
@@ -205,8 +206,8 @@ inline constexpr struct {
 inline constexpr std::size_t patch_values = std::size(patch_parts);
 
 consteval auto patch_variables() {
-    std::array<Variable, patches_told * patch_values> all;
-    for (std::size_t patch = 0; patch < patches_told; ++patch)
+    std::array<Variable, patches_reported * patch_values> all;
+    for (std::size_t patch = 0; patch < patches_reported; ++patch)
         for (std::size_t part = 0; part < patch_values; ++part)
             all[patch * patch_values + part] =
                 real(patch_names[part][patch], Role::output, patch_parts[part].unit, 0, patch_parts[part].says);

@@ -163,6 +163,10 @@ TEST_CASE("The set-up of a contact stays from its start on, and its load does no
     CHECK(after.Fx != before.Fx);
     CHECK(std::abs(after.Fn / before.Fn - 2) < 1e-6);
     CHECK(get(contact, "step") == 2);
+    refused(contactd_clear(contact, "friction"), contact, "friction", "set it to 0");
+    refused(contactd_clear(contact, "friction.mu"), contact, "friction.mu", "set it to 0");
+    set(contact, "friction.mu", 0);
+    CHECK(stepped(contact).Fx == 0);
 }
 
 TEST_CASE("Results of a contact are read by their paths", "[c]") {

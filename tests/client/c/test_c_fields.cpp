@@ -169,7 +169,7 @@ TEST_CASE("A path or a value that is wrong is refused at once, and changes nothi
     refused(contactd_set(w, nullptr, 1), w, "path", "is NULL");
     refused(contactd_set_word(w, "setup.model", "Hertz"), w, "setup.model", "one of full, hertz, fastsim");
     refused(contactd_set_word(w, "setup.dx", "hertz"), w, "setup.dx", "takes a number");
-    refused(contactd_set_word(w, "setup.model", nullptr), w, "word", "is NULL");
+    refused(contactd_set_word(w, "setup.model", nullptr), w, "keyword", "is NULL");
     refused(contactd_clear(w, "setup.dx"), w, "setup.dx", "is always there");
     CHECK(contactd_get(w, "forces.track.Fx", &value) == CONTACTD_FAILED_PRECONDITION);
     require_ok(contactd_wheel_solve(w), w);

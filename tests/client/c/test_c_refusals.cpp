@@ -130,7 +130,7 @@ TEST_CASE("Pointers that are NULL are refused by name", "[c]") {
     };
     double value = 0;
     refused(contactd_set(c, nullptr, 1), "path");
-    refused(contactd_set_word(c, "model", nullptr), "word");
+    refused(contactd_set_word(c, "model", nullptr), "keyword");
     refused(contactd_set_array(c, "gap.array", nullptr, 4), "values");
     refused(contactd_set_array(c, nullptr, one, 4), "path");
     refused(contactd_set_table(c, nullptr, 1, 1, 1, 1, one, 9), "path");

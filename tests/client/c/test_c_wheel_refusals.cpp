@@ -96,7 +96,7 @@ TEST_CASE("Of a wheel, pointers that are NULL are refused by name", "[c]") {
         CHECK(field() == name);
     };
     refused(contactd_set(w, nullptr, 1), "path");
-    refused(contactd_set_word(w, "setup.side", nullptr), "word");
+    refused(contactd_set_word(w, "setup.side", nullptr), "keyword");
     refused(contactd_set_array(w, nullptr, one, 3), "path");
     refused(contactd_set_array(w, "setup.friction.mu", nullptr, 2), "values");
     refused(contactd_set_array(w, "setup.friction.mu", one, 0), "count");

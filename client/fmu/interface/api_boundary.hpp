@@ -9,7 +9,7 @@
 
 namespace contactd::fmu {
 
-/// Of the categories in an array of C; NULL among them is left out.
+/// Returns the texts of an array of C; NULL among them is left out.
 inline std::vector<std::string> texts_of(const char* const* texts, std::size_t count) {
     std::vector<std::string> all;
     for (std::size_t k = 0; texts != nullptr && k < count; ++k)
@@ -17,7 +17,7 @@ inline std::vector<std::string> texts_of(const char* const* texts, std::size_t c
     return all;
 }
 
-/// What a function is given as an array. Throws Failure for NULL unless it is empty.
+/// Returns an array that a function is given. Throws Failure for NULL unless it is empty.
 template <class Value>
 std::span<Value> given(Value* values, std::size_t count, const char* name) {
     if (values == nullptr && count > 0) throw Failure(std::string(name) + " is NULL.");

@@ -1,5 +1,4 @@
-// What contacts and wheels have in common: one user at a time, a log, the last failure, and calls that another thread
-// can end.
+// Contacts and wheels have one user at a time, a log, the last failure, and calls that another thread can cancel.
 #pragma once
 
 #include <atomic>
@@ -10,19 +9,19 @@
 #include <string>
 
 #include "connection.hpp"
+#include "handle_guard.hpp"
 #include "paths.hpp"
-#include "turn.hpp"
 
 namespace contactd::c {
 
-class Called {
+class CancellableHandle {
    public:
-    std::atomic<int> user;  ///< of Turn
+    std::atomic<int> user;  ///< of HandleGuard
     PathCache paths;        ///< of who has its turn
 
     /// From any thread: ends what runs, and what has its turn but does not run yet.
     void cancel() {
-        Turn::cancel(user);
+        HandleGuard::cancel(user);
         const std::scoped_lock lock(mutex_);
         stop_.request_stop();
     }
@@ -32,7 +31,7 @@ class Called {
     void warn(const std::string& sentence) {
         constexpr std::size_t most = 1000;
         if (log_.is_set) return log_(CONTACTD_LOG_WARNING, sentence);
-        if (told_.size() < most && told_.insert(sentence).second)
+        if (warned_.size() < most && warned_.insert(sentence).second)
             std::fprintf(stderr, "contactd: warning: %s\n", sentence.c_str());
     }
     void keep(const Failure& failure) {
@@ -45,13 +44,13 @@ class Called {
     }
 
    protected:
-    Called(const Connection& connection, Roots inputs, Roots results)
+    CancellableHandle(const Connection& connection, Roots inputs, Roots results)
         : user(0),
           paths(inputs, results),
           backend_(connection.backend),
-          settings_(connection.told().first),
-          log_(connection.told().second) {}
-    ~Called() = default;
+          settings_(connection.snapshot().first),
+          log_(connection.snapshot().second) {}
+    ~CancellableHandle() = default;
 
     /// Calls `ask` with a Control that cancel() reaches.
     template <class Ask>
@@ -60,11 +59,11 @@ class Called {
         {
             const std::scoped_lock lock(mutex_);
             stop_ = std::stop_source();
-            if (Turn::is_cancelled(user)) stop_.request_stop();
+            if (HandleGuard::is_cancelled(user)) stop_.request_stop();
             control.stop = stop_.get_token();
         }
         struct Ended {
-            Called& called;
+            CancellableHandle& called;
             ~Ended() {
                 const std::scoped_lock lock(called.mutex_);
                 called.stop_ = std::stop_source(std::nostopstate);
@@ -78,7 +77,7 @@ class Called {
     const Log log_;
 
    private:
-    std::set<std::string> told_;
+    std::set<std::string> warned_;
     mutable std::mutex mutex_;  // guards what follows
     std::stop_source stop_{std::nostopstate};
     Failure last_;

@@ -1,14 +1,14 @@
 // What one thread runs and another cancels.
 #include <catch2/catch_test_macros.hpp>
 
-#include "called.hpp"
+#include "cancellable_handle.hpp"
 
 namespace contactd::c {
 namespace {
 
-class Asked : public Called {
+class Asked : public CancellableHandle {
    public:
-    Asked() : Called(Connection(nullptr), {}, {}) {}
+    Asked() : CancellableHandle(Connection(nullptr), {}, {}) {}
     bool is_stopped() {
         return controlled([](const Control& control) { return control.stop.stop_requested(); });
     }
@@ -16,7 +16,7 @@ class Asked : public Called {
 
 TEST_CASE("A call that has its turn is cancelled before what it asks runs", "[c]") {
     Asked asked;
-    const Turn turn(asked.user);
+    const HandleGuard turn(asked.user);
     asked.cancel();
     CHECK(asked.is_stopped());
     CHECK(asked.is_stopped());  // whatever else the same call asks
@@ -31,7 +31,7 @@ TEST_CASE("A call is cancelled while what it asks runs", "[c]") {
             });
         }
     } asked;
-    const Turn turn(asked.user);
+    const HandleGuard turn(asked.user);
     CHECK(asked.is_stopped_within());
 }
 
@@ -39,19 +39,19 @@ TEST_CASE("To cancel when nothing runs does nothing to later calls", "[c]") {
     Asked asked;
     asked.cancel();
     {
-        const Turn turn(asked.user);
+        const HandleGuard turn(asked.user);
         CHECK_FALSE(asked.is_stopped());
         asked.cancel();
     }
-    const Turn turn(asked.user);
+    const HandleGuard turn(asked.user);
     CHECK_FALSE(asked.is_stopped());
 }
 
 TEST_CASE("A call that is cancelled keeps its turn", "[c]") {
     Asked asked;
-    const Turn turn(asked.user);
+    const HandleGuard turn(asked.user);
     asked.cancel();
-    CHECK_THROWS_AS(Turn(asked.user), StatusError);
+    CHECK_THROWS_AS(HandleGuard(asked.user), StatusError);
 }
 
 }  // namespace

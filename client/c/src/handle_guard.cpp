@@ -1,4 +1,4 @@
-#include "turn.hpp"
+#include "handle_guard.hpp"
 
 #include <pthread.h>
 

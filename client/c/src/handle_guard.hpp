@@ -14,9 +14,9 @@ int generation() noexcept;
 /// Holds `user` while it lives: a generation, negative once the turn is cancelled, 0 for nobody. Throws StatusError
 /// (CONCURRENT_USE) when somebody of this process does already; what a fork copied of a holder in the parent holds
 /// nothing.
-class Turn {
+class HandleGuard {
    public:
-    explicit Turn(std::atomic<int>& user) : user_(user) {
+    explicit HandleGuard(std::atomic<int>& user) : user_(user) {
         const int self = generation();
         int holder = user_.load();
         do {
@@ -27,9 +27,9 @@ class Turn {
                     "one that runs goes on. Use one for each thread.");
         } while (!user_.compare_exchange_weak(holder, self));
     }
-    ~Turn() { user_.store(0); }
-    Turn(const Turn&) = delete;
-    Turn& operator=(const Turn&) = delete;
+    ~HandleGuard() { user_.store(0); }
+    HandleGuard(const HandleGuard&) = delete;
+    HandleGuard& operator=(const HandleGuard&) = delete;
 
     /// From any thread: the turn that is held, if there is one, until its end.
     static void cancel(std::atomic<int>& user) noexcept {

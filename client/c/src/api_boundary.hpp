@@ -10,8 +10,8 @@
 #include "connection.hpp"
 #include "contact.hpp"
 #include "contactd.h"
+#include "handle_guard.hpp"
 #include "handles.hpp"
-#include "turn.hpp"
 #include "wheel.hpp"
 
 namespace contactd::c {
@@ -52,11 +52,11 @@ std::int32_t with(contactd_connection* handle, const Body& body) noexcept {
 
 /// Calls `body` with one of the objects, for which it is this thread's turn.
 template <class Object, class Handle, class Body>
-std::int32_t with_turn(const Handles<Object, Handle>& all, Handle* handle, const Body& body) noexcept {
+std::int32_t with_guard(const Handles<Object, Handle>& all, Handle* handle, const Body& body) noexcept {
     std::shared_ptr<Object> object;
     try {
         object = all.find(handle);
-        const Turn turn(object->user);
+        const HandleGuard turn(object->user);
         try {
             body(*object);
         } catch (...) {
@@ -70,11 +70,11 @@ std::int32_t with_turn(const Handles<Object, Handle>& all, Handle* handle, const
 }
 template <class Body>
 std::int32_t with(contactd_contact* handle, const Body& body) noexcept {
-    return with_turn(contacts(), handle, body);
+    return with_guard(contacts(), handle, body);
 }
 template <class Body>
 std::int32_t with(contactd_wheel* handle, const Body& body) noexcept {
-    return with_turn(wheels(), handle, body);
+    return with_guard(wheels(), handle, body);
 }
 
 /// Ends what runs with one of the objects, from any thread.

@@ -1,4 +1,4 @@
-#include "edge.hpp"
+#include "api_boundary.hpp"
 
 namespace contactd::c {
 
