@@ -44,8 +44,8 @@ CASES = {
     # bodies and coefficients
     "bodies-that-differ-without-friction": f"{UNLIKE}; start; step",
     "a-rigid-body": f"{SPHERE}; rigid lower; start; step",
-    "tents": f"{SPHERE}; half_space both bilinear; start; step",
-    "a-rigid-body-and-tents": f"{SPHERE}; rigid upper; half_space lower bilinear; start; step",
+    "hat-functions": f"{SPHERE}; half_space both bilinear; start; step",
+    "a-rigid-body-and-hat-functions": f"{SPHERE}; rigid upper; half_space lower bilinear; start; step",
     "a-table-of-the-pair": f"{SPHERE}; table pair 12 12 0.2 0.2 0.0009765625; start; step",
     "a-table-of-a-body": f"{SPHERE}; table upper 12 12 0.2 0.2 0.0009765625; {SHIFT}; start; step",
     "a-rubber-layer": f"{SPHERE}; layers upper constant 0 0 0.5 20 0.5; start; step",
