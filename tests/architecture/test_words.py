@@ -110,7 +110,6 @@ FILES = {
 ORDINARY_IN_PYTHON = frozenset({"words?", "columns?", "touch|pulling", "quick"})
 #: Files that quote everyday expressions, and why.
 QUOTING = {
-    "client/fmu/variables/wheel_fields.hpp": "sentences of the schemas",
     "tests/docs/test_glossary.py": "an example of what not to write",
     "tests/integration/test_wheelset_roll.py": "a warning of core",
     "tests/support/field_words.py": "the expressions themselves",

@@ -42,14 +42,16 @@ def test_each_path_is_one_of_a_wheel_or_a_contact(handles):
 
 def test_the_paths_that_a_refusal_names_have_constants(handles):
     """What stands beside each other in the library is what the header has."""
-    library, wheel, _ = handles
+    library, wheel, contact = handles
     number = ctypes.c_int32()
     known = {path.replace("[%d]", "[0]") for path in PATHS}
-    for above in ("setup", "state", "setup.track", "setup.rail", "forces", "patches[0].place", "patches[0].solution"):
-        assert library.contactd_path(wheel, f"{above}.nothing".encode(), ctypes.byref(number)) == 3
-        said = library.contactd_last_error(wheel).decode()
-        names = re.search(r', but ([\w, ]+)', said)[1].split(", ")
-        without = {"motion", "derivatives"}  # of a contact: forms of their own, which functions read
+    of_wheel = ("setup", "state", "setup.track", "setup.rail", "forces", "patches[0].place", "patches[0].solution")
+    of_contact = ("grid", "bodies.lower", "ics", "ics.section.outline", "gap", "friction", "friction.rolling", "settings", "motion")
+    for handle, above in [*((wheel, above) for above in of_wheel), *((contact, above) for above in of_contact)]:
+        assert library.contactd_path(handle, f"{above}.nothing".encode(), ctypes.byref(number)) == 3
+        refusal = library.contactd_last_error(handle).decode()
+        names = re.search(r', but ([\w, ]+)', refusal)[1].split(", ")
+        without = {"motion", "derivatives"}  # of a contact alone
         assert {f"{above}.{name}" for name in names if above != "patches[0].solution" or name not in without} <= known
 
 
