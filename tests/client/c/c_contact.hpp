@@ -43,13 +43,13 @@ inline constexpr std::array every_array{"element_division", "pressure", "tractio
 inline constexpr int across = 12, elements = across * across;
 
 /// Two bodies of rubber and a sphere, on 12 x 12 elements: what all cases have in common.
-inline constexpr std::pair<const char*, double> sphere[] = {
+inline constexpr std::pair<const char*, double> sphere_fields[] = {
     {"grid.nx", across},       {"grid.ny", across},       {"grid.dx", 0.2},
     {"grid.dy", 0.2},          {"bodies.upper.G", 200},   {"bodies.upper.nu", 0.42},
     {"gap.paraboloid.Rx", 50}, {"gap.paraboloid.Ry", 50}, {"approach", 0.02},
 };
 inline void set_sphere(contactd_contact* contact) {
-    for (const auto& [path, value] : sphere) set(contact, path, value);
+    for (const auto& [path, value] : sphere_fields) set(contact, path, value);
 }
 
 /// A contact whose steps take some seconds: many transient steps on many elements.

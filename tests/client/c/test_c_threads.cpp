@@ -62,7 +62,7 @@ TEST_CASE("Ten threads with a contact each come to the same", "[c]") {
             threads.emplace_back([&] {
                 contactd_contact* contact = nullptr;
                 std::int32_t code = contactd_new(place, &contact);
-                for (const auto& [path, value] : sphere)
+                for (const auto& [path, value] : sphere_fields)
                     if (!code) code = contactd_set(contact, path, value);
                 if (!code) code = contactd_set(contact, "friction.mu", 0.4);
                 if (!code) code = contactd_set(contact, "friction.rigid_shift.x", 1e-3);
@@ -179,7 +179,7 @@ TEST_CASE("A forked process makes contacts of its own, and leaves those of its p
         int wrong = contactd_step(contact) != CONTACTD_FAILED_PRECONDITION;
         wrong += std::string(contactd_last_reason(contact)) != "CONCURRENT_USE";
         std::int32_t code = contactd_new(place, &own);
-        for (const auto& [path, value] : sphere)
+        for (const auto& [path, value] : sphere_fields)
             if (!code) code = contactd_set(own, path, value);
         if (!code) code = contactd_start(own);
         if (!code) code = contactd_step(own);
