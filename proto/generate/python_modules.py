@@ -20,7 +20,7 @@ class Module:
 MODULES = [
     Module(
         "service",
-        "What a daemon tells of itself, of its work and of sessions.",
+        "A daemon's account of itself, of its work and of sessions.",
         (
             "progress.json#/properties/progress",
             "server.info.result.json#",
@@ -40,7 +40,7 @@ MODULES = [
     ),
     Module(
         "materials",
-        "What bodies are made of. Any consistent system of units works; the docstrings name N and mm.",
+        "Materials, layers and bodies. Any consistent system of units works; the docstrings name N and mm.",
         (
             "definitions.json#/definitions/material",
             "definitions.json#/definitions/body/properties/rigid",
@@ -109,7 +109,7 @@ MODULES = [
     ),
     Module(
         "result",
-        "What is answered of a contact. Arrays are read-only; copy one to change it.",
+        "Answers of contacts. Arrays are read-only; copy one to change it.",
         ("definitions.json#/definitions/derivatives_of_answer", "contact.solve.result.json#"),
     ),
     Module(
@@ -123,7 +123,7 @@ MODULES = [
     ),
     Module(
         "records",
-        "What a daemon keeps: tables in its store, and its last solves.",
+        "Records that a daemon keeps: tables in its store, and its last solves.",
         (
             "solves.recent.result.json#/properties/solves/items",
             "solves.pressures.result.json#/properties/patches/items",
@@ -134,7 +134,7 @@ MODULES = [
     ),
     Module(
         "problem",
-        "What is asked: contact problems as plain, immutable values. Any consistent system of units works; the docstrings name N "
+        "Contact problems as plain, immutable values. Any consistent system of units works; the docstrings name N "
         "and mm. Ranges are the daemon's business: a value it cannot use comes back as InvalidArgument naming the field.",
         (
             "contact.solve.params.json#/properties/previous",
@@ -143,7 +143,7 @@ MODULES = [
         ),
         is_asked=True,
     ),
-    Module("step_input", "What a step of a contact says.", ("session.step.params.json# StepInput",)),
+    Module("step_input", "Inputs of a step of a contact.", ("session.step.params.json# StepInput",)),
     Module(
         "wheel_rail/setup",
         "A wheel on a rail: what all steps of a simulation have in common. Lengths in mm, angles in rad, forces in N on the "
@@ -159,7 +159,7 @@ MODULES = [
     ),
     Module(
         "wheel_rail/step_input",
-        "What a step of a wheel on its rail says.",
+        "Inputs of a step of a wheel on its rail.",
         ("session.step.params.json# WheelRailStepInput",),
     ),
     Module(
@@ -193,7 +193,7 @@ MODULES = [
     ),
     Module(
         "wheel_rail/result",
-        "What is answered of a wheel on its rail, and of a wheelset. Lengths in mm, angles in rad, forces in N on the rail.",
+        "Answers of a wheel on its rail, and of a wheelset. Lengths in mm, angles in rad, forces in N on the rail.",
         ("wheelrail.solve.result.json#", "wheelrail.wheelset.result.json#"),
     ),
 ]

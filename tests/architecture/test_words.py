@@ -24,7 +24,7 @@ WITH_COMMENTS = [
     "tests/server", "tests/verification", "tests/support", "tests/fuzz",
 ]  # fmt: skip
 PYTHON = [
-    "bench", "docs", "packaging", "proto", "tests/integration", "tests/support", "tests/fuzz", "tests/load", "tests/conformance",
+    "bench", "client/python", "docs", "packaging", "proto", "tests/integration", "tests/support", "tests/fuzz", "tests/load", "tests/conformance",
     "tests/bench", "tests/docs",
 ]  # fmt: skip
 #: Whole words of a name in snake case, and what the field says.
@@ -102,6 +102,8 @@ FILES = {
     "client/c/include/contactd/paths.h": "paths of the wire, and constants of keywords",
     "tests/core/fem/*": "prisms, the shape of finite elements",
     "bench/import_time.py": "statements of Python",
+    "client/python/contactctl/dashboard/*.py": "`said` of a Sample and `patience` of a Watcher, which tests name",
+    "client/python/contactd/values/dictionaries.py": "`told`, the argument of the public from_dict",
     "packaging/wheels/import_time.py": "statements of Python",
     "bench/paper/fem/*": "prisms, the shape of finite elements",
     "tests/bench/paper/fem/*": "prisms, the shape of finite elements",

@@ -32,8 +32,8 @@ for family in (info, tables, solve, wheelrail, session, jobs, watch, bench, dash
     family.add_to(app)
 
 
-def _say_version(wanted: bool) -> None:
-    if wanted:
+def _say_version(requested: bool) -> None:
+    if requested:
         typer.echo(f"contactctl {__version__}")
         raise typer.Exit
 

@@ -15,7 +15,7 @@ from .progress import Bar
 
 __all__ = ["OwnBuilds", "ask"]
 
-_PATIENCE = 1.0  # seconds until the daemon has heard that nobody waits any more
+_LONGEST_WAIT = 1.0  # seconds until the daemon has heard that the request is abandoned
 
 
 class OwnBuilds:
@@ -37,20 +37,20 @@ class OwnBuilds:
         return max(self._seen, default="")
 
     def cancel(self) -> None:
-        """Ends those that nobody waits for any more, now that the requests are cancelled."""
+        """Ends those of abandoned requests, now that the requests are cancelled."""
         with uninterrupted():
             self._cancel()
 
     def _cancel(self) -> None:
         try:
-            deadline = time.monotonic() + _PATIENCE
+            deadline = time.monotonic() + _LONGEST_WAIT
             while self._may_change(mine := self._running()) and time.monotonic() < deadline:
                 time.sleep(0.05)
             for job in mine:
                 if job.callers:
                     note(f"{job.job} goes on: others wait for it.")
                     continue
-                self._client.cancel_job(job.job, timeout=_PATIENCE)
+                self._client.cancel_job(job.job, timeout=_LONGEST_WAIT)
                 note(f"{job.job} is cancelled.")
         except ContactdError as error:
             note(f"contactctl: what was started cannot be cancelled: {error}")
@@ -59,11 +59,11 @@ class OwnBuilds:
         return any(job.callers for job in mine) or not (mine or self._seen)
 
     def _running(self) -> list[Job]:
-        jobs = [job for job in self._client.jobs(timeout=_PATIENCE) if job.job.startswith("build-")]
+        jobs = [job for job in self._client.jobs(timeout=_LONGEST_WAIT) if job.job.startswith("build-")]
         new = [job for job in jobs if job.job not in self._others]
         if self._seen:
             return [job for job in new if job.job in self._seen]
-        # Interrupted before the daemon told its name: one that nobody waits for.
+        # Interrupted before the daemon told its name: an abandoned one.
         return [job for job in new if not job.callers]
 
 

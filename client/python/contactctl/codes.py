@@ -20,7 +20,7 @@ from contactd import (
 __all__ = ["Code", "Ended", "HungUp", "Terminated", "code_of"]
 
 
-#: Of a file or folder that was named, as opposed to a disk that is full or broken.
+#: These errors are those of a file or folder that was named, as opposed to a disk that is full or broken.
 _UNUSABLE = {
     errno.EACCES, errno.EPERM, errno.EROFS, errno.ENOENT, errno.ENOTDIR, errno.EISDIR, errno.EEXIST, errno.ELOOP, errno.ENAMETOOLONG,
     errno.EINVAL, errno.EFBIG, errno.ENXIO,

@@ -31,7 +31,7 @@ def _of_environment(name: str) -> str | None:
 
 @dataclass
 class Setting:
-    """What the common options say; each stands for an environment variable where it has one."""
+    """Values of the common options; each stands for an environment variable where it has one."""
 
     endpoint: str | None = field(default_factory=lambda: _of_environment("CONTACTD_ENDPOINT"))
     local: bool = False
@@ -103,37 +103,37 @@ class Group(_Helpful, TyperGroup):
 @contextmanager
 def connected(*, workers: int | None = None) -> Iterator[Client]:
     """The client that the options stand for; `workers` of a local one."""
-    said = setting()
-    if said.local:
-        with _local(said, workers) as client:
-            if said.timeout is not None:
-                client.timeout = client.build_timeout = said.timeout
+    given = setting()
+    if given.local:
+        with _local(given, workers) as client:
+            if given.timeout is not None:
+                client.timeout = client.build_timeout = given.timeout
             yield client
         return
-    if said.folder is not None:
+    if given.folder is not None:
         raise click.UsageError("--folder goes with --local: the tables of a daemon are where its configuration says.")
-    with client_of(said) as client:
+    with client_of(given) as client:
         yield client
 
 
-def client_of(said: Setting) -> Client:
+def client_of(given: Setting) -> Client:
     """One of the daemon."""
-    times = {} if said.timeout is None else {"timeout": said.timeout, "build_timeout": said.timeout}
+    times = {} if given.timeout is None else {"timeout": given.timeout, "build_timeout": given.timeout}
     try:
-        return Client(said.endpoint or DEFAULT_ENDPOINT, server_key=said.server_key, own_key=said.own_key, **times)
+        return Client(given.endpoint or DEFAULT_ENDPOINT, server_key=given.server_key, own_key=given.own_key, **times)
     except (ValueError, TypeError) as error:
         raise click.UsageError(str(error)) from None
 
 
 @contextmanager
-def _local(said: Setting, workers: int | None) -> Iterator[Client]:
+def _local(given: Setting, workers: int | None) -> Iterator[Client]:
     config: dict[str, Any] = {} if workers is None else {"workers": workers}
-    folder = None if said.folder is None else Path(said.folder)
+    folder = None if given.folder is None else Path(given.folder)
     if can_solve_here():
         with contactd.local(folder=folder, config=config, in_process=True) as client:
             yield client
         return
-    # What is left when the command ends is wanted by nobody.
+    # Nothing that is left when the command ends is needed.
     config["shutdown"] = {"drain_seconds": 0}
     with LocalDaemon(folder=folder, config=config) as daemon, daemon.client() as client:
         yield client

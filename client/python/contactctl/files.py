@@ -1,4 +1,4 @@
-"""What a user wrote down: JSON or YAML in the words of the wire, with arrays in files of their own where they are large."""
+"""Files that users write: JSON or YAML in the words of the wire, with arrays in files of their own where they are large."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def read_object(path: str) -> dict[str, Any]:
 
 
 def read_named(path: str) -> dict[str, Any]:
-    """As read_object, with the names of files in place of their arrays."""
+    """Reads as read_object does, with the names of files in place of their arrays."""
     document = read_document(path)
     if not isinstance(document, dict):
         raise click.UsageError(f"{path} holds {_kind(document)}; it must hold an object, fields with their values.")
@@ -42,12 +42,12 @@ def read_named(path: str) -> dict[str, Any]:
 
 
 def with_arrays(document: Any, path: str) -> Any:
-    """What `path` holds, with the arrays of the files that it names."""
+    """Returns what `path` holds, with the arrays of the files that it names."""
     return _with_arrays(document, Path() if path == "-" else Path(path).parent, path)
 
 
 def read_document(path: str) -> Any:
-    """As read_object, whatever the file holds, and arrays left as they are."""
+    """Reads as read_object does, whatever the file holds, and arrays left as they are."""
     text = _text(path)
     # JSON is YAML, but for what both say about doubtful numbers and signs.
     is_json = path.endswith(".json") or (path == "-" and text.lstrip()[:1] in ("{", "["))

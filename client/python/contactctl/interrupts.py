@@ -44,7 +44,7 @@ def _hang_up(*_: Any) -> None:
 
 
 def _write_nowhere() -> None:
-    """Of a terminal that has gone: what would be said there must not keep the command from ending in order."""
+    """Leaves a terminal that has gone: what would be said there must not keep the command from ending in order."""
     for descriptor in (1, 2):
         try:
             os.write(descriptor, b"")

@@ -50,9 +50,9 @@ class Reading:
         return reading
 
     def value(self, name: str, **labels: str) -> float:
-        """Of one metric, or the sum over labels that are not said; 0 where there is none."""
-        said = set(labels.items())
-        return sum(value for (found, have), value in self.values.items() if found == name and said <= set(have))
+        """Returns the value of one metric, or the sum over labels that are not said; 0 where there is none."""
+        given = set(labels.items())
+        return sum(value for (found, have), value in self.values.items() if found == name and given <= set(have))
 
 
 def difference(before: Reading, now: Reading) -> dict[str, Any]:
@@ -111,12 +111,12 @@ def quantile(before: Reading, now: Reading, part: float) -> float | None:
             earlier = before.buckets.get(key, {})
             for bound, count in buckets.items():
                 counts[bound] = counts.get(bound, 0) + count - earlier.get(bound, 0)
-    wanted = part * counts.get(math.inf, 0)
-    if wanted <= 0:
+    requested = part * counts.get(math.inf, 0)
+    if requested <= 0:
         return None
     below, reached = 0.0, 0
     for bound, count in sorted(counts.items()):
-        if count >= wanted:
-            return below if bound == math.inf else below + (bound - below) * (wanted - reached) / (count - reached)
+        if count >= requested:
+            return below if bound == math.inf else below + (bound - below) * (requested - reached) / (count - reached)
         below, reached = bound, count
     return below

@@ -1,4 +1,4 @@
-"""What a command says: tables for people or JSON for scripts on standard output, all else on standard error."""
+"""Output of commands: tables for people or JSON for scripts on standard output, all else on standard error."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def warn(sentences: Iterable[str]) -> None:
 
 @contextmanager
 def warned() -> Iterator[None]:
-    """What answers warn of inside is said at its end, with how many of them do."""
+    """Says what answers warn of inside at its end, with how many of them do."""
     counts: Counter[str] = Counter()
     lock = Lock()
 
@@ -81,10 +81,10 @@ def warned() -> Iterator[None]:
             yield
         finally:
             with lock:
-                said = [sentence if count == 1 else f"{sentence} ({count} answers)" for sentence, count in counts.items()]
-            warn(said[:_MOST_WARNINGS])
-            if len(said) > _MOST_WARNINGS:
-                note(f"and {len(said) - _MOST_WARNINGS} other warnings.")
+                given = [sentence if count == 1 else f"{sentence} ({count} answers)" for sentence, count in counts.items()]
+            warn(given[:_MOST_WARNINGS])
+            if len(given) > _MOST_WARNINGS:
+                note(f"and {len(given) - _MOST_WARNINGS} other warnings.")
 
 
 def emit(as_json: bool, value: Any, *shown: RenderableType) -> None:
@@ -145,7 +145,7 @@ def above_rounding(value: float, scale: float) -> float:
 
 
 def counted(count: int, noun: str) -> str:
-    """As in "1 table", "2 tables"."""
+    """Counts things, as in "1 table", "2 tables"."""
     return f"{count} {noun}{'' if count == 1 else 's'}"
 
 

@@ -22,7 +22,7 @@ class Bar:
         self._what = what
         self._bars: Bars | None = None
         self._is_seen = on_terminal(sys.stderr)  # not asked again: a bar puts something else in its place
-        self._has_told = self._has_told_memory = False
+        self._has_reported = self._has_reported_memory = False
 
     def __enter__(self) -> Bar:
         return self
@@ -36,11 +36,11 @@ class Bar:
     def report(self, progress: Progress) -> None:
         """How far a request is."""
         left = "" if progress.seconds_left is None else f"about {span(progress.seconds_left)} to go"
-        if progress.memory_bytes is not None and not self._has_told_memory:
-            self._has_told_memory = True
+        if progress.memory_bytes is not None and not self._has_reported_memory:
+            self._has_reported_memory = True
             self._tell(f"{progress.job or self._what}: about {size(progress.memory_bytes)} of memory, the builder expects.")
-        if progress.seconds_left is not None and not self._has_told:
-            self._has_told = True
+        if progress.seconds_left is not None and not self._has_reported:
+            self._has_reported = True
             self._tell(f"{progress.job or self._what}: {left}, the daemon expects.")
         if progress.iteration:
             left = f"iteration {progress.iteration}, residual {progress.residual:.1e}  {left}"

@@ -49,12 +49,12 @@ def reported() -> Iterator[None]:
 
 
 def drop_output() -> None:
-    """What is still to be written goes nowhere, so that the end of Python does not try again."""
+    """Sends what is still to be written nowhere, so that the end of Python does not try again."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def sentence(error: ContactdError) -> str:
-    """What went wrong, with each field of the request that did."""
+    """Says what went wrong, with each field of the request that did."""
     if not isinstance(error, StatusError):
         return str(error)
     text = error.message.rstrip()

@@ -37,18 +37,18 @@ def write_export(client: Client, params: dict[str, Any], output: str) -> int:
     """How many bytes were written; the file is whole or not there."""
     if output.endswith(".npz"):
         # Builds first, with a bar; then the table lies ready.
-        said = ask(client, "ic.get", {**params, "components": ["zz"], "rows": {"first": 0, "count": 1}}, "building")
-        spec = read(IcSpec, said["spec"], "spec")
+        given = ask(client, "ic.get", {**params, "components": ["zz"], "rows": {"first": 0, "count": 1}}, "building")
+        spec = read(IcSpec, given["spec"], "spec")
         save_table(output, client.get_ic(spec.material, spec.grid, _as_asked(params, spec)))
         return os.path.getsize(output)
-    said = ask(client, "ic.export", {**params, "format": "hdf5" if output.endswith(".h5") else "contact"}, "building")
-    content = said["text"].encode() if "text" in said else np.asarray(said["file"], dtype=np.uint8).tobytes()
+    given = ask(client, "ic.export", {**params, "format": "hdf5" if output.endswith(".h5") else "contact"}, "building")
+    content = given["text"].encode() if "text" in given else np.asarray(given["file"], dtype=np.uint8).tobytes()
     write_whole(output, lambda file: file.write(content))
     return len(content)
 
 
 def _as_asked(params: dict[str, Any], spec: IcSpec) -> AnalyticIcs | FemIcs:
-    """What the request says of the coefficients: the answer has defaults, which do not all go together."""
+    """Returns what the request says of the coefficients: the answer has defaults, which do not all go together."""
     fields = {name: value for name, value in params["ics"].items() if name not in ("source", "layers", "base")}
     if isinstance(spec.ics, FemIcs):
         return FemIcs(**fields)
@@ -63,10 +63,10 @@ def shown_file(path: str) -> tuple[dict[str, Any], Any]:
         raise click.UsageError(f"{path} cannot be read: {error.strerror or error}.") from None
     if isinstance(table, TableIcs):
         ny, nx = table.array.shape[2:]
-        said = {"file": path, "of": "pair", "nx": nx, "ny": ny, "dx": table.dx, "dy": table.dy, "G": table.G}
+        given = {"file": path, "of": "pair", "nx": nx, "ny": ny, "dx": table.dx, "dy": table.dy, "G": table.G}
         rows: list[tuple[str, Any]] = [("of", "a pair of bodies"), ("modulus G", table.G)]
         rows += [("offsets", f"{nx} x {ny} of {table.dx:g} x {table.dy:g} mm")]
-        return said, facts(path, [*rows, ("in memory", size(table.array.nbytes))])
+        return given, facts(path, [*rows, ("in memory", size(table.array.nbytes))])
     return {"file": path, "of": "body", "spec": table.spec, "evidence": table.evidence}, _shown(path, table)
 
 

@@ -1,4 +1,4 @@
-"""What table is meant: a file in the words of ic.get, options for what most often differs, and --set for all else."""
+"""Choice of a table: a file in the words of ic.get, options for what most often differs, and --set for all else."""
 
 from __future__ import annotations
 

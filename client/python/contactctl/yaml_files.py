@@ -12,7 +12,7 @@ __all__ = ["parse_yaml"]
 
 #: Values that are written there. Each takes a kilobyte until all are read; larger arrays are better in files of their own.
 _MOST_VALUES = 200_000
-#: The same with those that aliases and merges repeat. A few lines can stand for thousands of millions.
+#: This is the most with those that aliases and merges repeat. A few lines can stand for thousands of millions.
 _MOST_REPEATED = 500_000
 _WORDS = (
     ("null", r"~|null|Null|NULL|", ["~", "n", "N", ""]),

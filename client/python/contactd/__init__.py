@@ -163,7 +163,7 @@ register(FUNCTIONS)
 
 
 def __getattr__(name: str) -> Any:
-    """What takes asyncio along is imported when it is first wanted."""
+    """Imports what takes asyncio along when it is first requested."""
     if name in ("AsyncClient", "AsyncSession", "AsyncWheelRailSession"):
         from . import aio
 

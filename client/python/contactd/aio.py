@@ -200,7 +200,7 @@ class AsyncClient(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, Session
         progress: bool = False,
         **problem_fields: Unpack[ProblemFields],
     ) -> ContactSolution | PartialSolution:
-        """As Client.solve."""
+        """Solves as Client.solve does."""
         return await self._run(solved(self, problem, problem_fields, fields, timeout, on_progress, progress))
 
     @overload
@@ -233,7 +233,7 @@ class AsyncClient(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, Session
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
     ) -> list[Any]:
-        """As Client.solve_many."""
+        """Solves as Client.solve_many does."""
         return await self._run(solved_many(self, problems, fields, timeout, on_progress, progress))
 
     @overload
@@ -253,7 +253,7 @@ class AsyncClient(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, Session
     ) -> list[StepSolution | WheelRailStepSolution | StatusError]: ...
     @public
     async def step_many(self, steps: Iterable[Any], *, timeout: float | None = None) -> list[Any]:
-        """As Client.step_many."""
+        """Takes steps as Client.step_many does."""
         return await self._run(stepped_sessions(self, steps, timeout))
 
     async def _carry_out(self, asked: Request | Pause) -> Reply | None:

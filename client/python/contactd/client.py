@@ -21,7 +21,7 @@ from .calls.wheel_rail import WheelRailCalls
 from .calls.wheel_rail_session import WheelRailSession
 from .errors import StatusError, TimeoutExpired, Unauthenticated
 from .refusals import public
-from .transport.connections import Connections, Lender
+from .transport.connections import ConnectionPool, Connections
 from .transport.messages import Reply, Request
 from .values.partial_solution import PartialSolution, StepSolution
 from .values.problem import ContactProblem
@@ -88,9 +88,9 @@ class Client(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls
             own_key=own_key,
         )
         self.spin = spin_of(spin)
-        self._connections = self._lender()
+        self._connections = self._pool()
 
-    def _lender(self) -> Lender:
+    def _pool(self) -> ConnectionPool:
         return Connections(self.endpoint, self._curve, self.spin)
 
     def __getstate__(self) -> dict[str, Any]:
@@ -279,7 +279,7 @@ class Client(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls
 
 
 class ClientOptions(TypedDict, total=False):
-    """Of Client, beside the endpoint."""
+    """Options of Client, beside the endpoint."""
 
     timeout: float | None
     build_timeout: float | None

@@ -154,13 +154,13 @@ class DeadlineExceeded(StatusError, TimeoutExpired):
 
 
 class NotFound(StatusError):
-    """What the request names does not exist."""
+    """Raised where what the request names does not exist."""
 
     code, name = 5, "NOT_FOUND"
 
 
 class AlreadyExists(StatusError):
-    """What the request would make exists."""
+    """Raised where what the request would make exists."""
 
     code, name = 6, "ALREADY_EXISTS"
 

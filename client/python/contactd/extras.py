@@ -7,14 +7,14 @@ __all__ = ["FUNCTIONS"]
 #: Method of a value, and the function that does it. Most need a library that is an extra, and say so where it is missing.
 FUNCTIONS = {
     "IcTable.plot": "contactd.pictures.tables:draw_table",
-    "IcTable.to_xarray": "contactd.xarray_datasets:labelled_table",
+    "IcTable.to_xarray": "contactd.xarray_datasets:table_array",
     "Saved.load": "contactd.files.saved:load",
     "Saved.save": "contactd.files.saved:save",
     "Solution.plot": "contactd.pictures.contact:draw_contact",
     "Solution.plot_section": "contactd.pictures.contact:draw_section",
-    "Solution.to_xarray": "contactd.xarray_datasets:labelled_solution",
+    "Solution.to_xarray": "contactd.xarray_datasets:solution_dataset",
     "SubsurfaceStress.plot": "contactd.pictures.stresses:draw_stress",
-    "SubsurfaceStress.to_xarray": "contactd.xarray_datasets:labelled_stress",
+    "SubsurfaceStress.to_xarray": "contactd.xarray_datasets:stress_dataset",
     "TableIcs.from_contact_text": "contactd.files.contact_text:read_text",
     "TableIcs.to_contact_text": "contactd.files.contact_text:format_text",
     "WheelRailSolution.plot": "contactd.pictures.wheel_rail:draw_wheel_rail",

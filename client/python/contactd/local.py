@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 from .client import Client, ClientOptions
 from .errors import DaemonFailed
 from .refusals import public
-from .transport.connections import Lender
+from .transport.connections import ConnectionPool
 from .transport.in_process import Engine, can_solve_here
 from .transport.lifeline import Lifeline
 from .transport.programs import checked, laid_over, program_of
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 __all__ = ["InProcessClient", "LocalDaemon", "local"]
 
-#: Of a configuration, what only a daemon has.
+#: Parts of a configuration that only a daemon has.
 _OF_DAEMONS = ("endpoint", "security", "methods", "log", "http", "shutdown")
 
 
@@ -166,7 +166,7 @@ class LocalDaemon:
 
     @property
     def log(self) -> str:
-        """What the daemon has logged so far."""
+        """Log of the daemon so far."""
         return self.log_path.read_text(errors="replace") if self.log_path.exists() else ""
 
     def client(self, **options: Unpack[ClientOptions]) -> Client:
@@ -225,8 +225,8 @@ class LocalDaemon:
         line, deadline = b"", time.monotonic() + timeout
         assert self.process.stdout is not None
         while not line.endswith(b"\n"):
-            patience = max(0.0, deadline - time.monotonic())
-            if not select.select([self.process.stdout], [], [], patience)[0]:
+            longest_wait = max(0.0, deadline - time.monotonic())
+            if not select.select([self.process.stdout], [], [], longest_wait)[0]:
                 raise DaemonFailed(f"contactd was not ready within {timeout:g} s. Its log:\n{self.log}")
             chunk = os.read(self.process.stdout.fileno(), 4096)
             if not chunk:
@@ -246,7 +246,7 @@ class InProcessClient(Client):
         self._folder, self._config = None if folder is None else Path(folder), config or {}
         super().__init__("local")
 
-    def _lender(self) -> Lender:
+    def _pool(self) -> ConnectionPool:
         return Engine(self._folder, self._config)
 
     def __getstate__(self) -> dict[str, Any]:

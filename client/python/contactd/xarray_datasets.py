@@ -14,7 +14,7 @@ from .values.tables import IcTable
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["labelled_solution", "labelled_stress", "labelled_table"]
+__all__ = ["solution_dataset", "stress_dataset", "table_array"]
 
 _ARRAYS = {
     "element_division": ("0 exterior, 1 adhesion, 2 slip", "1"),
@@ -43,8 +43,8 @@ def _places(grid: Grid) -> dict[str, Any]:
     return {"y": _length("y", grid.y), "x": _length("x", grid.x)}
 
 
-def labelled_solution(solution: Solution[Any, Any]) -> xarray.Dataset:
-    """What Solution.to_xarray returns."""
+def solution_dataset(solution: Solution[Any, Any]) -> xarray.Dataset:
+    """Makes what Solution.to_xarray returns."""
     if solution.grid is None:
         raise ValueError("grid is None; a solution with coordinates must be one of a client, which knows its grid")
     arrays: dict[str, Any] = {
@@ -58,19 +58,19 @@ def labelled_solution(solution: Solution[Any, Any]) -> xarray.Dataset:
     return dataset
 
 
-def labelled_table(table: IcTable) -> xarray.DataArray:
-    """What IcTable.to_xarray returns."""
+def table_array(table: IcTable) -> xarray.DataArray:
+    """Makes what IcTable.to_xarray returns."""
     grid, axes = table.spec.grid, list("xyz")
     offsets = {"dy": _length("dy", np.arange(grid.ny) * grid.dy), "dx": _length("dx", np.arange(grid.nx) * grid.dx)}
-    labelled: xarray.DataArray = _xarray().DataArray(
+    array_with_labels: xarray.DataArray = _xarray().DataArray(
         table.array, {"displacement": axes, "load": axes, **offsets}, ("displacement", "load", "dy", "dx"),
         "influence_coefficients", {"units": "mm^3/N", "key": table.key, "origin": table.origin},
     )  # fmt: skip
-    return labelled
+    return array_with_labels
 
 
-def labelled_stress(stress: SubsurfaceStress) -> xarray.Dataset:
-    """What SubsurfaceStress.to_xarray returns."""
+def stress_dataset(stress: SubsurfaceStress) -> xarray.Dataset:
+    """Makes what SubsurfaceStress.to_xarray returns."""
     if stress.block is not None:
         dimensions: tuple[str, ...] = ("z", "y", "x")
         places = {name: _length(name, np.atleast_1d(getattr(stress.block, name))) for name in dimensions}

@@ -23,8 +23,8 @@ def add_to(app: typer.Typer) -> None:
 def info() -> None:
     """Versions, limits and counters of the daemon."""
     with connected() as client:
-        said = client.info()
-        emit(setting().json, said, *_shown(client.endpoint, said))
+        given = client.info()
+        emit(setting().json, given, *_shown(client.endpoint, given))
 
 
 def health() -> None:
@@ -33,20 +33,20 @@ def health() -> None:
     Ends with 0 when it serves, and with 3 when it is ending.
     """
     with connected() as client:
-        said = client.call("server.health")
-    emit(setting().json, said, str(said["state"]))
-    if said["state"] != "serving":
+        given = client.call("server.health")
+    emit(setting().json, given, str(given["state"]))
+    if given["state"] != "serving":
         raise typer.Exit(Code.CONNECTION)
 
 
-def _shown(endpoint: str, said: ServerInfo) -> list[RenderableType]:
-    title = f"contactd {said.version} ({said.commit}) at {endpoint}"
-    queue, cache, limits = said.queue, said.cache, said.limits
+def _shown(endpoint: str, given: ServerInfo) -> list[RenderableType]:
+    title = f"contactd {given.version} ({given.commit}) at {endpoint}"
+    queue, cache, limits = given.queue, given.cache, given.limits
     return [
         facts(
             title,
             [
-                ("running for", span(said.uptime_seconds)),
+                ("running for", span(given.uptime_seconds)),
                 ("solves", f"{queue['solves_running']} running, {queue['solves_waiting']} waiting"),
                 ("builds", f"{queue['builds_running']} running, {queue['builds_waiting']} waiting"),
                 ("tables in memory", f"{cache['tables']}, {size(cache['bytes'])} of {size(cache['budget_bytes'])}"),
@@ -57,7 +57,7 @@ def _shown(endpoint: str, said: ServerInfo) -> list[RenderableType]:
             ],
         ),
         "",
-        listing("Since it started", ["counter", "count"], said.counters.items()),
+        listing("Since it started", ["counter", "count"], given.counters.items()),
         "",
-        listing("Libraries", ["library", "version"], said.libraries.items()),
+        listing("Libraries", ["library", "version"], given.libraries.items()),
     ]

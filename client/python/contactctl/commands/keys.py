@@ -48,9 +48,9 @@ def new(
     curve = f'curve\n    public-key = "{public}"\n'
     _write(secret_file, f'# Secret key of {name}: for {name} alone.\n{curve}    secret-key = "{secret}"\n', 0o600)
     _write(public_file, f"# Public key of {name}: for the others.\n{curve}", 0o644)
-    said = {"public": str(public_file), "secret": str(secret_file), "public_key": public}
+    given = {"public": str(public_file), "secret": str(secret_file), "public_key": public}
     rows = [("public key, for the others", str(public_file)), (f"secret key, for {name} alone", str(secret_file))]
-    emit(setting().json, said, facts(f"Keys of {name}", rows))
+    emit(setting().json, given, facts(f"Keys of {name}", rows))
 
 
 def show(file: Annotated[Path, typer.Argument(help="NAME.key or NAME.key_secret.")]) -> None:
@@ -66,9 +66,9 @@ def show(file: Annotated[Path, typer.Argument(help="NAME.key or NAME.key_secret.
     except ValueError:
         raise click.UsageError(f'{file} has no line public-key = "...": it is no key file.') from None
     is_private = not file.stat().st_mode & 0o077
-    said = {"public_key": public.decode(), "secret": secret is not None, "private": is_private}
+    given = {"public_key": public.decode(), "secret": secret is not None, "private": is_private}
     secrecy = "none" if secret is None else ("for its owner alone" if is_private else f"OTHERS CAN READ IT: chmod 600 {file}")
-    emit(setting().json, said, facts(str(file), [("public key", public.decode()), ("secret key", secrecy)]))
+    emit(setting().json, given, facts(str(file), [("public key", public.decode()), ("secret key", secrecy)]))
 
 
 def _write(file: Path, text: str, mode: int) -> None:

@@ -50,7 +50,7 @@ def session(
     if accept:
         opening["accept_unconverged"] = True
     answers: list[dict[str, Any]] = []
-    # What was solved is shown however it ends.
+    # Steps that were solved are shown however the session ends.
     with connected() as client, _opened(client, opening) as name, Bar("stepping") as bar:
         try:
             for number, step in enumerate(steps, 1):
@@ -69,8 +69,8 @@ def _show(answers: list[dict[str, Any]]) -> None:
     columns = ["step", "Fn (N)", "Fx (N)", "Fy (N)", "Mz (N mm)", "approach (mm)", "pmax (N/mm^2)", "adhesion", "slip", "converged"]
     rows = []
     for answer in answers:
-        said = dict(contact_rows(answer))
-        found = [said.get(name) for name in columns[1:7]]
+        given = dict(contact_rows(answer))
+        found = [given.get(name) for name in columns[1:7]]
         counts = [answer["elements"][name] for name in ("adhesion", "slip")]
         rows.append((answer["step"], *found, *counts, bool(answer["converged"])))
     emit(setting().json, {"steps": answers}, listing(None, columns, rows))

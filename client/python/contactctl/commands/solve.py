@@ -20,7 +20,7 @@ from ..output import above_rounding, emit, facts, number
 from ..paths import changed
 from ..saving import ARRAYS, check_outputs, save
 
-__all__ = ["Fields", "Outputs", "Set", "add_to", "contact_rows", "wanted_fields"]
+__all__ = ["Fields", "Outputs", "Set", "add_to", "contact_rows", "requested_fields"]
 
 Set = Annotated[list[str] | None, typer.Option("--set", metavar="PATH=VALUE", help="Change a field, as in friction.mu=0.3; as often as wanted.")]
 Outputs = Annotated[list[str] | None, typer.Option("--output", "-o", metavar="FILE", help="Write the answer to FILE.json or FILE.h5, a picture to FILE.png, .svg or .pdf.")]
@@ -41,7 +41,7 @@ def solve(
     """Solve a contact problem; ends with 5 when it did not converge."""
     outputs = check_outputs(output or ())
     params = changed(read_object(file), sets or ())
-    wanted_fields(params, fields, outputs)
+    requested_fields(params, fields, outputs)
     with connected() as client:
         answer = ask(client, "contact.solve", params, "solving")
     for path in outputs:
@@ -51,7 +51,7 @@ def solve(
         raise Ended(Code.NOT_CONVERGED, "a solver missed its tolerance; evidence says which.")
 
 
-def wanted_fields(params: dict[str, Any], fields: str | None, outputs: list[Path]) -> None:
+def requested_fields(params: dict[str, Any], fields: str | None, outputs: list[Path]) -> None:
     """Puts into `params` the arrays that the answer shall hold: of a table none, for pictures all."""
     if fields is not None:
         names = [] if fields == "none" else list(ARRAYS) if fields == "all" else fields.split(",")
@@ -102,11 +102,11 @@ def contact_rows(answer: dict[str, Any]) -> list[tuple[str, Any]]:
 def _motion(motion: dict[str, Any]) -> str:
     units = {"rigid_shift": " mm", "rotation": " rad", "phi": " rad/mm", "force": " N"}
     names = ("rigid_shift", "rotation", "xi", "eta", "phi", "force")
-    said = []
+    given = []
     for name in names:
         value = motion.get(name)
         values = value if isinstance(value, list) else [value]
         if any(values):
             text = ", ".join(number(None if part is None else float(part)) for part in values)
-            said.append(f"{name} {text}{units.get(name, '')}")
-    return "; ".join(said) or "none"
+            given.append(f"{name} {text}{units.get(name, '')}")
+    return "; ".join(given) or "none"

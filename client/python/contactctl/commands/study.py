@@ -93,15 +93,15 @@ def _solved(
         journal.forget(unwanted)
     there = {key: there[key] for key in (keys & there.keys()) - unwanted}
 
-    def told() -> str:
+    def reported() -> str:
         return f"{len(keys & (there.keys() | journal.rows.keys()))} of {len(keys)} rows are in {journal.path}"
 
     if there:
-        note(f"{told()}{' and beside it' if there.keys() - journal.rows.keys() else ''}.")
+        note(f"{reported()}{' and beside it' if there.keys() - journal.rows.keys() else ''}.")
     try:
         _solve(plan, [case for case in cases if case.key not in there], len(there), journal, workers, dask)
     except BaseException:
-        note(f"{told()}; the same command goes on.")
+        note(f"{reported()}; the same command goes on.")
         raise
     found = best(journal.rows, there)
     return [found[case.key] for case in cases]
@@ -136,12 +136,12 @@ def _show(plan: Plan, rows: list[dict[str, Any]], table: Path | None) -> None:
         csv.writer(written, lineterminator="\n").writerows([[*columns, "error"], *([*line, row.get("error", "")] for line, row in zip(cells, rows))])
         write_text(table, written.getvalue())
     codes = Counter(row["code"] for row in rows)
-    said = f"{len(rows)} rows: {codes.pop(Code.DONE, 0)} done"
+    given = f"{len(rows)} rows: {codes.pop(Code.DONE, 0)} done"
     unconverged = codes.pop(Code.NOT_CONVERGED, 0)
-    said += f", {unconverged} not converged" if unconverged else ""
-    said += f", {codes.total()} failed" if codes else ""
+    given += f", {unconverged} not converged" if unconverged else ""
+    given += f", {codes.total()} failed" if codes else ""
     more = [f"... {len(rows) - _SHOWN} more rows: {table or '--csv FILE'} has them all"] if len(rows) > _SHOWN else []
-    emit(setting().json, {"rows": rows}, listing(None, columns, shown), *more, "", said)
+    emit(setting().json, {"rows": rows}, listing(None, columns, shown), *more, "", given)
     solved = [row["answers"] for row in rows if "answers" in row]
     warn(f"no answer has {name}" for name in answers if solved and all(found[name] is None for found in solved))
     for row in [row for row in rows if "error" in row][:5]:

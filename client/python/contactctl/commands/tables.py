@@ -61,22 +61,22 @@ def build(
     # A row of one component travels, so that a table of any size can be built.
     part = {**params, "components": ["zz"], "rows": {"first": 0, "count": 1}}
     with connected() as client:
-        said = ask(client, "ic.get", part, "building")
-    del said["table"], said["rows"], said["components"]
-    emit(setting().json, said, _shown(said))
+        inputs = ask(client, "ic.get", part, "building")
+    del inputs["table"], inputs["rows"], inputs["components"]
+    emit(setting().json, inputs, _shown(inputs))
 
 
-def _shown(said: dict[str, Any]) -> RenderableType:
-    evidence, grid = said["evidence"], said["spec"]["grid"]
+def _shown(inputs: dict[str, Any]) -> RenderableType:
+    evidence, grid = inputs["evidence"], inputs["spec"]["grid"]
     seconds = evidence.get("seconds", {}).get("total")
     errors = evidence.get("errors") or {}
     kind = "estimated" if evidence.get("errors_estimated") else "against the closed form"
     worst = max((errors[name]["largest"] for name in ("xx", "yy", "zz") if name in errors), default=None)
     return facts(
-        f"Table {said['key'][:16]}",
+        f"Table {inputs['key'][:16]}",
         [
-            ("key", said["key"]),
-            ("came from", {"closed_form": "closed form"}.get(said["origin"], said["origin"])),
+            ("key", inputs["key"]),
+            ("came from", {"closed_form": "closed form"}.get(inputs["origin"], inputs["origin"])),
             ("offsets", f"{grid['nx']} x {grid['ny']} of {grid['dx']:g} x {grid['dy']:g} mm"),
             ("elements", evidence.get("elements")),
             ("unknowns", evidence.get("dofs")),
@@ -110,10 +110,10 @@ def _shown_quarantine(quarantined: tuple[QuarantinedIc, ...]) -> RenderableType:
 def show(
     table: Annotated[str, typer.Argument(metavar="KEY|FILE", help="A key of ic list, its beginning, or a .h5, .npz or .txt file.")],
 ) -> None:
-    """What a file holds, or what the store knows of a key."""
+    """Shows what a file holds, or what the store knows of a key."""
     if table.endswith((".h5", ".npz", ".txt")):
-        said, shown = shown_file(table)
-        emit(setting().json, said, shown)
+        inputs, shown = shown_file(table)
+        emit(setting().json, inputs, shown)
         return
     with connected() as client:
         key = _whole_key(client, table)

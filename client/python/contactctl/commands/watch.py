@@ -41,43 +41,43 @@ def watch(
         while count is None or look < count:
             time.sleep(interval)
             now, look = Reading.of(client.metrics()), look + 1
-            said = difference(before, now)
+            given = difference(before, now)
             before = now
             if is_live:
-                live.update(_screen(client.endpoint, said, client.jobs()), refresh=True)
+                live.update(_screen(client.endpoint, given, client.jobs()), refresh=True)
             else:
-                emit(as_json, said, _line(said))
+                emit(as_json, given, _line(given))
 
 
-def _line(said: dict[str, Any]) -> str:
+def _line(given: dict[str, Any]) -> str:
     return (
-        f"{said['requests_per_second']:.4g} requests/s  {said['solves_per_second']:.4g} solves/s  "
-        f"{said['workers_busy']:.0f} of {said['workers']:.0f} workers  {said['builds_running']:.0f} builds  "
-        f"{said['sessions']:.0f} sessions  {size(said['resident_bytes'])}"
+        f"{given['requests_per_second']:.4g} requests/s  {given['solves_per_second']:.4g} solves/s  "
+        f"{given['workers_busy']:.0f} of {given['workers']:.0f} workers  {given['builds_running']:.0f} builds  "
+        f"{given['sessions']:.0f} sessions  {size(given['resident_bytes'])}"
     )
 
 
-def _screen(endpoint: str, said: dict[str, Any], jobs: tuple[Job, ...]) -> Stack:
+def _screen(endpoint: str, given: dict[str, Any], jobs: tuple[Job, ...]) -> Stack:
     rates = facts(
-        f"{endpoint}, running for {span(said['uptime_seconds'])}; Ctrl-C ends",
+        f"{endpoint}, running for {span(given['uptime_seconds'])}; Ctrl-C ends",
         [
-            ("requests", f"{said['requests_per_second']:.4g} a second, {said['open_requests']:.0f} open"),
-            ("solves", f"{said['solves_per_second']:.4g} a second, {said['solves_waiting']:.0f} waiting"),
-            ("workers", f"{said['workers_busy']:.0f} of {said['workers']:.0f} busy"),
-            ("builds", f"{said['builds_running']:.0f} running, {said['builds_waiting']:.0f} waiting"),
-            ("sessions", f"{said['sessions']:.0f}, {size(said['session_bytes'])}"),
-            ("tables", f"{said['tables']:.0f} in memory, {said['store_tables']:.0f} ({size(said['store_bytes'])}) in the store"),
-            ("connections", f"{said['connections']:.0f}"),
-            ("memory", f"{size(said['resident_bytes'])}, without builders"),
-            ("processor", f"{100 * said['processors']:.0f} % of one"),
+            ("requests", f"{given['requests_per_second']:.4g} a second, {given['open_requests']:.0f} open"),
+            ("solves", f"{given['solves_per_second']:.4g} a second, {given['solves_waiting']:.0f} waiting"),
+            ("workers", f"{given['workers_busy']:.0f} of {given['workers']:.0f} busy"),
+            ("builds", f"{given['builds_running']:.0f} running, {given['builds_waiting']:.0f} waiting"),
+            ("sessions", f"{given['sessions']:.0f}, {size(given['session_bytes'])}"),
+            ("tables", f"{given['tables']:.0f} in memory, {given['store_tables']:.0f} ({size(given['store_bytes'])}) in the store"),
+            ("connections", f"{given['connections']:.0f}"),
+            ("memory", f"{size(given['resident_bytes'])}, without builders"),
+            ("processor", f"{100 * given['processors']:.0f} % of one"),
         ],
     )
     methods = listing(
         None, ["method", "a second", "mean time"],
-        [(name, f"{rate['per_second']:.4g}", span(rate["mean_seconds"])) for name, rate in said["methods"].items()],
+        [(name, f"{rate['per_second']:.4g}", span(rate["mean_seconds"])) for name, rate in given["methods"].items()],
     )  # fmt: skip
     parts: list[Any] = [rates]
-    if said["methods"]:
+    if given["methods"]:
         parts += ["", methods]
     if jobs:
         parts += ["", shown_jobs(jobs)]

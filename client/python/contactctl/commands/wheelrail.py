@@ -17,7 +17,7 @@ from ..files import read_object
 from ..output import emit, facts, listing
 from ..paths import changed, get
 from ..saving import check_outputs, save
-from .solve import Fields, Outputs, Set, wanted_fields
+from .solve import Fields, Outputs, Set, requested_fields
 
 __all__ = ["add_to"]
 
@@ -47,7 +47,7 @@ def solve(
     """Patches and forces on the rail; ends with 5 when it did not converge."""
     outputs = check_outputs(output or ())
     params = _params(file, {"y": y, "yaw": yaw, "roll": roll}, Fz, speed, side, mu, sets)
-    wanted_fields(params, fields, outputs)
+    requested_fields(params, fields, outputs)
     with connected() as client:
         answer = ask(client, "wheelrail.solve", params, "solving")
     for path in outputs:

@@ -51,7 +51,7 @@ class Guard:
             await _refuse(scope, send, _OPEN)
 
     def _problem(self, scope: Any) -> str:
-        """What is wrong with Host and Origin, as a sentence; "" where nothing is."""
+        """Says as a sentence what is wrong with Host and Origin; "" where nothing is."""
         hosts, origins = _values(scope, b"host"), _values(scope, b"origin")
         if len(hosts) != 1 or not self._names.hold(hosts[0]):
             asked = ", ".join(hosts)[:200]
@@ -81,7 +81,7 @@ class Guard:
         return any(found.strip() == name and _same(value.strip(), self._session) for found, _, value in pairs)
 
     def _behind_key(self, scope: Any) -> Any:
-        """As NiceGUI knows it: without the key, which it puts in front of the addresses in its page."""
+        """Returns the request as NiceGUI knows it: without the key, which it puts in front of the addresses in its page."""
         before = f"/{self._key}"
         headers = [(name, value) for name, value in scope["headers"] if name != b"x-forwarded-prefix"]
         path = scope["path"].removeprefix(before) or "/"

@@ -52,5 +52,5 @@ class Names:
 
 
 def _with_port(name: str, port: int) -> str:
-    """As browsers write it, who leave out HTTP's own."""
+    """Writes a name as browsers do, which leave out HTTP's own."""
     return name if port == 80 else f"{name}:{port}"

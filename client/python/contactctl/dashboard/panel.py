@@ -1,4 +1,4 @@
-"""What the panels of the page share."""
+"""Parts that the panels of the page share."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Panel:
 
 
 async def answer_of(watcher: Watcher, ask: Callable[..., T], *arguments: Any) -> T | None:
-    """Of a question to the daemon, which a thread waits for; None, and a note on the page, where it fails."""
+    """Returns the answer to a question to the daemon, which a thread waits for; None, and a note on the page, where it fails."""
     try:
         found: T = await run.io_bound(ask, *arguments)
         return found
@@ -39,7 +39,7 @@ async def answer_of(watcher: Watcher, ask: Callable[..., T], *arguments: Any) ->
 
 
 def column(name: str, label: str, *, of_numbers: bool = True) -> dict[str, Any]:
-    """Of a table."""
+    """Describes a column of a table."""
     return {"name": name, "label": label, "field": name, "align": "right" if of_numbers else "left"}
 
 

@@ -117,7 +117,7 @@ class _Question:
         if job.callers:
             self._whose.text = f"It is for {_users(job)}. What waits for it ends with an error: {counted(job.callers, 'request')}."
         else:
-            self._whose.text = "Nobody waits for it any more."
+            self._whose.text = "All requests for it are abandoned."
 
     async def _cancel(self) -> None:
         name = self._job

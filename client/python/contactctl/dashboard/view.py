@@ -1,4 +1,4 @@
-"""What is known of a daemon at one time, as plain, immutable values."""
+"""All that is known of a daemon at one time, as plain, immutable values."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ AWAY = "away"
 
 @dataclass(frozen=True)
 class Sample:
-    """What happened between two looks.
+    """Rates and values between two looks.
 
     Attributes:
         at: When the second was (s since 1970).
@@ -34,7 +34,7 @@ class Sample:
 
 @dataclass(frozen=True)
 class View:
-    """What a look has found; of a daemon that does not answer, what the last one had.
+    """Findings of a look; of a daemon that does not answer, what the last one had.
 
     Attributes:
         state: "connecting", "serving", "stopping", or "away": it does not answer.

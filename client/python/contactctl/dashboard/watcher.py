@@ -24,7 +24,7 @@ T = TypeVar("T")
 
 
 class Watcher:
-    """What is known of a daemon is `view`, which is exchanged whole. Whatever happens to the daemon, the looks go on.
+    """Keeps what is known of a daemon in `view`, which is exchanged whole. Whatever happens to the daemon, the looks go on.
 
     All methods may be called by any thread. Those that ask the daemon raise ContactdError.
     """
@@ -131,9 +131,9 @@ class Watcher:
         return list(self._client.stored_ics(evidence=True, timeout=self._patience))
 
     def pressures(self, number: int) -> tuple[RecentPatch, ...]:
-        """Of one of the last solves."""
+        """Returns the pressures of one of the last solves."""
         return self._client.recent_pressures(number, timeout=self._patience)
 
     def explain(self, error: ContactdError) -> str:
-        """What went wrong, as a sentence for people."""
+        """Says what went wrong, as a sentence for people."""
         return sentence(error)

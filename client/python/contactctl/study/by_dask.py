@@ -23,7 +23,7 @@ _OPEN = ExitStack()  #: what solves in process ends with the worker
 
 
 def run_by_dask(
-    scheduler: str, said: Setting, plan: Plan, cases: Sequence[Case], journal: Journal, on_row: Callable[[], None]
+    scheduler: str, given: Setting, plan: Plan, cases: Sequence[Case], journal: Journal, on_row: Callable[[], None]
 ) -> None:
     """Adds a row for each case, and tells `on_row`. The package must be installed where the workers are."""
     try:
@@ -38,7 +38,7 @@ def run_by_dask(
     with dask:
         by_key = {case.key: case for case in cases}
         arguments = [(case.key, plan.params(case)) for case in cases]
-        futures = dask.map(_solved, arguments, method=plan.method, answers=plan.answers, said=vars(said), pure=False)
+        futures = dask.map(_solved, arguments, method=plan.method, answers=plan.answers, given=vars(given), pure=False)
         try:
             for future, (key, row) in as_completed(futures, loop=dask.loop, with_results=True):
                 journal.add({"key": key, "values": by_key[key].values, **row})
@@ -50,16 +50,16 @@ def run_by_dask(
 
 
 def _solved(
-    argument: tuple[str, dict[str, Any]], method: str, answers: Sequence[str], said: dict[str, Any]
+    argument: tuple[str, dict[str, Any]], method: str, answers: Sequence[str], given: dict[str, Any]
 ) -> tuple[str, dict[str, Any]]:
     """On a worker."""
     key, params = argument
-    return key, row_of(_client(said), method, params, answers)
+    return key, row_of(_client(given), method, params, answers)
 
 
-def _client(said: dict[str, Any]) -> Client:
-    """Of this worker: it has an endpoint of its own where the command names none, and CONTACTD_ENDPOINT there does."""
-    there = Setting(**{name: value for name, value in said.items() if value not in (None, False)})
+def _client(given: dict[str, Any]) -> Client:
+    """Returns the client of this worker: it has an endpoint of its own where the command names none, and CONTACTD_ENDPOINT there does."""
+    there = Setting(**{name: value for name, value in given.items() if value not in (None, False)})
     identity = (there.local, there.folder, there.endpoint or DEFAULT_ENDPOINT)
     if identity not in _CLIENTS:
         here = contactd.local(folder=there.folder) if there.local else None

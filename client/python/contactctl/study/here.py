@@ -14,7 +14,7 @@ from .solving import row_of
 
 __all__ = ["run_here"]
 
-_PATIENCE = 1.0  # seconds for what is nearly finished, when interrupted
+_LONGEST_WAIT = 1.0  # seconds for what is nearly finished, when interrupted
 
 
 def run_here(
@@ -58,7 +58,7 @@ def run_here(
         ending.set()
         builds.cancel()
         for thread in threads:
-            thread.join(_PATIENCE / workers)
+            thread.join(_LONGEST_WAIT / workers)
         raise
     finally:
         with lock:

@@ -1,4 +1,4 @@
-"""What a study is: a problem, the fields that vary, and the answers that are wanted."""
+"""Plans of studies: a problem, the fields that vary, and the answers that are wanted."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ class Plan:
         return [name for axis in self.axes for name in axis]
 
     def params(self, case: Case) -> dict[str, Any]:
-        """Of the request."""
+        """Returns the parameters of the request."""
         found: dict[str, Any] = copied(self.problem)
         for path, value in case.asked.items():
             put(found, path, value)
@@ -79,18 +79,18 @@ class Plan:
 def read_plan(path: str) -> Plan:
     """The study that a file describes. Raises click.UsageError naming the field."""
     named = read_named(path)
-    said = with_arrays(named, path)
-    if unknown := said.keys() - _FIELDS:
+    inputs = with_arrays(named, path)
+    if unknown := inputs.keys() - _FIELDS:
         raise click.UsageError(f"{path} has {min(unknown)!r}; a study has {', '.join(sorted(_FIELDS))}.")
-    method = said.get("method", METHODS[0])
+    method = inputs.get("method", METHODS[0])
     if method not in METHODS:
         raise click.UsageError(f"{path}: method is {method!r}; it must be {' or '.join(METHODS)}.")
-    problem = _problem(path, said.get("problem"))
+    problem = _problem(path, inputs.get("problem"))
     if problem.get("fields"):
         raise click.UsageError(f"{path}: problem.fields asks for arrays, of which a row has none; leave it out.")
     problem["fields"] = []
     axes = _axes(path, named)
-    answers = said.get("answers", USUAL[method])
+    answers = inputs.get("answers", USUAL[method])
     if not isinstance(answers, list) or not answers or not all(isinstance(answer, str) for answer in answers):
         raise click.UsageError(f"{path}: answers must be a list of paths in the answer, such as forces.Fx.")
     for answer in answers:
@@ -111,9 +111,9 @@ def _problem(path: str, given: Any) -> dict[str, Any]:
     return found
 
 
-def _axes(path: str, said: dict[str, Any]) -> list[dict[str, list[Any]]]:
+def _axes(path: str, inputs: dict[str, Any]) -> list[dict[str, list[Any]]]:
     """Each moves by itself; its fields move together."""
-    vary, together = (said.get(name, {}) for name in ("vary", "together"))
+    vary, together = (inputs.get(name, {}) for name in ("vary", "together"))
     if not isinstance(vary, dict) or not isinstance(together, dict) or not (vary or together):
         raise click.UsageError(f"{path} lacks vary, an object of paths and their values, such as Fn: [1000, 2000].")
     if both := vary.keys() & together.keys():
@@ -135,12 +135,12 @@ def _cases(path: str, plan: Plan, asked: list[dict[str, list[Any]]]) -> Iterator
     shared = json.dumps([plan.method, plan_answers(plan), plain_json(plan.problem)], sort_keys=True)
     base = hashlib.sha256(shared.encode()).hexdigest()
     seen: set[str] = set()
-    for values, said in zip(_chosen(plan.axes), _chosen(asked)):
-        key = hashlib.sha256(f"{base}{json.dumps(plain_json(said), sort_keys=True)}".encode()).hexdigest()[:32]
+    for values, inputs in zip(_chosen(plan.axes), _chosen(asked)):
+        key = hashlib.sha256(f"{base}{json.dumps(plain_json(inputs), sort_keys=True)}".encode()).hexdigest()[:32]
         if key in seen:
             raise click.UsageError(f"{path} has a row twice: {values}.")
         seen.add(key)
-        yield Case(key, values, said)
+        yield Case(key, values, inputs)
 
 
 def _chosen(axes: list[dict[str, list[Any]]]) -> Iterator[dict[str, Any]]:

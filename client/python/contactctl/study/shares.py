@@ -33,7 +33,7 @@ class Share:
         return cases[self.index :: self.count]
 
     def file(self, rows: Path) -> Path:
-        """Of its rows; `rows` is that of the study."""
+        """Returns the file of its rows; `rows` is that of the study."""
         return Path(f"{rows}.{self.index}-of-{self.count}")
 
 
@@ -71,6 +71,6 @@ def check_ended(rows: Path) -> None:
 
 
 def _files(rows: Path) -> list[Path]:
-    """Of the shares that have rows."""
+    """Lists the files of the shares that have rows."""
     pattern = re.compile(re.escape(rows.name) + r"\.\d+-of-\d+")
     return sorted(path for path in rows.parent.iterdir() if pattern.fullmatch(path.name)) if rows.parent.is_dir() else []

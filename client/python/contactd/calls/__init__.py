@@ -1,1 +1,1 @@
-"""What a client can be asked, said once for the client that waits (Client) and the one that awaits (AsyncClient)."""
+"""Calls of a client, written once for the client that waits (Client) and the one that awaits (AsyncClient)."""

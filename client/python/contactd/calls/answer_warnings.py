@@ -1,4 +1,4 @@
-"""What answers warn of, as warnings of Python."""
+"""Warnings of answers, as warnings of Python."""
 
 from __future__ import annotations
 
@@ -62,8 +62,8 @@ def _collect(value: Any, part: str, found: dict[str, list[str]]) -> None:
         for index, item in enumerate(value):
             _collect(item, f"{part}[{index}]", found)
     elif isinstance(value, dict):
-        said = value.get("warnings")
-        for sentence in said if isinstance(said, list) else ():
+        given = value.get("warnings")
+        for sentence in given if isinstance(given, list) else ():
             parts = found.setdefault(str(sentence), [])
             if part not in parts:
                 parts.append(part)
@@ -81,8 +81,8 @@ def _of_parts(parts: list[str], sentence: str) -> str:
 
 def give(sentences: Iterable[str]) -> None:
     """Warns of them, where the caller of this package is."""
-    if said := tuple(dict.fromkeys(sentences)):
-        warnings.warn(ContactWarning(*said), stacklevel=_level_of_caller())
+    if given := tuple(dict.fromkeys(sentences)):
+        warnings.warn(ContactWarning(*given), stacklevel=_level_of_caller())
 
 
 def _level_of_caller() -> int:

@@ -1,4 +1,4 @@
-"""What sessions have in common, whatever their steps are of (docs/sessions.md)."""
+"""Parts that sessions have in common, whatever their steps are of (docs/sessions.md)."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ if TYPE_CHECKING:
 
     from .caller import Caller
 
-__all__ = ["AnySession", "ProgressCallback", "SessionThatWaits", "told_number"]
+__all__ = ["AnySession", "ProgressCallback", "SessionThatWaits", "reported_number"]
 
 ProgressCallback = Callable[[Progress], None]
 T = TypeVar("T")
 
 
-def told_number(told: dict[str, Any], name: str, kind: Callable[[Any], T]) -> T:
+def reported_number(reported: dict[str, Any], name: str, kind: Callable[[Any], T]) -> T:
     """A number of the answer to session.open or session.info."""
     try:
-        return kind(told[name])
+        return kind(reported[name])
     except (KeyError, TypeError, ValueError):
         raise ProtocolError("The answer to session.open or session.info lacks its session.") from None
 
@@ -40,9 +40,9 @@ class AnySession(Shown):
     _joins: ClassVar[str]  #: the method of Client that joins such a session
     _builds = False  #: whether a step may have to wait for tables by finite elements
 
-    def __init__(self, client: Caller, steps: Steps, told: dict[str, Any]) -> None:
-        self.lease_seconds = told_number(told, "lease_seconds", float)
-        self.bytes = told_number(told, "bytes", int)
+    def __init__(self, client: Caller, steps: Steps, reported: dict[str, Any]) -> None:
+        self.lease_seconds = reported_number(reported, "lease_seconds", float)
+        self.bytes = reported_number(reported, "bytes", int)
         self.retries = 1
         self._client = client
         self._steps = steps
@@ -69,7 +69,7 @@ class AnySession(Shown):
         return [("last step", self.step_number), *self._common(), ("lease", f"{self.lease_seconds:g} s")]
 
     def _common(self) -> Rows:
-        """What all steps have in common."""
+        """Returns what all steps have in common."""
         return []
 
     @asks

@@ -33,7 +33,7 @@ class Pause:
 
 @dataclass(frozen=True)
 class Noted:
-    """What an answer warns of: sentences, which are given as a warning of Python when the call has ended."""
+    """Warnings of an answer: sentences, which are given as a warning of Python when the call has ended."""
 
     sentences: tuple[str, ...]
 
@@ -55,7 +55,7 @@ def insist(ask: Callable[[], Answering[T]], retries: int) -> Answering[T]:
 
 
 class Waits:
-    """What carries calls out in the thread that makes them."""
+    """Carries calls out in the thread that makes them."""
 
     def _carry_out(self, asked: Request | Pause) -> Any:
         """The Reply to a Request; None after a Pause."""
@@ -83,7 +83,7 @@ class Waits:
 
 
 class Awaits:
-    """What carries calls out in an event loop."""
+    """Carries calls out in an event loop."""
 
     async def _carry_out(self, asked: Request | Pause) -> Any:
         """The Reply to a Request; None after a Pause."""

@@ -1,4 +1,4 @@
-"""What both clients are told about the daemon, and how a call of theirs becomes a request."""
+"""Parts that both clients share: what they know about the daemon, and how a call of theirs becomes a request."""
 
 from __future__ import annotations
 
@@ -112,14 +112,14 @@ class Caller(Shown):
         build = ""
         with progress_shown(method, progress) as show:
 
-            def report(told: dict[str, Any]) -> None:
+            def report(reported: dict[str, Any]) -> None:
                 nonlocal build
-                said = read(Progress, told, "progress")
-                if builds and said.job.startswith("build-"):
-                    build = said.job
-                show(said)
+                given = read(Progress, reported, "progress")
+                if builds and given.job.startswith("build-"):
+                    build = given.job
+                show(given)
                 if on_progress is not None:
-                    on_progress(said)
+                    on_progress(given)
 
             try:
                 reply: Reply = yield Request(envelope, frames, deadline, self.connect_timeout, report)

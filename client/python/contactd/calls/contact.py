@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from ..errors import StatusError
 from ..refusals import check_type
-from ..transport.messages import outcomes
+from ..transport.messages import results
 from ..values.answers import read
 from ..values.contact_params import problem_params, subsurface_params
 from ..values.partial_solution import PartialSolution, read_solution
@@ -108,4 +108,4 @@ def solved_many(
         "contact.solve_many", params, timeout=timeout, on_progress=on_progress, progress=progress
     )
     readers = [partial(read_solution, problem.grid, names) for problem in problems]
-    return outcomes("contact.solve_many", result, "solutions", readers)
+    return results("contact.solve_many", result, "solutions", readers)

@@ -19,7 +19,7 @@ from ..values.problem import ContactProblem
 from ..values.representation import Rows
 from ..values.solution import Fields
 from ..values.step_input import StepInput
-from .any_session import AnySession, ProgressCallback, SessionThatWaits, told_number
+from .any_session import AnySession, ProgressCallback, SessionThatWaits, reported_number
 from .call import Answering, asks
 from .steps import Steps
 
@@ -48,7 +48,7 @@ class ContactSteps(Steps):
         self.grid = grid
         self._rolls = rolls
 
-    def _said(self, step: StepInput) -> dict[str, Any]:
+    def _given(self, step: StepInput) -> dict[str, Any]:
         params = fields_of(ContactProblem, {name: step.get(name) for name in _OWN})
         if friction := self._friction(step):
             params["friction"] = friction
@@ -83,9 +83,9 @@ class AnyContactSession(AnySession):
 
     _steps: ContactSteps
 
-    def __init__(self, client: Caller, name: str, told: dict[str, Any], grid: Grid, rolls: bool) -> None:
-        super().__init__(client, ContactSteps(name, grid, rolls, told_number(told, "step", int)), told)
-        if not isinstance(ics := told.get("ics"), dict):
+    def __init__(self, client: Caller, name: str, reported: dict[str, Any], grid: Grid, rolls: bool) -> None:
+        super().__init__(client, ContactSteps(name, grid, rolls, reported_number(reported, "step", int)), reported)
+        if not isinstance(ics := reported.get("ics"), dict):
             raise ProtocolError("The answer to session.open or session.info lacks its session.")
         self.ics = {body: read(IcUse, use, f"result.ics.{body}") for body, use in ics.items()}
 

@@ -11,9 +11,9 @@ __all__ = ["progress_shown"]
 
 
 @contextmanager
-def progress_shown(method: str, wanted: bool) -> Iterator[Callable[[Progress], None]]:
-    """What to tell progress to while the block runs: a bar where one is `wanted`, and nothing where not."""
-    if not wanted:
+def progress_shown(method: str, requested: bool) -> Iterator[Callable[[Progress], None]]:
+    """Yields what progress is reported to while the block runs: a bar where one is `requested`, and nothing where not."""
+    if not requested:
         yield lambda progress: None
         return
     try:

@@ -33,7 +33,7 @@ class ServerCalls(Caller):
 
     @asks
     def metrics(self, *, timeout: float | None = None) -> Answering[list[dict[str, Any]]]:
-        """What is measured of the daemon, as docs/operations.md lists it: name, type, help and samples of each."""
+        """Returns what is measured of the daemon, as docs/operations.md lists it: name, type, help and samples of each."""
         metrics = (yield from self.asked("server.metrics", timeout=timeout)).get("metrics")
         if not isinstance(metrics, list):
             raise ProtocolError("The answer to server.metrics lacks its metrics.")

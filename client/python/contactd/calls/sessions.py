@@ -57,15 +57,15 @@ class SessionCalls(Caller, Generic[S, W]):
             check_type("problem", problem, ContactProblem)
             if fields:
                 raise TypeError(f"session() takes a ContactProblem or its fields, not both: {', '.join(fields)}")
-        said: dict[str, Any] = vars(problem) if problem is not None else dict(fields)
-        params = _opening(said, lease, accept_unconverged)
-        told = yield from self.asked(
+        inputs: dict[str, Any] = vars(problem) if problem is not None else dict(fields)
+        params = _opening(inputs, lease, accept_unconverged)
+        reported = yield from self.asked(
             "session.open", params, timeout=timeout, on_progress=on_progress, progress=progress
         )
-        name = _name_in(told)
-        friction: Friction | None = said.get("friction")
+        name = _name_in(reported)
+        friction: Friction | None = inputs.get("friction")
         rolls = friction is not None and friction.rolling is not None
-        return self._session_kind(self, name, told, said["grid"], rolls)
+        return self._session_kind(self, name, reported, inputs["grid"], rolls)
 
     @asks
     def join_session(self, name: str, *, timeout: float | None = None) -> Answering[S]:
@@ -75,11 +75,11 @@ class SessionCalls(Caller, Generic[S, W]):
         step that the other one has taken is refused (FailedPrecondition) or, asked for in the same words, answered as the
         other one was.
         """
-        told = yield from self.asked("session.info", {"session": name}, timeout=timeout)
-        if "side" in told:
+        reported = yield from self.asked("session.info", {"session": name}, timeout=timeout)
+        if "side" in reported:
             raise invalid("name", "is that of the session of a wheel on its rail; take join_wheel_rail_session")
-        grid = read(Grid, told.get("grid"), "result.grid")
-        return self._session_kind(self, name, told, grid, told.get("motion") == "rolling")
+        grid = read(Grid, reported.get("grid"), "result.grid")
+        return self._session_kind(self, name, reported, grid, reported.get("motion") == "rolling")
 
     @asks
     def wheel_rail_session(
@@ -95,19 +95,19 @@ class SessionCalls(Caller, Generic[S, W]):
         Raises InvalidArgument naming ``wheelrail.setup.track.gauge``, ...
         """
         params = _wheel_rail_opening(setup, lease, accept_unconverged)
-        told = yield from self.asked("session.open", params, timeout=timeout)
+        reported = yield from self.asked("session.open", params, timeout=timeout)
         builds = wheel_may_build(params["wheelrail"]["setup"])
-        return self._wheel_rail_session_kind(self, _name_in(told), told, setup.side or "right", builds)
+        return self._wheel_rail_session_kind(self, _name_in(reported), reported, setup.side or "right", builds)
 
     @asks
     def join_wheel_rail_session(self, name: str, *, timeout: float | None = None) -> Answering[W]:
-        """As join_session, of a wheel on its rail. Steps that may have to wait for finite elements need a `timeout` of their
+        """Joins the session of a wheel on its rail, as join_session does. Steps that may have to wait for finite elements need a `timeout` of their
         own: only who has opened the session knows it.
         """
-        told = yield from self.asked("session.info", {"session": name}, timeout=timeout)
-        if (side := told.get("side")) not in ("left", "right"):
+        reported = yield from self.asked("session.info", {"session": name}, timeout=timeout)
+        if (side := reported.get("side")) not in ("left", "right"):
             raise invalid("name", "is that of the session of a contact; take join_session")
-        return self._wheel_rail_session_kind(self, name, told, side, False)
+        return self._wheel_rail_session_kind(self, name, reported, side, False)
 
     @asks
     def sessions(self, *, timeout: float | None = None) -> Answering[tuple[SessionSummary, ...]]:
@@ -118,14 +118,14 @@ class SessionCalls(Caller, Generic[S, W]):
         return tuple(read(SessionSummary, session, f"result.sessions[{i}]") for i, session in enumerate(sessions))
 
 
-def _name_in(told: dict[str, Any]) -> str:
-    if not isinstance(name := told.get("session"), str):
+def _name_in(reported: dict[str, Any]) -> str:
+    if not isinstance(name := reported.get("session"), str):
         raise ProtocolError("The answer to session.open lacks its session.")
     return name
 
 
 def _lease_params(lease: float | None, accept_unconverged: bool) -> dict[str, Any]:
-    """What sessions of all kinds are opened with."""
+    """Returns what sessions of all kinds are opened with."""
     params: dict[str, Any] = {} if lease is None else {"lease_seconds": lease}
     return {**params, "accept_unconverged": True} if accept_unconverged else params
 

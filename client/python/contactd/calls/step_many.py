@@ -8,7 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from ..errors import invalid
-from ..transport.messages import outcomes
+from ..transport.messages import results
 from .any_session import AnySession
 from .call import Answering, insist
 
@@ -27,9 +27,9 @@ def stepped_sessions(
         return []
     _check(client, pairs)
     steps = [(session._steps, step) for session, step in pairs]
-    with ExitStack() as turns:
+    with ExitStack() as locks:
         for own, _ in steps:
-            turns.enter_context(own.alone())
+            locks.enter_context(own.alone())
         numbers = [own.number_of(step) for own, step in steps]  # of all, should one of them have no form on the wire
         params = [own.params(number, step) for number, (own, step) in zip(numbers, steps)]
 
@@ -39,7 +39,7 @@ def stepped_sessions(
         builds = any(session._builds for session, _ in pairs)
         result = yield from insist(ask, min(session.retries for session, _ in pairs))
         readers = [partial(own.read, asked) for asked, (own, _) in zip(params, steps)]
-        return outcomes("session.step_many", result, "steps", readers)
+        return results("session.step_many", result, "steps", readers)
 
 
 def _check(client: Caller, pairs: list[tuple[AnySession, Mapping[str, Any]]]) -> None:

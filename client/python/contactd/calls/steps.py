@@ -23,7 +23,7 @@ class Steps(ABC):
         number: That of the last step, 0 before the first.
     """
 
-    words: frozenset[str]  #: what a step may say
+    words: frozenset[str]  #: keywords of a step
 
     def __init__(self, session: str, number: int) -> None:
         self.session = session
@@ -68,14 +68,14 @@ class Steps(ABC):
         params: dict[str, Any] = {"session": self.session, "step": number}
         if step.get("again"):
             params["again"] = True
-        params |= self._said(step)
+        params |= self._given(step)
         if names := names_of(step.get("fields", ())):
             params["fields"] = names
         return params
 
     @abstractmethod
-    def _said(self, step: Any) -> dict[str, Any]:
-        """What the step says beside its number and the arrays that it wants."""
+    def _given(self, step: Any) -> dict[str, Any]:
+        """Returns what the step says beside its number and the arrays that it requests."""
 
     @abstractmethod
     def read(self, asked: dict[str, Any], result: Any, path: str = "result") -> Any:

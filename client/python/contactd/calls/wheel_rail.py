@@ -119,10 +119,10 @@ class WheelRailCalls(Caller):
         `roll` is "neglected" (default), where each wheel finds its own height, or "demanded" by both contacts. Raises
         InvalidArgument naming ``contacts.shifts[3]``, ``setup.track.gauge``, ``left.rail.points``, ...
         """
-        wanted: dict[str, Any] = {"shifts": [float(shift) for shift in shifts]}
+        requested: dict[str, Any] = {"shifts": [float(shift) for shift in shifts]}
         if roll is not None:
-            wanted["roll"] = roll
-        contacts = yield from self._of_wheelset(setup, left, "contacts", wanted, "contacts", timeout)
+            requested["roll"] = roll
+        contacts = yield from self._of_wheelset(setup, left, "contacts", requested, "contacts", timeout)
         return [read(WheelsetContacts, item, f"result.contacts[{i}]") for i, item in enumerate(contacts)]
 
     @asks
@@ -145,8 +145,8 @@ class WheelRailCalls(Caller):
         (mm, default 1e-3).
         """
         given = {"roll": roll, "contact_distance": contact_distance, "tolerance": tolerance}
-        wanted = {"amplitudes": list(amplitudes), **{name: v for name, v in given.items() if v is not None}}
-        conicities = yield from self._of_wheelset(setup, left, "conicity", wanted, "conicities", timeout)
+        requested = {"amplitudes": list(amplitudes), **{name: v for name, v in given.items() if v is not None}}
+        conicities = yield from self._of_wheelset(setup, left, "conicity", requested, "conicities", timeout)
         return [read(EquivalentConicity, item, f"result.conicities[{i}]") for i, item in enumerate(conicities)]
 
     @asks
@@ -165,11 +165,11 @@ class WheelRailCalls(Caller):
         setup: WheelRailSetup,
         left: WheelRailSetup | None,
         question: str,
-        wanted: Any,
+        requested: Any,
         answer: str,
         timeout: float | None,
     ) -> Answering[Any]:
-        params = {"setup": setup_params(setup), question: wanted}
+        params = {"setup": setup_params(setup), question: requested}
         if left is not None:
             params["left"] = setup_params(left, "left")
         result = yield from self.asked("wheelrail.geometry", params, timeout=timeout)

@@ -14,7 +14,7 @@ from ..values.wheel_rail.setup import Side, WheelRailFriction
 from ..values.wheel_rail.solution import WheelRailStepSolution, read_wheel_rail_as, read_wheel_rail_without_patches
 from ..values.wheel_rail.state import WheelRailState
 from ..values.wheel_rail.step_input import WheelRailStepInput
-from .any_session import AnySession, ProgressCallback, SessionThatWaits, told_number
+from .any_session import AnySession, ProgressCallback, SessionThatWaits, reported_number
 from .call import Answering, asks
 from .steps import Steps
 
@@ -29,28 +29,28 @@ class WheelRailSteps(Steps):
 
     words = frozenset(WheelRailStepInput.__annotations__)
 
-    def _said(self, step: WheelRailStepInput) -> dict[str, Any]:
+    def _given(self, step: WheelRailStepInput) -> dict[str, Any]:
         if "state" not in step:
             raise TypeError("a step of a wheel on its rail needs its state")
-        said: dict[str, Any] = {"state": state_params(step["state"], "wheelrail.state")}
+        given: dict[str, Any] = {"state": state_params(step["state"], "wheelrail.state")}
         if (friction := step.get("friction")) is not None:
             check_type("wheelrail.friction", friction, WheelRailFriction)
-            said["friction"] = params_of(friction, "friction")
+            given["friction"] = params_of(friction, "friction")
         if step.get("gap"):
-            said["gap"] = True
+            given["gap"] = True
         if not step.get("patches", True):
-            said["patches"] = False
-        return {"wheelrail": said}
+            given["patches"] = False
+        return {"wheelrail": given}
 
     def read(self, asked: dict[str, Any], result: Any, path: str = "result") -> WheelRailStepSolution:
-        if not isinstance(result, dict) or not isinstance(told := result.get("wheelrail"), dict):
+        if not isinstance(result, dict) or not isinstance(reported := result.get("wheelrail"), dict):
             raise ProtocolError("The answer to the step of a wheel on its rail lacks its wheelrail.")
-        told = {**told, "step": result.get("step")}
+        reported = {**reported, "step": result.get("step")}
         if asked["wheelrail"].get("patches", True):
             names, gap = asked.get("fields", ()), asked["wheelrail"].get("gap", False)
-            solution = read_wheel_rail_as(WheelRailStepSolution, names, gap, told, path)
+            solution = read_wheel_rail_as(WheelRailStepSolution, names, gap, reported, path)
         else:
-            solution = read_wheel_rail_without_patches(WheelRailStepSolution, told, path)
+            solution = read_wheel_rail_without_patches(WheelRailStepSolution, reported, path)
         self.number = solution.step
         return solution
 
@@ -60,8 +60,8 @@ class AnyWheelRailSession(AnySession):
 
     _joins = "join_wheel_rail_session"
 
-    def __init__(self, client: Caller, name: str, told: dict[str, Any], side: Side, builds: bool = False) -> None:
-        super().__init__(client, WheelRailSteps(name, told_number(told, "step", int)), told)
+    def __init__(self, client: Caller, name: str, reported: dict[str, Any], side: Side, builds: bool = False) -> None:
+        super().__init__(client, WheelRailSteps(name, reported_number(reported, "step", int)), reported)
         self.side: Side = side
         self._builds = builds
 

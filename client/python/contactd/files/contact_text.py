@@ -22,7 +22,7 @@ _ORDER = 312  # of the columns: z (normal), x, y
 _COLUMNS = [(i, j) for i in (2, 0, 1) for j in (2, 0, 1)]
 _ROW = 2 + len(_COLUMNS)
 _MARK = "times G = "
-#: What our own comments say of the block that follows.
+#: Our own comments say this of the block that follows.
 _OFFSET = re.compile(r"offset iy = (\S+), y = (\S+);")
 #: Parities of A[i,j] along x and y: -1 where exactly one of i and j is that axis.
 _PARITY = [tuple(-1 if (i == axis) != (j == axis) else 1 for axis in (0, 1)) for i, j in _COLUMNS]
@@ -49,7 +49,7 @@ def format_text(array: Array, dx: float, dy: float, G: float) -> str:
 
 
 def read_text(path: str | os.PathLike[str], G: float | None, tolerance: float) -> tuple[Array, float, float, float]:
-    """What parse_text says of the text of a file. Raises TableFileError naming the file and the line."""
+    """Reads the text of a file by parse_text. Raises TableFileError naming the file and the line."""
     try:
         return parse_text(read_whole(path, _MOST_BYTES).decode("ascii", "replace"), G, tolerance)
     except TableFileError as error:
@@ -68,12 +68,12 @@ def _fail(line: int, problem: str) -> NoReturn:
 
 
 def _words(line: str) -> list[str]:
-    """What stands between blanks and commas, before the comment."""
+    """Splits what stands before the comment at blanks and commas."""
     return line.split("%", 1)[0].replace(",", " ").split()
 
 
 def _plain(word: str) -> str:
-    """As Python writes it."""
+    """Writes a number as Python does."""
     text = word.lower().replace("d", "e")
     if "e" not in text:  # Fortran leaves it out before an exponent of three digits
         text = re.sub(r"(?<=[0-9.])(?=[+-])", "e", text, count=1)
@@ -90,7 +90,7 @@ def _number(word: str) -> float | None:
 
 
 def _off_by(word: str, exact: float) -> float:
-    """What rounding may leave between `word` and `exact`: half its last digit, and the digits of the element size."""
+    """Returns what rounding may leave between `word` and `exact`: half its last digit, and the digits of the element size."""
     digits, _, exponent = _plain(word).partition("e")
     return 0.5000001 * 10.0 ** (int(exponent or 0) - len(digits.partition(".")[2])) + _SIZE_TOLERANCE * abs(exact)
 
@@ -106,7 +106,7 @@ class _Reader:
             self._lines.pop()
         self._at = 0
         self._modulus = G
-        self._told: float | None = None
+        self._reported: float | None = None
 
     def read(self, tolerance: float) -> tuple[Array, float, float, float]:
         self._read_kind()
@@ -125,31 +125,31 @@ class _Reader:
         array /= self._modulus
         return array, dx, dy, self._modulus
 
-    def _next(self, wanted: str) -> str:
+    def _next(self, requested: str) -> str:
         if self._at == len(self._lines):
-            _fail(self._at + 1, f"is missing; it must hold {wanted}")
+            _fail(self._at + 1, f"is missing; it must hold {requested}")
         self._at += 1
         return self._lines[self._at - 1]
 
-    def _header(self, wanted: str) -> list[str]:
+    def _header(self, requested: str) -> list[str]:
         """The words of the next line that is not empty and no comment."""
         words: list[str] = []
         while not words:
-            words = _words(self._next(wanted))
+            words = _words(self._next(requested))
         return words
 
-    def _whole(self, words: Sequence[str], n: int, wanted: str) -> int:
+    def _whole(self, words: Sequence[str], n: int, requested: str) -> int:
         value = _number(words[n]) if n < len(words) else None
         if value is None or not value.is_integer():
-            _fail(self._at, f"holds {_shown(words, n)}; it must hold the {wanted}")
+            _fail(self._at, f"holds {_shown(words, n)}; it must hold the {requested}")
         return int(value)
 
     def _read_kind(self) -> None:
-        wanted = "number of tables, 1, and that of the convex body, 1 or 2"
-        words = self._header(f"the {wanted}")
+        requested = "number of tables, 1, and that of the convex body, 1 or 2"
+        words = self._header(f"the {requested}")
         if all(_number(word) is None for word in words):
             return  # a line of words
-        tables, convex = self._whole(words, 0, wanted), self._whole(words, 1, wanted)
+        tables, convex = self._whole(words, 0, requested), self._whole(words, 1, requested)
         if tables != 1:
             _fail(
                 self._at,
@@ -169,9 +169,9 @@ class _Reader:
                 )
 
     def _read_extent(self) -> tuple[int, int, float, float]:
-        wanted = "extent and element sizes, mx my dx dy"
-        words = self._header(f"the {wanted}")
-        nx, ny = self._whole(words, 0, wanted), self._whole(words, 1, wanted)
+        requested = "extent and element sizes, mx my dx dy"
+        words = self._header(f"the {requested}")
+        nx, ny = self._whole(words, 0, requested), self._whole(words, 1, requested)
         if nx < 1 or ny < 1 or nx * ny > _MOST_OFFSETS:
             _fail(
                 self._at,
@@ -181,7 +181,7 @@ class _Reader:
         for n in (2, 3):
             size = _number(words[n]) if n < len(words) else None
             if size is None or size <= 0:
-                _fail(self._at, f"holds {_shown(words, n)}; it must hold the {wanted}, the sizes positive")
+                _fail(self._at, f"holds {_shown(words, n)}; it must hold the {requested}, the sizes positive")
             sizes.append(size)
         needed, there = (2 * ny - 1) * (nx + 2), len(self._lines) - self._at
         if there < needed:
@@ -200,22 +200,22 @@ class _Reader:
 
     def _take_modulus(self, words: Sequence[str]) -> None:
         """The modulus of our own comments: the same one in each, which that of the caller wins over."""
-        told = _number(words[0]) if words else None
-        if told is None or told <= 0:
+        reported = _number(words[0]) if words else None
+        if reported is None or reported <= 0:
             _fail(self._at, 'does not tell the modulus behind "times G ="')
-        if self._told not in (None, told):
-            _fail(self._at, f"tells the modulus {told:.17g}; the comments before tell {self._told:.17g}")
-        self._told = told
+        if self._reported not in (None, reported):
+            _fail(self._at, f"tells the modulus {reported:.17g}; the comments before tell {self._reported:.17g}")
+        self._reported = reported
         if self._modulus is None:
-            self._modulus = told
+            self._modulus = reported
 
-    def _check_offset(self, said: Sequence[str], iy: int, dy: float) -> None:
+    def _check_offset(self, given: Sequence[str], iy: int, dy: float) -> None:
         """A header that was changed contradicts the comments that were not."""
-        offset, y = _number(said[0]), _number(said[1])
+        offset, y = _number(given[0]), _number(given[1])
         if offset != iy:
-            _fail(self._at, f"announces the y offset {said[0]:.30}; by the extent in the header it must be {iy}")
+            _fail(self._at, f"announces the y offset {given[0]:.30}; by the extent in the header it must be {iy}")
         if y is None or abs(y - iy * dy) > _SIZE_TOLERANCE * abs(iy) * dy:
-            _fail(self._at, f"has y {said[1]:.30}; by the element size in the header it must be {iy * dy:.9g}")
+            _fail(self._at, f"has y {given[1]:.30}; by the element size in the header it must be {iy * dy:.9g}")
 
     def _read_block(self, nx: int, iy: int, dx: float) -> Array:
         lines = self._lines[self._at : self._at + nx]

@@ -26,11 +26,11 @@ SECONDS = 30.0  #: that reading may take; a second more for each _BYTES_A_SECOND
 _BYTES_A_SECOND = 50_000_000
 _MEMORY = 1 << 31  #: bytes that reading may take beside eight times the content
 _PROGRAM = f"import sys; sys.path[:] = sys.argv[4:]; from {__name__} import _main; _main(*sys.argv[1:4])"
-_TOLD = "told"  #: the member of the answer that is JSON
+_REPORTED = "told"  #: the member of the answer that is JSON
 
 
 def read_apart(read: Callable[[bytes], Any], content: bytes) -> Any:
-    """What `read`, a function of a module, makes of the content of a file: dictionaries, lists, numbers, texts and arrays.
+    """Returns what `read`, a function of a module, makes of the content of a file: dictionaries, lists, numbers, texts and arrays.
 
     Raises ValueError with the words of what `read` raises, or where it takes more time or memory than any file of contactd,
     and ContactdError where there is no Python program to read it.
@@ -63,9 +63,9 @@ def _too_long(seconds: float) -> str:
 
 def _unpacked(answer: bytes) -> Any:
     arrays = arrays_of(io.BytesIO(answer))
-    told = json.loads(arrays[_TOLD].tobytes())
-    if "refused" in told:
-        raise ValueError(told["refused"])
+    reported = json.loads(arrays[_REPORTED].tobytes())
+    if "refused" in reported:
+        raise ValueError(reported["refused"])
 
     def value_of(item: Any) -> Any:
         if not isinstance(item, dict):
@@ -76,35 +76,35 @@ def _unpacked(answer: bytes) -> Any:
             return [value_of(part) for part in item["list"]]
         return {name: value_of(part) for name, part in item["mapping"].items()}
 
-    return value_of(told["value"])
+    return value_of(reported["value"])
 
 
 def _packed(value: Any) -> bytes:
     arrays: dict[str, np.ndarray[Any, Any]] = {}
 
-    def told_of(item: Any) -> Any:
+    def reported_of(item: Any) -> Any:
         if isinstance(item, np.ndarray):
             name = f"array{len(arrays)}"
             arrays[name] = item
             return {"array": name}
         if isinstance(item, dict):
-            return {"mapping": {name: told_of(part) for name, part in item.items()}}
-        return {"list": [told_of(part) for part in item]} if isinstance(item, list) else item
+            return {"mapping": {name: reported_of(part) for name, part in item.items()}}
+        return {"list": [reported_of(part) for part in item]} if isinstance(item, list) else item
 
-    return _archive({"value": told_of(value)}, arrays)
+    return _archive({"value": reported_of(value)}, arrays)
 
 
-def _archive(told: Any, arrays: dict[str, np.ndarray[Any, Any]]) -> bytes:
+def _archive(reported: Any, arrays: dict[str, np.ndarray[Any, Any]]) -> bytes:
     if strange := {str(array.dtype) for array in arrays.values() if array.dtype.kind not in "fiub"}:
         raise ValueError(f"it holds arrays of {', '.join(sorted(strange))}; those of contactd are of numbers")
     file = io.BytesIO()
-    members: dict[str, Any] = {_TOLD: np.frombuffer(json.dumps(told).encode(), np.uint8), **arrays}
+    members: dict[str, Any] = {_REPORTED: np.frombuffer(json.dumps(reported).encode(), np.uint8), **arrays}
     np.savez(file, **members)
     return file.getvalue()
 
 
 def _main(module: str, function: str, seconds: str) -> None:
-    """What the process does."""
+    """Runs the process."""
     read = getattr(import_module(module), function)
     content = sys.stdin.buffer.read()
     _limit(float(seconds), _MEMORY + 8 * len(content))

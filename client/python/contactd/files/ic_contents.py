@@ -1,4 +1,4 @@
-"""What an IC file holds, taken apart (needs h5py): attributes and datasets by their paths, as ic.import takes them.
+"""Contents of an IC file, taken apart (needs h5py): attributes and datasets by their paths, as ic.import takes them.
 
 A file may come from anywhere, and HDF5 follows what it finds in one: to other files, into filters, to sizes that the file
 has no room for. Everything that contactd does not write is refused before any data is read, and HDF5 reads in a process of
@@ -55,7 +55,7 @@ class FileContents:
 
 
 def contents_of(content: bytes, name: str) -> FileContents:
-    """What the bytes of a file hold; `name` is for the words of the TableFileError that says what is wrong with them."""
+    """Returns what the bytes of a file hold; `name` is for the words of the TableFileError that says what is wrong with them."""
     need_h5py()
     _check_digest(name, content)
     try:

@@ -52,7 +52,7 @@ def import_params(content: bytes) -> dict[str, Any]:
 
 
 def imported_contents(path: str | os.PathLike[str]) -> FileContents:
-    """What a file of another store holds, for a store that did not make it: its evidence says so. Raises TableFileError."""
+    """Returns what a file of another store holds, for a store that did not make it: its evidence says so. Raises TableFileError."""
     contents = contents_of(read_whole(path, MOST_BYTES), os.fspath(path))
     warnings = contents.attributes.get("evidence/warnings", [])
     if not isinstance(warnings, list):
@@ -113,32 +113,32 @@ def _stored_extent(file: FileContents, name: str) -> tuple[int, int]:
 
 
 def _frames(file: FileContents, grid: Grid, name: str) -> Any:
-    """Of the columns of a longitudinally uniform body; in the file their places are over the width of a column."""
+    """Reads the frames of the columns of a longitudinally uniform body; in the file their places are over the width of a column."""
     frames = file.datasets["frames"]
     if frames.shape != (grid.ny, 3):
         raise TableFileError(f"{name}: the frames have shape {list(frames.shape)}; they must be [ny, 3], ny = {grid.ny}")
     return frames * [grid.dy, grid.dy, 1.0]
 
 
-def _layered(said: dict[str, Any]) -> LayeredBody:
-    layers = [Layer(*numbers) for numbers in zip(said["thickness"], said["G"], said["nu"], strict=True)]
-    return LayeredBody(layers, Material(said["base_G"], said["base_nu"]) if "base_G" in said else RigidBody())
+def _layered(given: dict[str, Any]) -> LayeredBody:
+    layers = [Layer(*numbers) for numbers in zip(given["thickness"], given["G"], given["nu"], strict=True)]
+    return LayeredBody(layers, Material(given["base_G"], given["base_nu"]) if "base_G" in given else RigidBody())
 
 
 def _evidence(file: FileContents) -> IcEvidence:
-    said = file.at("evidence")
-    is_built = said["elements"] > 0  # the file has a place for all the rest, too, of a table that was not
+    given = file.at("evidence")
+    is_built = given["elements"] > 0  # the file has a place for all the rest, too, of a table that was not
     stages = ("assembly", "setup", "solve", "total") if is_built else ()
     places = (f"evidence/load_case_{n}" for n in range(len(file.attributes)))
     cases = [file.at(place) for place in itertools.takewhile(file.has, places)]
     mesh = file.at("evidence/mesh") if file.has("evidence/mesh") else None
     return IcEvidence(
-        source=said["source"],
-        version=said["version"],
-        elements=said["elements"],
-        dofs=said["dofs"],
-        processes=said["processes"] if is_built else 0,
-        seconds={stage: said[f"{stage}_seconds"] for stage in stages},
+        source=given["source"],
+        version=given["version"],
+        elements=given["elements"],
+        dofs=given["dofs"],
+        processes=given["processes"] if is_built else 0,
+        seconds={stage: given[f"{stage}_seconds"] for stage in stages},
         load_cases=tuple(
             LoadCase(
                 load="xyz"[case["load_axis"]],
@@ -150,28 +150,28 @@ def _evidence(file: FileContents) -> IcEvidence:
             )
             for case in cases
         ),
-        errors=_errors(said),
-        errors_estimated=bool(said["errors_estimated"]),
-        warnings=tuple(said.get("warnings", ())),
-        solver=said.get("solver"),
+        errors=_errors(given),
+        errors_estimated=bool(given["errors_estimated"]),
+        warnings=tuple(given.get("warnings", ())),
+        solver=given.get("solver"),
         mesh=None if mesh is None else FemIcs(**{f.name: mesh[f.name] for f in fields(FemIcs) if f.name in mesh}),
-        family_nu=tuple(said.get("family_nu", ())),
-        interpolation_error=said.get("interpolation_error"),
-        modelling_error=said.get("modelling_error"),
-        section=_section(said),
-        imported=bool(said.get("imported", 0)),
+        family_nu=tuple(given.get("family_nu", ())),
+        interpolation_error=given.get("interpolation_error"),
+        modelling_error=given.get("modelling_error"),
+        section=_section(given),
+        imported=bool(given.get("imported", 0)),
     )
 
 
-def _section(said: dict[str, Any]) -> SectionEvidence | None:
-    if "section_order" not in said:
+def _section(given: dict[str, Any]) -> SectionEvidence | None:
+    if "section_order" not in given:
         return None
-    order, error = said["section_order"], said["section_error"]
-    return SectionEvidence(order=order, error=error, **{f.name: said[f.name] for f in fields(SectionEvidence) if f.name in said})
+    order, error = given["section_order"], given["section_error"]
+    return SectionEvidence(order=order, error=error, **{f.name: given[f.name] for f in fields(SectionEvidence) if f.name in given})
 
 
-def _errors(said: dict[str, Any]) -> IcErrors | None:
-    if "error_zz_origin" not in said:
+def _errors(given: dict[str, Any]) -> IcErrors | None:
+    if "error_zz_origin" not in given:
         return None
-    xx, yy, zz = (ComponentError(said[f"error_{c}_origin"], said[f"error_{c}_largest"]) for c in ("xx", "yy", "zz"))
-    return IcErrors(xx, yy, zz, said["scaled_error_xy"], said["scaled_error_xz"])
+    xx, yy, zz = (ComponentError(given[f"error_{c}_origin"], given[f"error_{c}_largest"]) for c in ("xx", "yy", "zz"))
+    return IcErrors(xx, yy, zz, given["scaled_error_xy"], given["scaled_error_xz"])

@@ -51,17 +51,17 @@ def load(path: PathLike) -> Any:
     _h5py()
     name, content = os.fspath(path), read_whole(path, MOST_BYTES)
     try:
-        told = read_apart(told_in, content)
+        reported = read_apart(content_of, content)
     except ValueError as error:
         raise SavedFileError(f"{name}: {error}") from None
     try:
-        return from_dict(_protect(told))
+        return from_dict(_protect(reported))
     except ValueError as error:
         raise SavedFileError(f"{name} holds nothing that can be loaded: {error}") from None
 
 
-def told_in(content: bytes) -> Any:
-    """What to_dict told of the value that the content of a file holds. ValueError has the words for what is none; a file may
+def content_of(content: bytes) -> Any:
+    """Returns what to_dict told of the value that the content of a file holds. ValueError has the words for what is none; a file may
     have h5py raise anything else."""
     h5py = _h5py()
     try:
@@ -133,13 +133,13 @@ def _read(group: Any, most_bytes: int) -> Any:
     return found
 
 
-def _protect(told: Any) -> Any:
-    """The same with arrays that can only be read: what was loaded may be the history of several problems."""
-    if isinstance(told, np.ndarray):
-        told.flags.writeable = False
-    for part in told.values() if isinstance(told, dict) else told if isinstance(told, list) else ():
+def _protect(reported: Any) -> Any:
+    """Makes the arrays such that they can only be read: what was loaded may be the history of several problems."""
+    if isinstance(reported, np.ndarray):
+        reported.flags.writeable = False
+    for part in reported.values() if isinstance(reported, dict) else reported if isinstance(reported, list) else ():
         _protect(part)
-    return told
+    return reported
 
 
 def _of_attribute(value: Any) -> Any:

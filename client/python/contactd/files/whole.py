@@ -48,10 +48,10 @@ def read_whole(path: str | os.PathLike[str], most: int) -> bytes:
     try:
         with open(opened, "rb") as file:
             pieces: list[bytes] = []
-            wanted = max(_PIECE, size + 1)
-            while size <= most and (piece := file.read(wanted)):
+            requested = max(_PIECE, size + 1)
+            while size <= most and (piece := file.read(requested)):
                 pieces.append(piece)
-                size, wanted = sum(map(len, pieces)), _PIECE
+                size, requested = sum(map(len, pieces)), _PIECE
         if size > most:
             raise OSError(errno.EFBIG, f"it has {size} bytes or more; at most {most} are read", name)
         return b"".join(pieces)

@@ -1,4 +1,4 @@
-"""What all pictures share: axes to draw into, colours, maps over grids."""
+"""Parts that all pictures share: axes to draw into, colours, maps over grids."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def bare(axes: Axes) -> None:
 
 
 def extent(grid: Grid) -> tuple[float, float, float, float]:
-    """Of a picture of the grid: left, right, bottom, top (mm)."""
+    """Extent of a picture of the grid: left, right, bottom, top (mm)."""
     x, y = grid.x, grid.y
     return (x[0] - grid.dx / 2, x[-1] + grid.dx / 2, y[0] - grid.dy / 2, y[-1] + grid.dy / 2)
 
@@ -71,12 +71,12 @@ def map_over(axes: Axes, grid: Grid, values: Array, label: str) -> None:
 
 
 def aspect_of(width: float, height: float) -> Literal["equal", "auto"]:
-    """Of a picture of something of that size: true to scale where that leaves something to be seen."""
+    """Aspect of a picture of something of that size: true to scale where that leaves something to be seen."""
     return "equal" if 0.25 <= width / height <= 4 else "auto"
 
 
 def colour_bar(axes: Axes, image: Any, label: str) -> None:
-    """As high as the axes, whatever their aspect."""
+    """Draws a bar as high as the axes, whatever their aspect."""
     axes.figure.colorbar(image, cax=axes.inset_axes((1.03, 0, 0.04, 1)), label=label)
 
 

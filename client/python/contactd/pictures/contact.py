@@ -19,7 +19,7 @@ _ARROWS = 16  #: across the longer side, at most: all of them would be a thicket
 
 
 def draw_contact(solution: Solution[Any, Any], axes: Axes | None = None) -> Axes:
-    """What Solution.plot draws."""
+    """Draws what Solution.plot does."""
     grid = grid_of(solution)
     _check(solution, "pressure", "element_division")
     axes = axes_or_new(axes, 6.8, 5.4)
@@ -35,7 +35,7 @@ def draw_contact(solution: Solution[Any, Any], axes: Axes | None = None) -> Axes
 
 
 def draw_section(solution: Solution[Any, Any], y: float = 0.0, axes: Axes | None = None) -> Axes:
-    """What Solution.plot_section draws."""
+    """Draws what Solution.plot_section does."""
     grid = grid_of(solution)
     _check(solution, "pressure", "element_division", "traction_x", "traction_y")
     axes = axes_or_new(axes)
@@ -99,5 +99,5 @@ def _add_tractions(axes: Axes, grid: Grid, solution: Solution[Any, Any]) -> None
 
 def _stretches(mask: Any) -> list[tuple[int, int]]:
     """First and last index of each run of True."""
-    turns = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]])))
-    return [(int(a), int(b) - 1) for a, b in zip(turns[::2], turns[1::2])]
+    changes = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]])))
+    return [(int(a), int(b) - 1) for a, b in zip(changes[::2], changes[1::2])]

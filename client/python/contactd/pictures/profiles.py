@@ -120,11 +120,11 @@ def draw_patches(
     for patch in solution.patches:
         surface, hill = _hill(patch, rail, 6 / largest if scale is None else scale)
         axes.fill(*np.concatenate([surface, hill[::-1]]).T, color=PRESSURE, alpha=0.85, lw=0, zorder=3)
-        told = f"{patch.solution.forces.Fn / 1e3:.1f} kN\n{patch.solution.pmax:.0f} N/mm$^2$"
+        reported = f"{patch.solution.forces.Fn / 1e3:.1f} kN\n{patch.solution.pmax:.0f} N/mm$^2$"
         middle = hill[np.argmax(np.hypot(*(hill - surface).T))]
         out = 1 if side == "right" else -1
         axes.annotate(
-            told,
+            reported,
             middle,
             (8 * out, -14),
             textcoords="offset points",

@@ -27,7 +27,7 @@ def draw_stress(
     z: float | None = None,
     axes: Axes | None = None,
 ) -> Axes:
-    """What SubsurfaceStress.plot draws."""
+    """Draws what SubsurfaceStress.plot does."""
     if component not in ("von_mises", "xx", "yy", "zz", "xy", "xz", "yz"):
         raise ValueError(f'component is {component!r}; it must be "von_mises", "xx", "yy", "zz", "xy", "xz" or "yz"')
     if stress.block is None:
@@ -49,10 +49,10 @@ def draw_stress(
     return axes
 
 
-def _cut(places: dict[str, Any], wanted: dict[str, float | None], stress: SubsurfaceStress) -> dict[str, int]:
+def _cut(places: dict[str, Any], requested: dict[str, float | None], stress: SubsurfaceStress) -> dict[str, int]:
     """Index of each axis that does not vary in the picture: those of one point, those asked for, the largest stress's."""
     cut = {name: 0 for name, values in places.items() if len(values) == 1}
-    for name, value in wanted.items():
+    for name, value in requested.items():
         if value is not None:
             cut[name] = int(np.argmin(np.abs(places[name] - value)))
     if not cut:

@@ -17,7 +17,7 @@ __all__ = ["draw_table"]
 
 
 def draw_table(table: IcTable, components: Iterable[str] = ("xx", "yy", "zz", "xz"), axes: Axes | None = None) -> Axes:
-    """What IcTable.plot draws."""
+    """Draws what IcTable.plot does."""
     axes = axes_or_new(axes, 7.0, 4.8)
     grid = table.spec.grid
     along_x, along_y = np.arange(grid.nx) * grid.dx, np.arange(grid.ny) * grid.dy

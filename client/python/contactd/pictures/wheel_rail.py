@@ -18,7 +18,7 @@ __all__ = ["draw_wheel_rail"]
 
 
 def draw_wheel_rail(solution: WheelRailSolution) -> Figure:
-    """What WheelRailSolution.plot draws."""
+    """Draws what WheelRailSolution.plot does."""
     shown = [patch for patch in solution.patches if patch.solution.pressure is not None]
     figure = new_figure(6.0 + 5.6 * len(shown), 5.4)
     panels = figure.subplots(1, 1 + len(shown), squeeze=False)[0]

@@ -29,18 +29,18 @@ from .sockets import (
     went_away,
 )
 
-__all__ = ["Connection", "Connections", "Exchanging", "Lender"]
+__all__ = ["Connection", "ConnectionPool", "Connections", "Exchanging"]
 
 
 class Exchanging(Protocol):
-    """What takes one request to where it is answered."""
+    """Takes one request to where it is answered."""
 
     def exchange(self, request: Request) -> Reply:
         """Raises StatusError, TimeoutExpired, ConnectionFailed or ProtocolError."""
 
 
-class Lender(Protocol):
-    """What lends a client one for each call. Thread-safe."""
+class ConnectionPool(Protocol):
+    """Lends a client a connection for each call. Thread-safe."""
 
     is_closed: bool
 
@@ -55,7 +55,7 @@ class Lender(Protocol):
 
 
 #: Lets another thread have the processor; Windows knows it as a sleep of no time.
-give_way: Callable[[], None] = getattr(os, "sched_yield", partial(time.sleep, 0))
+yield_processor: Callable[[], None] = getattr(os, "sched_yield", partial(time.sleep, 0))
 
 #: The longest wait for a socket, in seconds. A signal that comes after Python has looked for one and before the system waits
 #: does not end that wait, so that an interrupt may be late by this much, and is never lost.
@@ -153,7 +153,7 @@ class Connection:
                 poller.poll(milliseconds(remaining))
 
     def _next_event(self) -> Event | None:
-        """What happened to the connection, in order; None when all is read."""
+        """Returns what happened to the connection, in order; None when all is read."""
         event = next_event(self._monitor)
         # The socket itself may take a message for a connection that is being taken down a little longer.
         if event is not None and event.is_of_connection:
@@ -168,7 +168,7 @@ class Connection:
         while time.monotonic() < awake:
             if self._socket.poll(0):
                 return received(self._socket)
-            give_way()  # to the daemon, where it shares this processor
+            yield_processor()  # to the daemon, where it shares this processor
         while True:
             remaining = deadline - time.monotonic()
             if remaining <= 0:

@@ -39,7 +39,7 @@ class _Open:
 
     def __init__(self, request: Request) -> None:
         self.request = request
-        self.waits_for_turn = not request.method.startswith(_AT_ONCE)
+        self.is_queued = not request.method.startswith(_AT_ONCE)
         self.is_sent = False
         self.arrived: asyncio.Queue[list[Buffer] | ContactdError] = asyncio.Queue()
 
@@ -57,9 +57,9 @@ class Exchanges:
         self._open: dict[str, _Open] = {}
         self._unsent: deque[_Open] = deque()  # at once
         self._queued: deque[_Open] = deque()  # when it is their turn
-        self._turns = most
+        self._free_places = most
         self._is_connected = False
-        self._patience: asyncio.TimerHandle | None = None  # with a daemon that does not listen
+        self._timer: asyncio.TimerHandle | None = None  # with a daemon that does not listen
         self._context: ZmqContext = zmq.Context()
         try:
             self._socket, self._monitor = connected_socket(self._context, endpoint, curve)
@@ -96,7 +96,7 @@ class Exchanges:
             for descriptor in self._descriptors:
                 self._loop.remove_reader(descriptor)
             self._end(self._open.values(), lambda one: ConnectionFailed("The client was closed."))
-        self._stop_patience()
+        self._stop_timer()
         close(self._socket, self._monitor)
         self._context.term()
 
@@ -108,7 +108,7 @@ class Exchanges:
         one = _Open(request)
         timer = self._loop.call_later(max(0.0, request.deadline - time.monotonic()), self._too_late, one)
         self._open[request.id] = one
-        (self._queued if one.waits_for_turn else self._unsent).append(one)
+        (self._queued if one.is_queued else self._unsent).append(one)
         answered = False
         try:
             self._look()
@@ -132,13 +132,13 @@ class Exchanges:
         if self.is_closed or not self.is_of_this_process:
             return
         if not one.is_sent:
-            (self._queued if one.waits_for_turn else self._unsent).remove(one)
+            (self._queued if one.is_queued else self._unsent).remove(one)
             if not self._unsent and not self._queued:
-                self._stop_patience()
+                self._stop_timer()
             return
         if cancel:
             give_up(self._socket, one.request.id)
-        self._turns += one.waits_for_turn
+        self._free_places += one.is_queued
         self._look()  # another one may have its turn now
 
     def _too_late(self, one: _Open) -> None:
@@ -157,9 +157,9 @@ class Exchanges:
             self._note(event)
         if self._is_connected:
             self._send()
-        elif self._patience is None and (first := [*self._unsent, *self._queued][:1]):
+        elif self._timer is None and (first := [*self._unsent, *self._queued][:1]):
             wait = first[0].request.connect_timeout
-            self._patience = self._loop.call_later(wait, self._lose_patience)
+            self._timer = self._loop.call_later(wait, self._time_out)
         self._receive()  # sending may have taken the news of answers from the descriptor
 
     def _events(self) -> list[Event]:
@@ -172,7 +172,7 @@ class Exchanges:
         if event.kind == zmq.EVENT_HANDSHAKE_SUCCEEDED:
             self._is_connected = True
             self._handshakes = Handshakes(self._endpoint, self._encrypted)
-            self._stop_patience()
+            self._stop_timer()
         elif event.is_of_connection:  # lost; also behind each handshake that failed
             self._is_connected = False
             sent = [one for one in self._open.values() if one.is_sent]
@@ -202,9 +202,9 @@ class Exchanges:
     def _send(self) -> None:
         while self._unsent and self._sent(self._unsent[0]):
             self._unsent.popleft()
-        while self._queued and self._turns > 0 and self._sent(self._queued[0]):
+        while self._queued and self._free_places > 0 and self._sent(self._queued[0]):
             self._queued.popleft()
-            self._turns -= 1
+            self._free_places -= 1
 
     def _sent(self, one: _Open) -> bool:
         try:
@@ -214,14 +214,14 @@ class Exchanges:
         one.is_sent = True
         return True
 
-    def _lose_patience(self) -> None:
-        self._patience = None
+    def _time_out(self) -> None:
+        self._timer = None
         self._end([*self._unsent, *self._queued], lambda one: no_daemon(self._endpoint))
 
-    def _stop_patience(self) -> None:
-        if self._patience is not None:
-            self._patience.cancel()
-            self._patience = None
+    def _stop_timer(self) -> None:
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
 
     def _end(self, exchanges: Iterable[_Open], why: Callable[[_Open], list[Buffer] | ContactdError]) -> None:
         for one in [*exchanges]:

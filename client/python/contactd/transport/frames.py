@@ -14,7 +14,7 @@ from .messages import Buffer
 
 __all__ = ["Frames", "decode", "encode"]
 
-# What may come back: double precision and bytes. Both are little-endian on every machine.
+# Double precision and bytes may come back. Both are little-endian on every machine.
 _DTYPES: dict[str, np.dtype[Any]] = {"<f8": np.dtype("<f8"), "|u1": np.dtype("u1")}
 
 _JSON = frozenset({int, str, bool, type(None)})  # floats, too, where they are finite

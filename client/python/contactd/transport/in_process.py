@@ -42,7 +42,7 @@ def _builder() -> str:
 
 
 class Engine:
-    """What Connections is to a daemon: lends each call a way to ask, which is one and the same. Thread-safe.
+    """Is to the engine what Connections is to a daemon: lends each call a way to ask, which is one and the same. Thread-safe.
 
     Belongs to the process that made it. One that was forked has none of its threads and sessions, and is told so.
     """
@@ -91,7 +91,7 @@ class Engine:
         """Nothing to do, as nothing was taken away."""
 
     def exchange(self, asked: Request) -> Reply:
-        """As Connection.exchange. It is the envelope's `timeout_ms` that ends it."""
+        """Exchanges as Connection.exchange does. It is the envelope's `timeout_ms` that ends it."""
         request = None  # an interrupt may come as soon as it is made; one that is let go of ends, too
         try:
             envelope, *frames = asked.message()

@@ -1,4 +1,4 @@
-"""What ends a private daemon when the process that started it was killed, and could not end it itself."""
+"""Lifeline, which ends a private daemon when the process that started it was killed, and could not end it itself."""
 
 from __future__ import annotations
 

@@ -17,9 +17,9 @@ __all__ = [
     "Reply",
     "Request",
     "cancellation",
-    "outcomes",
     "parsed",
     "reply_of",
+    "results",
     "status_error_of",
 ]
 
@@ -32,7 +32,7 @@ Buffer = bytes | memoryview  #: what arrays and envelopes come in
 
 @dataclass(frozen=True)
 class Request:
-    """What a call asks the daemon, and how long it waits for the answer.
+    """Question of a call to the daemon, and how long the call waits for the answer.
 
     Attributes:
         envelope: JSON, in which arrays are references to frames.
@@ -50,7 +50,7 @@ class Request:
 
     @property
     def id(self) -> str:
-        """What tells its answers from others."""
+        """Tells its answers from others."""
         return str(self.envelope["id"])
 
     @property
@@ -77,7 +77,7 @@ class Reply:
 
 
 def cancellation(name: str) -> bytes:
-    """Tells the daemon that nobody waits for the request with this id any more."""
+    """Tells the daemon that the request with this id is abandoned."""
     params = {"id": name}
     request = {"contactd": PROTOCOL_VERSION, "id": f"{name}-cancel", "method": "request.cancel", "params": params}
     return json.dumps(request).encode()
@@ -102,7 +102,7 @@ def parsed(text: Buffer) -> dict[str, Any]:
 
 
 def reply_of(answer: dict[str, Any], frames: Sequence[Buffer]) -> Reply:
-    """What an envelope with a status and its frames say. Raises StatusError or ProtocolError."""
+    """Reads an envelope with a status, and its frames. Raises StatusError or ProtocolError."""
     if (error := status_error_of(answer["status"])) is not None:
         raise error
     if not isinstance(answer.get("result"), dict):
@@ -130,7 +130,7 @@ def _unreadable(part: Any) -> ProtocolError:
 T = TypeVar("T")
 
 
-def outcomes(
+def results(
     method: str, result: dict[str, Any], name: str, readers: Sequence[Callable[[Any, str], T]]
 ) -> list[T | StatusError]:
     """`result[name]`, the answer of each part to `method`, read by the reader of that part, which is told its path."""

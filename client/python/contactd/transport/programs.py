@@ -11,7 +11,7 @@ __all__ = ["checked", "laid_over", "program_of"]
 
 
 def checked(config: Mapping[str, Any] | None) -> Mapping[str, Any]:
-    """What was given as a configuration; none is an empty one. Raises TypeError."""
+    """Returns what was given as a configuration; none is an empty one. Raises TypeError."""
     if config is not None and not isinstance(config, Mapping):
         raise TypeError(f'config is {config!r}; it must be a mapping of sections, such as {{"workers": 4}}')
     return config or {}

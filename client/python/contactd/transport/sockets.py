@@ -29,7 +29,7 @@ __all__ = [
 ZmqSocket = zmq.Socket[bytes]
 ZmqContext = zmq.Context[ZmqSocket]
 _CANCEL_LINGER_MS = 200
-#: What a socket tells of the handshakes of its connection.
+#: A socket reports these of the handshakes of its connection.
 _HANDSHAKE_EVENTS = (
     zmq.EVENT_HANDSHAKE_FAILED_AUTH | zmq.EVENT_HANDSHAKE_FAILED_PROTOCOL | zmq.EVENT_HANDSHAKE_FAILED_NO_DETAIL
 )
@@ -40,7 +40,7 @@ _SILENT_ENDS = 3
 
 
 class Event(NamedTuple):
-    """What happened to the connection of a socket: a number zmq.EVENT_..., and what that says besides."""
+    """Event of the connection of a socket: a number zmq.EVENT_..., and what that says besides."""
 
     kind: int
     value: int
@@ -78,7 +78,7 @@ def connected_socket(context: ZmqContext, endpoint: str, curve: CurveKeys | None
 
 
 def next_event(monitor: ZmqSocket) -> Event | None:
-    """What happened, in order; None when all is read. (zmq.utils.monitor would take asyncio along.)"""
+    """Returns what happened, in order; None when all is read. (zmq.utils.monitor would take asyncio along.)"""
     if not monitor.poll(0):
         return None
     return Event(*struct.unpack("=hi", monitor.recv_multipart()[0]))
@@ -94,7 +94,7 @@ def received(socket: ZmqSocket, flags: int = 0) -> list[Buffer]:
 
 
 def give_up(socket: ZmqSocket, request: str) -> None:
-    """Tells the daemon that nobody waits for this request any more. Its answers are dropped as they come."""
+    """Tells the daemon that this request is abandoned. Its answers are dropped as they come."""
     try:
         # Who gives up closes the socket perhaps at once: this may still go out.
         socket.setsockopt(zmq.LINGER, _CANCEL_LINGER_MS)

@@ -1,1 +1,1 @@
-"""What users build and receive, as plain, immutable values, and what they are on the wire."""
+"""Values that users build and receive, plain and immutable, and their forms on the wire."""

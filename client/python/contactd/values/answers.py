@@ -31,7 +31,7 @@ def _hints(kind: Any) -> dict[str, Any]:
 
 
 class _Unreadable(Exception):
-    """What is wrong, and where: those who read what is around it say so as it comes by, so that no path is made of what
+    """Tells what is wrong, and where: those who read what is around it say so as it comes by, so that no path is made of what
     can be read."""
 
     def __init__(self, problem: str, path: str = "") -> None:
@@ -86,12 +86,12 @@ def _reader(kind: Any) -> Convert:
         found: dict[str, Any] = {}
         for name, convert, has_default, may_be_none in _fields(kind):  # not before: types that no answer has stay unknown
             if name in value:
-                told = value[name]
-                if type(told) is float and convert is _read_float:  # as most are
-                    found[name] = told
+                reported = value[name]
+                if type(reported) is float and convert is _read_float:  # as most are
+                    found[name] = reported
                     continue
                 try:
-                    found[name] = convert(told)
+                    found[name] = convert(reported)
                 except _Unreadable as error:
                     raise error.within(f".{name}") from None
             elif not has_default:
@@ -104,7 +104,7 @@ def _reader(kind: Any) -> Convert:
 
 
 def _maker(kind: Any) -> Callable[[dict[str, Any]], Any]:
-    """What makes a value of some of its fields, the others being as by default. The __init__ of a frozen dataclass sets each
+    """Returns what makes a value of some of its fields, the others being as by default. The __init__ of a frozen dataclass sets each
     field by a call of its own. Where it does nothing else, this does the same at once: answers are hundreds of fields."""
     fields = dataclasses.fields(kind)
     if hasattr(kind, "__post_init__") or any(field.default_factory is not dataclasses.MISSING for field in fields):
@@ -125,7 +125,7 @@ def _misplaced(value: Any) -> _Unreadable:
 
 @functools.cache
 def _converter(hint: Any) -> Convert:
-    """What reads a value of this type: looked at once, as answers are read again and again."""
+    """Returns what reads a value of this type: looked at once, as answers are read again and again."""
     hint = getattr(hint, "__value__", hint)  # what the name of a type stands for, such as numpy's NDArray where it is one
     if hint is Any:
         return _as_it_is

@@ -114,11 +114,11 @@ def ics_params(ics: Ics) -> dict[str, Any]:
 def _section_params(section: Mapping[str, Any]) -> Mapping[str, Any]:
     """With the profile of a `profile_section` as the wire has it, should it be one of contactd.wheel_rail."""
     check_type("ics.section", section, Mapping)
-    said = section.get("profile_section")
-    if not isinstance(said, Mapping) or "profile" not in said or isinstance(said["profile"], Mapping):
+    inputs = section.get("profile_section")
+    if not isinstance(inputs, Mapping) or "profile" not in inputs or isinstance(inputs["profile"], Mapping):
         return section
-    profile = profile_params(said["profile"], "ics.section.profile_section.profile")
-    return {**section, "profile_section": {**said, "profile": profile}}
+    profile = profile_params(inputs["profile"], "ics.section.profile_section.profile")
+    return {**section, "profile_section": {**inputs, "profile": profile}}
 
 
 def layered_params(body: LayeredBody, ics: Ics | TableIcs) -> dict[str, Any]:
@@ -130,7 +130,7 @@ def layered_params(body: LayeredBody, ics: Ics | TableIcs) -> dict[str, Any]:
 
 
 def table_shape(grid: Grid, ics: Ics) -> tuple[int, ...]:
-    """Of one component: [ny, nx], of a longitudinally uniform body [ny, ny, nx]: observed column, loaded one, x offset."""
+    """Returns the shape of one component: [ny, nx], of a longitudinally uniform body [ny, ny, nx]: observed column, loaded one, x offset."""
     return grid.shape if ics.section is None else (grid.ny, *grid.shape)
 
 
@@ -177,7 +177,7 @@ def subsurface_params(
 
 
 def _ics_of(problem: ContactProblem, body: str) -> dict[str, Any]:
-    """What tells the daemon of bodies that are no half-spaces."""
+    """Returns what tells the daemon of bodies that are no half-spaces."""
     if problem.columns is not None:
         raise invalid(
             "columns",

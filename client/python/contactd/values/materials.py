@@ -1,4 +1,4 @@
-"""What bodies are made of. Any consistent system of units works; the docstrings name N and mm.
+"""Materials, layers and bodies. Any consistent system of units works; the docstrings name N and mm.
 
 Written by ./dev generate from proto/schema: edit it there.
 """

@@ -86,7 +86,7 @@ def _kinds(hint: Any) -> list[Any]:
 
 
 def _writer(hint: Any) -> Convert | None:
-    """What writes values of the dataclasses that a type names, or a sequence; None where they are as the wire has them."""
+    """Returns what writes values of the dataclasses that a type names, or a sequence; None where they are as the wire has them."""
     kinds = _kinds(hint)
     if kinds:
 
@@ -101,7 +101,7 @@ def _writer(hint: Any) -> Convert | None:
 
 
 def _writer_of_sequences(convert: Convert | None) -> Convert:
-    """What writes a list, of whatever sequence; what is none is the daemon's to refuse, by name."""
+    """Returns what writes a list, of whatever sequence; what is none is the daemon's to refuse, by name."""
 
     def write(values: Any, field: str) -> Any:
         if not isinstance(values, Iterable):
@@ -112,7 +112,7 @@ def _writer_of_sequences(convert: Convert | None) -> Convert:
 
 
 def _writer_of_arrays(hint: Any, key: str) -> Convert:
-    """What writes an array, or a value of one of the dataclasses that may stand in its place."""
+    """Returns what writes an array, or a value of one of the dataclasses that may stand in its place."""
     kinds = tuple(_kinds(hint))
 
     def write(value: Any, field: str) -> Any:
@@ -124,7 +124,7 @@ def _writer_of_arrays(hint: Any, key: str) -> Convert:
 
 
 def _writer_of_tuples(hint: Any, keys: tuple[str, ...]) -> Convert:
-    """What writes a tuple, or a sequence of tuples, in place of which the type may allow a number."""
+    """Returns what writes a tuple, or a sequence of tuples, in place of which the type may allow a number."""
     kinds = _alternatives(hint)
     (kind,) = [kind for kind in kinds if get_origin(kind) is not None]
     is_one, may_be_number = get_origin(kind) is tuple, float in kinds

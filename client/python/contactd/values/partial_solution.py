@@ -72,7 +72,7 @@ class StepSolution(PartialSolution):
 
 @dataclass(frozen=True)
 class SavedState:
-    """What save() returns and restore() takes.
+    """State that save() returns and restore() takes.
 
     Attributes:
         name: What the daemon calls it.

@@ -1,5 +1,5 @@
-"""What is asked: contact problems as plain, immutable values. Any consistent system of units works; the docstrings name
-N and mm. Ranges are the daemon's business: a value it cannot use comes back as InvalidArgument naming the field.
+"""Contact problems as plain, immutable values. Any consistent system of units works; the docstrings name N and mm.
+Ranges are the daemon's business: a value it cannot use comes back as InvalidArgument naming the field.
 
 Written by ./dev generate from proto/schema: edit it there.
 """

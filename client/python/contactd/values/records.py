@@ -1,4 +1,4 @@
-"""What a daemon keeps: tables in its store, and its last solves.
+"""Records that a daemon keeps: tables in its store, and its last solves.
 
 Written by ./dev generate from proto/schema: edit it there.
 """

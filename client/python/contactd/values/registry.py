@@ -1,4 +1,4 @@
-"""What values do by parts of this package that they do not know, such as pictures: by name, functions of modules that are
+"""Registry of what values do by parts of this package that they do not know, such as pictures: by name, functions of modules that are
 imported when they are first called.
 
 contactd fills it from contactd.extras before anybody has a value.

@@ -19,7 +19,7 @@ def number(value: object) -> str:
 
 
 class Shown:
-    """What says in `_title` what it is, and in `_rows` what there is to know of it, names and values."""
+    """Shows itself: says in `_title` what it is, and in `_rows` what there is to know of it, names and values."""
 
     def _title(self) -> str:
         return type(self).__name__
@@ -57,7 +57,7 @@ def with_inherited_attributes(kind: Kind) -> Kind:
 
 
 class ProgressText:
-    """Of a Progress."""
+    """Methods of a Progress."""
 
     def __str__(self: Any) -> str:
         if self.state:

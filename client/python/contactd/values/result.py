@@ -1,4 +1,4 @@
-"""What is answered of a contact. Arrays are read-only; copy one to change it.
+"""Answers of contacts. Arrays are read-only; copy one to change it.
 
 Written by ./dev generate from proto/schema: edit it there.
 """

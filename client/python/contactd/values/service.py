@@ -1,4 +1,4 @@
-"""What a daemon tells of itself, of its work and of sessions.
+"""A daemon's account of itself, of its work and of sessions.
 
 Written by ./dev generate from proto/schema: edit it there.
 """

@@ -1,4 +1,4 @@
-"""What is answered of a contact, as plain, immutable values.
+"""Answers of contacts, as plain, immutable values.
 
 Arrays are read-only; copy one to change it.
 """
@@ -59,5 +59,5 @@ Fields = Iterable[Field] | Field  #: what `fields` of a call may be: names, or t
 
 
 def names_of(fields: Fields) -> list[str]:
-    """What is no name of an array is the daemon's to refuse."""
+    """Returns names of arrays; what is none is the daemon's to refuse."""
     return [fields] if isinstance(fields, str) else list(fields)

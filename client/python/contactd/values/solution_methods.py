@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Bytes", "Floats", "SolutionMethods"]
 
-# What the arrays of a solution are: of a step each may be left out.
+# Arrays of a solution are of these types: of a step each may be left out.
 Floats = TypeVar("Floats", bound="Array | None")
 Bytes = TypeVar("Bytes", bound="npt.NDArray[np.uint8] | None")
 
@@ -44,8 +44,8 @@ class SolutionMethods:
     @public
     def to_xarray(self) -> xarray.Dataset:
         """Arrays over x and y, forces, pmax and the approach, with their units. Needs xarray ("contactd[xarray]")."""
-        labelled: xarray.Dataset = extra("Solution.to_xarray")(self)
-        return labelled
+        dataset: xarray.Dataset = extra("Solution.to_xarray")(self)
+        return dataset
 
     def _rows(self: Any) -> Rows:
         division = f"{self.elements.contact} elements: {self.elements.adhesion} in adhesion, {self.elements.slip} in slip"

@@ -1,4 +1,4 @@
-"""What a step of a contact says.
+"""Inputs of a step of a contact.
 
 Written by ./dev generate from proto/schema: edit it there.
 """
@@ -19,7 +19,7 @@ __all__ = ["StepInput"]
 
 
 class StepInput(TypedDict, total=False):
-    """What a step says: the keywords of Session.step, for Client.step_many, as in ``{"Fn": 9e3, "xi": 1e-3}``."""
+    """Inputs of a step: the keywords of Session.step, for Client.step_many, as in ``{"Fn": 9e3, "xi": 1e-3}``."""
 
     approach: float | None
     Fn: float | None

@@ -52,8 +52,8 @@ class SubsurfaceStressMethods:
     @public
     def to_xarray(self) -> xarray.Dataset:
         """Stresses over x, y and z of a block, or over points. Needs xarray ("contactd[xarray]")."""
-        labelled: xarray.Dataset = extra("SubsurfaceStress.to_xarray")(self)
-        return labelled
+        dataset: xarray.Dataset = extra("SubsurfaceStress.to_xarray")(self)
+        return dataset
 
     def _title(self: Any) -> str:
         return f"SubsurfaceStress at {self.von_mises.size} points"

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 __all__ = ["IcSpec", "IcTable", "TableIcs", "check_finite", "combined_modulus"]
 
 _AXES = "xyz"
-#: What to do with the table of a longitudinally uniform body.
+#: This is to be done with the table of a longitudinally uniform body.
 _IMPORT = (
     "export it where it was built (export_ic) and give the file to the daemon that solves (import_ic), where FemIcs with its "
     "section asks for it"
@@ -128,8 +128,8 @@ class IcTable(HasDict, Shown):
 
         Needs xarray ("contactd[xarray]").
         """
-        labelled: xarray.DataArray = extra("IcTable.to_xarray")(self)
-        return labelled
+        dataset: xarray.DataArray = extra("IcTable.to_xarray")(self)
+        return dataset
 
     def __getitem__(self, component: str) -> Array:
         """One component, shape [ny, nx]: ``table["xz"]`` is the displacement along x for a load along z."""

@@ -29,12 +29,12 @@ class Balance:
 
     @property
     def error(self) -> Array:
-        """What is missing (N mm): only steps of a finite size leave something."""
+        """Energy that is missing (N mm): only steps of a finite size leave something."""
         return self.stored + self.damped + self.to_rails - self.stored[0]
 
 
 def balance(equations: Equations, times: Array, states: Array) -> Balance:
-    """Of a run with equal steps, states of shape [n, bodies, 12]. Asks for the contacts of each state once more.
+    """Balances the energy of a run with equal steps, states of shape [n, bodies, 12]. Asks for the contacts of each state once more.
 
     Powers are summed by cubics, so that the balance closes to the fourth order of the step, as the motion does.
     """
@@ -45,7 +45,7 @@ def balance(equations: Equations, times: Array, states: Array) -> Balance:
 
 
 def energy(equations: Equations, bodies: Array) -> float:
-    """Of motion, height and springs (N mm)."""
+    """Energy of motion, height and springs (N mm)."""
     found = 0.0
     spins = along(about_y(bodies[:, PITCH]).transpose(0, 2, 1), bodies[:, RATES])
     for body, state, spin in zip(equations.vehicle.bodies, bodies, spins):
@@ -57,7 +57,7 @@ def energy(equations: Equations, bodies: Array) -> float:
 
 
 def _powers(equations: Equations, bodies: Array) -> tuple[float, float, float]:
-    """What goes to dampers, to rails, and of this to friction (N mm/s)."""
+    """Power that goes to dampers, to rails, and of this to friction (N mm/s)."""
     pull, _, _ = equations.springs(bodies)
     rails = equations.rolling(bodies)
     given = 0.0

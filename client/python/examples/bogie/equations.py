@@ -11,7 +11,7 @@ from vehicle import Vehicle
 
 
 class Pull(NamedTuple):
-    """Of all springs: tension (N), what they are longer than at rest (mm), and how they lengthen (mm/s)."""
+    """Pull of all springs: tension (N), what they are longer than at rest (mm), and how they lengthen (mm/s)."""
 
     tension: Array
     extension: Array

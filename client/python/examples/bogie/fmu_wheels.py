@@ -61,7 +61,7 @@ class _Wheel:
     def __init__(self, folder: str, description: Any, parameters: Mapping[str, float]) -> None:
         self._variables = {variable.name: variable for variable in description.modelVariables}
         self._is_fmi2 = description.fmiVersion == "2.0"
-        self._said: list[str] = []
+        self._given: list[str] = []
         self._slave = self._instantiated(folder, description)
         self._answers = [self._variables[name].valueReference for name in ANSWERS]
         self._time = 0.0
@@ -73,9 +73,9 @@ class _Wheel:
         self._slave.exitInitializationMode()
 
     def _instantiated(self, folder: str, description: Any) -> Any:
-        def tell(*told: Any) -> None:  # FMI 2 and 3 tell different things before the sentence
-            sentence = told[-1].decode()
-            self._said.append(sentence % () if self._is_fmi2 else sentence)  # a format, in FMI 2
+        def tell(*reported: Any) -> None:  # FMI 2 and 3 tell different things before the sentence
+            sentence = reported[-1].decode()
+            self._given.append(sentence % () if self._is_fmi2 else sentence)  # a format, in FMI 2
 
         # Not by fmpy.instantiate_fmu: what instances of FMI 2 log, it tells to the logger given last, whether that still
         # lives or not.
@@ -101,8 +101,8 @@ class _Wheel:
         try:
             self._slave.doStep(self._time, STEP)
         except fmi1.FMICallException as error:
-            sentence = self._said[-1] if self._said else str(error)
-            # What else can go wrong has no part in the motion, such as the limit of a step.
+            sentence = self._given[-1] if self._given else str(error)
+            # Nothing else that can go wrong has part in the motion, such as the limit of a step.
             raise (InvalidArgument if "no elastic contact" in sentence else RuntimeError)(sentence) from None
         self._time += STEP
         get = self._slave.getReal if self._is_fmi2 else self._slave.getFloat64
@@ -110,7 +110,7 @@ class _Wheel:
         return answers
 
     def _set(self, names: Sequence[str], values: Sequence[float]) -> None:
-        """Of one type all of them."""
+        """Sets all of them that are of one type."""
         references, kind = [self._variables[name].valueReference for name in names], self._variables[names[0]].type
         if kind == "Enumeration":
             kind = "Integer" if self._is_fmi2 else "Int64"
@@ -136,9 +136,9 @@ def described(archive: Path) -> Any:
 
 
 def parameters_of(setup: WheelRailSetup) -> dict[str, float]:
-    """Of one of SETUPS; what these leave out is the same by default. Raises ValueError where a set-up says more."""
-    said = {name for name, value in vars(setup).items() if value is not None}
-    if more := said - {"side", "model", "friction", "dx", "dy"}:
+    """Parameters of one of SETUPS; what these leave out is the same by default. Raises ValueError where a set-up says more."""
+    given = {name for name, value in vars(setup).items() if value is not None}
+    if more := given - {"side", "model", "friction", "dx", "dy"}:
         raise ValueError(f"the set-up says {', '.join(sorted(more))}, of which FmuWheels tells its FMUs nothing")
     return {
         "side": 0 if setup.side == "left" else 1, "model": MODELS.index(setup.model), "friction.mu": setup.friction.mu,
@@ -160,6 +160,6 @@ def inputs_of(state: WheelRailState) -> dict[str, float]:
 
 
 def _on_wheelset(answer: Sequence[float], state: WheelRailState) -> OnWheelset:
-    """What an answer means for the wheelset: its forces act on the rail."""
+    """Forces on the wheelset by an answer: its forces act on the rail."""
     force, moment = -np.array(answer[:3]), -np.array(answer[3:6])
     return OnWheelset(axes(state.position.roll, state.position.yaw) @ force, moment, answer[6])

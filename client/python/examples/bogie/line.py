@@ -41,22 +41,22 @@ class Line:
         object.__setattr__(self, "_nodes", nodes - nodes[10])
 
     def share(self, s: float) -> float:
-        """Of curvature and cant that is reached, 0 to 1."""
+        """Share of curvature and cant that is reached, 0 to 1."""
         u = min(max((s - self.begin) / self.transition, 0.0), 1.0)
         return u * u * (3 - 2 * u)
 
     def heading(self, s: float) -> float:
-        """Of the line (rad)."""
+        """Heading of the line (rad)."""
         u = min(max((s - self.begin) / self.transition, 0.0), 1.0)
         beyond = max(s - self.begin - self.transition, 0.0)
         return self.curvature * (self.transition * (u**3 - u**4 / 2) + beyond)
 
     def roll(self, s: float) -> float:
-        """Of the track's plane (rad): the outer rail lies higher."""
+        """Roll of the track's plane (rad): the outer rail lies higher."""
         return float(np.sign(self.curvature) * self.cant / self.gauge * self.share(s))
 
     def place(self, s: float) -> Array:
-        """Of the middle between the rails (mm), shape [3]. Raises ValueError beyond the line's end."""
+        """Place of the middle between the rails (mm), shape [3]. Raises ValueError beyond the line's end."""
         node = int(s // NODE)
         if not -10 <= node < len(self._nodes) - 11:
             raise ValueError(f"The way is {s / 1000:g} m; the line is known from -10 m to {self.length / 1000:g} m.")
@@ -64,7 +64,7 @@ class Line:
         return np.array([x, y, 0.0])
 
     def axes(self, s: float) -> Array:
-        """Of the track, as columns: along it, to the right, down."""
+        """Axes of the track, as columns: along it, to the right, down."""
         return axes(self.roll(s), self.heading(s))
 
     def way_to(self, place: Array, guess: float) -> float:

@@ -21,7 +21,7 @@ ROLL, PITCH, YAW = 3, 4, 5
 
 
 class OnBodies(NamedTuple):
-    """What the rails do to the wheelsets.
+    """Forces and moments of the rails on the wheelsets.
 
     Attributes:
         forces: Shape [wheelsets, 3] (N).
@@ -63,7 +63,7 @@ class Rolling:
         return OnBodies(forces, moments, sum(wheel.power for wheel in answers))
 
     def motion(self, number: int, body: Array) -> Motion:
-        """Of a wheelset over the track that it is on: the line's axes there."""
+        """Motion of a wheelset over the track that it is on: the line's axes there."""
         way = self._ways[number] = self.line.way_to(body[PLACE], float(self._ways[number]))
         track = self.line.axes(way)
         _, y, z = track.T @ (body[PLACE] - self.line.place(way))

@@ -71,7 +71,7 @@ class Run:
 
 
 def wheel_setups(contact: str, vehicle: Vehicle, element: float | None = None) -> list[WheelRailSetup]:
-    """Of all wheels in their order: those of the leading wheelset first, left before right. `element` is another size (mm)."""
+    """Set-ups of all wheels in their order: those of the leading wheelset first, left before right. `element` is another size (mm)."""
     setup = SETUPS[contact] if element is None else SETUPS[contact].replace(dx=element, dy=element)
     return [setup.replace(side=side) for _ in range(vehicle.wheelsets) for side in SIDES]
 
@@ -127,11 +127,11 @@ def start(client: Client, equations: Equations, setup: WheelRailSetup, speed: fl
     vehicle = equations.vehicle
     rolling = WheelsetVelocity(x=1000 * speed, pitch=-1000 * speed / vehicle.radius)
     load = vehicle.axle_load / 2
-    borne = client.wheelset(
+    carried = client.wheelset(
         setup.replace(side="right"),
         WheelsetState(Fz_left=load, Fz_right=load, position=WheelsetPosition(y=y), velocity=rolling), fields=[],
     )  # fmt: skip
-    return equations.start(1000 * speed, borne.z, y, borne.roll)
+    return equations.start(1000 * speed, carried.z, y, carried.roll)
 
 
 def places_of(rolling: Rolling, states: Array) -> Array:

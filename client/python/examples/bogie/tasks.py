@@ -1,4 +1,4 @@
-"""What the example does beside running straight: a curve, the balance of energy, and the search for the critical speed."""
+"""Tasks beside running straight: a curve, the balance of energy, and the search for the critical speed."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def run_curve(client: Client, contact: str, integrate: Integrate, output: Path |
 
 
 def forces_on_rails(client: Client, run: Run, count: int) -> tuple[Array, Array]:
-    """Of a run without irregularities: ways of the frame (m), and the forces of its wheels in track coordinates (N), shape
+    """Forces of a run without irregularities: ways of the frame (m), and the forces of its wheels in track coordinates (N), shape
     [count, 4, 3]."""
     found: list[list[Array]] = []
     with SessionWheels(client, wheel_setups(run.contact, bogie())) as wheels:
@@ -60,7 +60,7 @@ def forces_on_rails(client: Client, run: Run, count: int) -> tuple[Array, Array]
 
 
 def tell_energy(client: Client, contact: str, speed: float, integrate: Integrate, output: Path | None) -> None:
-    """Of a second from 3 mm out of the middle on, on straight track."""
+    """Tells the energy of a second from 3 mm out of the middle on, on straight track."""
     run = simulate(client, contact, speed, 1.0, integrate=integrate, y=3.0)
     with SessionWheels(client, wheel_setups(contact, bogie())) as wheels:
         found = balance(Equations(Rolling(bogie(), wheels, run.line, Track())), run.times, run.states)

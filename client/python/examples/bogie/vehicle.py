@@ -74,7 +74,7 @@ class Vehicle:
 
     @property
     def places(self) -> Array:
-        """Of the centres at rest (mm), shape [bodies, 3]."""
+        """Places of the centres at rest (mm), shape [bodies, 3]."""
         return np.array([body.place for body in self.bodies])
 
     def length_at_rest(self, spring: Spring) -> float:

@@ -1,4 +1,4 @@
-"""What the demo must reach to end with status 0, and where each bound comes from."""
+"""Bounds that the demo must reach to end with status 0, and where each comes from."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What cross-sections change: a wheel's throat in a gauge corner, and a ball near an edge."""
+"""Effects of cross-sections: a wheel's throat in a gauge corner, and a ball near an edge."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def show_conformal(client: Client, binaries: Path, output: Path) -> list[Check]:
 
 
 def meshes(client: Client, binaries: Path) -> dict[str, SectionMesh]:
-    """What finite elements make of the sections: of columns like those above."""
+    """Meshes of the sections, of columns like those above."""
     found = {}
     for name, shape, columns, size in (
         ("head of 60E1", CORNER, 64, SIZE),

@@ -77,7 +77,7 @@ def draw_along(axes: Any, throat: Throat) -> None:
 
 
 def draw_table(figure: Any, axes: Any, throat: Throat) -> None:
-    """What finite elements change of the rotated half-space: zz between the columns of the head."""
+    """Draws what finite elements change of the rotated half-space: zz between the columns of the head."""
     change = throat.rail["zz"][:, :, 0] - throat.rotated_rail["zz"][:, :, 0]
     change = 100 * change / throat.rotated_rail["zz"][0, 0, 0]
     bound = np.abs(change).max()

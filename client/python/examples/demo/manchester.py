@@ -24,7 +24,7 @@ YAW = 0.0024  # rad for each mm
 
 @dataclass(frozen=True)
 class Known:
-    """What the program prints: height of the wheelset (mm), forces on the rail in track coordinates (N), place of the
+    """Figures that the program prints: height of the wheelset (mm), forces on the rail in track coordinates (N), place of the
     contact (mm), its angle (rad), normal force (N), largest pressure (N/mm^2)."""
 
     z: float
@@ -51,7 +51,7 @@ POSITIONS = [
     (10.0, -0.01126431, -4.2436375),
 ]
 
-#: Of each wheel, for each position.
+#: Figures of each wheel, for each position.
 KNOWN = {
     "left": [
         Known(0.1981, 0.2783, -36.24, -751.8726, 0.029, 9997.0, 338.3),

@@ -71,7 +71,7 @@ def draw_contacts(client: Client, path: Path) -> None:
 
 
 def draw_creep_forces(client: Client, path: Path) -> None:
-    """Of the centred wheel by its pitch rate and yaw."""
+    """Draws creep forces of the centred wheel by its pitch rate and yaw."""
     setup = WheelRailSetup(model="fastsim", dx=0.4, dy=0.4)
     slips, yaws = np.linspace(-5e-3, 5e-3, 17), np.linspace(-5e-3, 5e-3, 17)
     forces = np.array([[_creep_force(client, setup, slip, yaw) for slip in slips] for yaw in yaws]) / (MU * FZ)

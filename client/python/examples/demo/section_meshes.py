@@ -24,7 +24,7 @@ class SectionMesh:
 
 
 def section_mesh(binaries: Path, material: Material, grid: Grid, ics: dict[str, Any], frames: Any) -> SectionMesh:
-    """Of a longitudinally uniform body, whose columns are the rows of `grid`, at `frames`."""
+    """Meshes a longitudinally uniform body, whose columns are the rows of `grid`, at `frames`."""
     spec = {
         "material": {"G": material.G, "nu": material.nu},
         "grid": {"nx": grid.nx, "ny": grid.ny, "dx": grid.dx, "dy": grid.dy},

@@ -58,7 +58,7 @@ DIGITS = [("z", 3), ("Fx", 0), ("Fy", 0), ("y_contact", 2), ("angle", 4), ("pmax
 
 
 def figures_of(solution: WheelRailSolution) -> Known:
-    """What the program prints, of the first patch; there is one in all of these positions."""
+    """Figures that the program prints, of the first patch; there is one in all of these positions."""
     patch, track = solution.patches[0], solution.forces.track
     at = patch.place.reference
     return Known(solution.z, track.Fx, track.Fy, at.y, at.angle, patch.solution.forces.Fn, patch.solution.pmax)

@@ -73,8 +73,8 @@ def _across(patch: WheelRailPatch) -> list[tuple[float, float]]:
     assert patch.solution.element_division is not None
     grid, at = patch.place.grid, patch.place.reference
     touches = (patch.solution.element_division != 0).any(axis=1)
-    turns = np.flatnonzero(np.diff(np.concatenate([[False], touches, [False]])))
-    ends = at.y + np.cos(at.angle) * (grid.y[0] + (turns - 0.5) * grid.dy)
+    changes = np.flatnonzero(np.diff(np.concatenate([[False], touches, [False]])))
+    ends = at.y + np.cos(at.angle) * (grid.y[0] + (changes - 0.5) * grid.dy)
     return list(zip(ends[::2], ends[1::2], strict=True))
 
 

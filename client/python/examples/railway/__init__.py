@@ -1,1 +1,1 @@
-"""What the examples with wheels on rails share: motion, track, who solves the wheels, stability."""
+"""Parts that the examples with wheels on rails share: motion, track, who solves the wheels, stability."""

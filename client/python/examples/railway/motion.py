@@ -14,7 +14,7 @@ _NEXT = np.array([1, 2, 0])
 
 
 class Motion(NamedTuple):
-    """Of the wheelset, in the words and signs of `contactd.wheel_rail`.
+    """Motion of the wheelset, in the words and signs of `contactd.wheel_rail`.
 
     Attributes:
         distance: That the centre has gone along the track (mm).
@@ -44,5 +44,5 @@ def axes(roll: float | Array, yaw: float | Array) -> Array:
 
 
 def cross(first: Array, second: Array) -> Array:
-    """As numpy.cross of vectors in the last dimension, which takes several times as long for a few of them."""
+    """Does as numpy.cross of vectors in the last dimension, which takes several times as long for a few of them."""
     return (first * second[..., _NEXT] - first[..., _NEXT] * second)[..., _NEXT]

@@ -38,7 +38,7 @@ SETUPS = {
 
 
 class OnWheelset(NamedTuple):
-    """What one wheel's rail does to its wheelset.
+    """Force and moment of one wheel's rail on its wheelset.
 
     Attributes:
         force: In track coordinates (N).
@@ -92,14 +92,14 @@ class SessionWheels:
 
 
 def on_wheelset(answer: WheelRailSolution) -> OnWheelset:
-    """What an answer means for the wheelset: its forces act on the rail."""
+    """Forces on the wheelset by an answer: its forces act on the rail."""
     track, wheelset = answer.forces.track, answer.forces.wheelset
     force, moment = -np.array([track.Fx, track.Fy, track.Fz]), -np.array([wheelset.Mx, wheelset.My, wheelset.Mz])
     return OnWheelset(force, moment, answer.frictional_power or 0.0)
 
 
 def wheel_state(side: Side, motion: Motion, track: Track) -> WheelRailState:
-    """Of a wheel whose height is given, on a rail that is where the track has it."""
+    """State of a wheel whose height is given, on a rail that is where the track has it."""
     y, z, y_slope, z_slope = track.deviation(side, motion.distance)
     return WheelRailState(
         position=WheelsetPosition(y=motion.y, z=motion.z, roll=motion.roll, yaw=motion.yaw),

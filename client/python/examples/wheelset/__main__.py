@@ -98,7 +98,7 @@ def _tell(run: Run) -> None:
 
 
 def _compare(runs: list[Run]) -> None:
-    """What each contact costs on average, and as a ratio to the first one."""
+    """Compares what each contact costs on average, and as a ratio to the first one."""
     costs: dict[str, list[float]] = {}
     for run in runs:
         costs.setdefault(run.contact, []).append(run.cost)

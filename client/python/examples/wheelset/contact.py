@@ -1,4 +1,4 @@
-"""What the rails do to the wheelset: by contactd, or by the linear theory of the textbooks."""
+"""Forces of the rails on the wheelset: by contactd, or by the linear theory of the textbooks."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ TO_TRACK = np.array([1, 2, 0])
 
 
 def integrate(wheelset: Wheelset, state: Array, duration: float, step: float) -> tuple[Array, Array]:
-    """As runge_kutta.integrate, by Exudyn's explicit Runge-Kutta solver of fourth order.
+    """Integrates as runge_kutta.integrate does, by Exudyn's explicit Runge-Kutta solver of fourth order.
 
     Contact is stiff, not singular: at steps of a millisecond nothing has to be solved implicitly. An implicit method would
     ask for the contact at every column of its Jacobian.

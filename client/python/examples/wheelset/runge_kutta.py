@@ -41,14 +41,14 @@ class Wheelset:
         """The time derivative of the state."""
         motion = self.motion(time, state)
         on_rails, moment_on_rails = self.contact(motion)
-        on_springs, moment_on_springs = suspension(self.vehicle, state[0], self.rest, motion, self.speed)
-        acceleration = (on_rails + on_springs) / self.vehicle.mass + (0, 0, GRAVITY)
+        force_of_springs, moment_of_springs = suspension(self.vehicle, state[0], self.rest, motion, self.speed)
+        acceleration = (on_rails + force_of_springs) / self.vehicle.mass + (0, 0, GRAVITY)
 
         inertia = np.array([self.vehicle.inertia, self.vehicle.inertia_axle, self.vehicle.inertia])
-        turning = np.array([motion.roll_rate, motion.pitch_rate, motion.yaw_rate])
+        angular_velocity = np.array([motion.roll_rate, motion.pitch_rate, motion.yaw_rate])
         of_axes = np.array([motion.roll_rate, motion.yaw_rate * np.tan(motion.roll), motion.yaw_rate])
-        momentum = inertia * turning
-        angular = (moment_on_rails + moment_on_springs - cross(of_axes, momentum)) / inertia
+        momentum = inertia * angular_velocity
+        angular = (moment_on_rails + moment_of_springs - cross(of_axes, momentum)) / inertia
         angles = (motion.roll_rate, motion.yaw_rate / np.cos(motion.roll))
         return np.concatenate([state[5:8], angles, acceleration, angular])
 

@@ -41,7 +41,7 @@ class Vehicle:
 
 
 def frame_load(vehicle: Vehicle) -> float:
-    """What the frame adds to the wheelset's own weight, on one axle box (N)."""
+    """Load that the frame adds to the wheelset's own weight, on one axle box (N)."""
     return (vehicle.axle_load - vehicle.mass * GRAVITY) / 2
 
 

@@ -36,12 +36,12 @@ def read_wheel_rail(names: Iterable[str] | None, gap: bool, result: dict[str, An
 def read_wheel_rail_as(
     kind: type[S], names: Iterable[str] | None, gap: bool, result: dict[str, Any], path: str = "result"
 ) -> S:
-    """The same as a class that holds more."""
+    """Reads the answer as a class that holds more."""
     return _checked(read(kind, result, path), names, gap)
 
 
 def read_wheel_rail_without_patches(kind: type[S], result: dict[str, Any], path: str) -> S:
-    """The same of an answer that leaves them out."""
+    """Reads an answer that leaves patches out."""
     if type(result.get("contacts")) is not int:
         raise ProtocolError(f"The answer's {path} lacks contacts.")
     solution = read(kind, {**result, "patches": []}, path)
@@ -50,7 +50,7 @@ def read_wheel_rail_without_patches(kind: type[S], result: dict[str, Any], path:
 
 
 def read_wheelset(names: Iterable[str] | None, gap: bool, result: dict[str, Any]) -> WheelsetSolution:
-    """As `read_wheel_rail`, of both wheels."""
+    """Reads the answer of both wheels, as `read_wheel_rail` does."""
     solution = read(WheelsetSolution, result)
     for wheel in (solution.left, solution.right):
         _checked(wheel, names, gap)
@@ -58,9 +58,9 @@ def read_wheelset(names: Iterable[str] | None, gap: bool, result: dict[str, Any]
 
 
 def _checked(solution: S, names: Iterable[str] | None, gap: bool) -> S:
-    wanted = list(ALL_FIELDS if names is None else names)
+    requested = list(ALL_FIELDS if names is None else names)
     for index, patch in enumerate(solution.patches):
-        check_arrays(patch.solution, wanted, patch.place.grid)
+        check_arrays(patch.solution, requested, patch.place.grid)
         on_grid(patch.solution, patch.place.grid)
         if gap and patch.gap is not None and patch.gap.shape != patch.place.grid.shape:
             raise ProtocolError(f"The answer's gap of patch {index} does not fit its grid.")

@@ -1,4 +1,4 @@
-"""What answers of wheels on rails can do, whose fields are in `result`."""
+"""Methods of answers of wheels on rails, whose fields are in `result`."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ __all__ = ["WheelRailSolutionMethods", "WheelsetSolutionMethods"]
 
 
 class WheelRailSolutionMethods(Saved, Shown):
-    """Of a WheelRailSolution."""
+    """Methods of a WheelRailSolution."""
 
     if not TYPE_CHECKING:  # which has none to report otherwise
 
@@ -49,7 +49,7 @@ class WheelRailSolutionMethods(Saved, Shown):
 
 
 class WheelsetSolutionMethods(Saved, Shown):
-    """Of a WheelsetSolution."""
+    """Methods of a WheelsetSolution."""
 
     def _rows(self: Any) -> Rows:
         rows: Rows = [("z", self.z), ("roll", self.roll)]

@@ -1,4 +1,4 @@
-"""What a step of a wheel on its rail says.
+"""Inputs of a step of a wheel on its rail.
 
 Written by ./dev generate from proto/schema: edit it there.
 """
@@ -15,7 +15,7 @@ __all__ = ["WheelRailStepInput"]
 
 
 class WheelRailStepInput(TypedDict, total=False):
-    """What a step says: the arguments of WheelRailSession.step, for Client.step_many, as in ``{"state": state}``."""
+    """Inputs of a step: the arguments of WheelRailSession.step, for Client.step_many, as in ``{"state": state}``."""
 
     state: WheelRailState
     friction: WheelRailFriction | None
