@@ -110,7 +110,11 @@ MODULES = [
     Module(
         "result",
         "Answers of contacts. Arrays are read-only; copy one to change it.",
-        ("definitions.json#/definitions/derivatives_of_answer", "contact.solve.result.json#"),
+        (
+            "definitions.json#/definitions/fields/items",
+            "definitions.json#/definitions/derivatives_of_answer",
+            "contact.solve.result.json#",
+        ),
     ),
     Module(
         "subsurface",

@@ -139,12 +139,12 @@ class AnyContactSession(AnySession):
         Raises FailedPrecondition when the daemon is at another step, Aborted (reason NOT_CONVERGED) when a solver
         missed its tolerance, NotFound when the session has ended, and what Client.solve raises.
         """
-        step: StepInput = {
-            "approach": approach, "Fn": Fn, "gap": gap, "friction": friction, "mu": mu, "force": force,
-            "rigid_shift": rigid_shift, "rotation": rotation, "duration": duration, "rigid_slip": rigid_slip,
-            "xi": xi, "eta": eta, "phi": phi, "chi": chi, "dq": dq, "spin_offset": spin_offset, "kind": kind,
-            "steps": steps, "velocity": velocity, "derivatives": derivatives, "fields": fields, "again": again,
-        }  # fmt: skip
+        step = StepInput(
+            approach=approach, Fn=Fn, gap=gap, friction=friction, mu=mu, force=force, rigid_shift=rigid_shift,
+            rotation=rotation, duration=duration, rigid_slip=rigid_slip, xi=xi, eta=eta, phi=phi, chi=chi, dq=dq,
+            spin_offset=spin_offset, kind=kind, steps=steps, velocity=velocity, derivatives=derivatives, fields=fields,
+            again=again,
+        )  # fmt: skip
         solution: StepSolution = yield from self._step(step, timeout, on_progress, progress)
         return solution
 

@@ -92,7 +92,7 @@ class AnyWheelRailSession(AnySession):
 
         Raises InvalidArgument naming ``wheelrail.state.position.z``, ..., and what Session.step raises.
         """
-        step: WheelRailStepInput = {"state": state, "friction": friction, "fields": fields, "gap": gap, "patches": patches, "again": again}
+        step = WheelRailStepInput(state=state, friction=friction, fields=fields, gap=gap, patches=patches, again=again)
         solution: WheelRailStepSolution = yield from self._step(step, timeout, on_progress, progress)
         return solution
 

@@ -4,6 +4,8 @@ them."""
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import fields as dataclass_fields
+from dataclasses import replace
 from typing import Any, Literal
 
 import numpy as np
@@ -93,7 +95,7 @@ def coefficient_params(ics: Ics | TableIcs, grid: Grid) -> dict[str, Any]:
 
 def traction_params(tractions: Estimate | ContactSolution, field: str) -> dict[str, Any]:
     """The arrays of `previous`, `initial` and contact.subsurface that are there; of a solution all must be."""
-    arrays = {name: getattr(tractions, name) for name in ("pressure", "traction_x", "traction_y")}
+    arrays = {one.name: getattr(tractions, one.name) for one in dataclass_fields(Estimate)}
     missing = [name for name, array in arrays.items() if array is None]
     if missing and not isinstance(tractions, Estimate):
         raise TypeError(
@@ -139,7 +141,7 @@ def table_params(material: Material | LayeredBody, grid: Grid, ics: Ics) -> dict
     check_type("material", material, Material, LayeredBody)
     check_type("grid", grid, Grid)
     check_type("ics", ics, AnalyticIcs, FemIcs)
-    extent = {"nx": grid.nx, "ny": grid.ny, "dx": grid.dx, "dy": grid.dy}
+    extent = params_of(replace(grid, x0=None, y0=None))
     if isinstance(material, LayeredBody):
         return {"grid": extent, "ics": layered_params(material, ics)}
     return {"material": params_of(material), "grid": extent, "ics": ics_params(ics)}

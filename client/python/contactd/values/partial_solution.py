@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from typing import Any, TypeVar, get_args
 
 from ..errors import ProtocolError
 from .answers import read
 from .grid import Grid
 from .representation import with_inherited_attributes
-from .solution import ContactSolution, PartialSolution, Solution
+from .solution import ContactSolution, Field, PartialSolution, Solution
 
 __all__ = [
     "ALL_FIELDS",
@@ -24,7 +24,7 @@ __all__ = [
 
 S = TypeVar("S", bound=Solution[Any, Any])
 _SLIP = ("slip_x", "slip_y")  # not there without friction
-ALL_FIELDS = ("element_division", "pressure", "traction_x", "traction_y", *_SLIP)
+ALL_FIELDS: tuple[str, ...] = get_args(Field)
 
 
 def check_arrays(solution: Solution[Any, Any], names: Iterable[str], grid: Grid) -> None:

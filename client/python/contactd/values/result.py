@@ -6,7 +6,7 @@ Written by ./dev generate from proto/schema: edit it there.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Generic
+from typing import Generic, Literal
 
 from .arrays import Array
 from .dictionaries import Saved
@@ -16,7 +16,9 @@ from .motion import Rolling, Shift
 from .representation import Shown
 from .solution_methods import Bytes, Floats, SolutionMethods
 
-__all__ = ["Areas", "Counts", "Derivatives", "DerivativesOfAnswer", "Forces", "Resultant", "Solution"]
+__all__ = ["Areas", "Counts", "Derivatives", "DerivativesOfAnswer", "Field", "Forces", "Resultant", "Solution"]
+
+Field = Literal["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y"]
 
 
 @dataclass(frozen=True)

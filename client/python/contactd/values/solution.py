@@ -7,14 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
 
 from .arrays import Array
 from .representation import with_inherited_attributes
-from .result import Areas, Counts, Derivatives, DerivativesOfAnswer, Forces, Resultant, Solution
+from .result import Areas, Counts, Derivatives, DerivativesOfAnswer, Field, Forces, Resultant, Solution
 
 __all__ = [
     "Areas",
@@ -50,9 +49,6 @@ class ContactSolution(Solution[Array, npt.NDArray[np.uint8]]):
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class PartialSolution(Solution[Array | None, npt.NDArray[np.uint8] | None]):
     """A solution with the arrays that `fields` named; the others are None."""
-
-
-Field = Literal["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y"]
 
 
 Fields = Iterable[Field] | Field  #: what `fields` of a call may be: names, or the one
