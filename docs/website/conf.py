@@ -49,7 +49,9 @@ nb_merge_streams = True
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_class_signature = "separated"
-autodoc_default_options = {"members": True, "show-inheritance": True}
+# Methods of values are those of bases; what the classes named here have, everybody knows.
+_ORDINARY = "Exception, dict, tuple, object, Generic, Protocol"
+autodoc_default_options = {"members": True, "show-inheritance": True, "inherited-members": _ORDINARY}
 napoleon_numpy_docstring = False
 napoleon_use_ivar = True
 python_use_unqualified_type_names = True
