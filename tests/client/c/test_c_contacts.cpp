@@ -12,7 +12,7 @@ using Catch::Approx;
 
 namespace {
 
-contactd::SessionSpec sphere() {
+contactd::SessionSpec sphere_spec() {
     contactd::SessionSpec spec;
     spec.setup.grid = contactd::Grid::centred(across, across, 0.2, 0.2);
     spec.setup.bodies = {{200, 0.42}, {200, 0.42}};
@@ -37,7 +37,7 @@ struct Both {
 
 TEST_CASE("A contact in C shifts as one in C++ does, array by array", "[c]") {
     Both both;
-    contactd::SessionSpec spec = sphere();
+    contactd::SessionSpec spec = sphere_spec();
     spec.setup.friction = contactd::FrictionLaw{{0.4}};
     contactd::Shift shift;
     shift.rigid_shift.x = 0.004;
@@ -88,7 +88,7 @@ TEST_CASE("A contact in C shifts as one in C++ does, array by array", "[c]") {
 
 TEST_CASE("A contact in C rolls under a force as one in C++ does, and starts from what it found", "[c]") {
     Both both;
-    contactd::SessionSpec spec = sphere();
+    contactd::SessionSpec spec = sphere_spec();
     spec.setup.friction = contactd::FrictionLaw{{0.3}};
     contactd::Rolling rolling;
     rolling.eta = 1e-3;
@@ -222,7 +222,7 @@ TEST_CASE("A block's coefficients are built while the contact starts, and the lo
     CHECK(get_word(contact, "ics.upper.origin") == "built");
     REQUIRE_FALSE(lines.empty());
     CHECK(lines[0].starts_with("Waiting for influence coefficients: "));
-    contactd::SessionSpec spec = sphere();
+    contactd::SessionSpec spec = sphere_spec();
     contactd::Ics block;
     block.source = contactd::IcSource::fem;
     block.body = contactd::BodyShape::block;

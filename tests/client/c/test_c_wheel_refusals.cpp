@@ -162,7 +162,7 @@ TEST_CASE("Of a wheel, arrays and keywords that do not fit are refused", "[c]") 
     refused(contactd_set_array(w, "setup.side", some, 1), "setup.side", "is no array");
     refused(contactd_set(w, "setup.wheel.s1002", 0), "setup.wheel.s1002", "is 0");
     refused(contactd_want(w, "presure", 1), "array", "element_division, pressure");
-    refused(contactd_want(w, "pressure", 2), "wanted", "is 2");
+    refused(contactd_want(w, "pressure", 2), "requested", "is 2");
     refused(contactd_read_profile(w, "setup.track", "none.prr"), "setup.track", "is not a profile");
     std::int32_t input = 0, result = 0;
     REQUIRE(contactd_path(w, "state.Fz", &input) == CONTACTD_OK);
