@@ -97,7 +97,7 @@ def test_every_public_name_of_python_c_and_cpp_is_in_the_reference(site):
     header = (ROOT / "client" / "c" / "include" / "contactd.h").read_text()
     functions = set(re.findall(r"^CONTACTD_API [^(]*?(contactd_\w+)\(", header, re.MULTILINE))
     words = set(re.findall(r"\b(CONTACTD_\w+) = \d", header))
-    assert len(functions) > 70 and len(words) > 40
+    assert len(functions) > 40 and len(words) > 20
     assert not functions - names
     assert not words - {name.rpartition(".")[2] for name in names}  # those of enums without a name
     structs = re.findall(r"^(?:struct|class) (\w+) (?:final )?[:{]", _headers_of_types(), re.MULTILINE)
@@ -132,7 +132,7 @@ def pages_with(site: Site) -> Callable[[str], set[str]]:
 def test_the_search_knows_words_of_pages_headers_and_docstrings(pages_with):
     assert {"docs/profiles", "docs/wheel-rail", "docs/tutorials/wheelset", "docs/reference/python"} <= pages_with("conic")
     assert "docs/architecture" in pages_with("cholmod")
-    assert {"docs/reference/c", "docs/reference/cpp"} <= pages_with("approach")
+    assert {"docs/reference/c", "docs/reference/cpp"} <= pages_with("cancel")
     assert not pages_with("unobtainium")
 
 
