@@ -68,7 +68,7 @@ enum { CONTACTD_LOG_DEBUG = 0, CONTACTD_LOG_INFO = 1, CONTACTD_LOG_WARNING = 2, 
 typedef struct contactd_connection contactd_connection; /* where contacts are solved */
 typedef struct contactd_contact contactd_contact;       /* one contact, step by step */
 typedef struct contactd_wheel contactd_wheel;           /* one wheel on its rail */
-/* CancellableHandle in the thread of the call that it tells of, which it must let return; `text` holds until then. */
+/* Called in the thread of the call that it tells of, which it must let return; `text` holds until then. */
 typedef void (*contactd_log)(void* user, int32_t level, const char* text);
 
 /* --- the library --------------------------------------------------------------------------------------------- */
