@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "../../core/src/store/hdf5/hdf5_image.hpp"
 #include "contactd/fields/axis.hpp"
 #include "contactd/ic_contents.hpp"
 #include "input.hpp"
-#include "store/hdf5/hdf5_image.hpp"
 
 using namespace contactd;
 
