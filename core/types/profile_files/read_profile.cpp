@@ -109,8 +109,9 @@ ProfilePoints read_columns(std::string_view text, const std::string& name, Profi
 
 namespace {
 
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+bool begins_a_word(std::string_view text) {
+    const char first = text.empty() ? ' ' : text.front();
+    return (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z');
 }
 
 /// What the head of a MiniProf file says of its points.
@@ -134,7 +135,7 @@ struct MiniprofHead {
     ProfilePoint point(const ProfileLines& lines) const {
         std::vector<double> values;
         for (const std::string_view field : fields_of(lines.line(), ",;")) {
-            if (values.size() >= std::max<std::size_t>(columns, 2) && is_letter(field.front())) break;
+            if (values.size() >= std::max<std::size_t>(columns, 2) && begins_a_word(field)) break;
             values.push_back(lines.number(field));
         }
         if (values.size() < 2 || (columns > 0 && values.size() != columns))

@@ -174,6 +174,7 @@ TEST_CASE("what is wrong with a file is said with its line", "[profile]") {
     refused("ColumnDef=A,Y\n1 2\n", "a.whl", "a.whl, line 1, has the columns \"A,Y\"; X and Y must be among them");
     refused("ColumnDef=X,Y,A\n1 2\n", "a.whl", "a.whl, line 2, has 2 numbers; it must have 3");
     refused("1 2\nXYPoints=1\n", "a.whl", "behind points");
+    refused("Date=1\n\n1,2,,3\n", "a.whl", "a.whl, line 3, has \"\" where a number should stand");
     CHECK_THROWS_MATCHES(read_profile(std::string_view("1 2"), "a.txt"), InvalidArgument,
                          MessageMatches(ContainsSubstring("give the kind")));
     CHECK_THROWS_MATCHES(read_profile(std::filesystem::path("/nowhere/a.prw")), InvalidArgument,
