@@ -72,7 +72,7 @@ def is_export(node: ast.AST) -> bool:
 
 
 def is_type(node: ast.AST) -> bool:
-    """Whether it is a list of keywords that is a type."""
+    """Returns whether a node is a type that lists keywords."""
     return isinstance(node, ast.Subscript) and isinstance(node.value, ast.Name) and node.value.id == "Literal"
 
 

@@ -180,7 +180,7 @@ CONTACTD_API int32_t contactd_save(contactd_contact* contact, int32_t* state);
 CONTACTD_API int32_t contactd_restore(contactd_contact* contact, int32_t state); /* as often as wanted */
 CONTACTD_API int32_t contactd_forget(contactd_contact* contact, int32_t state);
 
-/* Of a step, instead of the connection's (s). */
+/* Replaces the connection's timeout for steps (s). */
 CONTACTD_API int32_t contactd_set_step_timeout(contactd_contact* contact, double seconds);
 /* Coefficients that are given: of a body ("bodies.upper.ics", "bodies.lower.ics"), or of the pair ("ics").
  * values[3][3][ny][nx]: displacement axis, load axis, offsets along y and x; mm^3/N; count = 9*nx*ny. dx, dy: the size
@@ -237,7 +237,7 @@ CONTACTD_API int32_t contactd_wheel_solve(contactd_wheel* wheel);
 CONTACTD_API int32_t contactd_wheel_solve_wheelset(contactd_wheel* right, contactd_wheel* left);
 /* From any thread: the solve that runs ends with CONTACTD_CANCELLED soon. Does nothing when none runs. */
 CONTACTD_API int32_t contactd_wheel_cancel(contactd_wheel* wheel);
-/* Of a solve, instead of the connection's (s). */
+/* Replaces the connection's timeout for solves (s). */
 CONTACTD_API int32_t contactd_wheel_set_timeout(contactd_wheel* wheel, double seconds);
 
 #ifdef __cplusplus

@@ -61,7 +61,7 @@ void warn_of_rounding(const ProfileSpec& spec, const ProfileCurve& curve, const 
                        "smoothing_length, about 5 mm.");
 }
 
-/// What is smoothed by more than measurements err has lost a part of its shape.
+/// A profile that is smoothed by more than measurements err has lost a part of its shape.
 void warn_of_smoothing(const ProfileSpec& spec, double moved, const char* name, std::vector<std::string>& warnings) {
     constexpr double much = 0.3;  // mm
     if (!(moved > much)) return;

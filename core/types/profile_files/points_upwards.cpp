@@ -1,10 +1,12 @@
-// The rules are those of the CONTACT program for files that do not say which way z points (MIRRORZ = 0), which always
-// decides; here small flanges, and ends that say different things, leave it open.
+// The rule for rails is that of the CONTACT program for files that do not say which way z points (MIRRORZ = 0). Its
+// rule for wheels takes one that was measured from the tip of its flange on for upside down, so that there is another
+// here.
 #include "points_upwards.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <ranges>
 
 namespace contactd::geometry {
@@ -14,10 +16,11 @@ using Points = std::vector<ProfilePoint>;
 
 constexpr double at_an_end = 0.1;    // part of a rail's points
 constexpr double noticed = 1e-3;     // part of its height
-constexpr double face = 0.05;        // part of a wheel's width: the edges of its faces
+constexpr double face = 0.05;        // part of a wheel's width at each end
 constexpr double least_flange = 10;  // mm that a flange stands out at least
+constexpr double clearly = 1.5;      // times what stands out to the other side
 
-/// Whether what is next to one end of a rail has a larger z, or a smaller one.
+/// Returns whether the points next to one end of a rail have a larger z, or a smaller one.
 template <class Iterator>
 std::optional<bool> rises_inwards(Iterator first, std::size_t count, double height) {
     const auto inside = std::find_if(first, first + static_cast<std::ptrdiff_t>(count), [&](const ProfilePoint& point) {
@@ -36,23 +39,30 @@ std::optional<bool> rail_upwards(const Points& points, double height) {
     return first ? first : last;
 }
 
-std::optional<bool> wheel_upwards(const Points& points, double height) {
-    if (height < least_flange) return {};
+/// A flange stands out from the tread by more than all else does, but for the wheel's faces, which stand upright at its
+/// ends and are left out. What is as deep at both ends is a disc, or has two flanges.
+std::optional<bool> wheel_upwards(const Points& points) {
     const auto [left, right] = std::ranges::minmax(points | std::views::transform(&ProfilePoint::y));
-    const auto [least, most] = std::ranges::minmax_element(points, {}, &ProfilePoint::z);
-    const auto lies_on_a_face = [&, left = left, right = right](const ProfilePoint& point) {
-        return std::min(point.y - left, right - point.y) < face * (right - left);
-    };
-    const bool least_on_face = lies_on_a_face(*least), most_on_face = lies_on_a_face(*most);
-    if (least_on_face != most_on_face) return most_on_face;  // what is in the middle is the flange's tip
-    // Both or none of them: the tread lies nearer to one of the extremes, and the tip is the other one.
+    const double edge = face * (right - left);
+    std::vector<ProfilePoint> inner;
+    std::ranges::copy_if(points, std::back_inserter(inner), [&, left = left, right = right](const ProfilePoint& point) {
+        return point.y >= left + edge && point.y <= right - edge;
+    });
+    if (inner.size() < 3) return {};
     std::vector<double> heights;
-    for (const ProfilePoint& point : points) heights.push_back(point.z);
+    for (const ProfilePoint& point : inner) heights.push_back(point.z);
     const auto median = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
     std::ranges::nth_element(heights, median);
-    const double above = *median - least->z, below = most->z - *median;
-    if (std::abs(above - below) < 0.2 * height) return {};
-    return above > below;
+    const double tread = *median, above = tread - std::ranges::min(heights), below = std::ranges::max(heights) - tread;
+    const double flange = std::max(above, below);
+    if (flange < least_flange || flange < clearly * std::min(above, below)) return {};
+    const bool is_upwards = above > below;
+    const auto [first, last] = std::ranges::minmax_element(inner, {}, &ProfilePoint::y);
+    const auto is_deep = [&](const ProfilePoint& end) {
+        return (is_upwards ? tread - end.z : end.z - tread) > 0.5 * flange;
+    };
+    if (is_deep(*first) && is_deep(*last)) return {};
+    return is_upwards;
 }
 
 }  // namespace
@@ -62,7 +72,7 @@ std::optional<bool> points_upwards(const Points& points, ProfileKind kind) {
     const auto [least, most] = std::ranges::minmax_element(points, {}, &ProfilePoint::z);
     const double height = most->z - least->z;
     if (!(height > 0)) return {};
-    return kind == ProfileKind::wheel ? wheel_upwards(points, height) : rail_upwards(points, height);
+    return kind == ProfileKind::wheel ? wheel_upwards(points) : rail_upwards(points, height);
 }
 
 }  // namespace contactd::geometry

@@ -8,7 +8,7 @@
 
 namespace contactd::geometry {
 
-/// Whether z of the points runs upwards; nothing where their shape does not say. Of a rail both ends lie lower than
+/// Returns whether z of the points runs upwards; nothing where their shape does not say. A rail's ends lie lower than
 /// what is next to them; of a wheel the flange stands out downwards. The points follow the profile, from either end.
 std::optional<bool> points_upwards(const std::vector<ProfilePoint>& points, ProfileKind kind);
 

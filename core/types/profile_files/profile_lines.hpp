@@ -20,7 +20,7 @@ class ProfileLines {
     /// Goes to the next line, and false at the end. Throws InvalidArgument for an endless one.
     bool next();
     std::string_view line() const { return line_; }
-    /// Whether an empty line, which a comment is not, stands before this one.
+    /// Returns whether an empty line, which a comment is not, stands before this one.
     bool follows_empty() const { return follows_empty_; }
 
     /// The numbers of the line, between blanks and the characters of `separators`. Throws for what is none.

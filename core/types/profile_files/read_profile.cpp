@@ -76,7 +76,7 @@ bool is_heading(std::string_view line) {
     });
 }
 
-/// Of a file that does not say which way z points.
+/// Turns the points of a file that does not say which way z points.
 ProfilePoints turned_by_shape(ProfilePoints given, ProfileKind kind, bool unless_known) {
     given.mirror_z = points_upwards(given.points, kind).value_or(unless_known);
     return given;

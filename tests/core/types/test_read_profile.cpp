@@ -1,6 +1,7 @@
 // Profiles from files: the formats, and files that are damaged.
 #include "contactd/read_profile.hpp"
 
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
@@ -136,6 +137,39 @@ TEST_CASE("which way z points is seen by the shape, where the file does not say 
     const ProfileCurve one = make_profile(as_written).curve, other = make_profile(upside_down).curve;
     for (const double y : {-25.0, -3.0, 10.0, 20.0})
         CHECK_THAT(one.at(one.s_at_y(y)).z, WithinAbs(other.at(other.s_at_y(y)).z, 1e-4));
+}
+
+TEST_CASE("a wheel that was measured from the tip of its flange to its chamfer is the right way up", "[profile]") {
+    const double sign = GENERATE(1.0, -1.0), face = GENERATE(0.0, 20.0, 60.0);
+    std::ostringstream text;
+    if (face > 0) text << "-60.1 " << -sign * face << "\n-60 " << sign * 5 << '\n';
+    for (const auto& [y, z] : std::vector<std::pair<double, double>>{{-55, 28},
+                                                                     {-50, 26},
+                                                                     {-44, 18},
+                                                                     {-40, 12},
+                                                                     {-36, 7},
+                                                                     {-30, 3.6},
+                                                                     {-24, 2},
+                                                                     {-18, 1},
+                                                                     {-12, .6},
+                                                                     {-6, .3},
+                                                                     {0, 0},
+                                                                     {10, -.3},
+                                                                     {20, -.6},
+                                                                     {30, -.9},
+                                                                     {40, -1.2},
+                                                                     {50, -1.5},
+                                                                     {56, -1.6},
+                                                                     {59, 2},
+                                                                     {60, 5}})
+        text << y << ' ' << sign * z << '\n';
+    const auto spec = read_profile(std::string_view(text.str()), "a.txt", ProfileKind::wheel);
+    CHECK(points_of(spec).mirror_z == (sign < 0));
+    const ProfileCurve curve = make_profile(spec).curve;
+    CHECK(std::ranges::max(curve.points(), {}, &ProfilePoint::z).z > 25);
+    ProfileSpec turned = spec;
+    std::get<ProfilePoints>(turned.shape).mirror_z = sign > 0;
+    CHECK_THROWS_MATCHES(make_profile(turned), InvalidArgument, MessageMatches(ContainsSubstring("change mirror_z")));
 }
 
 TEST_CASE("Simpack's files have comments of both kinds, and end where their spline does", "[profile]") {
