@@ -7,11 +7,11 @@ its reason and the most literals that it may have; who needs fewer lowers the nu
 from __future__ import annotations
 
 import ast
-import json
 from pathlib import Path
-from typing import Any
 
 import pytest
+
+from support.schema_fields import FIELDS
 
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "client" / "python" / "contactd"
@@ -52,19 +52,6 @@ HOOKS: dict[str, tuple[int, str]] = {
     "transport/in_process.py": (2, "envelopes"),
     "transport/messages.py": (22, "envelopes"),
 }
-
-
-def declared(node: Any) -> set[str]:
-    """The names of all fields in a document."""
-    if isinstance(node, list):
-        return set().union(*map(declared, node))
-    if not isinstance(node, dict):
-        return set()
-    own = node.get("properties")
-    return (set(own) if isinstance(own, dict) else set()).union(*map(declared, node.values()))
-
-
-FIELDS = set().union(*(declared(json.loads(path.read_text())) for path in (ROOT / "proto" / "schema").glob("*.json")))
 
 
 def is_export(node: ast.AST) -> bool:
