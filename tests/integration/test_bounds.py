@@ -19,7 +19,8 @@ def large_requests():
     if not (BIN / "contactd").exists():
         return []  # conftest.py says so
     printed = subprocess.run([BIN / "contactd", "--print-costs"], capture_output=True, check=True, timeout=60).stdout
-    return [example for example in json.loads(printed) if example["bytes"] is not None]
+    examples = [example for example in json.loads(printed) if example["bytes"] is not None]
+    return [example for example in examples if example["method"] != "ic.import"]  # it needs the arrays of a real table
 
 
 LARGE = large_requests()

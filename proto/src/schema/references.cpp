@@ -38,7 +38,7 @@ constexpr std::array notes_of_sources{"x-cpp",      "x-cpp-at",    "x-cpp-items"
 }  // namespace
 
 json without_file_notes(json document) {
-    for (const char* note : {"$schema", "x-order", "x-summary", "x-errors"}) document.erase(note);
+    for (const char* note : {"$schema", "x-order", "x-summary", "x-errors", "x-largest"}) document.erase(note);
     return document;
 }
 

@@ -1,4 +1,5 @@
 // contact.*: problems solved, and stresses under what was solved.
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "engine/ics/problem_tables.hpp"
 #include "handlers.hpp"
 #include "jobs/job_reports.hpp"
+#include "methods/costs/cost_parts.hpp"
 #include "methods/costs/costs.hpp"
 #include "methods/costs/request_limits.hpp"
 

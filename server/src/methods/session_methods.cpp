@@ -6,6 +6,7 @@
 #include "engine/ics/problem_tables.hpp"
 #include "handlers.hpp"
 #include "jobs/job_reports.hpp"
+#include "methods/costs/cost_parts.hpp"
 #include "methods/costs/costs.hpp"
 #include "methods/costs/request_limits.hpp"
 #include "sessions/below_wheel_rail.hpp"
@@ -25,6 +26,11 @@ const std::string& state_in(const CallPtr& call) {
 }
 
 /// The cost of opening is stated as that of a step, which it makes room for.
+WorkCost cost_of_opening(const json& params, const Config& config) {
+    const json* wheel_rail = member(params, "wheelrail");
+    return wheel_rail != nullptr ? cost_of_wheel_rail(*wheel_rail, config) : cost_of_solve(params, config);
+}
+
 double step_seconds(const CallPtr& call, const DaemonParts& parts) {
     return cost_of_opening(call->request.params, parts.config).seconds;
 }

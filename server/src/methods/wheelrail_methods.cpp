@@ -9,6 +9,7 @@
 #include "contactd/proto/wheel_rail.hpp"
 #include "engine/wheel_rail/wheelset_conicity.hpp"
 #include "jobs/job_reports.hpp"
+#include "methods/costs/cost_parts.hpp"
 #include "methods/costs/costs.hpp"
 
 namespace contactd::server {
@@ -80,6 +81,18 @@ void solve_wheelset(const CallPtr& call, const DaemonParts& parts) {
     const nlohmann::json result =
         proto::encode_wheelset_solution(solution, proto::decode_patch_fields(request.params), arrays);
     work.succeed(result, arrays.take_frames());
+}
+
+constexpr double seconds_of_position = 1e-3, seconds_of_amplitude = 5e-3;
+
+WorkCost cost_of_geometry(const nlohmann::json& params, const Config&) {
+    const auto count = [](const nlohmann::json* object, const char* list) {
+        const nlohmann::json* values = object != nullptr ? member(*object, list) : nullptr;
+        return values != nullptr ? static_cast<double>(values->size()) : 0;
+    };
+    const double positions = count(&params, "states") + count(member(params, "contacts"), "shifts"),
+                 amplitudes = count(member(params, "conicity"), "amplitudes");
+    return {10 * bytes_beside + 1e4 * positions, seconds_of_position * positions + seconds_of_amplitude * amplitudes};
 }
 
 void locate(const CallPtr& call, const DaemonParts& parts) {

@@ -1,11 +1,13 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "contactd/proto/schema.hpp"
 #include "methods/all_methods.hpp"
+#include "methods/cost_examples.hpp"
 
 using namespace contactd;
 using namespace contactd::server;
@@ -36,4 +38,28 @@ TEST_CASE("Steps of a session go before solves, and these before many of them") 
     CHECK(methods.find("session.step")->priority == proto::Priority::high);
     CHECK(methods.find("contact.solve")->priority == proto::Priority::normal);
     CHECK(methods.find("contact.solve_many")->priority == proto::Priority::low);
+}
+
+TEST_CASE("Every method whose work is not little shows a large request, which conforms to its schema") {
+    const MethodTable methods = all_methods();
+    std::set<std::string> shown;
+    for (const auto& example : cost_examples(config_from_json(nlohmann::json::object()))) {
+        const std::string name = example["method"];
+        CAPTURE(name);
+        CHECK(shown.insert(name + example["arguments"].get<std::string>()).second);
+        shown.insert(name);
+        CHECK(example["bytes"].is_null() == (methods.find(name)->cost == nullptr));
+        if (example.contains("params")) CHECK_NOTHROW(proto::check_params(name, example["params"]));
+    }
+    for (const std::string& name : methods.names()) CHECK(shown.contains(name));
+}
+
+TEST_CASE("A large request is written out from what its schema abbreviates") {
+    for (const auto& example : cost_examples(config_from_json(nlohmann::json::object())))
+        if (example["method"] == "wheelrail.geometry") {
+            const auto& states = example["params"]["states"];
+            REQUIRE(states.size() == 1000);
+            CHECK(states[1]["position"]["y"].get<double>() > 0);
+            CHECK(states[999]["position"]["y"].get<double>() < 5);
+        }
 }

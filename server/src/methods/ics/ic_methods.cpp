@@ -8,6 +8,7 @@
 #include "contactd/strip_frames.hpp"
 #include "jobs/job_reports.hpp"
 #include "methods/all_methods.hpp"
+#include "methods/costs/cost_parts.hpp"
 #include "methods/costs/costs.hpp"
 #include "methods/costs/request_limits.hpp"
 #include "methods/handlers.hpp"
@@ -50,6 +51,13 @@ void get_table(const CallPtr& call, const DaemonParts& parts) {
     };
     parts.ics.request(spec,
                       {done, [call](const Status& status) { call->fail(status); }, reports_to(call), ticket_of(call)});
+}
+
+WorkCost cost_of_import(const json& params, const Config&) {
+    double numbers = 0;
+    for (const auto& [path, array] : params.at("datasets").items()) numbers += numbers_of(array);
+    // The arrays, their record, the closed form that it is compared with, and the file.
+    return {bytes_beside + 5 * sizeof(double) * numbers, seconds_of_offset * numbers};
 }
 
 }  // namespace

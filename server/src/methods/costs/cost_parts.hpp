@@ -1,0 +1,22 @@
+// Costs are reckoned from these parts of a request, whose params have passed their schema.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+namespace contactd::server {
+
+constexpr double bytes_beside = 1e6;  // of a call, whatever it asks
+constexpr double seconds_of_offset = 1e-6, seconds_of_layered_offset = 4e-5;
+
+/// Counts the elements of a grid.
+double elements_of(const nlohmann::json& grid);
+/// A member of an object, or null.
+const nlohmann::json* member(const nlohmann::json& params, const char* name);
+/// Whether any body of a contact, or its pair, has coefficients of this kind.
+bool any_body(const nlohmann::json& params, const char* kind);
+/// The length of the first axis of an array, a list or a frame.
+double length_of(const nlohmann::json& array);
+/// Counts all numbers of an array, a nested list or a frame.
+double numbers_of(const nlohmann::json& array);
+
+}  // namespace contactd::server
