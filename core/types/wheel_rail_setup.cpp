@@ -49,6 +49,26 @@ void check_profile(const ProfileSpec& profile, ProfileKind kind, const std::stri
     renaming(in_place_of("profile", field), [&] { validate(profile); });
 }
 
+/// Features that exist follow one another: absent ones stand at the ends of the list.
+void check_features(const std::vector<double>& features, std::size_t of_first, const std::string& field) {
+    if (features.size() != of_first)
+        throw InvalidArgument(field, "has " + std::to_string(features.size()) + " entries, and the first slice has " +
+                                         std::to_string(of_first) +
+                                         "; all slices need as many, with -1 for one that does not exist here");
+    std::size_t existing = 0;
+    for (std::size_t i = 0; i < features.size(); ++i) {
+        if (features[i] < 0) continue;
+        const std::string entry = field + "[" + std::to_string(i) + "]";
+        if (existing++ == 0) continue;
+        require(features[i - 1] >= 0, entry, features[i],
+                "be negative: the feature before it does not exist here, though one before that does");
+        require(features[i] - features[i - 1] >= 1e-3, entry, features[i],
+                "be beyond the one before, " + number_text(features[i - 1]));
+    }
+    if (!features.empty() && existing < 2)
+        throw InvalidArgument(field, "has fewer than two features that exist; there would be no rail here");
+}
+
 void check_slices(const WheelRailSetup& setup) {
     const std::vector<RailSlice>& slices = setup.rail_slices;
     if (slices.empty()) return;
@@ -56,6 +76,7 @@ void check_slices(const WheelRailSetup& setup) {
     for (std::size_t i = 0; i < slices.size(); ++i) {
         const std::string field = "rail_slices[" + std::to_string(i) + "]";
         check_profile(slices[i].profile, ProfileKind::rail, field + ".profile");
+        check_features(slices[i].features, slices.front().features.size(), field + ".features");
         if (i > 0)
             require(slices[i].x - slices[i - 1].x >= 1e-3, field + ".x", slices[i].x,
                     "be beyond the one before, " + number_text(slices[i - 1].x));

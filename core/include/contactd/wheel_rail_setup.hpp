@@ -50,10 +50,19 @@ struct Wheelset {
     bool operator==(const Wheelset&) const = default;
 };
 
+/// How surfaces go from slice to slice: through them, without swinging beyond them (quintic splines that keep equal
+/// slices equal all between); through them by cubic splines, which swing; or by cubic B-splines whose control points
+/// they are, which pass them by and smooth what is noise.
+enum class SliceSpline { shape_preserving, cubic, approximating };
+
 /// The rail's profile at a place along the track (mm), in the same coordinates for all.
 struct RailSlice {
     double x = 0;
     ProfileSpec profile{ProfileKind::rail, Rail60E1{1.0 / 40}};
+    /// Where lines along the track (features) pass through this slice: lengths along the profile from its first point
+    /// (mm), ascending, as many in all slices; negative where a feature does not exist here, which may be so at both
+    /// ends of the list. Parts of slices between the same features are joined. Empty: from kink to kink.
+    std::vector<double> features{};
 
     bool operator==(const RailSlice&) const = default;
 };
@@ -128,13 +137,15 @@ struct WheelRailSetup {
     ProfileSpec wheel{ProfileKind::wheel, S1002{}};
     ProfileSpec rail{ProfileKind::rail, Rail60E1{1.0 / 40}};
     /// In place of `rail` where it varies along the track: two or more slices by ascending x. From slice to slice
-    /// points are joined that lie at equal shares of the length from kink to kink, of which all slices need as many.
+    /// points are joined that lie at equal shares of the length from kink to kink, of which all slices need as many, or
+    /// from feature to feature. A part of the rail exists between two slices that both have it.
     /// Slices that are equal are equal all between. Needs track.rail_origin.
     std::vector<RailSlice> rail_slices{};
     /// In place of `wheel` where it is out of round: two or more slices by ascending angles, all within a turn, after
     /// which the first one comes again. Radii go from slice to slice with continuous curvature and without
     /// overshoot. Contacts are searched on a mesh.
     std::vector<WheelSlice> wheel_slices{};
+    SliceSpline rail_spline = SliceSpline::shape_preserving, wheel_spline = SliceSpline::shape_preserving;
     Track track;
     Wheelset wheelset;
     /// Upper is the rail, lower the wheel: forces and tractions act on the rail.

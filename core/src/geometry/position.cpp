@@ -99,14 +99,14 @@ ContactRadii radii_of(const WheelSurface& wheel, const RailSurface& rail, const 
 
 std::shared_ptr<const SlicedRail> sliced_rail(const WheelRailSetup& setup, const Observer& observer) {
     if (setup.rail_slices.empty()) return nullptr;
-    std::vector<double> x;
-    std::vector<ProfileCurve> curves;
+    std::vector<SlicedRail::Slice> slices;
     for (std::size_t i = 0; i < setup.rail_slices.size(); ++i) {
         observer.throw_if_cancelled();
-        x.push_back(setup.rail_slices[i].x);
-        curves.push_back(curve_of(setup.rail_slices[i].profile, "rail_slices[" + std::to_string(i) + "].profile"));
+        const RailSlice& slice = setup.rail_slices[i];
+        slices.push_back(
+            {slice.x, curve_of(slice.profile, "rail_slices[" + std::to_string(i) + "].profile"), slice.features});
     }
-    return std::make_shared<const SlicedRail>(std::move(x), curves);
+    return std::make_shared<const SlicedRail>(slices, setup.rail_spline);
 }
 
 /// The curves of the slices; none of a round wheel.
@@ -123,7 +123,7 @@ std::shared_ptr<const OutOfRound> out_of_round(const WheelRailSetup& setup, cons
     if (slices.empty()) return nullptr;
     std::vector<double> angles;
     for (const WheelSlice& slice : setup.wheel_slices) angles.push_back(slice.angle);
-    return std::make_shared<const OutOfRound>(std::move(angles), slices);
+    return std::make_shared<const OutOfRound>(std::move(angles), slices, setup.wheel_spline);
 }
 
 /// Bodies touch where the stiffer one would be without the other: its part is the compliance of the other.

@@ -16,11 +16,11 @@ namespace {
 }
 [[maybe_unused]] void all_of(const WheelRailSetup& all) {
     [[maybe_unused]] const auto& [side_, wheel_, rail_, rail_slices_, wheel_slices_, track_, wheelset_, bodies_, model_,
-                                  friction_, dx_, dy_, dq_, patches_, wheel_surface_, rigid_slip_, conformal_,
-                                  settings_, force_] = all;
+                                  friction_, dx_, dy_, dq_, patches_, rail_spline_, wheel_spline_, wheel_surface_,
+                                  rigid_slip_, conformal_, settings_, force_] = all;
 }
 [[maybe_unused]] void all_of(const RailSlice& all) {
-    [[maybe_unused]] const auto& [x_, profile_] = all;
+    [[maybe_unused]] const auto& [x_, profile_, features_] = all;
 }
 [[maybe_unused]] void all_of(const WheelSlice& all) {
     [[maybe_unused]] const auto& [angle_, profile_] = all;
@@ -81,6 +81,8 @@ const FieldType& type_of<WheelRailSetup>() {
         fields::field<&WheelRailSetup::dy>("dy", {.bounds = {.least = 0.0001, .most = 100}, .unit = "mm"}),
         fields::field<&WheelRailSetup::dq>("dq", {.bounds = {.least = 0, .most = 100}, .unit = "mm"}),
         fields::field<&WheelRailSetup::patches>("patches"),
+        fields::field<&WheelRailSetup::rail_spline>("rail_spline"),
+        fields::field<&WheelRailSetup::wheel_spline>("wheel_spline"),
         fields::field<&WheelRailSetup::wheel_surface>("wheel_surface"),
         fields::field<&WheelRailSetup::rigid_slip>("rigid_slip"),
         fields::field<&WheelRailSetup::conformal>("conformal"),
@@ -96,6 +98,7 @@ const FieldType& type_of<RailSlice>() {
     static const auto list = std::to_array<Field>({
         fields::field<&RailSlice::x>("x", {.bounds = {.least = -1e+09, .most = 1e+09}, .unit = "mm", .required = true}),
         fields::field<&RailSlice::profile>("profile", {.required = true}),
+        fields::field<&RailSlice::features>("features"),
     });
     static const FieldType type = fields::object_type(list);
     return type;

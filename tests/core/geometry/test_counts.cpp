@@ -82,7 +82,7 @@ TEST_CASE("Elements of the contacts of simplified models are bounded as those of
 TEST_CASE("Profiles that leap up and down are refused where their length makes the stations") {
     const ProfileCurve flat = make_profile({ProfileKind::rail, ArcProfile{300, 0, -40, 40}}).curve,
                        long_one = leaping(1e5);
-    CHECK(refused([&] { geometry::SlicedRail({0, 100}, {long_one, long_one}); }) == "rail_slices");
+    CHECK(refused([&] { geometry::SlicedRail({{0, long_one}, {100, long_one}}); }) == "rail_slices");
     CHECK(refused([&] { geometry::OutOfRound({0, 1}, {long_one, long_one}); }) == "wheel_slices[0].profile");
     CHECK(refused([&] { contacts_at(wheelset_on_track(long_one, flat, {}, {}), 0); }) == "wheel");
 }

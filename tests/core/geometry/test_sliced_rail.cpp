@@ -4,6 +4,9 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "contactd/error.hpp"
 #include "contactd/make_profile.hpp"
@@ -17,6 +20,8 @@ using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
 namespace {
+
+using Slice = geometry::SlicedRail::Slice;
 
 /// The points of a profile, higher by `lift` and moved aside.
 ProfileSpec moved(const ProfileSpec& spec, double lift, double aside = 0) {
@@ -36,30 +41,26 @@ WheelRailSetup sliced(const WheelRailSetup& plain, double rise) {
 
 TEST_CASE("Between slices a point goes along a smooth spline") {
     const ProfileSpec arc{ProfileKind::rail, ArcProfile{300, 0, -30, 30}};
-    std::vector<double> x;
-    std::vector<ProfileCurve> curves;
+    std::vector<Slice> slices;
     for (int i = 0; i < 9; ++i) {
-        x.push_back(25.0 * i);
-        curves.push_back(make_profile(moved(arc, 2 * std::sin(x.back() / 60))).curve);
+        const double x = 25.0 * i;
+        slices.push_back({x, make_profile(moved(arc, 2 * std::sin(x / 60))).curve});
     }
-    const geometry::SlicedRail rail(x, curves);
+    const geometry::SlicedRail rail(slices);
     const double at = GENERATE(87.0, 112.5, 75.0);
     const ProfileCurve curve = rail.at(at);
     CHECK_THAT(curve.at(curve.s_at_y(0)).z, WithinAbs(-2 * std::sin(at / 60), 2e-3));
     const ProfileCurve beyond = rail.at(900);
-    CHECK_THAT(beyond.at(beyond.s_at_y(0)).z, WithinAbs(-2 * std::sin(x.back() / 60), 1e-6));
+    CHECK_THAT(beyond.at(beyond.s_at_y(0)).z, WithinAbs(-2 * std::sin(slices.back().x / 60), 1e-6));
 }
 
 TEST_CASE("Between slices that are equal nothing changes, wherever others differ from them") {
     const ProfileSpec low = moved({ProfileKind::rail, Rail60E1{1.0 / 40}}, 0), high = moved(low, 0.1);
     const double apart = GENERATE(10.0, 100.0);
-    std::vector<double> x;
-    std::vector<ProfileCurve> curves;
-    for (const ProfileSpec& slice : {low, low, low, high, high, high}) {
-        x.push_back(apart * static_cast<double>(x.size()));
-        curves.push_back(make_profile(slice).curve);
-    }
-    const geometry::SlicedRail rail(x, curves);
+    std::vector<Slice> slices;
+    for (const ProfileSpec& slice : {low, low, low, high, high, high})
+        slices.push_back({apart * static_cast<double>(slices.size()), make_profile(slice).curve});
+    const geometry::SlicedRail rail(slices);
     const auto top = [&](double share) {
         const ProfileCurve curve = rail.at(share * apart);
         return curve.at(curve.s_at_y(3)).z;
@@ -68,6 +69,79 @@ TEST_CASE("Between slices that are equal nothing changes, wherever others differ
     for (const double share : {3.0, 3.2, 3.5, 4.4, 5.0}) CHECK(top(share) == top(5));
     CHECK_THAT(top(5), WithinAbs(top(0) - 0.1, 1e-9));
     for (double share = 2; share < 3; share += 0.05) CHECK(top(share + 0.05) <= top(share) + 1e-12);
+}
+
+/// The field that a refusal names; empty where nothing is refused.
+template <class Act>
+std::string refused(const Act& act) {
+    try {
+        act();
+        return "";
+    } catch (const InvalidArgument& error) {
+        return error.field();
+    }
+}
+
+/// A flat top from y = 0 to `width`, with a step up of 10 mm there and 30 mm of flat beyond.
+ProfileCurve step_at(double width) {
+    return ProfileCurve({{0, 10}, {0.5 * width, 10}, {width, 10}, {width + 0.01, 0}, {width + 15, 0}, {width + 30, 0}},
+                        {2, 3});
+}
+
+TEST_CASE("Features are joined to straight lines, whatever lies between them") {
+    // The step moves aside by 1 in 10: kinks would do here, too, but the first profile has a kink more.
+    std::vector<Slice> slices;
+    for (const double x : {0.0, 50.0, 100.0, 150.0})
+        slices.push_back({x, step_at(30 + x / 10), {0, 30 + x / 10, 40 + x / 10, 999}});
+    slices[0].curve =
+        ProfileCurve({{0, 10}, {10, 10}, {10.01, 9}, {10.02, 10}, {30, 10}, {30.01, 0}, {60, 0}}, {1, 2, 3, 4, 5});
+    slices[0].features = {0, 32, 42, 999};
+    const geometry::SlicedRail rail(slices);
+    for (const double x : {62.0, 75.0, 120.0}) {
+        const ProfileCurve curve = rail.at(x);
+        const double edge = 30 + x / 10;
+        CHECK_THAT(curve.at(curve.s_at_y(edge - 1)).z, WithinAbs(10, 1e-6));
+        CHECK_THAT(curve.at(curve.s_at_y(edge + 5)).z, WithinAbs(0, 0.02));
+        CHECK_THAT(curve.points().back().y, WithinAbs(edge + 30, 0.1));
+    }
+}
+
+TEST_CASE("A part begins at the first slice that has it and ends at the last one") {
+    std::vector<Slice> slices;
+    for (const double x : {0.0, 50.0, 100.0, 150.0, 200.0}) slices.push_back({x, step_at(30), {0, 30, 40, 999}});
+    slices[0].features = {0, 30, -1, -1};  // the lower flat alone
+    slices[1].features = {0, 30, -1, -1};
+    slices[4].features = {-1, 30, 40, 999};  // all but the lower flat
+    const geometry::SlicedRail rail(slices);
+    const auto ends = [&](double x) {
+        const ProfileCurve curve = rail.at(x);
+        return std::pair(curve.points().front().y, curve.points().back().y);
+    };
+    for (const double x : {-20.0, 20.0, 99.0}) CHECK_THAT(ends(x).second, WithinAbs(30, 1e-6));
+    for (const double x : {-20.0, 20.0, 99.0}) CHECK(ends(x).first == 0);
+    for (const double x : {100.0, 120.0, 149.0}) CHECK(ends(x).first == 0);
+    for (const double x : {100.0, 120.0, 149.0, 180.0, 300.0}) CHECK_THAT(ends(x).second, WithinAbs(60, 1e-6));
+    for (const double x : {150.0, 180.0, 300.0}) CHECK_THAT(ends(x).first, WithinAbs(30, 1e-6));
+}
+
+TEST_CASE("Features that make no rail are refused") {
+    WheelRailSetup setup = cylinder_on_arc(300);
+    setup.rail_slices = {{0, setup.rail, {0, 10, 20}}, {50, setup.rail, {0, 10, 20}}};
+    CHECK_NOTHROW(WheelRailContact(setup));
+    const auto with = [&](std::vector<double> features) {
+        WheelRailSetup other = setup;
+        other.rail_slices[1].features = std::move(features);
+        return refused([&] { WheelRailContact contact(other); });
+    };
+    CHECK(with({0, 10}) == "rail_slices[1].features");
+    CHECK(with({}) == "rail_slices[1].features");
+    CHECK(with({-1, -1, 10}) == "rail_slices[1].features");
+    CHECK(with({0, 10, 10}) == "rail_slices[1].features[2]");
+    CHECK(with({0, -1, 10}) == "rail_slices[1].features[2]");
+    CHECK(with({0, 500, 600}) == "rail_slices[1].features[1]");
+    CHECK(with({-1, 0, 10}) == "");
+    setup.rail_slices[0].features = {0, 10, -1};
+    CHECK(with({-1, 0, 10}) == "rail_slices[1].features");
 }
 
 TEST_CASE("Slices with other parts than the first one are refused") {

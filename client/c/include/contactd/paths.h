@@ -436,6 +436,7 @@
 #define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE "setup.wheel_slices[%d].profile"
 #define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_S1002 "setup.wheel_slices[%d].profile.s1002"
 #define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_RAIL_60E1 "setup.wheel_slices[%d].profile.rail_60e1"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_FEATURES "setup.rail_slices[%d].features"
 #define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_RAIL_60E1_INCLINATION \
     "setup.wheel_slices[%d].profile.rail_60e1.inclination"
 #define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_ARC "setup.wheel_slices[%d].profile.arc"
@@ -504,6 +505,8 @@
 #define CONTACTD_PATH_SETUP_CONFORMAL "setup.conformal"
 #define CONTACTD_PATH_SETUP_SETTINGS "setup.settings"
 #define CONTACTD_PATH_SETUP_SETTINGS_NORMAL "setup.settings.normal"
+#define CONTACTD_PATH_SETUP_RAIL_SPLINE "setup.rail_spline"
+#define CONTACTD_PATH_SETUP_WHEEL_SPLINE "setup.wheel_spline"
 #define CONTACTD_PATH_SETUP_SETTINGS_NORMAL_TOLERANCE "setup.settings.normal.tolerance"
 #define CONTACTD_PATH_SETUP_SETTINGS_NORMAL_MAX_ITERATIONS "setup.settings.normal.max_iterations"
 #define CONTACTD_PATH_SETUP_SETTINGS_TANGENTIAL "setup.settings.tangential"
@@ -928,6 +931,9 @@
 #define CONTACTD_WORD_TANGENTIAL_SOLVER_NEWTON "newton"
 #define CONTACTD_WORD_TANGENTIAL_SOLVER_TANGCG "tangcg"
 #define CONTACTD_WORD_WHEEL_SURFACE_EXACT "exact"
+#define CONTACTD_WORD_SLICE_SPLINE_SHAPE_PRESERVING "shape_preserving"
+#define CONTACTD_WORD_SLICE_SPLINE_CUBIC "cubic"
+#define CONTACTD_WORD_SLICE_SPLINE_APPROXIMATING "approximating"
 #define CONTACTD_WORD_WHEEL_SURFACE_BILINEAR "bilinear"
 
 #endif

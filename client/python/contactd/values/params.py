@@ -124,16 +124,26 @@ def _writer_of_arrays(hint: Any, key: str) -> Convert:
 
 
 def _writer_of_tuples(hint: Any, keys: tuple[str, ...]) -> Convert:
-    """Returns what writes a tuple, or a sequence of tuples, in place of which the type may allow a number."""
+    """Returns what writes a tuple, or a sequence of tuples, in place of which the type may allow a number.
+
+    Where the type allows tuples of several lengths, the longest has a part for each key.
+    """
     kinds = _alternatives(hint)
     (kind,) = [kind for kind in kinds if get_origin(kind) is not None]
     is_one, may_be_number = get_origin(kind) is tuple, float in kinds
-    parts = get_args(kind if is_one else get_args(kind)[0])
-    writers = [(key, _writer(part)) for key, part in zip(keys, parts, strict=True)]
+    tuples = [get_args(one) for one in _alternatives(kind if is_one else get_args(kind)[0])]
+    lengths = {len(parts) for parts in tuples}
+    (longest,) = [parts for parts in tuples if len(parts) == max(lengths)]
+    writers = [(key, _writer(part)) for key, part in zip(keys, longest, strict=True)]
 
     def write(values: Any, field: str) -> dict[str, Any]:
-        pairs = zip(values, writers, strict=True)
-        return {key: item if convert is None else convert(item, f"{field}.{key}") for item, (key, convert) in pairs}
+        if len(values) not in lengths:
+            raise ValueError(f"{field} has {len(values)} parts; they are {', '.join(keys)}")
+        pairs = zip(values, writers, strict=False)
+        return {key: plain(item) if convert is None else convert(item, f"{field}.{key}") for item, (key, convert) in pairs}
+
+    def plain(item: Any) -> Any:
+        return list(item) if isinstance(item, tuple) else item
 
     def write_all(items: Any, field: str) -> Any:
         if may_be_number and np.ndim(items) == 0:

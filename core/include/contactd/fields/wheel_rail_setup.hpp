@@ -21,6 +21,13 @@ static_assert(static_cast<int>(ContactSearch::locus) == 0);
 static_assert(static_cast<int>(ContactSearch::mesh) == 1);
 
 template <>
+inline constexpr auto enum_words<SliceSpline> =
+    std::to_array<std::string_view>({"shape_preserving", "cubic", "approximating"});
+static_assert(static_cast<int>(SliceSpline::shape_preserving) == 0);
+static_assert(static_cast<int>(SliceSpline::cubic) == 1);
+static_assert(static_cast<int>(SliceSpline::approximating) == 2);
+
+template <>
 inline constexpr auto enum_words<WheelSurfaceKind> = std::to_array<std::string_view>({"exact", "bilinear"});
 static_assert(static_cast<int>(WheelSurfaceKind::exact) == 0);
 static_assert(static_cast<int>(WheelSurfaceKind::bilinear) == 1);

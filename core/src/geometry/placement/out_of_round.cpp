@@ -21,8 +21,8 @@ constexpr double largest = 20;     // mm: out of round by more no wheel is
 
 }  // namespace
 
-OutOfRound::OutOfRound(std::vector<double> angles, const std::vector<ProfileCurve>& slices)
-    : round_(std::move(angles), turn, EqualValues::may_flank_extremum) {
+OutOfRound::OutOfRound(std::vector<double> angles, const std::vector<ProfileCurve>& slices, SliceSpline spline)
+    : round_(std::move(angles), spline, turn, EqualValues::may_flank_extremum) {
     const ProfileCurve& first = slices.front();
     const auto pieces = static_cast<std::size_t>(
         count_of(std::ceil(first.end() / spacing),
@@ -37,13 +37,14 @@ OutOfRound::OutOfRound(std::vector<double> angles, const std::vector<ProfileCurv
     for (std::size_t k = 0; k < stations_.size(); ++k) {
         std::vector<double> radii;
         for (const Slice& slice : slices_) radii.push_back(slice.radius.values[k]);
-        const std::vector<KnotDerivatives> derivatives = round_.derivatives(radii);
+        const auto [at_slices, derivatives] = round_.line(std::move(radii));
         for (std::size_t i = 0; i < count; ++i) {
+            slices_[i].radius.values[k] = at_slices[i];
             slices_[i].slope.values.push_back(derivatives[i].slope);
             slices_[i].curving.values.push_back(derivatives[i].curving);
             const std::size_t next = (i + 1) % count;
             const double h = round_.width(i);
-            const auto polygon = bezier_ordinates(h, radii[next] - radii[i], derivatives[i], derivatives[next]);
+            const auto polygon = bezier_ordinates(h, at_slices[next] - at_slices[i], derivatives[i], derivatives[next]);
             for (std::size_t side = 0; side + 1 < polygon.size(); ++side)
                 steepest_ = std::max(steepest_, 5 * std::abs(polygon[side + 1] - polygon[side]) / h);
         }

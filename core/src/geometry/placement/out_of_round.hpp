@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "contactd/profile.hpp"
-#include "geometry/placement/quintic_spline.hpp"
+#include "geometry/placement/spline_along.hpp"
 
 namespace contactd::geometry {
 
@@ -14,8 +14,8 @@ namespace contactd::geometry {
 /// Round the wheel they go through the slices by the quintic splines of quintic_spline.hpp, whose curvature is
 /// continuous: they depend on six slices only, do not swing beyond a flat's edges, and slices that are equal are equal
 /// all between, also over the long way round from the last one to the first; but for two that lie on both sides of the
-/// lowest or highest place of smooth slices. Along the profile they are cubic splines
-/// through points 0.5 mm apart.
+/// lowest or highest place of smooth slices. Other splines are those of spline_along.hpp. Along the profile they are
+/// cubic splines through points 0.5 mm apart.
 class OutOfRound {
    public:
     struct Place {
@@ -25,7 +25,8 @@ class OutOfRound {
 
     /// Angles ascend within a turn. Throws InvalidArgument ("wheel_slices[i].profile") for slices that do not end where
     /// the first one does, or are out of round by more than a wheel can be.
-    OutOfRound(std::vector<double> angles, const std::vector<ProfileCurve>& slices);
+    OutOfRound(std::vector<double> angles, const std::vector<ProfileCurve>& slices,
+               SliceSpline spline = SliceSpline::shape_preserving);
 
     Place at(double angle, double s) const;
     /// Largest |by_angle| at the slices and between two (mm/rad).
@@ -48,7 +49,7 @@ class OutOfRound {
     std::vector<double> radii_beside(const ProfileCurve& slice, const ProfileCurve& first, std::size_t index) const;
     Along along(const Line& line, double s) const;
 
-    QuinticSpline round_;
+    SplineAlong round_;
     std::vector<double> stations_;
     std::vector<Slice> slices_;
     double steepest_ = 0;

@@ -92,14 +92,19 @@ double RailSurface::height(double x, double y, double s) const {
     return z_at(x, y, place(s).at.z);
 }
 
-// Between columns a cubic through the four around: slices lie farther apart.
+// Between columns a cubic through the four around: slices lie farther apart. Where one of the outer columns has no rail
+// there, because a part of it begins or ends, a straight line stands for it.
 double RailSurface::z_at(double x, double y, double z) const {
     if (!slices_) return turned_z(x, z);
     const double position = x / column_width;
     const double first = std::floor(position) - 1, t = position - first;  // 1 to 2
     const auto column = [&](int k) { return column_z(static_cast<int>(first) + k, y); };
-    return -(t - 1) * (t - 2) * (t - 3) / 6 * column(0) + t * (t - 2) * (t - 3) / 2 * column(1) -
-           t * (t - 1) * (t - 3) / 2 * column(2) + t * (t - 1) * (t - 2) / 6 * column(3);
+    const double before = column(1), behind = column(2);
+    double left = column(0), right = column(3);
+    if (std::isnan(left)) left = 2 * before - behind;
+    if (std::isnan(right)) right = 2 * behind - before;
+    return -(t - 1) * (t - 2) * (t - 3) / 6 * left + t * (t - 2) * (t - 3) / 2 * before -
+           t * (t - 1) * (t - 3) / 2 * behind + t * (t - 1) * (t - 2) / 6 * right;
 }
 
 double RailSurface::slope_along(double x, double y, double z) const {

@@ -14,75 +14,163 @@ namespace {
 
 constexpr double spacing = 0.5;         // mm: of points on the longest slice
 constexpr int most_places = 2'000'000;  // 64 MB
+constexpr double at_a_kink = 0.1;       // mm: features are rounded
 
-/// s of the ends of each part.
-std::vector<double> ends_of_parts(const ProfileCurve& curve) {
-    std::vector<double> ends{curve.begin()};
-    for (const std::size_t kink : curve.kinks()) ends.push_back(curve.knots()[kink]);
-    ends.push_back(curve.end());
+std::string of_slice(std::size_t i, const char* member) {
+    return "rail_slices[" + std::to_string(i) + "]." + member;
+}
+
+std::vector<double> ends_at_kinks(const ProfileCurve& curve) {
+    std::vector<double> ends{0};
+    for (const std::size_t kink : curve.kinks()) ends.push_back(curve.arc_length(curve.knots()[kink]));
+    ends.push_back(curve.arc_length(curve.end()));
     return ends;
 }
 
-/// Parts that begin or end between two slices have nothing to be joined with.
-void check_parts(const std::vector<ProfileCurve>& curves) {
-    const std::size_t parts = curves.front().kinks().size() + 1;
-    for (std::size_t i = 1; i < curves.size(); ++i)
-        if (const std::size_t here = curves[i].kinks().size() + 1; here != parts)
-            throw InvalidArgument("rail_slices[" + std::to_string(i) + "].profile",
+std::vector<double> ends_at_features(const SlicedRail::Slice& slice, const std::string& field) {
+    const double length = slice.curve.arc_length(slice.curve.end());
+    std::vector<double> ends = slice.features;
+    ends.back() = std::min(ends.back(), length);
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        const bool is_first = i == 0 || ends[i - 1] < 0;
+        if (ends[i] > length || (!is_first && ends[i] >= 0 && ends[i] <= ends[i - 1]))
+            throw InvalidArgument(field + "[" + std::to_string(i) + "]",
+                                  "is " + number_text(slice.features[i]) +
+                                      " mm, or the one before is, and the profile " + "ends at " + short_text(length) +
+                                      " mm; only the last feature may lie beyond");
+    }
+    return ends;
+}
+
+/// Parts that begin or end between two slices have nothing to be joined with, unless features say which they are.
+void check_kinks(const std::vector<std::vector<double>>& ends) {
+    const std::size_t parts = ends.front().size() - 1;
+    for (std::size_t i = 1; i < ends.size(); ++i)
+        if (const std::size_t here = ends[i].size() - 1; here != parts)
+            throw InvalidArgument(of_slice(i, "profile"),
                                   "has " + std::to_string(here) + (here == 1 ? " part" : " parts") +
                                       " between kinks, and the first slice has " + std::to_string(parts) +
                                       "; slices are joined part by part, so all need as many kinks (turns of more than "
-                                      "30 degrees at a point): smooth what is noise, or cut the slices alike");
+                                      "30 degrees at a point): give `features`, smooth what is noise, or cut the "
+                                      "slices alike");
+}
+
+bool has_kink_near(const ProfileCurve& curve, double length) {
+    return std::ranges::any_of(curve.kinks(), [&](std::size_t kink) {
+        return std::abs(curve.arc_length(curve.knots()[kink]) - length) < at_a_kink;
+    });
+}
+
+double between(const LineAlong& line, std::size_t knot, const QuinticWeights& weights) {
+    return line.values[knot] +
+           weights.sum(line.values[knot + 1] - line.values[knot], line.derivatives[knot], line.derivatives[knot + 1]);
+}
+
+bool exists(const std::vector<double>& ends, std::size_t part) {
+    return ends[part] >= 0 && ends[part + 1] >= 0;
 }
 
 }  // namespace
 
-SlicedRail::SlicedRail(std::vector<double> x, const std::vector<ProfileCurve>& curves) : along_(std::move(x)) {
-    check_parts(curves);
-    std::vector<std::vector<double>> ends;
-    for (const ProfileCurve& curve : curves) ends.push_back(ends_of_parts(curve));
-    for (std::size_t part = 0; part + 1 < ends.front().size(); ++part) {
-        double longest = 0;
-        for (const auto& of_slice : ends) longest = std::max(longest, of_slice[part + 1] - of_slice[part]);
-        const int pieces =
-            std::max(3, count_of(std::ceil(longest / spacing),
-                                 {"rail_slices", "have a part that is " + short_text(longest) + " mm long",
-                                  "places along all slices together",
-                                  "take fewer slices, or leave out points that leap up and down",
-                                  most_places / static_cast<int>(curves.size())}));
-        if (part > 0) kinks_.push_back(y_.size() - 1);
-        for (int piece = part > 0 ? 1 : 0; piece <= pieces; ++piece) {
-            Line y, z;
-            for (std::size_t slice = 0; slice < curves.size(); ++slice) {
-                const double from = curves[slice].arc_length(ends[slice][part]);
-                const double to = curves[slice].arc_length(ends[slice][part + 1]);
-                const ProfilePoint at =
-                    curves[slice].at(curves[slice].s_at_arc_length(from + (to - from) * piece / pieces));
-                y.values.push_back(at.y);
-                z.values.push_back(at.z);
+SlicedRail::SlicedRail(const std::vector<Slice>& slices, SliceSpline spline) {
+    std::vector<Ends> ends;
+    const bool has_features = !slices.front().features.empty();
+    for (const Slice& slice : slices) {
+        x_.push_back(slice.x);
+        ends.push_back(has_features ? ends_at_features(slice, of_slice(ends.size(), "features"))
+                                    : ends_at_kinks(slice.curve));
+        kinked_.emplace_back();
+        for (const double end : ends.back()) kinked_.back().push_back(has_kink_near(slice.curve, end));
+    }
+    check_kinks(ends);
+    const std::size_t parts = ends.front().size() - 1;
+    for (std::size_t part = 0; part < parts; ++part) join(slices, ends, part, spline);
+    for (Stretch& before : stretches_)
+        for (Stretch& behind : stretches_)
+            if (behind.part == before.part + 1) join_at_feature(before, behind);
+    for (std::size_t i = 0; i + 1 < slices.size(); ++i)
+        if (std::ranges::none_of(stretches_, [i](const Stretch& at) { return at.first <= i && i < at.last; }))
+            throw InvalidArgument(of_slice(i + 1, "features"),
+                                  "have no part in common with the slice before; there would be no rail between both");
+}
+
+void SlicedRail::join(const std::vector<Slice>& slices, const std::vector<Ends>& ends, std::size_t part,
+                      SliceSpline spline) {
+    double longest = 0;
+    for (const Ends& of_slice : ends)
+        if (exists(of_slice, part)) longest = std::max(longest, of_slice[part + 1] - of_slice[part]);
+    const int pieces = std::max(
+        3, count_of(std::ceil(longest / spacing),
+                    {"rail_slices", "have a part that is " + short_text(longest) + " mm long",
+                     "places along all slices together", "take fewer slices, or leave out points that leap up and down",
+                     most_places / static_cast<int>(slices.size())}));
+    for (std::size_t first = 0, last; first < slices.size(); first = last + 1) {
+        last = first;
+        if (!exists(ends[first], part)) continue;
+        while (last + 1 < slices.size() && exists(ends[last + 1], part)) ++last;
+        if (last == first) continue;
+        std::vector<double> along(x_.begin() + static_cast<std::ptrdiff_t>(first),
+                                  x_.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+        Stretch stretch{first, last, part, SplineAlong(std::move(along), spline), {}, {}};
+        for (int piece = 0; piece <= pieces; ++piece) {
+            std::vector<double> y, z;
+            for (std::size_t i = first; i <= last; ++i) {
+                const double from = ends[i][part], to = ends[i][part + 1];
+                const ProfileCurve& curve = slices[i].curve;
+                const ProfilePoint at = curve.at(curve.s_at_arc_length(from + (to - from) * piece / pieces));
+                y.push_back(at.y);
+                z.push_back(at.z);
             }
-            for (Line* line : {&y, &z}) line->derivatives = along_.derivatives(line->values);
-            y_.push_back(std::move(y));
-            z_.push_back(std::move(z));
+            stretch.y.push_back(stretch.along.line(std::move(y)));
+            stretch.z.push_back(stretch.along.line(std::move(z)));
         }
+        stretches_.push_back(std::move(stretch));
     }
 }
 
+// A part that begins or ends beside one that goes on knows other slices than that, so that the feature between both
+// would leave a slice in two directions. It takes that of the longer one, and the difference fades away across it.
+void SlicedRail::join_at_feature(Stretch& before, Stretch& behind) {
+    if (before.first == behind.first && before.last == behind.last) return;
+    const bool before_is_longer = before.last - before.first > behind.last - behind.first;
+    const Stretch& longer = before_is_longer ? before : behind;
+    Stretch& shorter = before_is_longer ? behind : before;
+    const std::size_t pieces = shorter.y.size() - 1;
+    const std::size_t first = std::max(before.first, behind.first), last = std::min(before.last, behind.last);
+    for (const auto lines : {&Stretch::y, &Stretch::z})
+        for (std::size_t slice = first; slice <= last && last > first; ++slice) {
+            const LineAlong& there = before_is_longer ? (longer.*lines).back() : (longer.*lines).front();
+            const LineAlong& here = before_is_longer ? (shorter.*lines).front() : (shorter.*lines).back();
+            const KnotDerivatives to = there.derivatives[slice - longer.first];
+            const KnotDerivatives from = here.derivatives[slice - shorter.first];
+            for (std::size_t k = 0; k <= pieces; ++k) {
+                const double share =
+                    static_cast<double>(before_is_longer ? pieces - k : k) / static_cast<double>(pieces);
+                KnotDerivatives& at = (shorter.*lines)[k].derivatives[slice - shorter.first];
+                at.slope += share * (to.slope - from.slope);
+                at.curving += share * (to.curving - from.curving);
+            }
+        }
+}
+
 ProfileCurve SlicedRail::at(double x) const {
-    const std::vector<double>& slices = along_.knots();
-    const double inside = std::clamp(x, slices.front(), slices.back());
-    const auto behind = std::upper_bound(slices.begin() + 1, slices.end() - 1, inside);
-    const auto i = static_cast<std::size_t>(behind - slices.begin()) - 1;
-    const double h = along_.width(i);
-    const QuinticWeights weights = QuinticWeights::of_value((inside - slices[i]) / h, h);
-    const auto value = [&](const Line& line) {
-        return line.values[i] +
-               weights.sum(line.values[i + 1] - line.values[i], line.derivatives[i], line.derivatives[i + 1]);
-    };
+    const double inside = std::clamp(x, x_.front(), x_.back());
+    const auto behind = std::upper_bound(x_.begin() + 1, x_.end() - 1, inside);
+    const auto slice = static_cast<std::size_t>(behind - x_.begin()) - 1;
     std::vector<ProfilePoint> points;
-    points.reserve(y_.size());
-    for (std::size_t k = 0; k < y_.size(); ++k) points.push_back({value(y_[k]), value(z_[k])});
-    return ProfileCurve(std::move(points), kinks_);
+    std::vector<std::size_t> kinks;
+    for (const Stretch& stretch : stretches_) {
+        if (slice < stretch.first || slice >= stretch.last) continue;
+        const std::size_t knot = slice - stretch.first;
+        const double h = stretch.along.width(knot);
+        const QuinticWeights weights = QuinticWeights::of_value((inside - x_[slice]) / h, h);
+        const bool goes_on = !points.empty();
+        if (goes_on && (kinked_[slice][stretch.part] || kinked_[slice + 1][stretch.part]))
+            kinks.push_back(points.size() - 1);
+        for (std::size_t k = goes_on ? 1 : 0; k < stretch.y.size(); ++k)
+            points.push_back({between(stretch.y[k], knot, weights), between(stretch.z[k], knot, weights)});
+    }
+    return ProfileCurve(std::move(points), std::move(kinks));
 }
 
 }  // namespace contactd::geometry

@@ -5,31 +5,46 @@
 #include <vector>
 
 #include "contactd/profile.hpp"
-#include "geometry/placement/quintic_spline.hpp"
+#include "geometry/placement/spline_along.hpp"
 
 namespace contactd::geometry {
 
-/// Quintic splines along the track (quintic_spline.hpp) through points of the slices that correspond: at equal shares
-/// of the length from kink to kink. Slices that are equal are equal all between. Beyond the ends the profile stays.
+/// Splines along the track (spline_along.hpp) through points of the slices that correspond: at equal shares
+/// of the length from feature to feature, or from kink to kink where none are given. Slices that are equal are equal
+/// all between, unless cubic splines are asked for. A part begins and ends at the slices that have it first and last.
+/// Beyond the ends the profile stays.
 class SlicedRail {
    public:
-    /// Takes two slices at least; x ascends. Throws InvalidArgument ("rail_slices[i].profile") for slices that have
-    /// more parts between kinks than the first one, or fewer: they cannot be joined.
-    SlicedRail(std::vector<double> x, const std::vector<ProfileCurve>& curves);
+    struct Slice {
+        double x = 0;
+        ProfileCurve curve;
+        std::vector<double> features{};  ///< as RailSlice has them
+    };
+
+    /// Takes two slices at least, whose features have been checked; x ascends. Throws InvalidArgument for slices that
+    /// cannot be joined: ("rail_slices[i].profile") more kinks than the first one, or fewer, and
+    /// ("rail_slices[i].features") features beyond the profile's end, and slices that have no part in common with the
+    /// one before.
+    explicit SlicedRail(const std::vector<Slice>& slices, SliceSpline spline = SliceSpline::shape_preserving);
 
     /// The profile at a place along the track.
     ProfileCurve at(double x) const;
 
    private:
-    /// The line of one point from slice to slice.
-    struct Line {
-        std::vector<double> values;
-        std::vector<KnotDerivatives> derivatives;
+    /// A part of the profile, from the first slice to the last of some that all have it.
+    struct Stretch {
+        std::size_t first, last, part;
+        SplineAlong along;
+        std::vector<LineAlong> y, z;  // of points from slice to slice
     };
+    using Ends = std::vector<double>;  // of the parts of a slice, as lengths; negative where there is none
 
-    QuinticSpline along_;
-    std::vector<Line> y_, z_;
-    std::vector<std::size_t> kinks_;
+    void join(const std::vector<Slice>& slices, const std::vector<Ends>& ends, std::size_t part, SliceSpline spline);
+    void join_at_feature(Stretch& before, Stretch& behind);
+
+    std::vector<double> x_;
+    std::vector<Stretch> stretches_;         // by their parts
+    std::vector<std::vector<char>> kinked_;  // of each slice: whether its profile has a kink where a part begins
 };
 
 }  // namespace contactd::geometry

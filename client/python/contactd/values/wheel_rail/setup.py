@@ -27,6 +27,7 @@ __all__ = [
     "RailSprings",
     "RigidSlipKind",
     "Side",
+    "SliceSpline",
     "Track",
     "WheelRailFields",
     "WheelRailFriction",
@@ -37,6 +38,7 @@ __all__ = [
 
 Side = Literal["left", "right"]
 ContactSearch = Literal["locus", "mesh"]
+SliceSpline = Literal["shape_preserving", "cubic", "approximating"]
 WheelSurface = Literal["exact", "bilinear"]
 RigidSlipKind = Literal["plane", "surfaces"]
 Conformal = Literal["off", "half_space", "rotated", "fem", "auto"]
@@ -153,8 +155,9 @@ class WheelRailSetup(Saved):
         wheel: The wheel's profile, by default S1002.
         rail: The rail's profile, by default 60E1 with an inclination of 1/40.
         rail_slices: Profiles by ascending x, in place of rail where the rail varies along the track, in the same
-            coordinates. Points at equal shares of the length from kink to kink are joined; slices that do not all have
-            as many kinks are refused. Needs track.rail_origin; at most 200000 points together.
+            coordinates. Points at equal shares of the length from feature to feature are joined, or from kink to kink
+            where slices have no features; those that do not all have as many are refused. Needs track.rail_origin; at
+            most 200000 points together.
         wheel_slices: Profiles by ascending angles, in place of wheel where the wheel is out of round, in the same
             coordinates and cut at the same y, all within a revolution, after which the first one comes again. Radii go
             from slice to slice with continuous curvature and without overshoot; at most 200000 points together.
@@ -170,6 +173,11 @@ class WheelRailSetup(Saved):
         dq: Step of rolling (mm), 0 to 100; 0: dx. Default 0.
         patches: Rules by which regions of overlap that lie close to each other are combined, by their distance.
             distance_combine < distance_separate < distance_turn.
+        rail_spline: How the rail goes from slice to slice: shape_preserving and cubic through them, the latter with the
+            swings of natural cubic splines; approximating by the cubic B-spline whose control points they are, which
+            passes them by and smooths what is noise. Default "shape_preserving".
+        wheel_spline: How the wheel goes from slice to slice, likewise; cubic and approximating splines are periodic.
+            Default "shape_preserving".
         wheel_surface: The wheel by its splines, or bilinear between corners of a mesh as large as the elements, which
             comparisons with other programs want. Default "exact".
         rigid_slip: Rigid slip, before the bodies deform: by the creepages of the reference, as in a plane; or by the
@@ -192,7 +200,9 @@ class WheelRailSetup(Saved):
     side: Side | None = None
     wheel: Profile | None = None
     rail: Profile | None = None
-    rail_slices: Sequence[tuple[float, Profile]] | None = field(default=None, metadata={"keys": ("x", "profile")})
+    rail_slices: Sequence[tuple[float, Profile] | tuple[float, Profile, Sequence[float]]] | None = field(
+        default=None, metadata={"keys": ("x", "profile", "features")}
+    )
     wheel_slices: Sequence[tuple[float, Profile]] | None = field(default=None, metadata={"keys": ("angle", "profile")})
     track: Track | None = None
     wheelset: Wheelset | None = None
@@ -204,6 +214,8 @@ class WheelRailSetup(Saved):
     dy: float | None = None
     dq: float | None = None
     patches: PatchRules | None = None
+    rail_spline: SliceSpline | None = None
+    wheel_spline: SliceSpline | None = None
     wheel_surface: WheelSurface | None = None
     rigid_slip: RigidSlipKind | None = None
     conformal: Conformal | None = None
@@ -224,7 +236,7 @@ class WheelRailFields(TypedDict, total=False):
     side: Side | None
     wheel: Profile | None
     rail: Profile | None
-    rail_slices: Sequence[tuple[float, Profile]] | None
+    rail_slices: Sequence[tuple[float, Profile] | tuple[float, Profile, Sequence[float]]] | None
     wheel_slices: Sequence[tuple[float, Profile]] | None
     track: Track | None
     wheelset: Wheelset | None
@@ -236,6 +248,8 @@ class WheelRailFields(TypedDict, total=False):
     dy: float | None
     dq: float | None
     patches: PatchRules | None
+    rail_spline: SliceSpline | None
+    wheel_spline: SliceSpline | None
     wheel_surface: WheelSurface | None
     rigid_slip: RigidSlipKind | None
     conformal: Conformal | None

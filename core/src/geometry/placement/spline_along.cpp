@@ -1,0 +1,81 @@
+#include "geometry/placement/spline_along.hpp"
+
+#include <utility>
+
+#include "geometry/profile/natural_spline.hpp"
+
+namespace contactd::geometry {
+
+SplineAlong::SplineAlong(std::vector<double> knots, SliceSpline kind, double period, EqualValues equal)
+    : preserving_(std::move(knots), period, equal), kind_(kind), period_(period) {}
+
+LineAlong SplineAlong::line(std::vector<double> values) const {
+    if (kind_ == SliceSpline::cubic) return cubic(values);
+    if (kind_ == SliceSpline::approximating) return approximating(values);
+    std::vector<KnotDerivatives> derivatives = preserving_.derivatives(values);
+    return {std::move(values), std::move(derivatives)};
+}
+
+// Beyond the ends knots and values go on as they end, or come again.
+double SplineAlong::knot(std::ptrdiff_t index) const {
+    const std::vector<double>& at = knots();
+    const auto n = static_cast<std::ptrdiff_t>(at.size());
+    if (period_ > 0) {
+        const std::ptrdiff_t turn = index >= 0 ? index / n : (index - n + 1) / n;
+        return at[static_cast<std::size_t>(index - turn * n)] + static_cast<double>(turn) * period_;
+    }
+    if (index < 0) return at[0] + static_cast<double>(index) * (at[1] - at[0]);
+    if (index >= n) return at.back() + static_cast<double>(index - n + 1) * (at.back() - at[at.size() - 2]);
+    return at[static_cast<std::size_t>(index)];
+}
+
+double SplineAlong::value(std::span<const double> values, std::ptrdiff_t index) const {
+    const auto n = static_cast<std::ptrdiff_t>(values.size());
+    if (period_ > 0) return values[static_cast<std::size_t>((index % n + n) % n)];
+    if (index < 0) return values[0] + static_cast<double>(index) * (values[1] - values[0]);
+    if (index >= n)
+        return values.back() + static_cast<double>(index - n + 1) * (values.back() - values[values.size() - 2]);
+    return values[static_cast<std::size_t>(index)];
+}
+
+LineAlong SplineAlong::cubic(std::span<const double> values) const {
+    // What a natural end does fades by 0.27 a knot: that far away a periodic spline is the same.
+    const auto beyond = static_cast<std::ptrdiff_t>(period_ > 0 ? 40 : 0),
+               n = static_cast<std::ptrdiff_t>(values.size());
+    std::vector<double> t, v;
+    for (std::ptrdiff_t i = -beyond; i < n + beyond; ++i) {
+        t.push_back(knot(i));
+        v.push_back(value(values, i));
+    }
+    const std::vector<double> curving = natural_curving(t, v);
+    LineAlong line{{values.begin(), values.end()}, {}};
+    for (std::ptrdiff_t i = 0; i < n; ++i) {
+        const auto k = static_cast<std::size_t>(i + beyond);
+        const bool last = k + 1 == t.size();
+        const std::size_t a = last ? k - 1 : k, b = a + 1;
+        const double h = t[b] - t[a], chord = (v[b] - v[a]) / h;
+        const double slope =
+            last ? chord + h / 6 * (curving[a] + 2 * curving[b]) : chord - h / 6 * (2 * curving[a] + curving[b]);
+        line.derivatives.push_back({slope, curving[k]});
+    }
+    return line;
+}
+
+// Of five knots around one, three control points have a share in what the spline is there (de Boor, A Practical Guide
+// to Splines, chapter X).
+LineAlong SplineAlong::approximating(std::span<const double> values) const {
+    LineAlong line;
+    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(values.size()); ++i) {
+        const double t = knot(i), before = knot(i - 1), behind = knot(i + 1), around = behind - before;
+        const double rise_before = 3 * (value(values, i) - value(values, i - 1)) / (behind - knot(i - 2));
+        const double rise_behind = 3 * (value(values, i + 1) - value(values, i)) / (knot(i + 2) - before);
+        const double left = (behind - t) / around, right = (t - before) / around;
+        line.values.push_back(value(values, i) - (behind - t) * left * rise_before / 3 +
+                              (t - before) * right * rise_behind / 3);
+        line.derivatives.push_back(
+            {left * rise_before + right * rise_behind, 2 * (rise_behind - rise_before) / around});
+    }
+    return line;
+}
+
+}  // namespace contactd::geometry

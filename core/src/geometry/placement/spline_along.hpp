@@ -1,0 +1,42 @@
+// Curves from slice to slice, of all kinds that a set-up may ask for.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contactd/wheel_rail_setup.hpp"
+#include "geometry/placement/quintic_spline.hpp"
+
+namespace contactd::geometry {
+
+/// A curve by what it is at the knots; between two it is the quintic with these ends, which a cubic is, too.
+struct LineAlong {
+    std::vector<double> values;
+    std::vector<KnotDerivatives> derivatives;
+};
+
+/// Splines of one kind over common knots.
+class SplineAlong {
+   public:
+    /// Knots ascend; there are two at least. With a period the first one comes again after it. Both ends of a cubic
+    /// spline without a period are natural; an approximating one passes through the first value and the last.
+    SplineAlong(std::vector<double> knots, SliceSpline kind, double period = 0, EqualValues equal = EqualValues::stay);
+
+    /// The curve of values at the knots, which those of an approximating spline are not.
+    LineAlong line(std::vector<double> values) const;
+
+    const std::vector<double>& knots() const { return preserving_.knots(); }
+    double width(std::size_t knot) const { return preserving_.width(knot); }
+
+   private:
+    double knot(std::ptrdiff_t index) const;
+    double value(std::span<const double> values, std::ptrdiff_t index) const;
+    LineAlong cubic(std::span<const double> values) const;
+    LineAlong approximating(std::span<const double> values) const;
+
+    QuinticSpline preserving_;
+    SliceSpline kind_;
+    double period_;
+};
+
+}  // namespace contactd::geometry
