@@ -341,9 +341,13 @@ def test_stresses_below_a_line_contact_are_asked_for_as_one(shared):
         shared.subsurface(rows, Estimate(pressure=np.ones((3, 40))), points=[[0, 0, -1]])
 
 
-def test_elements_beyond_1000_to_1_are_refused_with_what_would_be_right(shared):
+def test_elements_that_are_too_long_are_refused_with_what_would_be_right(shared):
+    long = FRICTIONLESS.replace(grid=Grid(10, 1, 0.01, 100))
+    assert shared.solve(long).converged
     with pytest.raises(InvalidArgument, match=r"grid\.dy gives .*; it must lie in \[0.001, 1000\]. .*line_contact"):
-        shared.solve(FRICTIONLESS.replace(grid=Grid(10, 10, 0.01, 100)))
+        shared.solve(long.replace(ics=AnalyticIcs(load_shape="bilinear")))
+    with pytest.raises(InvalidArgument, match=r"grid\.dy gives .*; it must lie in \[1e-6, 1e6\]. .*line_contact"):
+        shared.solve(long.replace(grid=Grid(10, 1, 1e-4, 1000)))
 
 
 def test_many_problems_are_answered_in_their_order(shared):

@@ -1,6 +1,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -148,4 +149,28 @@ TEST_CASE("a block has nothing to be compared with", "[half_space]") {
     spec.body = BodyShape::block;
     CHECK_THROWS_AS(compare_with_half_space(spec, table, evidence), InvalidArgument);
     CHECK(!evidence.errors.zz);
+}
+
+TEST_CASE("a long element is the sum of its parts", "[half_space]") {
+    const Material material{200, 0.28};
+    const double dx = 0.05, dy = 1000;
+    constexpr int parts = 64;
+    for (const int k : {0, 1, 20, 400})
+        for (const Axis i : axes) {
+            double sum = 0;
+            for (int part = 0; part < parts; ++part)
+                sum += half_space_coefficient(i, i, k * dx, (part - 0.5 * (parts - 1)) * dy / parts, dx, dy / parts,
+                                              material);
+            CAPTURE(k, int(i));
+            CHECK_THAT(half_space_coefficient(i, i, k * dx, 0, dx, dy, material), WithinRel(sum, 1e-9));
+        }
+    IcSpec spec;
+    spec.material = material;
+    spec.dx = dx;
+    spec.dy = dy;
+    spec.nx = 4;
+    spec.ny = 1;
+    CHECK_NOTHROW(half_space_table(spec));
+    spec.load_shape = LoadShape::bilinear;
+    CHECK_THROWS_WITH(half_space_table(spec), Catch::Matchers::ContainsSubstring("it must lie in [0.001, 1000]"));
 }
