@@ -169,6 +169,11 @@ void check_derivatives(const ContactProblem& problem) {
             "derivatives", "are not known with a slip law; leave friction.kinetic out, or take differences of solves");
 }
 
+void check_displacements(const ContactProblem& problem) {
+    if (problem.displacements && problem.model != Model::full)
+        throw InvalidArgument("displacements", "are those of model full; simplified models know none");
+}
+
 void check_tangential_solver(const ContactProblem& problem) {
     if (problem.settings.tangential_solver != TangentialSolver::tangcg || !problem.friction) return;
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
@@ -226,6 +231,7 @@ void check(const ContactProblem& problem, bool complete) {
     check_friction(problem);
     if (is_line_contact(problem)) check_line_contact(problem);
     check_derivatives(problem);
+    check_displacements(problem);
     check_tangential_solver(problem);
     check_columns(problem);
     check_state(problem.previous, size, "previous");

@@ -34,6 +34,7 @@ ContactSolution ContactSteps::solve(const StepState& before, const Overlay& over
     problem_.motion = opened.motion;
     problem_.rigid_slip = opened.rigid_slip;
     problem_.derivatives = opened.derivatives;
+    problem_.displacements = opened.displacements;
     overlay(before.motion, problem_);
     // The simplified models know no history and need no estimate.
     if (problem_.model == Model::full) problem_.previous = problem_.initial = before.tractions;

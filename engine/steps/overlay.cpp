@@ -48,6 +48,7 @@ void overlay(const StepInput& input, const std::optional<Motion>& last, ContactP
         throw InvalidArgument("gap", "is missing; the opening named none, so every step must");
     overlay_friction(input, problem);
     if (input.derivatives) problem.derivatives = *input.derivatives;
+    if (input.displacements) problem.displacements = *input.displacements;
     if (last && problem.friction && !input.motion) take_estimates(*last, problem.motion);
 }
 

@@ -40,8 +40,9 @@ TEST_CASE("Parameters are listed one by one, the required ones first", "[openrpc
         (param["required"].get<bool>() ? required : optional).push_back(param["name"]);
     }
     CHECK(required == std::vector<std::string>{"gap", "grid"});
-    CHECK(optional == std::vector<std::string>{"Fn", "approach", "bodies", "columns", "derivatives", "fields",
-                                               "friction", "ics", "initial", "model", "previous", "settings"});
+    CHECK(optional == std::vector<std::string>{"Fn", "approach", "bodies", "columns", "derivatives", "displacements",
+                                               "fields", "friction", "ics", "initial", "model", "previous",
+                                               "settings"});
 }
 
 TEST_CASE("Notes of a schema's file are used, not shown", "[openrpc]") {

@@ -113,7 +113,8 @@ CONTACTD_API int32_t contactd_get_word(void* handle, const char* path, char* tex
 CONTACTD_API int32_t contactd_get_array(void* handle, const char* path, double* values, int32_t count);
 CONTACTD_API int32_t contactd_length(void* handle, const char* path, int32_t* count);
 /* Whether solves or steps from now on bring along an array over the grid (1), or not (0, as at first): "pressure",
- * "traction_x", "traction_y", "slip_x", "slip_y", "element_division"; of wheels also "gap", the undeformed distances,
+ * "traction_x", "traction_y", "slip_x", "slip_y", "element_division"; "displacement_x", "displacement_y" and
+ * "displacement_z" where "displacements" is set; of wheels also "gap", the undeformed distances,
  * which the model full has. */
 CONTACTD_API int32_t contactd_want(void* handle, const char* array, int32_t requested);
 

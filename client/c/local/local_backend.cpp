@@ -65,6 +65,9 @@ void keep_requested(const SolutionFields& fields, ContactSolution& solution) {
     if (unwanted(SolutionField::traction_y)) solution.traction_y.clear();
     if (unwanted(SolutionField::slip_x)) solution.slip_x.clear();
     if (unwanted(SolutionField::slip_y)) solution.slip_y.clear();
+    if (unwanted(SolutionField::displacement_x)) solution.displacement_x.clear();
+    if (unwanted(SolutionField::displacement_y)) solution.displacement_y.clear();
+    if (unwanted(SolutionField::displacement_z)) solution.displacement_z.clear();
 }
 
 class LocalContact final : public OpenContact {

@@ -28,9 +28,10 @@ namespace {
 // --- arrays over the grid --------------------------------------------------------------------------------------------
 
 /// In the order of SolutionField, and the one of wheels beside these.
-constexpr std::array<std::string_view, 7> arrays{"element_division", "pressure", "traction_x", "traction_y",
-                                                 "slip_x",           "slip_y",   "gap"};
-constexpr std::size_t gap = 6;
+constexpr std::array<std::string_view, 10> arrays{"element_division", "pressure", "traction_x",     "traction_y",
+                                                  "slip_x",           "slip_y",   "displacement_x", "displacement_y",
+                                                  "displacement_z",   "gap"};
+constexpr std::size_t gap = arrays.size() - 1;
 
 std::size_t array_named(std::string_view name) {
     return static_cast<std::size_t>(std::ranges::find(arrays, name) - arrays.begin());

@@ -80,7 +80,7 @@ void validate_coefficients(const ContactSetup& setup, const Body& body, const st
 }  // namespace
 
 bool is_load(const FieldPath& path) {
-    constexpr std::array load{"gap", "approach", "Fn", "friction", "derivatives"};
+    constexpr std::array load{"gap", "approach", "Fn", "friction", "derivatives", "displacements"};
     return std::ranges::any_of(load, [&](const char* name) { return is_below(path, name); });
 }
 
@@ -196,6 +196,7 @@ StepInput ContactInputs::step() {
     if (changed.rigid_slip) input.rigid_slip = problem.rigid_slip;
     input.fields = fields;
     input.derivatives = problem.derivatives;
+    input.displacements = problem.displacements;
     return input;
 }
 

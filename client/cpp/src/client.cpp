@@ -123,7 +123,7 @@ int Client::delete_ic(const std::string& key, const CallOptions& options) {
 
 namespace {
 
-/// All arrays of an answer have the size of one, which is that of the grid; only slip may be missing.
+/// All arrays of an answer have the size of one, which is that of the grid; only slip and displacements may be missing.
 void check_size(const SolveReply& reply, const ContactProblem& problem, const SolutionFields& fields) {
     const ContactSolution& solution = reply.solution;
     const auto check = [&](SolutionField field, const char* what, std::size_t size) {
@@ -135,6 +135,11 @@ void check_size(const SolveReply& reply, const ContactProblem& problem, const So
     check(SolutionField::traction_x, "tractions along x", solution.traction_x.size());
     check(SolutionField::traction_y, "tractions along y", solution.traction_y.size());
     check(SolutionField::element_division, "elements in its division", solution.element_division.size());
+    if (problem.displacements) {
+        check(SolutionField::displacement_x, "displacements along x", solution.displacement_x.size());
+        check(SolutionField::displacement_y, "displacements along y", solution.displacement_y.size());
+        check(SolutionField::displacement_z, "displacements along z", solution.displacement_z.size());
+    }
     if (!problem.friction) return;
     check(SolutionField::slip_x, "slips along x", solution.slip_x.size());
     check(SolutionField::slip_y, "slips along y", solution.slip_y.size());

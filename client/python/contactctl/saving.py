@@ -19,7 +19,8 @@ from .output import plain_json
 __all__ = ["ARRAYS", "check_outputs", "need", "save"]
 
 #: Arrays over the grid that an answer may have.
-ARRAYS = ("element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y")
+ARRAYS = ["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y"]
+ARRAYS += ["displacement_x", "displacement_y", "displacement_z"]
 _PICTURES = (".png", ".svg", ".pdf")
 
 

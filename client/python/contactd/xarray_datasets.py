@@ -24,6 +24,9 @@ _ARRAYS = {
     "slip_x": ("slip of the upper body over the lower, along x", ""),
     "slip_y": ("slip of the upper body over the lower, along y", ""),
 }
+    "displacement_x": ("displacement of the upper body's surface less that of the lower one's, along x", "mm"),
+    "displacement_y": ("displacement of the upper body's surface less that of the lower one's, along y", "mm"),
+    "displacement_z": ("what both bodies yield along z", "mm"),
 _NUMBERS = {"Fn": "N", "Fx": "N", "Fy": "N", "Mz": "N mm", "approach": "mm", "pmax": "N/mm^2"}
 
 

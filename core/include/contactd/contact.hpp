@@ -96,6 +96,12 @@ struct ContactSolution {
     /// Slip of the upper body over the lower: of a shift the distance over the step (mm), of rolling the slip over the
     /// step divided by dq. Empty without friction; zero outside contact.
     std::vector<double> slip_x, slip_y;
+    /// Displacements of the upper body's surface less those of the lower one's under the tractions (mm): along x and y,
+    /// and along z what the bodies yield, > 0 under pressure. Where asked for; elsewhere empty.
+    std::vector<double> displacement_x, displacement_y, displacement_z;
+    /// The energy that the tractions have stored, half the sum of traction times displacement (N mm); with
+    /// displacements.
+    std::optional<double> elastic_energy;
     /// The energy that friction dissipates: in the step of a shift (N mm), or the power of rolling (N mm/s).
     std::optional<double> frictional_work, frictional_power;
     std::optional<Motion> motion;            ///< as asked, with what a prescribed force made of it
@@ -112,12 +118,23 @@ struct ContactSolution {
 };
 
 /// The arrays of a solution.
-enum class SolutionField { element_division, pressure, traction_x, traction_y, slip_x, slip_y };
+enum class SolutionField {
+    element_division,
+    pressure,
+    traction_x,
+    traction_y,
+    slip_x,
+    slip_y,
+    displacement_x,
+    displacement_y,
+    displacement_z
+};
 /// Those that an answer shall hold.
 using SolutionFields = std::vector<SolutionField>;
-inline const SolutionFields all_solution_fields{SolutionField::element_division, SolutionField::pressure,
-                                                SolutionField::traction_x,       SolutionField::traction_y,
-                                                SolutionField::slip_x,           SolutionField::slip_y};
+inline const SolutionFields all_solution_fields{
+    SolutionField::element_division, SolutionField::pressure,       SolutionField::traction_x,
+    SolutionField::traction_y,       SolutionField::slip_x,         SolutionField::slip_y,
+    SolutionField::displacement_x,   SolutionField::displacement_y, SolutionField::displacement_z};
 
 /// Returns the length of one step (mm): dq, or size_along of the elements where dq is 0.
 double step_length(const Rolling& rolling, const Grid& grid);

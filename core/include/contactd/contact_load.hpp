@@ -27,9 +27,10 @@ struct ContactLoad {
     /// of a shift over the step (mm), of rolling over the distance rolled, as creepages are. Empty, or both of shape
     /// [ny, nx].
     RigidSlip rigid_slip{};
-    SurfaceState previous;     ///< at the end of the step before, where a shift or a transient step starts
-    SurfaceState initial;      ///< estimates, where the solvers start
-    bool derivatives = false;  ///< whether the solution has those
+    SurfaceState previous;       ///< at the end of the step before, where a shift or a transient step starts
+    SurfaceState initial;        ///< estimates, where the solvers start
+    bool derivatives = false;    ///< whether the solution has those
+    bool displacements = false;  ///< whether the solution has those of the surfaces, and the elastic energy
 };
 
 /// Throws InvalidArgument ("approach" or "Fn") unless one of the two is prescribed, and only one.

@@ -63,8 +63,9 @@ struct StepInput {
     /// The step asked for last is asked for anew: where it was solved it is taken back first. So an integrator tries a
     /// step until it is content.
     bool again = false;
-    std::optional<bool> derivatives{};  ///< whether the answer has those
-    SolutionFields fields{};            ///< wanted back
+    std::optional<bool> derivatives{};    ///< whether the answer has those
+    std::optional<bool> displacements{};  ///< likewise
+    SolutionFields fields{};              ///< wanted back
 };
 
 struct StepReply {

@@ -46,7 +46,8 @@ struct WheelRailState {
     /// Longitudinal force on the rail (N), along the wheelset's x axis, which velocity.pitch is found for; its value
     /// then means nothing. Needs friction.
     std::optional<double> Fx{};
-    bool derivatives = false;  ///< whether the solution has those
+    bool derivatives = false;    ///< whether the solution has those
+    bool displacements = false;  ///< whether the solutions of its patches have those
 
     bool operator==(const WheelRailState&) const = default;
 };

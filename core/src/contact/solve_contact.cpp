@@ -62,6 +62,28 @@ void sum_up(const ContactSetup& setup, ContactSolution& solution) {
     solution.area.slip = solution.elements.slip * area;
 }
 
+void find_displacements(const ContactProblem& problem, const InfluenceOperator& influence, ContactSolution& solution) {
+    if (!problem.displacements) return;
+    const std::size_t n = problem.grid.size();
+    for (auto* values : {&solution.displacement_x, &solution.displacement_y, &solution.displacement_z})
+        values->assign(n, 0);
+    std::vector<double> x(n), y(n), z(n);
+    influence.normal(solution.pressure, solution.displacement_z);
+    influence.tangential(solution.traction_x, solution.traction_y, solution.displacement_x, solution.displacement_y);
+    influence.normal_of_tangential(solution.traction_x, solution.traction_y, z);
+    influence.tangential_of_normal(solution.pressure, x, y);
+    double energy = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        solution.displacement_x[i] += x[i];
+        solution.displacement_y[i] += y[i];
+        solution.displacement_z[i] += z[i];
+        energy += solution.traction_x[i] * solution.displacement_x[i] +
+                  solution.traction_y[i] * solution.displacement_y[i] +
+                  solution.pressure[i] * solution.displacement_z[i];
+    }
+    solution.elastic_energy = 0.5 * energy * problem.grid.element_area();
+}
+
 /// Slip of rolling is over the distance rolled, which the solvers do not divide by. Adhesion loses nothing: its slip is
 /// what the tolerance leaves. The sum stands as it is: one clearly below zero tells of a wrong solution.
 void take_friction_losses(const ContactProblem& problem, ContactSolution& solution) {
@@ -213,6 +235,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactInflue
     count_elements(problem, solution);
     sum_up(problem, solution);
     take_friction_losses(problem, solution);
+    find_displacements(problem, *influence.current, solution);
     solution.evidence.discretisation =
         discretisation(problem, solution, problem.friction && influence.current->coupled());
     warn(problem, solution);

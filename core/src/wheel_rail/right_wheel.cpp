@@ -172,6 +172,7 @@ ContactSolution RightWheel::solve(ContactProblem problem, const CandidatePatch& 
 WheelRailPatch RightWheel::solve(CandidatePatch& found, double z, Observer& observer) const {
     WheelRailPatch patch;
     ContactProblem problem = problem_of(found);
+    problem.displacements = state_.displacements;
     if (has_tractions_) problem.initial = estimate_for(found.place, estimates_->patches);
     patch.solution = solve(std::move(problem), found, observer);
     patch.place = found.place;

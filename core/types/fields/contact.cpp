@@ -10,8 +10,9 @@ namespace {
 // A member that the schema does not declare makes the number of these names wrong.
 [[maybe_unused]] void all_of(const ContactSolution& all) {
     [[maybe_unused]] const auto& [approach_, forces_, resultant_, pmax_, area_, elements_, element_division_, pressure_,
-                                  traction_x_, traction_y_, slip_x_, slip_y_, frictional_work_, frictional_power_,
-                                  motion_, derivatives_, warnings_, evidence_] = all;
+                                  traction_x_, traction_y_, slip_x_, slip_y_, displacement_x_, displacement_y_,
+                                  displacement_z_, elastic_energy_, frictional_work_, frictional_power_, motion_,
+                                  derivatives_, warnings_, evidence_] = all;
 }
 [[maybe_unused]] void all_of(const Forces& all) {
     [[maybe_unused]] const auto& [Fn_, Fx_, Fy_, Mz_] = all;
@@ -53,6 +54,7 @@ const FieldType& type_of<ContactProblem>() {
         fields::field_along<ContactProblem, &ContactProblem::settings>("settings"),
         fields::field_along<ContactProblem, &ContactProblem::initial>("initial"),
         fields::field_along<ContactProblem, &ContactProblem::derivatives>("derivatives"),
+        fields::field_along<ContactProblem, &ContactProblem::displacements>("displacements"),
     });
     static const FieldType type = fields::object_type(list);
     return type;
@@ -73,6 +75,10 @@ const FieldType& type_of<ContactSolution>() {
         fields::custom_field<&ContactSolution::traction_y>("traction_y"),
         fields::custom_field<&ContactSolution::slip_x>("slip_x"),
         fields::custom_field<&ContactSolution::slip_y>("slip_y"),
+        fields::custom_field<&ContactSolution::displacement_x>("displacement_x"),
+        fields::custom_field<&ContactSolution::displacement_y>("displacement_y"),
+        fields::custom_field<&ContactSolution::displacement_z>("displacement_z"),
+        fields::field<&ContactSolution::elastic_energy>("elastic_energy", {.unit = "N mm"}),
         fields::field<&ContactSolution::frictional_work>("frictional_work", {.unit = "N mm"}),
         fields::field<&ContactSolution::frictional_power>("frictional_power", {.unit = "N mm/s"}),
         fields::custom_field<&ContactSolution::motion>("motion"),

@@ -97,6 +97,7 @@ const FieldType& type_of<StepInput>() {
         fields::field<&StepInput::gap>("gap"),
         fields::field_within<StepInput>("friction", &type_of<FrictionFields<StepInput>>),
         fields::field<&StepInput::derivatives>("derivatives"),
+        fields::field<&StepInput::displacements>("displacements"),
         fields::field<&StepInput::fields>("fields"),
     });
     static const FieldType type = fields::object_type(list);

@@ -9,7 +9,8 @@ namespace {
 
 // A member that the schema does not declare makes the number of these names wrong.
 [[maybe_unused]] void all_of(const WheelRailState& all) {
-    [[maybe_unused]] const auto& [position_, velocity_, rail_, roller_pitch_, Fz_, Fx_, derivatives_] = all;
+    [[maybe_unused]] const auto& [position_, velocity_, rail_, roller_pitch_, Fz_, Fx_, derivatives_, displacements_] =
+        all;
 }
 [[maybe_unused]] void all_of(const WheelsetPosition& all) {
     [[maybe_unused]] const auto& [y_, z_, roll_, yaw_, x_, pitch_] = all;
@@ -38,6 +39,7 @@ const FieldType& type_of<WheelRailState>() {
         fields::field<&WheelRailState::Fz>("Fz", {.bounds = {.least = 1e-06, .most = 1e+18}, .unit = "N"}),
         fields::field<&WheelRailState::Fx>("Fx", {.bounds = {.least = -1e+18, .most = 1e+18}, .unit = "N"}),
         fields::field<&WheelRailState::derivatives>("derivatives"),
+        fields::field<&WheelRailState::displacements>("displacements"),
     });
     static const FieldType type = fields::object_type(list);
     return type;

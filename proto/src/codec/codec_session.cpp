@@ -111,6 +111,7 @@ void apply_step(const json& params, const Frames& frames, const std::optional<Mo
         throw invalid_field("gap", "is missing; session.open named none, so every step must");
     if (params.contains("friction")) apply_friction(params, frames, problem);
     problem.derivatives = params.value("derivatives", problem.derivatives);
+    problem.displacements = params.value("displacements", problem.displacements);
     if (last && problem.friction) take_estimates(params.value("friction", json::object()), *last, problem.motion);
 }
 

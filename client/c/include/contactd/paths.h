@@ -240,6 +240,7 @@
 #define CONTACTD_PATH_SETTINGS_OUTER_TOLERANCE "settings.outer.tolerance"
 #define CONTACTD_PATH_SETTINGS_OUTER_MAX_ITERATIONS "settings.outer.max_iterations"
 #define CONTACTD_PATH_DERIVATIVES "derivatives"
+#define CONTACTD_PATH_DISPLACEMENTS "displacements"
 #define CONTACTD_PATH_LEASE_SECONDS "lease_seconds" /* s */
 #define CONTACTD_PATH_ACCEPT_UNCONVERGED "accept_unconverged"
 
@@ -293,6 +294,10 @@
 #define CONTACTD_PATH_MOTION_KIND "motion.kind"
 #define CONTACTD_PATH_MOTION_STEPS "motion.steps"
 #define CONTACTD_PATH_MOTION_VELOCITY "motion.velocity" /* mm/s */
+#define CONTACTD_PATH_DISPLACEMENT_X "displacement_x"
+#define CONTACTD_PATH_DISPLACEMENT_Y "displacement_y"
+#define CONTACTD_PATH_DISPLACEMENT_Z "displacement_z"
+#define CONTACTD_PATH_ELASTIC_ENERGY "elastic_energy" /* N mm */
 #define CONTACTD_PATH_DERIVATIVES_FX "derivatives.Fx"
 #define CONTACTD_PATH_DERIVATIVES_FX_XI "derivatives.Fx.xi"
 #define CONTACTD_PATH_DERIVATIVES_FX_ETA "derivatives.Fx.eta"
@@ -547,6 +552,7 @@
 #define CONTACTD_PATH_STATE_FZ "state.Fz"                                 /* N */
 #define CONTACTD_PATH_STATE_FX "state.Fx"                                 /* N */
 #define CONTACTD_PATH_STATE_DERIVATIVES "state.derivatives"
+#define CONTACTD_PATH_STATE_DISPLACEMENTS "state.displacements"
 
 /* --- results of a wheel --- */
 #define CONTACTD_PATH_Z "z"                   /* mm */
@@ -652,6 +658,10 @@
 #define CONTACTD_PATH_PATCHES_SOLUTION_TRACTION_Y "patches[%d].solution.traction_y"
 #define CONTACTD_PATH_PATCHES_SOLUTION_SLIP_X "patches[%d].solution.slip_x"
 #define CONTACTD_PATH_PATCHES_SOLUTION_SLIP_Y "patches[%d].solution.slip_y"
+#define CONTACTD_PATH_PATCHES_SOLUTION_DISPLACEMENT_X "patches[%d].solution.displacement_x"
+#define CONTACTD_PATH_PATCHES_SOLUTION_DISPLACEMENT_Y "patches[%d].solution.displacement_y"
+#define CONTACTD_PATH_PATCHES_SOLUTION_DISPLACEMENT_Z "patches[%d].solution.displacement_z"
+#define CONTACTD_PATH_PATCHES_SOLUTION_ELASTIC_ENERGY "patches[%d].solution.elastic_energy"     /* N mm */
 #define CONTACTD_PATH_PATCHES_SOLUTION_FRICTIONAL_WORK "patches[%d].solution.frictional_work"   /* N mm */
 #define CONTACTD_PATH_PATCHES_SOLUTION_FRICTIONAL_POWER "patches[%d].solution.frictional_power" /* N mm/s */
 #define CONTACTD_PATH_PATCHES_SOLUTION_DERIVATIVES "patches[%d].solution.derivatives"

@@ -52,8 +52,9 @@ class ContactSteps(Steps):
         params = fields_of(ContactProblem, {name: step.get(name) for name in _OWN})
         if friction := self._friction(step):
             params["friction"] = friction
-        if (derivatives := step.get("derivatives")) is not None:
-            params["derivatives"] = derivatives
+        for flag in ("derivatives", "displacements"):
+            if (value := step.get(flag)) is not None:
+                params[flag] = value
         return params
 
     def read(self, asked: dict[str, Any], result: Any, path: str = "result") -> StepSolution:
@@ -121,6 +122,7 @@ class AnyContactSession(AnySession):
         steps: int | None = None,
         velocity: float | None = None,
         derivatives: bool | None = None,
+        displacements: bool | None = None,
         fields: Fields = (),
         again: bool = False,
         timeout: float | None = None,
@@ -130,8 +132,8 @@ class AnyContactSession(AnySession):
         """Solves the next step. What is None is as the session was opened.
 
         Friction may be given whole, or by the fields of Friction and Rolling that change: `force` is that of rolling in
-        a session that rolls, else that of a shift. `fields` names the arrays wanted back, or the one; `derivatives` says
-        whether those are wanted, too.
+        a session that rolls, else that of a shift. `fields` names the arrays wanted back, or the one; `derivatives` and
+        `displacements` say whether those are wanted, too.
 
         With `again` the step that was asked for last is tried anew: had it been solved, it is taken back, and this one
         starts where it started. As often as wanted, also after one that failed or whose answer was lost.
@@ -142,8 +144,8 @@ class AnyContactSession(AnySession):
         step = StepInput(
             approach=approach, Fn=Fn, gap=gap, friction=friction, mu=mu, force=force, rigid_shift=rigid_shift,
             rotation=rotation, duration=duration, rigid_slip=rigid_slip, xi=xi, eta=eta, phi=phi, chi=chi, dq=dq,
-            spin_offset=spin_offset, kind=kind, steps=steps, velocity=velocity, derivatives=derivatives, fields=fields,
-            again=again,
+            spin_offset=spin_offset, kind=kind, steps=steps, velocity=velocity, derivatives=derivatives,
+            displacements=displacements, fields=fields, again=again,
         )  # fmt: skip
         solution: StepSolution = yield from self._step(step, timeout, on_progress, progress)
         return solution

@@ -23,7 +23,8 @@ __all__ = [
 ]
 
 S = TypeVar("S", bound=Solution[Any, Any])
-_SLIP = ("slip_x", "slip_y")  # not there without friction
+#: Slip is not there without friction, displacements are where they were asked for.
+_MAY_LACK = ("slip_x", "slip_y", "displacement_x", "displacement_y", "displacement_z")
 ALL_FIELDS: tuple[str, ...] = get_args(Field)
 
 
@@ -31,7 +32,7 @@ def check_arrays(solution: Solution[Any, Any], names: Iterable[str], grid: Grid)
     """Raises ProtocolError where one of the arrays is missing or has not the shape of the grid."""
     for name in names:
         array = getattr(solution, name)
-        if array is None and name in _SLIP:
+        if array is None and name in _MAY_LACK:
             continue
         if array is None:
             raise ProtocolError(f"The answer lacks {name}, which was asked for.")

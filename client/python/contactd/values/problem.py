@@ -103,6 +103,8 @@ class ContactProblem(ProblemMethods, Saved):
             their arc length, and the axes of an element are those of its column. With model full and a gap that is an
             array of distances along the columns' normals. The section's axes are y to the right, z up, x towards the
             reader. None: a plane.
+        displacements: Whether the solution has the displacements of the surfaces, and the elastic energy. Refused for
+            simplified models.
     """
 
     grid: Grid
@@ -123,6 +125,7 @@ class ContactProblem(ProblemMethods, Saved):
     lower_ics: Ics | TableIcs | None = None
     derivatives: bool = False
     columns: ContactColumns | None = None
+    displacements: bool = False
 
     @public
     def replace(self, **changes: Unpack[ProblemFields]) -> ContactProblem:
@@ -151,3 +154,4 @@ class ProblemFields(TypedDict, total=False):
     lower_ics: Ics | TableIcs | None
     derivatives: bool
     columns: ContactColumns | None
+    displacements: bool

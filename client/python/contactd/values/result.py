@@ -18,7 +18,7 @@ from .solution_methods import Bytes, Floats, SolutionMethods
 
 __all__ = ["Areas", "Counts", "Derivatives", "DerivativesOfAnswer", "Field", "Forces", "Resultant", "Solution"]
 
-Field = Literal["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y"]
+Field = Literal["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y", "displacement_x", "displacement_y", "displacement_z"]
 
 
 @dataclass(frozen=True)
@@ -165,6 +165,12 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
         slip_x: Slip of the upper body over the lower along x, with friction, shape [ny, nx]: in a shift the distance
             over the step (mm), in rolling the relative slip, per distance rolled. Zero outside of the contact.
         slip_y: Slip of the upper body over the lower along y, with friction, as slip_x.
+        displacement_x: Displacement of the upper body's surface along x less that of the lower one's, under the
+            tractions, shape [ny, nx] (mm); where asked for.
+        displacement_y: The same along y.
+        displacement_z: What both bodies yield along z, positive under pressure, shape [ny, nx] (mm); where asked for.
+        elastic_energy: Energy that the tractions have stored, half the sum of traction times displacement (N mm); with
+            displacements.
         frictional_work: Energy that friction dissipates in a shift (N mm).
         frictional_power: Power that friction dissipates in rolling (N mm/s).
         motion: Motion as requested, with friction, and as found where a force is prescribed: of a shift rigid_shift,
@@ -193,6 +199,10 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
     resultant: Resultant | None = None
     slip_x: Array | None = None
     slip_y: Array | None = None
+    displacement_x: Array | None = None
+    displacement_y: Array | None = None
+    displacement_z: Array | None = None
+    elastic_energy: float | None = None
     frictional_work: float | None = None
     frictional_power: float | None = None
     motion: Shift | Rolling | None = None

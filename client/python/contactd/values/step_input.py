@@ -41,5 +41,6 @@ class StepInput(TypedDict, total=False):
     steps: int | None
     velocity: float | None
     derivatives: bool | None
+    displacements: bool | None
     fields: Fields
     again: bool

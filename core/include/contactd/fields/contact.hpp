@@ -21,13 +21,17 @@ static_assert(static_cast<int>(ErrorSource::estimate) == 1);
 
 template <>
 inline constexpr auto enum_words<SolutionField> =
-    std::to_array<std::string_view>({"element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y"});
+    std::to_array<std::string_view>({"element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y",
+                                     "displacement_x", "displacement_y", "displacement_z"});
 static_assert(static_cast<int>(SolutionField::element_division) == 0);
 static_assert(static_cast<int>(SolutionField::pressure) == 1);
 static_assert(static_cast<int>(SolutionField::traction_x) == 2);
 static_assert(static_cast<int>(SolutionField::traction_y) == 3);
 static_assert(static_cast<int>(SolutionField::slip_x) == 4);
 static_assert(static_cast<int>(SolutionField::slip_y) == 5);
+static_assert(static_cast<int>(SolutionField::displacement_x) == 6);
+static_assert(static_cast<int>(SolutionField::displacement_y) == 7);
+static_assert(static_cast<int>(SolutionField::displacement_z) == 8);
 
 template <>
 const FieldType& type_of<ContactProblem>();

@@ -150,7 +150,7 @@ bool is_next_to_nothing(double phi, const Grid& grid) {
     if (field == "friction.rolling.dq")
         throw InvalidArgument(rolling && rolling->dq == problem.grid.dx ? "dx" : "dq",
                               "as the step of rolling " + error.problem());
-    if (field == "derivatives") throw InvalidArgument("state.derivatives", error.problem());
+    if (field == "derivatives" || field == "displacements") throw InvalidArgument("state." + field, error.problem());
     throw;
 }
 

@@ -60,6 +60,8 @@ ArrayAnswer array_answer(const json& params) {
     SolutionFields fields = proto::decode_fields(params, all_solution_fields);
     if (!params.contains("friction"))
         std::erase_if(fields, [](SolutionField f) { return f == SolutionField::slip_x || f == SolutionField::slip_y; });
+    if (!params.value("displacements", false))
+        std::erase_if(fields, [](SolutionField f) { return f >= SolutionField::displacement_x; });
     return {std::move(fields), elements_in(params)};
 }
 

@@ -96,6 +96,7 @@ class WheelRailState(Saved):
         Fx: Longitudinal force on the rail along the wheelset's x axis, which velocity.pitch is found for (N); needs
             friction. None: velocity.pitch is prescribed.
         derivatives: Whether the solution has derivatives of the forces by position and velocity.
+        displacements: Whether the solutions of patches have displacements, and elastic energies, as in contact.solve.
     """
 
     position: WheelsetPosition = WheelsetPosition()
@@ -105,6 +106,7 @@ class WheelRailState(Saved):
     Fz: float | None = None
     Fx: float | None = None
     derivatives: bool = False
+    displacements: bool = False
 
 
 @dataclass(frozen=True, kw_only=True)
