@@ -261,3 +261,34 @@ def test_sizes_of_any_order_give_finite_stresses(raw, size, at):
     params = {**PARAMS, "grid": grid, "block": {"x": [0, at], "y": [0, -at], "z": [0, -at]}}
     answer = raw.ask("contact.subsurface", params, arrays="list")
     assert answer.status == "OK", answer.message
+
+
+def test_invariants_are_those_of_the_components(shared, shifted):
+    at = {"points": [[0, 0, -0.5], [0.3, -0.2, -0.1]]}
+    plain = shared.subsurface(SHIFTED, shifted, **at)
+    assert plain.tresca is None
+    stress = shared.subsurface(SHIFTED, shifted, invariants=True, **at)
+    tensors = np.array([[stress.xx, stress.xy, stress.xz], [stress.xy, stress.yy, stress.yz], [stress.xz, stress.yz, stress.zz]])
+    principal = np.linalg.eigvalsh(np.moveaxis(tensors, 2, 0))
+    for name, values in (("principal_3", principal[:, 0]), ("principal_2", principal[:, 1]), ("principal_1", principal[:, 2])):
+        np.testing.assert_allclose(getattr(stress, name), values, atol=1e-10)
+    np.testing.assert_allclose(stress.tresca, principal[:, 2] - principal[:, 0], atol=1e-10)
+    np.testing.assert_allclose(stress.hydrostatic, principal.mean(1), atol=1e-10)
+
+
+def test_the_surface_displaces_by_what_the_solution_says(shared):
+    problem = SHIFTED.replace(displacements=True)
+    solution = shared.solve(problem)
+    block = StressBlock(problem.grid.x, problem.grid.y, 0)
+    lower = shared.subsurface(problem, solution, block=block, displacements=True)
+    upper = shared.subsurface(problem, solution, body="upper", block=block, displacements=True)
+    scale = np.abs(solution.displacement_z).max()
+    # Both bodies yield into themselves, each along -z of its own frame.
+    np.testing.assert_allclose(-(lower.displacement_z + upper.displacement_z)[0], solution.displacement_z, atol=1e-9 * scale)
+    np.testing.assert_allclose((upper.displacement_x - lower.displacement_x)[0], solution.displacement_x, atol=1e-9 * scale)
+    np.testing.assert_allclose((upper.displacement_y - lower.displacement_y)[0], solution.displacement_y, atol=1e-9 * scale)
+
+
+def test_displacements_are_those_of_half_spaces(shared, shifted):
+    with pytest.raises(InvalidArgument, match="no half-space"):
+        shared.subsurface(SHIFTED.replace(lower=RigidBody()), shifted, nu=0.3, points=[[0, 0, -1]], displacements=True)

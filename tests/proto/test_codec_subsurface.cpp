@@ -147,7 +147,8 @@ TEST_CASE("A bad field of a request for stresses is named", "[codec]") {
     const auto c = GENERATE(
         Case{"/nu", "0.51", "FIELD_INVALID: nu is 0.51; it must lie in [0, 0.5]"},
         Case{"/body", "\"both\"", "body is \"both\"; it must be one of \"upper\", \"lower\""},
-        Case{"/grid/nx", "0", "grid.nx is 0"}, Case{"/G", "1", "G is not a field of contact.subsurface"},
+        Case{"/grid/nx", "0", "grid.nx is 0"}, Case{"/E", "1", "E is not a field of contact.subsurface"},
+        Case{"/G", "0", "G is 0; it must be"},
         Case{"/pressure", "[1, 2, 3]", "ARRAY_INVALID: pressure has 3 values; it must have 2"},
         Case{"/pressure", "[[1, 2, 3], [1e101, 0, 0]]", "pressure holds 1e+101; its values must lie in"},
         Case{"/traction_x", "[[1, 2, 3]]", "traction_x has 1 values"},

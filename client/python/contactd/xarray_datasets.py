@@ -9,6 +9,7 @@ import numpy as np
 from .values.grid import Grid
 from .values.solution import Solution
 from .values.subsurface import SubsurfaceStress
+from .values.subsurface_methods import INVARIANTS
 from .values.tables import IcTable
 
 if TYPE_CHECKING:
@@ -23,10 +24,10 @@ _ARRAYS = {
     "traction_y": ("traction along y on the upper body", "N/mm^2"),
     "slip_x": ("slip of the upper body over the lower, along x", ""),
     "slip_y": ("slip of the upper body over the lower, along y", ""),
-}
     "displacement_x": ("displacement of the upper body's surface less that of the lower one's, along x", "mm"),
     "displacement_y": ("displacement of the upper body's surface less that of the lower one's, along y", "mm"),
     "displacement_z": ("what both bodies yield along z", "mm"),
+}
 _NUMBERS = {"Fn": "N", "Fx": "N", "Fy": "N", "Mz": "N mm", "approach": "mm", "pmax": "N/mm^2"}
 
 
@@ -82,7 +83,8 @@ def stress_dataset(stress: SubsurfaceStress) -> xarray.Dataset:
         places = {name: _length("point", stress.points[:, i]) for i, name in enumerate("xyz")}
     else:
         raise ValueError("block and points are None; stresses with coordinates must be those of a client")
-    names = ("xx", "yy", "zz", "xy", "xz", "yz", "von_mises")
+    names = ["xx", "yy", "zz", "xy", "xz", "yz", "von_mises"]
+    names += [name for name in INVARIANTS if getattr(stress, name) is not None]
     arrays = {name: (dimensions, getattr(stress, name), {"units": "N/mm^2"}) for name in names}
     dataset: xarray.Dataset = _xarray().Dataset(arrays, places, {"largest_von_mises": stress.largest.von_mises})
     return dataset

@@ -8,6 +8,7 @@
 
 #include "contactd/grid.hpp"
 #include "contactd/layers.hpp"
+#include "contactd/material.hpp"
 #include "contactd/observer.hpp"
 #include "contactd/subsurface_stress.hpp"
 
@@ -53,5 +54,15 @@ SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tra
                                    std::span<const std::array<double, 3>> points, Observer& observer);
 SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tractions, const Layers& body,
                                    const StressBlock& block, Observer& observer);
+
+/// Displacements inside a half-space (Johnson, sections 3.2 and 3.6), in the frame of the body. Relative accuracy 1e-13
+/// times the square of the distance over the size of an element. Reports and throws as above, and for a body that is
+/// rigid ("material").
+SubsurfaceDisplacement subsurface_displacement(const Grid& grid, const SurfaceTractions& tractions,
+                                               const Material& body, const SubsurfacePoints& points,
+                                               Observer& observer);
+
+/// Fills the arrays of invariants from the components, to some 1e-15 of the largest component at a point.
+void find_invariants(SubsurfaceStress& stress);
 
 }  // namespace contactd

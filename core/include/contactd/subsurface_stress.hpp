@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -30,10 +31,20 @@ struct StressBlock {
     std::size_t size() const { return x.size() * y.size() * z.size(); }
 };
 
+using SubsurfacePoints = std::variant<StressPoints, StressBlock>;
+
+/// At the points asked for (mm), in the frame of the body. They vanish far away.
+struct SubsurfaceDisplacement {
+    std::vector<double> x, y, z;
+};
+
 /// At the points asked for, in their order (N/mm^2); tension is positive.
 struct SubsurfaceStress {
     std::vector<double> xx, yy, zz, xy, xz, yz;
     std::vector<double> von_mises;
+    /// Where find_invariants was called: the mean of the normal stresses, the principal stresses, the first of which is
+    /// the largest and the third the smallest, and Tresca's equivalent stress, by which these two differ.
+    std::vector<double> hydrostatic, principal_1, principal_2, principal_3, tresca;
     std::size_t largest = 0;  ///< the point with the largest von Mises stress; the first one of equals
 };
 
@@ -46,7 +57,10 @@ struct SubsurfaceRequest {
     /// Tractions of a contact solution, for either body: those on the upper one. Shape [ny, nx] (N/mm^2); tractions may
     /// be empty, which means zero.
     std::vector<double> pressure, traction_x, traction_y;
-    std::variant<StressPoints, StressBlock> points;
+    SubsurfacePoints points;
+    bool invariants = false;  ///< whether the reply has those of find_invariants
+    /// The body's shear modulus (N/mm^2), where displacements are wanted, too; of half-spaces.
+    std::optional<double> G{};
 
     std::vector<std::size_t> shape() const;                ///< of the results: [n], or [nz, ny, nx] of a block
     std::array<double, 3> point(std::size_t index) const;  ///< the point of a result
@@ -62,6 +76,7 @@ struct LargestStress {
 
 struct SubsurfaceReply {
     SubsurfaceStress stress;
+    std::optional<SubsurfaceDisplacement> displacement;
     std::vector<std::size_t> shape;  ///< of all its arrays
     LargestStress largest;
 };

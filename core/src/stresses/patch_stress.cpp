@@ -23,28 +23,14 @@
 #include <numbers>
 #include <utility>
 
+#include "patch_corner.hpp"
+
 namespace contactd {
 namespace {
 
 constexpr double per_two_pi = 0.5 / std::numbers::pi;
 
-// The terms of the stresses at one corner.
-struct Corner {
-    double x, y, d, smallest, rho;
-
-    Corner(double x_, double y_, double d_, double smallest_) : x(x_), y(y_), d(d_), smallest(smallest_) {
-        rho = std::max(std::sqrt(x * x + y * y + d * d), smallest);
-    }
-    // (x^2 + d^2)/(rho - y) loses no digits where y is negative.
-    double sum(double along, double across) const {  // rho + along
-        const double square = std::max(across * across + d * d, smallest * smallest);
-        return along < 0 ? square / (rho - along) : std::max(rho + along, smallest);
-    }
-    double rho_and_x() const { return sum(x, y); }
-    double rho_and_y() const { return sum(y, x); }
-    double solid_angle() const { return std::atan2(x * y, d * rho); }
-    double angle_xx() const { return std::atan2(x * y * (x * x + y * y), (rho + d) * (x * x * rho + d * y * y)); }
-};
+using Corner = PatchCorner;
 
 StressComponents normal_load(const Corner& c, double nu) {
     const double of_x = c.d / (c.rho * c.rho_and_y()), of_y = c.d / (c.rho * c.rho_and_x());

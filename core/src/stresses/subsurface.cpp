@@ -17,15 +17,28 @@ namespace {
 
 using Values = std::vector<double>;
 
-void store(const StressComponents& stress, std::size_t at, SubsurfaceStress& result) {
-    const auto all = components_of(result);
-    for (std::size_t c = 0; c < 6; ++c) (*all[c])[at] = stress[c];
+/// The components of a field, point by point.
+template <class Field>
+using Arrays = std::array<Values, components_of_field<Field>>;
+
+template <class Field>
+Arrays<Field> zeros(std::size_t n) {
+    Arrays<Field> result;
+    for (Values& values : result) values.resize(n);
+    return result;
 }
 
-SubsurfaceStress zeros(std::size_t n) {
+template <class Components, std::size_t n>
+void store(const Components& components, std::size_t at, std::array<Values, n>& result) {
+    for (std::size_t c = 0; c < n; ++c) result[c][at] = components[c];
+}
+
+SubsurfaceStress with_von_mises(Arrays<StressField>&& components) {
     SubsurfaceStress result;
-    for (Values* values : {&result.xx, &result.yy, &result.zz, &result.xy, &result.xz, &result.yz, &result.von_mises})
-        values->resize(n);
+    const auto to = components_of(result);
+    for (std::size_t c = 0; c < components.size(); ++c) *to[c] = std::move(components[c]);
+    result.von_mises.resize(result.xx.size());
+    find_von_mises(result);
     return result;
 }
 
@@ -118,12 +131,13 @@ class ClassPair {
 
     double work() const { return convolve_ ? by_convolution_ : directly_; }
 
-    void compute(const StressBlock& block, std::size_t iz, const DirectSum& direct, double nu, Meter& meter,
-                 SubsurfaceStress& result) const {
-        const auto for_points = [&](const auto& stress_at) {
+    template <class Field>
+    void compute(const StressBlock& block, std::size_t iz, const DirectSum<Field>& direct, Meter& meter,
+                 Arrays<Field>& result) const {
+        const auto for_points = [&](const auto& field_at) {
             for (std::size_t j = 0; j < along_y_.place.size(); ++j)
                 for (std::size_t i = 0; i < along_x_.place.size(); ++i)
-                    store(stress_at(i, j),
+                    store(field_at(i, j),
                           (iz * block.y.size() + along_y_.place[j]) * block.x.size() + along_x_.place[i], result);
         };
         if (!convolve_) {
@@ -135,17 +149,18 @@ class ClassPair {
         }
         const Raster raster{static_cast<int>(along_x_.points()), static_cast<int>(along_y_.points()),
                             first_x_ + along_x_.fraction, first_y_ + along_y_.fraction};
-        std::array<Values, 6> sum;
-        for (Values& values : sum) values.resize(static_cast<std::size_t>(raster.nx) * raster.ny);
+        Arrays<Field> sum = zeros<Field>(static_cast<std::size_t>(raster.nx) * raster.ny);
         for (const Axis load : {Axis::x, Axis::y, Axis::z}) {
             const TractionPatch& traction = patch_.loads()[static_cast<std::size_t>(load)];
             if (!traction.values.empty())
-                add_stresses(load, traction, raster, -block.z[iz], nu, patch_.smallest(), sum, meter.observer());
+                add_field(direct.field(), load, traction, raster, -block.z[iz], sum, meter.observer());
         }
         for_points([&](std::size_t i, std::size_t j) {
             const auto at =
                 static_cast<std::size_t>((along_y_.whole[j] - first_y_) * raster.nx + along_x_.whole[i] - first_x_);
-            return StressComponents{sum[0][at], sum[1][at], sum[2][at], sum[3][at], sum[4][at], sum[5][at]};
+            typename Field::Components components;
+            for (std::size_t c = 0; c < sum.size(); ++c) components[c] = sum[c][at];
+            return components;
         });
         meter.add(by_convolution_);
     }
@@ -163,23 +178,23 @@ void check_is_one_row(const Grid& grid) {
                                              "; a line contact has one row of elements, which never ends along y");
 }
 
-SubsurfaceStress at_points(const LoadedPatch& patch, double nu, std::span<const std::array<double, 3>> points,
-                           Observer& observer) {
+template <class Field>
+Arrays<Field> at_points(const LoadedPatch& patch, double nu, std::span<const std::array<double, 3>> points,
+                        Observer& observer) {
     if (points.empty()) throw InvalidArgument("points", "is empty; there must be at least one");
     for (const auto& [x, y, z] : points) {
         check_coordinate(x, false, "points");
         check_coordinate(y, false, "points");
         check_coordinate(z, true, "points");
     }
-    const DirectSum direct(patch, nu);
+    const DirectSum direct(Field{nu, patch.smallest()}, patch);
     const double work = static_cast<double>(direct.corners());
     Meter meter(observer, work * static_cast<double>(points.size()));
-    SubsurfaceStress result = zeros(points.size());
+    Arrays<Field> result = zeros<Field>(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         store(direct.at(points[i][0], points[i][1], points[i][2]), i, result);
         meter.add(work);
     }
-    find_von_mises(result);
     return result;
 }
 
@@ -191,35 +206,32 @@ void check(const StressBlock& block) {
     }
 }
 
-SubsurfaceStress on_block(const Grid& grid, const LoadedPatch& patch, double nu, const StressBlock& block,
-                          Observer& observer) {
-    const DirectSum direct(patch, nu);
+template <class Field>
+Arrays<Field> on_block(const Grid& grid, const LoadedPatch& patch, double nu, const StressBlock& block,
+                       Observer& observer) {
+    const DirectSum direct(Field{nu, patch.smallest()}, patch);
     const auto along_x = classes_of(block.x, patch.x(), grid.dx), along_y = classes_of(block.y, patch.y(), grid.dy);
     std::vector<ClassPair> pairs;
     double work = 0;
     for (const Class& of_y : along_y)
         for (const Class& of_x : along_x) work += pairs.emplace_back(patch, of_x, of_y, direct.corners()).work();
     Meter meter(observer, work * static_cast<double>(block.z.size()));
-    SubsurfaceStress result = zeros(block.size());
+    Arrays<Field> result = zeros<Field>(block.size());
     for (std::size_t iz = 0; iz < block.z.size(); ++iz)
-        for (const ClassPair& pair : pairs) pair.compute(block, iz, direct, nu, meter, result);
-    find_von_mises(result);
+        for (const ClassPair& pair : pairs) pair.compute(block, iz, direct, meter, result);
     return result;
 }
 
 // Copies the values of the plane y = 0 to every y of the block.
-SubsurfaceStress spread_along_y(const SubsurfaceStress& plane, const StressBlock& block) {
-    SubsurfaceStress result = zeros(block.size());
-    const auto from = components_of(plane);
-    const auto to = components_of(result);
+Arrays<StressField> spread_along_y(const Arrays<StressField>& plane, const StressBlock& block) {
+    Arrays<StressField> result = zeros<StressField>(block.size());
     const auto nx = static_cast<std::ptrdiff_t>(block.x.size());
-    for (std::size_t c = 0; c < 6; ++c) {
-        auto next = to[c]->begin();
+    for (std::size_t c = 0; c < result.size(); ++c) {
+        auto next = result[c].begin();
         for (std::size_t iz = 0; iz < block.z.size(); ++iz)
             for (std::size_t iy = 0; iy < block.y.size(); ++iy)
-                next = std::copy_n(from[c]->begin() + static_cast<std::ptrdiff_t>(iz) * nx, nx, next);
+                next = std::copy_n(plane[c].begin() + static_cast<std::ptrdiff_t>(iz) * nx, nx, next);
     }
-    find_von_mises(result);
     return result;
 }
 
@@ -239,21 +251,22 @@ SurfaceTractions tractions_on(ContactBody body, std::span<const double> pressure
 SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tractions, double nu,
                                    std::span<const std::array<double, 3>> points, Observer& observer) {
     check(grid, tractions, nu);
-    return at_points(LoadedPatch(grid, tractions), nu, points, observer);
+    return with_von_mises(at_points<StressField>(LoadedPatch(grid, tractions), nu, points, observer));
 }
 
 SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tractions, double nu,
                                    const StressBlock& block, Observer& observer) {
     check(grid, tractions, nu);
     check(block);
-    return on_block(grid, LoadedPatch(grid, tractions), nu, block, observer);
+    return with_von_mises(on_block<StressField>(grid, LoadedPatch(grid, tractions), nu, block, observer));
 }
 
 SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tractions, PlaneStrain body,
                                    std::span<const std::array<double, 3>> points, Observer& observer) {
     check(grid, tractions, body.nu);
     check_is_one_row(grid);
-    return at_points(LoadedPatch(grid, tractions, RowEnds::nowhere), body.nu, points, observer);
+    return with_von_mises(
+        at_points<StressField>(LoadedPatch(grid, tractions, RowEnds::nowhere), body.nu, points, observer));
 }
 
 SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tractions, PlaneStrain body,
@@ -262,8 +275,26 @@ SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tra
     check_is_one_row(grid);
     check(block);
     const StressBlock plane{block.x, {0}, block.z};
-    return spread_along_y(on_block(grid, LoadedPatch(grid, tractions, RowEnds::nowhere), body.nu, plane, observer),
-                          block);
+    const LoadedPatch patch(grid, tractions, RowEnds::nowhere);
+    return with_von_mises(spread_along_y(on_block<StressField>(grid, patch, body.nu, plane, observer), block));
+}
+
+SubsurfaceDisplacement subsurface_displacement(const Grid& grid, const SurfaceTractions& tractions,
+                                               const Material& body, const SubsurfacePoints& points,
+                                               Observer& observer) {
+    validate(body, "material", true);
+    check(grid, tractions, body.nu);
+    const LoadedPatch patch(grid, tractions);
+    Arrays<DisplacementField> found;
+    if (const auto* block = std::get_if<StressBlock>(&points)) {
+        check(*block);
+        found = on_block<DisplacementField>(grid, patch, body.nu, *block, observer);
+    } else {
+        found = at_points<DisplacementField>(patch, body.nu, std::get<StressPoints>(points), observer);
+    }
+    for (Values& values : found)
+        for (double& value : values) value /= body.G;
+    return {std::move(found[0]), std::move(found[1]), std::move(found[2])};
 }
 
 }  // namespace contactd

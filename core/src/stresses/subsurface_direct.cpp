@@ -31,11 +31,13 @@ LoadedPatch::LoadedPatch(const Grid& grid, const SurfaceTractions& tractions, Ro
     }
 }
 
-DirectSum::DirectSum(const LoadedPatch& patch, double nu) : nu_(nu), smallest_(patch.smallest()) {
+std::vector<LoadedCorner> corners_of(const LoadedPatch& patch) {
+    std::vector<LoadedCorner> corners;
     const int nx = patch.nx(), ny = patch.ny();
     for (int l = 0; l <= ny; ++l)
         for (int k = 0; k <= nx; ++k) {
-            Corner corner{patch.x() + (k - 0.5) * patch.loads()[0].dx, patch.y() + (l - 0.5) * patch.loads()[0].dy, {}};
+            LoadedCorner corner{
+                patch.x() + (k - 0.5) * patch.loads()[0].dx, patch.y() + (l - 0.5) * patch.loads()[0].dy, {}};
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const auto& values = patch.loads()[axis].values;
                 const auto at = [&](int ix, int iy) {
@@ -44,20 +46,9 @@ DirectSum::DirectSum(const LoadedPatch& patch, double nu) : nu_(nu), smallest_(p
                 };
                 corner.jump[axis] = (at(k, l) - at(k - 1, l)) - (at(k, l - 1) - at(k - 1, l - 1));
             }
-            if (corner.jump != std::array<double, 3>{}) corners_.push_back(corner);
+            if (corner.jump != std::array<double, 3>{}) corners.push_back(corner);
         }
-}
-
-StressComponents DirectSum::at(double x, double y, double z) const {
-    StressComponents sum{};
-    for (const Corner& corner : corners_)
-        for (const Axis load : {Axis::x, Axis::y, Axis::z}) {
-            const double jump = corner.jump[static_cast<std::size_t>(load)];
-            if (jump == 0) continue;
-            const StressComponents stress = corner_stress(load, x - corner.x, y - corner.y, -z, nu_, smallest_);
-            for (std::size_t c = 0; c < 6; ++c) sum[c] += jump * stress[c];
-        }
-    return sum;
+    return corners;
 }
 
 }  // namespace contactd

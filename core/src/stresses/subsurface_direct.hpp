@@ -36,22 +36,39 @@ class LoadedPatch {
     std::array<TractionPatch, 3> loads_;
 };
 
+/// A corner of elements, and the second difference of the tractions there.
+struct LoadedCorner {
+    double x, y;
+    std::array<double, 3> jump;
+};
+
+/// Finds the corners where that is not zero.
+std::vector<LoadedCorner> corners_of(const LoadedPatch& patch);
+
 /// Sums over corners: what a corner adds to its four elements is one product with the second difference of the
 /// tractions, and inside a region of equal tractions none.
+template <class Field>
 class DirectSum {
    public:
-    DirectSum(const LoadedPatch& patch, double nu);
+    DirectSum(const Field& field, const LoadedPatch& patch) : field_(field), corners_(corners_of(patch)) {}
 
+    const Field& field() const { return field_; }
     std::size_t corners() const { return corners_.size(); }
-    StressComponents at(double x, double y, double z) const;
+    typename Field::Components at(double x, double y, double z) const {
+        typename Field::Components sum{};
+        for (const LoadedCorner& corner : corners_)
+            for (const Axis load : {Axis::x, Axis::y, Axis::z}) {
+                const double jump = corner.jump[static_cast<std::size_t>(load)];
+                if (jump == 0) continue;
+                const auto part = field_.at_corner(load, x - corner.x, y - corner.y, -z);
+                for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += jump * part[c];
+            }
+        return sum;
+    }
 
    private:
-    struct Corner {
-        double x, y;
-        std::array<double, 3> jump;
-    };
-    const double nu_, smallest_;
-    std::vector<Corner> corners_;
+    const Field field_;
+    const std::vector<LoadedCorner> corners_;
 };
 
 }  // namespace contactd

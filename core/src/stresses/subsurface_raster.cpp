@@ -34,19 +34,22 @@ struct Offsets {
     }
 };
 
-using Kernels = std::array<std::vector<double>, 6>;
+template <class Field>
+using Arrays = std::array<std::vector<double>, components_of_field<Field>>;
 
-// Stresses under a unit traction on one element at all offsets; neighbours share their corners.
-Kernels element_stresses(Axis load, const TractionPatch& patch, const Offsets& along_x, const Offsets& along_y,
-                         double d, double nu, double smallest, const Observer& observer) {
-    Kernels kernels;
+// The field under a unit traction on one element at all offsets; neighbours share their corners.
+template <class Field>
+Arrays<Field> element_field(const Field& field, Axis load, const TractionPatch& patch, const Offsets& along_x,
+                            const Offsets& along_y, double d, const Observer& observer) {
+    using Corners = std::vector<typename Field::Components>;
+    Arrays<Field> kernels;
     for (auto& kernel : kernels) kernel.resize(along_x.size() * along_y.size());
-    std::vector<StressComponents> lower(along_x.size() + 1), upper(lower);
-    const auto fill = [&](std::vector<StressComponents>& corners, std::size_t line) {
+    Corners lower(along_x.size() + 1), upper(lower);
+    const auto fill = [&](Corners& corners, std::size_t line) {
         const double y = (along_y.first + static_cast<int>(line) + along_y.fraction - 0.5) * patch.dy;
         for (std::size_t i = 0; i < corners.size(); ++i)
-            corners[i] = corner_stress(load, (along_x.first + static_cast<int>(i) + along_x.fraction - 0.5) * patch.dx,
-                                       y, d, nu, smallest);
+            corners[i] =
+                field.at_corner(load, (along_x.first + static_cast<int>(i) + along_x.fraction - 0.5) * patch.dx, y, d);
     };
     fill(upper, 0);
     for (std::size_t line = 0; line < along_y.size(); ++line) {
@@ -54,26 +57,25 @@ Kernels element_stresses(Axis load, const TractionPatch& patch, const Offsets& a
         std::swap(lower, upper);
         fill(upper, line + 1);
         for (std::size_t i = 0; i < along_x.size(); ++i)
-            for (std::size_t c = 0; c < 6; ++c)
+            for (std::size_t c = 0; c < kernels.size(); ++c)
                 kernels[c][line * along_x.size() + i] =
                     (upper[i + 1][c] - upper[i][c]) - (lower[i + 1][c] - lower[i][c]);
     }
     return kernels;
 }
 
-}  // namespace
-
-void add_stresses(Axis load, const TractionPatch& patch, const Raster& raster, double d, double nu, double smallest,
-                  std::array<std::vector<double>, 6>& sum, const Observer& observer) {
+template <class Field>
+void add_parts(const Field& field, Axis load, const TractionPatch& patch, const Raster& raster, double d,
+               Arrays<Field>& sum, const Observer& observer) {
     const int nx = std::max(patch.nx, raster.nx), ny = std::max(patch.ny, raster.ny);
     const PaddedFft fft(nx, ny, padded_size(nx), padded_size(ny));
     const Offsets along_x(patch.nx, raster.nx, raster.offset_x), along_y(patch.ny, raster.ny, raster.offset_y);
-    const Kernels kernels = element_stresses(load, patch, along_x, along_y, d, nu, smallest, observer);
+    const Arrays<Field> kernels = element_field(field, load, patch, along_x, along_y, d, observer);
     const int whole_x = static_cast<int>(std::floor(raster.offset_x)),
               whole_y = static_cast<int>(std::floor(raster.offset_y));
     const std::size_t columns = static_cast<std::size_t>(2 * nx - 1), size = columns * (2 * ny - 1);
     const auto symbol = [&](std::size_t component) {
-        const auto [of_x, of_y] = stress_parity(load, component);
+        const auto [of_x, of_y] = Field::parity(load, component);
         std::vector<double> values(size);  // zero where no point is that far from an element
         for (int l = 1 - patch.ny; l < raster.ny; ++l)
             for (int k = 1 - patch.nx; k < raster.nx; ++k) {
@@ -92,12 +94,28 @@ void add_stresses(Axis load, const TractionPatch& patch, const Raster& raster, d
                 combine(to[static_cast<std::size_t>(l) * to_nx + k], from[static_cast<std::size_t>(l) * from_nx + k]);
     };
     copy_rows(patch.values, patch.nx, patch.ny, in, nx, [](double& to, double from) { to = from; });
-    for (std::size_t component = 0; component < 6; component += 2) {
+    const auto add_to = [&](const std::vector<double>& values, std::size_t component) {
+        copy_rows(values, nx, raster.ny, sum[component], raster.nx, [](double& to, double from) { to += from; });
+    };
+    for (std::size_t component = 0; component < sum.size(); component += 2) {
         observer.throw_if_cancelled();
-        fft.spread(symbol(component), symbol(component + 1), in, first, second);
-        copy_rows(first, nx, raster.ny, sum[component], raster.nx, [](double& to, double from) { to += from; });
-        copy_rows(second, nx, raster.ny, sum[component + 1], raster.nx, [](double& to, double from) { to += from; });
+        const std::size_t next = std::min(component + 1, sum.size() - 1);  // an odd one goes with itself
+        fft.spread(symbol(component), symbol(next), in, first, second);
+        add_to(first, component);
+        if (next != component) add_to(second, next);
     }
+}
+
+}  // namespace
+
+void add_field(const StressField& field, Axis load, const TractionPatch& patch, const Raster& raster, double d,
+               Arrays<StressField>& sum, const Observer& observer) {
+    add_parts(field, load, patch, raster, d, sum, observer);
+}
+
+void add_field(const DisplacementField& field, Axis load, const TractionPatch& patch, const Raster& raster, double d,
+               Arrays<DisplacementField>& sum, const Observer& observer) {
+    add_parts(field, load, patch, raster, d, sum, observer);
 }
 
 }  // namespace contactd

@@ -1,10 +1,11 @@
 // Subsurface stresses at points that differ by whole elements: convolutions, depth by depth.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "contactd/observer.hpp"
-#include "patch_stress.hpp"
+#include "patch_field.hpp"
 
 namespace contactd {
 
@@ -22,9 +23,11 @@ struct Raster {
     double offset_x, offset_y;
 };
 
-/// Adds the stresses at depth d to those in `sum`, each of shape [ny, nx] of the raster. Throws Cancelled when the
-/// observer, which is asked row by row, says so.
-void add_stresses(Axis load, const TractionPatch& patch, const Raster& raster, double d, double nu, double smallest,
-                  std::array<std::vector<double>, 6>& sum, const Observer& observer);
+/// Adds the field at depth d to that in `sum`, each of whose arrays has the shape [ny, nx] of the raster. Throws
+/// Cancelled when the observer, which is asked row by row, says so.
+void add_field(const StressField& field, Axis load, const TractionPatch& patch, const Raster& raster, double d,
+               std::array<std::vector<double>, 6>& sum, const Observer& observer);
+void add_field(const DisplacementField& field, Axis load, const TractionPatch& patch, const Raster& raster, double d,
+               std::array<std::vector<double>, 3>& sum, const Observer& observer);
 
 }  // namespace contactd

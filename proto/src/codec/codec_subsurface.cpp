@@ -15,7 +15,7 @@ using nlohmann::json;
 using Shape = std::vector<std::size_t>;
 using Values = std::vector<double>;
 
-constexpr std::size_t arrays_of_result = 7;
+constexpr std::size_t arrays_of_result = 7, arrays_of_invariants = 5, arrays_of_displacement = 3;
 constexpr std::size_t longest_axis = 4'000'000;  // of an array on the wire
 /// Squares of what is larger leave the range of a double.
 constexpr double largest_traction = 1e100;
@@ -38,34 +38,41 @@ auto components_of(Stress& stress) {
                       std::pair("xy", &stress.xy), std::pair("xz", &stress.xz), std::pair("yz", &stress.yz)};
 }
 
+template <class Stress>
+auto invariants_of(Stress& stress) {
+    return std::array{std::pair("hydrostatic", &stress.hydrostatic), std::pair("principal_1", &stress.principal_1),
+                      std::pair("principal_2", &stress.principal_2), std::pair("principal_3", &stress.principal_3),
+                      std::pair("tresca", &stress.tresca)};
+}
+
 json write(const Values& values, const Shape& shape, ArrayWriter& arrays) {
     return arrays.write(std::span<const double>(values), shape);
 }
 
 /// Results are limited before anything the size of one is made; `points` may be too many for an integer.
-void check_number(double points, const char* field, const MessageLimits& limits) {
-    const std::size_t most = std::min(limits.max_array_elements / arrays_of_result, longest_axis);
+void check_number(double points, std::size_t arrays, const char* field, const MessageLimits& limits) {
+    const std::size_t most = std::min(limits.max_array_elements / arrays, longest_axis);
     if (points > static_cast<double>(most))
         throw invalid_field(field,
                             "has " + (points < 1e15 ? dump(static_cast<long long>(points)) : dump(points)) +
                                 " points; at most " + std::to_string(most) +
-                                " are allowed (limits.max_array_elements, for the " + std::to_string(arrays_of_result) +
+                                " are allowed (limits.max_array_elements, for the " + std::to_string(arrays) +
                                 " arrays of the result together)",
                             reason::limit_exceeded);
 }
 
-StressPoints decode_points(const json& source, const Frames& frames, const MessageLimits& limits) {
+StressPoints decode_points(const json& source, const Frames& frames, std::size_t arrays, const MessageLimits& limits) {
     const Shape shape = claimed_shape(source, 2);
     if (shape.size() != 2 || shape[1] != 3)
         throw invalid_field("points", "has shape " + json(shape).dump() + "; it must be [n,3]", reason::array_invalid);
-    check_number(static_cast<double>(shape[0]), "points", limits);
+    check_number(static_cast<double>(shape[0]), arrays, "points", limits);
     const Values values = read_array(source, frames, shape, "points");
     StressPoints points(shape[0]);
     for (std::size_t i = 0; i < points.size(); ++i) std::copy_n(&values[3 * i], 3, points[i].begin());
     return points;
 }
 
-StressBlock decode_block(const json& source, const Frames& frames, const MessageLimits& limits) {
+StressBlock decode_block(const json& source, const Frames& frames, std::size_t arrays, const MessageLimits& limits) {
     StressBlock block;
     double points = 1;
     for (const auto& [name, values] : axes_of(block)) {
@@ -75,7 +82,7 @@ StressBlock decode_block(const json& source, const Frames& frames, const Message
             throw invalid_field(field, "has shape " + json(shape).dump() + "; it must be a list of numbers",
                                 reason::array_invalid);
         points *= static_cast<double>(shape[0]);
-        check_number(std::max(points, static_cast<double>(shape[0])), "block", limits);
+        check_number(std::max(points, static_cast<double>(shape[0])), arrays, "block", limits);
     }
     for (const auto& [name, values] : axes_of(block))
         *values = read_array(source[name], frames, claimed_shape(source[name], 1), std::string("block.") + name);
@@ -103,6 +110,8 @@ void check_has_stresses(const Ics& ics) {
 
 json encode_subsurface_request(const SubsurfaceRequest& request, ArrayWriter& arrays) {
     json params{{"grid", encode_grid(request.grid)}, {"nu", finite(request.nu, "nu")}, {"body", name_of(request.body)}};
+    if (request.invariants) params["invariants"] = true;
+    if (request.G) params["G"] = finite(*request.G, "G");
     if (request.ics != Ics{}) params["ics"] = encode_ics(request.ics);
     for (const auto& [name, values] : tractions_of(request))
         if (!values->empty()) params[name] = write(*values, shape_of(request.grid), arrays);
@@ -125,10 +134,19 @@ SubsurfaceRequest decode_subsurface_request(const json& params, const Frames& fr
     if (params.contains("body")) read_name(params["body"], request.body);
     if (params.contains("ics")) request.ics = decode_ics(params["ics"], frames);
     check_has_stresses(request.ics);
+    request.invariants = params.value("invariants", false);
+    if (params.contains("G")) request.G = params["G"].get<double>();
+    if (request.G && request.ics.line_contact)
+        throw invalid_field("G",
+                            "is given, and ics.line_contact, too: below an endless line displacements have no end");
+    if (request.G && request.ics.layered)
+        throw invalid_field("G", "is given; displacements are those of half-spaces, and ics has layers");
+    const std::size_t arrays =
+        arrays_of_result + (request.invariants ? arrays_of_invariants : 0) + (request.G ? arrays_of_displacement : 0);
     if (params.contains("block"))
-        request.points = decode_block(params["block"], frames, limits);
+        request.points = decode_block(params["block"], frames, arrays, limits);
     else
-        request.points = decode_points(params["points"], frames, limits);
+        request.points = decode_points(params["points"], frames, arrays, limits);
     for (const auto& [name, values] : tractions_of(request)) {
         if (!params.contains(name)) continue;
         *values = read_array(params[name], frames, shape_of(request.grid), name);
@@ -146,6 +164,11 @@ json encode_subsurface_reply(const SubsurfaceReply& reply, ArrayWriter& arrays) 
     for (const auto& [name, values] : components_of(reply.stress))
         result["stress"][name] = write(*values, reply.shape, arrays);
     result["von_mises"] = write(reply.stress.von_mises, reply.shape, arrays);
+    if (reply.displacement)
+        for (const auto& [name, values] : axes_of(*reply.displacement))
+            result[std::string("displacement_") + name] = write(*values, reply.shape, arrays);
+    for (const auto& [name, values] : invariants_of(reply.stress))
+        if (!values->empty()) result[name] = write(*values, reply.shape, arrays);
     return result;
 }
 
@@ -155,6 +178,13 @@ SubsurfaceReply decode_subsurface_reply(const json& result, const Frames& frames
     read_fields(result["largest"], reply.largest, MemberPath("largest"));
     for (const auto& [name, values] : components_of(reply.stress))
         *values = read_array(result["stress"][name], frames, reply.shape, std::string("stress.") + name);
+    if (result.contains("displacement_x"))
+        for (const auto& [name, values] : axes_of(reply.displacement.emplace())) {
+            const std::string path = std::string("displacement_") + name;
+            *values = read_array(result[path], frames, reply.shape, path);
+        }
+    for (const auto& [name, values] : invariants_of(reply.stress))
+        if (result.contains(name)) *values = read_array(result[name], frames, reply.shape, name);
     Values& von_mises = reply.stress.von_mises;
     von_mises = read_array(result["von_mises"], frames, reply.shape, "von_mises");
     reply.stress.largest =

@@ -71,10 +71,45 @@ SubsurfaceReply computed(const SubsurfaceRequest& request, Observer& observer) {
             return subsurface_stress(request.grid, tractions, request.nu, points, observer);
         },
         request.points);
+    if (request.invariants) find_invariants(reply.stress);
+    if (request.G)
+        reply.displacement =
+            subsurface_displacement(request.grid, tractions, {*request.G, request.nu}, request.points, observer);
     reply.shape = request.shape();
     const auto [x, y, z] = request.point(reply.stress.largest);
     reply.largest = {reply.stress.von_mises[reply.stress.largest], x, y, z};
     return reply;
+}
+
+// The cost of a block: bytes of each point and of each offset of a point from an element, and seconds of each corner.
+constexpr double bytes_of_stress = 8 * 14, bytes_of_invariants = 8 * 10, bytes_of_displacement = 8 * 6,
+                 bytes_of_stress_offset = 8 * 40, seconds_of_corner = 1.5e-7;
+
+WorkCost cost_of_subsurface(const nlohmann::json& params, const Config& config) {
+    check_grid_limit(params, config.max_grid_elements);
+    const double elements = elements_of(params.at("grid"));
+    double points = 1, offsets = 0, corners = 0;
+    if (const nlohmann::json* block = member(params, "block")) {
+        std::array<double, 3> along{1, 1, 1};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            along[axis] = length_of(block->at(std::array{"x", "y", "z"}[axis]));
+        }
+        points = along[0] * along[1] * along[2];
+        offsets = (along[0] + params.at("grid").at("nx").get<double>()) *
+                  (along[1] + params.at("grid").at("ny").get<double>());
+        // Corners of points in rows of whole elements; others are summed up one by one, and look at their deadline.
+        corners = 3 * along[2] * std::min(offsets, along[0] * along[1] * elements);
+    } else if (const nlohmann::json* list = member(params, "points")) {
+        points = length_of(*list);
+        corners = points * elements;
+    }
+    const bool layered = any_body(params, "layered");
+    const double per_offset = layered ? 4 * bytes_of_stress_offset : bytes_of_stress_offset;
+    return {bytes_beside + elements * 100 +
+                points * (bytes_of_stress + (params.value("invariants", false) ? bytes_of_invariants : 0) +
+                          (params.contains("G") ? bytes_of_displacement : 0)) +
+                std::min(offsets, 16e6) * per_offset,
+            corners * (layered ? seconds_of_layered_offset : seconds_of_corner)};
 }
 
 void subsurface(const CallPtr& call, const DaemonParts& parts) {

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "contactd/error.hpp"
+#include "contactd/half_space.hpp"
 #include "contactd/subsurface.hpp"
 #include "influence/quadrature.hpp"
 #include "point_stresses.hpp"
@@ -251,4 +252,79 @@ TEST_CASE("impossible requests for stresses are refused", "[subsurface]") {
     CHECK(field_of(tractions, 0.3, {{0}, {0}, {0.1}}) == "block.z");
     CHECK_THROWS_AS(subsurface_stress(grid, tractions, 0.3, std::vector<Point>{}, observer), InvalidArgument);
     CHECK_THROWS_AS(subsurface_stress(grid, tractions, 0.3, std::vector<Point>{{0, 0, 1}}, observer), InvalidArgument);
+}
+
+TEST_CASE("Principal stresses are those of the tensor, and Tresca's is what they differ by", "[subsurface]") {
+    SubsurfaceStress stress;
+    stress.xx = {3, -1, 0, 5};
+    stress.yy = {3, -1, 0, -2};
+    stress.zz = {3, -1, 0, 1};
+    stress.xy = {0, 0, 2, 0};
+    stress.xz = {0, 0, 0, 0};
+    stress.yz = {0, 0, 0, 0};
+    find_invariants(stress);
+    CHECK(stress.hydrostatic == Values{3, -1, 0, 4. / 3});
+    for (const std::size_t equal : {0, 1}) CHECK_THAT(stress.tresca[equal], WithinAbs(0, 1e-14));
+    CHECK_THAT(stress.principal_1[2], WithinAbs(2, 1e-14));
+    CHECK_THAT(stress.principal_2[2], WithinAbs(0, 1e-14));
+    CHECK_THAT(stress.principal_3[2], WithinAbs(-2, 1e-14));
+    CHECK_THAT(stress.tresca[2], WithinAbs(4, 1e-14));
+    CHECK_THAT(stress.principal_1[3], WithinAbs(5, 1e-14));
+    CHECK_THAT(stress.principal_2[3], WithinAbs(1, 1e-14));
+    CHECK_THAT(stress.principal_3[3], WithinAbs(-2, 1e-14));
+}
+
+TEST_CASE("Displacements inside agree with quadrature of point forces", "[subsurface]") {
+    const double nu = GENERATE(0.0, 0.28, 0.5), dx = 0.5, dy = 0.8;
+    const Material material{70, nu};
+    const IcSpec spec{{}, material, dx, dy, 1, 1};
+    Observer observer;
+    for (const Axis load : {Axis::x, Axis::y, Axis::z})
+        for (const Point& point :
+             {Point{0, 0, -2}, {1, -2, -1.5}, {-3, 0, 0}, {0, 2.5, -0.1}, {-2, -2, 0}, {6, 4, -3}}) {
+            CAPTURE(nu, int(load), point);
+            const auto expected = half_space_displacement(spec, load, point);
+            const auto found = subsurface_displacement(Grid::centred(1, 1, dx, dy), unit_traction(load), material,
+                                                       StressPoints{point}, observer);
+            const double largest = dx * dy / (4 * 3.14 * 70 * 2);
+            CHECK_THAT(found.x[0], WithinAbs(expected[0], 1e-6 * largest));
+            CHECK_THAT(found.y[0], WithinAbs(expected[1], 1e-6 * largest));
+            CHECK_THAT(found.z[0], WithinAbs(expected[2], 1e-6 * largest));
+        }
+}
+
+TEST_CASE("On the surface displacements are the influence coefficients", "[subsurface]") {
+    const Material material{70, 0.28};
+    const double dx = 0.5, dy = 0.8;
+    Observer observer;
+    const StressBlock block{{-1, 0, 0.5}, {-0.8, 0, 1.6}, {0}};
+    for (const Axis load : {Axis::x, Axis::y, Axis::z}) {
+        const auto found =
+            subsurface_displacement(Grid::centred(1, 1, dx, dy), unit_traction(load), material, block, observer);
+        const std::array<const Values*, 3> components{&found.x, &found.y, &found.z};
+        for (std::size_t j = 0; j < 3; ++j)
+            for (std::size_t i = 0; i < 3; ++i)
+                for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
+                    CAPTURE(int(load), int(axis), block.x[i], block.y[j]);
+                    CHECK_THAT(
+                        (*components[static_cast<std::size_t>(axis)])[j * 3 + i],
+                        WithinAbs(half_space_coefficient(axis, load, block.x[i], block.y[j], dx, dy, material), 1e-12));
+                }
+    }
+}
+
+TEST_CASE("Displacements on a block are those of its points", "[subsurface]") {
+    const Grid grid = Grid::centred(6, 5, 0.5, 0.8);
+    const SurfaceTractions tractions{random_values(30, 1), random_values(30, 2), random_values(30, 3)};
+    const Material material{70, 0.28};
+    StressBlock block{{}, {-0.8, 0, 0.8, 1.7}, {0, -0.3, -2}};
+    for (int i = 0; i < 40; ++i) block.x.push_back(grid.x(0) + 0.25 * i);
+    Observer observer;
+    const auto on_block = subsurface_displacement(grid, tractions, material, block, observer);
+    const auto at_points = subsurface_displacement(grid, tractions, material, StressPoints(points_of(block)), observer);
+    for (std::size_t i = 0; i < on_block.x.size(); ++i) {
+        CHECK_THAT(on_block.x[i], WithinAbs(at_points.x[i], 1e-12));
+        CHECK_THAT(on_block.y[i], WithinAbs(at_points.y[i], 1e-12));
+        CHECK_THAT(on_block.z[i], WithinAbs(at_points.z[i], 1e-12));
+    }
 }

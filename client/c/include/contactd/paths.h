@@ -436,12 +436,12 @@
 #define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_MIRROR_Z "setup.rail_slices[%d].profile.mirror_z"
 #define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_SMOOTHING_LENGTH \
     "setup.rail_slices[%d].profile.smoothing_length" /* mm */
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_FEATURES "setup.rail_slices[%d].features"
 #define CONTACTD_PATH_SETUP_WHEEL_SLICES "setup.wheel_slices"
 #define CONTACTD_PATH_SETUP_WHEEL_SLICES_ANGLE "setup.wheel_slices[%d].angle" /* rad */
 #define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE "setup.wheel_slices[%d].profile"
 #define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_S1002 "setup.wheel_slices[%d].profile.s1002"
 #define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_RAIL_60E1 "setup.wheel_slices[%d].profile.rail_60e1"
-#define CONTACTD_PATH_SETUP_RAIL_SLICES_FEATURES "setup.rail_slices[%d].features"
 #define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_RAIL_60E1_INCLINATION \
     "setup.wheel_slices[%d].profile.rail_60e1.inclination"
 #define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_ARC "setup.wheel_slices[%d].profile.arc"
@@ -505,13 +505,13 @@
 #define CONTACTD_PATH_SETUP_PATCHES_DISTANCE_TURN "setup.patches.distance_turn"         /* mm */
 #define CONTACTD_PATH_SETUP_PATCHES_LOCUS_STEP "setup.patches.locus_step"
 #define CONTACTD_PATH_SETUP_PATCHES_SEARCH "setup.patches.search"
+#define CONTACTD_PATH_SETUP_RAIL_SPLINE "setup.rail_spline"
+#define CONTACTD_PATH_SETUP_WHEEL_SPLINE "setup.wheel_spline"
 #define CONTACTD_PATH_SETUP_WHEEL_SURFACE "setup.wheel_surface"
 #define CONTACTD_PATH_SETUP_RIGID_SLIP "setup.rigid_slip"
 #define CONTACTD_PATH_SETUP_CONFORMAL "setup.conformal"
 #define CONTACTD_PATH_SETUP_SETTINGS "setup.settings"
 #define CONTACTD_PATH_SETUP_SETTINGS_NORMAL "setup.settings.normal"
-#define CONTACTD_PATH_SETUP_RAIL_SPLINE "setup.rail_spline"
-#define CONTACTD_PATH_SETUP_WHEEL_SPLINE "setup.wheel_spline"
 #define CONTACTD_PATH_SETUP_SETTINGS_NORMAL_TOLERANCE "setup.settings.normal.tolerance"
 #define CONTACTD_PATH_SETUP_SETTINGS_NORMAL_MAX_ITERATIONS "setup.settings.normal.max_iterations"
 #define CONTACTD_PATH_SETUP_SETTINGS_TANGENTIAL "setup.settings.tangential"
@@ -931,6 +931,9 @@
 #define CONTACTD_WORD_SAMPLING_LINEAR_NODES "linear_nodes"
 #define CONTACTD_WORD_SIDE_LEFT "left"
 #define CONTACTD_WORD_SIDE_RIGHT "right"
+#define CONTACTD_WORD_SLICE_SPLINE_SHAPE_PRESERVING "shape_preserving"
+#define CONTACTD_WORD_SLICE_SPLINE_CUBIC "cubic"
+#define CONTACTD_WORD_SLICE_SPLINE_APPROXIMATING "approximating"
 #define CONTACTD_WORD_SLIP_LAW_LINEAR "linear"
 #define CONTACTD_WORD_SLIP_LAW_EXPONENTIAL "exponential"
 #define CONTACTD_WORD_SOLVER_AUTO "auto"
@@ -941,9 +944,6 @@
 #define CONTACTD_WORD_TANGENTIAL_SOLVER_NEWTON "newton"
 #define CONTACTD_WORD_TANGENTIAL_SOLVER_TANGCG "tangcg"
 #define CONTACTD_WORD_WHEEL_SURFACE_EXACT "exact"
-#define CONTACTD_WORD_SLICE_SPLINE_SHAPE_PRESERVING "shape_preserving"
-#define CONTACTD_WORD_SLICE_SPLINE_CUBIC "cubic"
-#define CONTACTD_WORD_SLICE_SPLINE_APPROXIMATING "approximating"
 #define CONTACTD_WORD_WHEEL_SURFACE_BILINEAR "bilinear"
 
 #endif

@@ -158,5 +158,7 @@ def _check_limit(what: str, size: int, limit: int, unit: str) -> None:
 def check_shapes(answer: Any, names: list[str], shape: tuple[int, ...]) -> None:
     """Raises ProtocolError where an array of the answer has another shape."""
     for name in names:
-        if (found := getattr(answer, name).shape) != shape:
-            raise ProtocolError(f"The answer's {name} has shape {list(found)} instead of {list(shape)}.")
+        if (array := getattr(answer, name)) is None:
+            raise ProtocolError(f"The answer lacks {name}, which was asked for.")
+        if array.shape != shape:
+            raise ProtocolError(f"The answer's {name} has shape {list(array.shape)} instead of {list(shape)}.")

@@ -13,11 +13,12 @@ from ..errors import StatusError
 from ..refusals import check_type
 from ..transport.messages import results
 from ..values.answers import read
-from ..values.contact_params import problem_params, subsurface_params
+from ..values.contact_params import problem_params, shear_modulus_of, subsurface_params
 from ..values.partial_solution import PartialSolution, read_solution
 from ..values.problem import ContactProblem, Estimate
 from ..values.solution import ContactSolution, Fields, names_of
 from ..values.subsurface import StressBlock, SubsurfaceStress
+from ..values.subsurface_methods import INVARIANTS
 from .call import Answering, asks
 from .caller import Caller, ProgressCallback, check_shapes
 
@@ -40,6 +41,8 @@ class ContactCalls(Caller):
         points: npt.ArrayLike | None = None,
         block: StressBlock | None = None,
         nu: float | None = None,
+        invariants: bool = False,
+        displacements: bool = False,
         timeout: float | None = None,
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
@@ -53,15 +56,24 @@ class ContactCalls(Caller):
 
         Points and stresses are in the frame of `body`, where z <= 0 is inside, for the upper body too: see
         SubsurfaceStress. `nu` is Poisson's ratio of the body, where it is not that of the problem; a LayeredBody has its
-        own. Below a line contact y means nothing. Nearer to the surface than an element the steps of the tractions show.
+        own. With `invariants` there are the hydrostatic, principal and Tresca's stresses, too, with
+        `displacements` those of a half-space. Below a line contact y means nothing. Nearer to the surface than an element the steps of the tractions show.
         Blocks, longitudinally uniform bodies and TableIcs, which are not or may not be half-spaces, are refused
         (InvalidArgument).
         """
         params, shape = subsurface_params(problem, solution, body, points, block, nu)
+        if invariants:
+            params["invariants"] = True
+        if displacements:
+            params["G"] = shear_modulus_of(problem, body)
         result = yield from self.asked("contact.subsurface", params, timeout=timeout, on_progress=on_progress, progress=progress)
         components = result.pop("stress", None)
         stress = read(SubsurfaceStress, {**result, **components} if isinstance(components, dict) else result)
         check_shapes(stress, ["xx", "yy", "zz", "xy", "xz", "yz", "von_mises"], shape)
+        if invariants:
+            check_shapes(stress, INVARIANTS, shape)
+        if displacements:
+            check_shapes(stress, ["displacement_x", "displacement_y", "displacement_z"], shape)
         return replace(stress, block=block, points=params.get("points"))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 __all__ = ["draw_stress"]
 
 _AXES = "zyx"  #: of the arrays
+_UNSIGNED = ("von_mises", "tresca")  #: equivalent stresses
+_NAMES = {"von_mises": "Von Mises stress", "tresca": "Tresca's stress", "hydrostatic": "Hydrostatic stress"}
+_NAMES |= {f"principal_{i}": f"Principal stress {i}" for i in (1, 2, 3)}
 
 
 def draw_stress(
@@ -28,8 +31,10 @@ def draw_stress(
     axes: Axes | None = None,
 ) -> Axes:
     """Draws what SubsurfaceStress.plot does."""
-    if component not in ("von_mises", "xx", "yy", "zz", "xy", "xz", "yz"):
-        raise ValueError(f'component is {component!r}; it must be "von_mises", "xx", "yy", "zz", "xy", "xz" or "yz"')
+    if component not in get_args(Component):
+        raise ValueError(f"component is {component!r}; it must be one of {', '.join(get_args(Component))}")
+    if getattr(stress, component) is None:
+        raise ValueError(f"component is {component!r}, which the stresses lack: ask for them with invariants=True")
     if stress.block is None:
         raise ValueError("the stresses are those of single points; a picture needs those of a StressBlock")
     places = {name: np.atleast_1d(np.asarray(getattr(stress.block, name), dtype=float)) for name in _AXES}
@@ -38,8 +43,8 @@ def draw_stress(
     values = getattr(stress, component)[index]
     free = [name for name in _AXES if name not in cut]
     axes = axes_or_new(axes, 7.0, 4.6)
-    name = "Von Mises stress" if component == "von_mises" else f"Stress {component}"
-    label = f"{name} (N/mm$^2$){'' if component == 'von_mises' else ', tension positive'}"
+    name = _NAMES.get(component, f"Stress {component}")
+    label = f"{name} (N/mm$^2$){'' if component in _UNSIGNED else ', tension positive'}"
     where = ", ".join(f"{axis} = {places[axis][at]:.3g} mm" for axis, at in sorted(cut.items()))
     axes.set_title(f"{name} at {where}")
     if len(free) == 1:
@@ -75,7 +80,7 @@ def _draw_map(
     orders = [np.argsort(one) for one in along]
     up, across = (one[order] for one, order in zip(along, orders))
     values = values[np.ix_(*orders)]
-    signed = component != "von_mises"
+    signed = component not in _UNSIGNED
     bound = float(np.abs(values).max())
     drawn = axes.pcolormesh(
         across, up, values, cmap="RdBu_r" if signed else warm(), vmin=-bound if signed else 0, vmax=bound, shading="nearest"
@@ -84,7 +89,7 @@ def _draw_map(
     if (levels := np.linspace(-bound if signed else 0, bound, 9)[1:-1]).any() and min(values.shape) > 1:
         axes.contour(across, up, values, levels=levels, colors=INK, linewidths=0.5, linestyles="solid")
     at = stress.largest
-    if not signed and np.isclose(values.max(), at.von_mises):
+    if component == "von_mises" and np.isclose(values.max(), at.von_mises):
         axes.plot(getattr(at, free[1]), getattr(at, free[0]), "x", color=INK, ms=8, label=f"largest, {at.von_mises:.4g} N/mm$^2$")
         axes.legend(loc="lower right", fontsize="small")
     depth = "; negative inside the body" if free[0] == "z" else ""

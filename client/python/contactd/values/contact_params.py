@@ -178,6 +178,14 @@ def subsurface_params(
     return {**params, "points": array}, array.shape[:1]
 
 
+def shear_modulus_of(problem: ContactProblem, body: Literal["lower", "upper"]) -> float:
+    """That of a half-space, whose displacements are known."""
+    material = _material_of(problem, body)
+    if not isinstance(material, Material):
+        raise invalid("displacements", f"are wanted, and body {body!r} is no half-space; its displacements are not known")
+    return material.G
+
+
 def _ics_of(problem: ContactProblem, body: str) -> dict[str, Any]:
     """Returns what tells the daemon of bodies that are no half-spaces."""
     if problem.columns is not None:

@@ -70,6 +70,15 @@ class SubsurfaceStress(SubsurfaceStressMethods, Saved, Shown):
         yz: Shear stress in the plane of y and z.
         von_mises: Von Mises' equivalent stress.
         largest: The point with the largest von Mises stress; the first one of equals.
+        hydrostatic: Mean of the three normal stresses; with invariants.
+        principal_1: Largest principal stress; with invariants.
+        principal_2: Middle principal stress; with invariants.
+        principal_3: Smallest principal stress; with invariants.
+        tresca: Tresca's equivalent stress, the largest principal stress less the smallest, twice the largest shear
+            stress; with invariants.
+        displacement_x: Displacement along x in the frame of the body (mm), zero far away; with G.
+        displacement_y: Displacement along y (mm); with G.
+        displacement_z: Displacement along z, out of the body (mm); with G.
         block: Where they are, which the client adds; None of single points.
         points: Where they are, shape [n, 3] (mm); None of a block.
     """
@@ -82,5 +91,13 @@ class SubsurfaceStress(SubsurfaceStressMethods, Saved, Shown):
     yz: Array = field(metadata={"within": "stress"})
     von_mises: Array
     largest: LargestStress
+    hydrostatic: Array | None = None
+    principal_1: Array | None = None
+    principal_2: Array | None = None
+    principal_3: Array | None = None
+    tresca: Array | None = None
+    displacement_x: Array | None = None
+    displacement_y: Array | None = None
+    displacement_z: Array | None = None
     block: StressBlock | None = None
     points: Array | None = None

@@ -16,7 +16,11 @@ if TYPE_CHECKING:
 
 __all__ = ["Component", "StressBlockMethods", "SubsurfaceStressMethods"]
 
-Component = Literal["von_mises", "xx", "yy", "zz", "xy", "xz", "yz"]
+#: What a stress has where `invariants` were asked for.
+INVARIANTS = ["hydrostatic", "principal_1", "principal_2", "principal_3", "tresca"]
+Component = Literal[
+    "von_mises", "xx", "yy", "zz", "xy", "xz", "yz", "hydrostatic", "principal_1", "principal_2", "principal_3", "tresca"
+]
 
 
 class StressBlockMethods:
