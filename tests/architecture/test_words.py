@@ -98,6 +98,7 @@ FILES = {
     "core/fem/mesh/*": "prisms, the shape of finite elements",
     "core/fem/system/*": "prisms, the shape of finite elements",
     "core/include/contactd/fem_fields.hpp": "prisms, the shape of finite elements",
+    "core/types/contact_files/*": "columns of a line, of an array and of elements",
     "core/types/profile_files/*": "columns of a file",
     "client/c/include/contactd/paths.h": "paths of the wire, and constants of keywords",
     "tests/core/fem/*": "prisms, the shape of finite elements",

@@ -1,0 +1,79 @@
+// The cases of input files of the program CONTACT.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace contactd {
+
+/// The size that an input file of CONTACT may have.
+inline constexpr std::size_t most_contact_file_bytes = 16 << 20;
+
+/// The cases that a file may have where all are wanted at once.
+inline constexpr std::size_t most_contact_cases = 100'000;
+
+template <class Value>
+using ByName = std::map<std::string, Value, std::less<>>;
+/// Numbers that many cases may share.
+using ContactNumbers = std::shared_ptr<const std::vector<double>>;
+using ContactValue = std::variant<int, double, std::string, ContactNumbers>;
+/// The values of a friction law, and ALPHVF, SVF or IY in front where friction varies.
+using ContactFrictionSets = std::vector<ByName<double>>;
+/// Blocks of points below the surface: ISUBS, and lists by the names of their axes.
+using ContactBlocks = std::vector<ByName<ContactValue>>;
+
+/// One case as CONTACT would have it: its control digits, and all that is in its memory. Names are those of CONTACT;
+/// where it has none they are in docs/contact-files.md. Units are CONTACT's: mm, N, s, rad, N/mm^2.
+struct ContactCase {
+    int number = 0;                 ///< as CONTACT prints it, counted from 1 in each result element
+    std::size_t line = 0;           ///< of its first control word, counted from 1
+    int module = 0;                 ///< 1, a wheel on its rail, or 3, basic contact
+    std::optional<int> reid, cpid;  ///< result element and contact problem, where the file names them
+    ByName<int> digits;             ///< C1 (module 1) P B T N F S, V L D C M Z E M2 W2, X H G I A O W R
+    ByName<ContactValue> values;
+    std::shared_ptr<const ContactFrictionSets> friction;  ///< null where none was ever read
+    std::shared_ptr<const ContactBlocks> subsurface;      ///< null where none was ever read
+    std::vector<std::string> read;      ///< what was read in this case; the rest is kept from earlier ones
+    std::vector<std::string> warnings;  ///< what is probably a mistake
+    std::vector<std::string> errors;    ///< why it cannot be computed; a case may have been read in part then
+};
+
+/// Reads one case after the other, so that a long history does not stand in memory as a whole. After a word that does
+/// not fit it goes on at the next line that begins with a number and the word MODULE; what keeps data of the case that
+/// was given up says so in its errors.
+class ContactFileReader {
+   public:
+    /// `name` is that of the file, for messages. `text` must live as long as the reader. Throws InvalidArgument for a
+    /// text beyond most_contact_file_bytes, and for one that is no text.
+    ContactFileReader(std::string_view text, const std::string& name);
+    ~ContactFileReader();
+    ContactFileReader(const ContactFileReader&) = delete;
+    ContactFileReader& operator=(const ContactFileReader&) = delete;
+
+    /// Returns the next case, and nothing at the end.
+    std::optional<ContactCase> next();
+    /// What is said of the file so far, beside its cases.
+    const std::vector<std::string>& warnings() const;
+    const std::vector<std::string>& errors() const;
+
+   private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+struct ContactFile {
+    std::vector<ContactCase> cases;
+    std::vector<std::string> warnings, errors;
+};
+
+/// All cases of a file at once. Throws as ContactFileReader does, and beyond most_contact_cases.
+ContactFile read_contact_file(std::string_view text, const std::string& name);
+
+}  // namespace contactd

@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "steps.hpp"
+
+namespace contactd::contact_files {
+namespace {
+
+constexpr int most_sets = 10;  // of V = 1 and 2
+constexpr double least_share = 1e-8, least_slip_velocity = 1e-4;
+
+std::string values_of_law(int law) {
+    switch (law) {
+        case 0:
+            return "FSTAT FKIN";
+        case 6:
+            return "FREF TREF DFHEAT DTHEAT";
+        default:
+            return "FKIN F1 SABSH1 F2 SABSH2";
+    }
+}
+
+/// A set of numbers, as the program takes them.
+ByName<double> read_set(Reading& reading, const std::string& group) {
+    ByName<double> set;
+    for (const auto& [name, value] : read_values(reading, group)) set[name] = std::get<double>(value);
+    const auto raise = [&](const char* share, const char* slip_velocity) {
+        const auto found = set.find(slip_velocity);
+        if (found != set.end() && set[share] < least_share)
+            found->second = std::max(found->second, least_slip_velocity);
+    };
+    raise("F1", "SABSH1");
+    raise("F2", "SABSH2");
+    if (set.contains("FSTAT") && std::abs(set["FSTAT"] - set["FKIN"]) > 1e-3 * std::abs(set["FSTAT"]))
+        reading.fail_case(
+            "has FSTAT and FKIN that differ; with L = 0 they must agree, and with L = 2, 3 or 4 friction falls with "
+            "slip");
+    return set;
+}
+
+int number_of_sets(Reading& reading) {
+    const int count = std::get<int>(read_values(reading, "NVF#").at("NVF"));
+    if (count < 1 || count > most_sets)
+        reading.lines.fail(reading.lines.words().front(),
+                           "has NVF = " + std::to_string(count) + "; friction has 1 to 10 sets of values");
+    return count;
+}
+
+}  // namespace
+
+void read_friction(Reading& reading) {
+    const int law = reading.digit("L"), varies = reading.digit("V");
+    if (law == 1) return;
+    const std::string values = values_of_law(law);
+    const std::string place = varies == 1 ? "ALPHVF" : "SVF";
+    ContactFrictionSets sets;
+    if (varies == 0) {
+        sets.push_back(read_set(reading, values));
+    } else if (varies == 3) {
+        const int rows = reading.integer("MY");
+        if (rows < 1)
+            reading.lines.fail_line("is where friction of each row should follow (V = 3), and MY is not known");
+        for (int row = 1; row <= rows; ++row) {
+            sets.push_back(read_set(reading, values));
+            sets.back()["IY"] = row;
+        }
+    } else {
+        const int count = number_of_sets(reading);
+        for (int i = 0; i < count; ++i) {
+            sets.push_back(read_set(reading, place + (varies == 1 ? "^ " : " ") + values));
+            if (i > 0 && sets[i].at(place) <= sets[i - 1].at(place))
+                reading.fail_case("has a " + place + " that is not larger than that of the set before; they must rise");
+        }
+    }
+    reading.result.friction = std::make_shared<const ContactFrictionSets>(std::move(sets));
+    reading.result.read.push_back("friction");
+    if (law != 0) read_group(reading, "MEMDST MEM_S0");
+}
+
+}  // namespace contactd::contact_files
