@@ -174,9 +174,10 @@ void apply_digits(Reading& reading, const History& history) {
 
 void apply_values(Reading& reading) {
     check_needs(reading);
-    if (reading.has("POISS1") && are_bodies_alike(reading)) reading.set("MAXOUT", 1);
+    const bool turn = reading.integer("INFLCF") == 4;  // half-spaces, which couples both problems
+    if (reading.has("POISS1") && are_bodies_alike(reading) && !turn) reading.set("MAXOUT", 1);
     if (reading.result.module == 1) return check_needs_on_rails(reading);
-    if (reading.digit("T") == 1)
+    if (reading.digit("T") == 1 || (reading.digit("T") == 0 && reading.digit("C") >= 2))
         for (const auto& [name, value] : {std::pair("CHI", 0.0), std::pair("DQ", 1.0), std::pair("VELOC", 1.0)})
             reading.set(name, value);
     check_needs_alone(reading);

@@ -52,7 +52,8 @@ void read_profile_options(Reading& reading, const std::string& file, const std::
     };
     read_group(reading, group(file + "' @MIRRORY# @SCALE @SMOOTH {@MIRRORZ#=0 @PRFOPT#=0}"));
     const int options = reading.integer(of + "PRFOPT");
-    reading.forget(group("@ERRHND @MAXOMIT"));
+    reading.forget(group("@ERRHND"));
+    reading.take(of + "MAXOMIT", 0.5);
     if (options >= 1) {
         read_group(reading, group("@ISMOOTH# @ZIGTHRS^ @KINKHIGH^ @KINKLOW^ @KINKWID"));
     } else {

@@ -55,8 +55,8 @@ TEST_CASE("a case that is cut off says what is missing", "[contact_files]") {
     const std::string whole = text.text();
     for (std::size_t cut = whole.find('\n') + 1; cut < whole.rfind(".001"); cut = whole.find('\n', cut) + 1) {
         const ContactFile file = read_all(whole.substr(0, cut));
-        const std::string said = file.cases.empty() ? file.errors.at(0) : file.cases[0].errors.at(0);
-        CHECK_THAT(said, ContainsSubstring("file ends"));
+        const std::string reported = file.cases.empty() ? file.errors.at(0) : file.cases[0].errors.at(0);
+        CHECK_THAT(reported, ContainsSubstring("file ends"));
     }
     text.gap = "";
     CHECK_THAT(error_of(text.text() + next), ContainsSubstring("a case before this line may be cut off"));
