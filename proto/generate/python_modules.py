@@ -149,6 +149,11 @@ MODULES = [
     ),
     Module("step_input", "Inputs of a step of a contact.", ("session.step.params.json# StepInput",)),
     Module(
+        "contact_files",
+        "Cases of input files of the CONTACT program: what `Client.read_contact_file` answers.",
+        ("contact_file.read.result.json#/properties/cases/items", "contact_file.read.result.json#"),
+    ),
+    Module(
         "wheel_rail/setup",
         "A wheel on a rail: what all steps of a simulation have in common. Lengths in mm, angles in rad, forces in N on the "
         "rail. What is None takes the daemon's default.",

@@ -77,6 +77,7 @@ SAME = [
     ("wheelrail.geometry.result", "profiles", "ProfilesOfSides", "ProfilesOfSides"),
     ("wheelrail.geometry.result", "profiles/left", "PlacedProfiles", "PlacedProfiles"),
     ("wheelrail.geometry.result", "profiles/left/rail_origin", "ProfilePoint", "ProfileOrigin"),
+    ("contact_file.read.result", "cases", "ContactCase", "ContactCase"),
     ("wheelrail.geometry.result", "geometries", "WheelRailGeometry", "WheelRailGeometry"),
     ("definitions", "material", "Material", "Material"),
     ("definitions", "grid", "Grid", "Grid"),

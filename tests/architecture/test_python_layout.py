@@ -20,6 +20,7 @@ ARROWS = {
     "files": ["values"],
     "transport": ["values", "files"],
     "calls": ["values", "values/wheel_rail", "files", "transport"],
+    "contact_files": ["", "values", "files"],
 }
 GROUND = {"contactd._version", "contactd.errors", "contactd.refusals"}
 MOST_FLOORS = 10

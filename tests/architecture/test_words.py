@@ -101,6 +101,7 @@ FILES = {
     "core/types/contact_files/*": "columns of a line, of an array and of elements",
     "core/types/profile_files/*": "columns of a file",
     "client/c/include/contactd/paths.h": "paths of the wire, and constants of keywords",
+    "tests/core/contact_files/*": "words of a line",
     "tests/core/fem/*": "prisms, the shape of finite elements",
     "bench/import_time.py": "statements of Python",
     "client/python/contactctl/dashboard/*.py": "`said` of a Sample and `patience` of a Watcher, which tests name",

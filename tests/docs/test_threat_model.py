@@ -13,6 +13,7 @@ READERS = {
     "client/python/contactctl/study/journal.py": "`.rows`",
     "client/python/contactctl/study/shares.py": "`.rows`",
     "client/python/contactctl/table_files.py": "IC file (`.h5`) of a stranger",
+    "client/python/contactd/contact_files/input_file.py": "`.inp`",
     "client/python/contactd/files/contact_text.py": "`.txt`",
     "client/python/contactd/files/ic_files.py": "IC file (`.h5`) of a stranger",
     "client/python/contactd/files/saved.py": "problem or solution (`.h5`)",
@@ -43,7 +44,7 @@ def first_cells():
 
 
 def test_each_method_has_a_row():
-    named = set(re.findall(r"`([a-z]+\.[a-z_*]+)`", first_cells()))
+    named = set(re.findall(r"`([a-z_]+\.[a-z_*]+)`", first_cells()))
     methods = {path.name.removesuffix(".params.json") for path in (ROOT / "proto/schema").glob("*.params.json")}
     families = {name.removesuffix("*") for name in named if name.endswith("*")}
     unnamed = {method for method in methods if method not in named and not any(method.startswith(f) for f in families)}

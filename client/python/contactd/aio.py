@@ -12,6 +12,7 @@ from .calls.any_session import AnySession
 from .calls.call import Awaits, Pause
 from .calls.caller import Caller, ProgressCallback
 from .calls.contact import ContactCalls, solved, solved_many
+from .calls.contact_files import ContactFileCalls
 from .calls.contact_session import AnyContactSession
 from .calls.server import ServerCalls
 from .calls.sessions import SessionCalls
@@ -74,7 +75,7 @@ class AsyncWheelRailSession(AnyWheelRailSession, SessionThatAwaits):
     """The WheelRailSession of an AsyncClient: the same steps, which are awaited."""
 
 
-class AsyncClient(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls[AsyncSession, AsyncWheelRailSession], Awaits):
+class AsyncClient(ServerCalls, TableCalls, ContactCalls, ContactFileCalls, WheelRailCalls, SessionCalls[AsyncSession, AsyncWheelRailSession], Awaits):
     """A Client whose calls are coroutines: same names, same arguments, same answers and exceptions.
 
     ::

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, TypedDict, overload
 from .calls.call import Pause, Waits
 from .calls.caller import Caller, ProgressCallback
 from .calls.contact import ContactCalls, solved, solved_many
+from .calls.contact_files import ContactFileCalls
 from .calls.contact_session import Session
 from .calls.server import ServerCalls
 from .calls.sessions import SessionCalls
@@ -39,7 +40,7 @@ if TYPE_CHECKING:
 __all__ = ["Client", "ClientOptions"]
 
 
-class Client(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls[Session, WheelRailSession], Waits):
+class Client(ServerCalls, TableCalls, ContactCalls, ContactFileCalls, WheelRailCalls, SessionCalls[Session, WheelRailSession], Waits):
     """Speaks with the daemon at `endpoint`, such as ``tcp://127.0.0.1:5555`` or ``ipc:///run/contactd.socket``.
 
     Connects with the first call. Safe to share between threads: every call has a socket of its own for as long as it

@@ -11,8 +11,15 @@ namespace {
 
 using nlohmann::json;
 
+std::string joined(const json& parts) {
+    if (parts.is_string()) return parts.get<std::string>();
+    std::string text;
+    for (const json& part : parts) text += joined(part);
+    return text;
+}
+
 /// Writes out what x-largest abbreviates: {"$repeat": n, "of": what} is a list of n, and {"$along": [from, to]} in what
-/// is repeated a number that goes from the one towards the other.
+/// is repeated a number that goes from the one towards the other. {"$joined": [...]} is a text of parts.
 json written_out(const json& node, double along) {
     json whole = node;
     if (node.is_array())
@@ -27,6 +34,7 @@ json written_out(const json& node, double along) {
         for (int i = 0; i < *count; ++i) whole.push_back(written_out(node.at("of"), i / count->get<double>()));
         return whole;
     }
+    if (const auto parts = node.find("$joined"); parts != node.end()) return joined(written_out(*parts, along));
     for (auto& [name, value] : whole.items()) value = written_out(value, along);
     return whole;
 }

@@ -1,0 +1,34 @@
+"""Input files of the CONTACT program, from disk to the service that reads their text."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+from ..files.whole import read_whole
+from ..values.contact_files import ContactFile
+
+if TYPE_CHECKING:
+    from ..client import Client
+
+__all__ = ["read"]
+
+_MOST_BYTES = 16 << 20
+
+
+def read(path_or_text: str | os.PathLike[str], client: Client) -> ContactFile:
+    """The cases of an input file (.inp), or of its text: a string with an end of line in it is a text.
+
+    The `client` reads the text, ``contactd.local()`` as well as one of a daemon, and opens no file. What is wrong with a
+    case is in its `errors`, what stands between cases in those of the file.
+
+    Raises OSError for a file that cannot be read or has more than 16 MiB.
+    """
+    if isinstance(path_or_text, str) and "\n" in path_or_text:
+        return client.read_contact_file(path_or_text)
+    content = read_whole(path_or_text, _MOST_BYTES)
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = content.decode("latin-1")
+    return client.read_contact_file(text, name=os.path.basename(os.fspath(path_or_text)))

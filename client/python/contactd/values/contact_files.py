@@ -1,0 +1,64 @@
+"""Cases of input files of the CONTACT program: what `Client.read_contact_file` answers.
+
+Written by ./dev generate from proto/schema: edit it there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from .contact_file_methods import ContactFileMethods
+
+__all__ = ["ContactCase", "ContactFile"]
+
+
+@dataclass(frozen=True)
+class ContactCase:
+    """A case as the CONTACT program has it: its digits, and all that is in its memory.
+
+    Attributes:
+        number: Its number, as CONTACT prints it: each result element counts its own.
+        line: Line of its first control word.
+        module: 1: a wheel on its rail or roller; 3: basic contact.
+        digits: Control digits by their names: C1 (module 1) P B T N F S V L D C M Z E M2 W2 X H G I A O W R.
+        values: All that is in memory by CONTACT's names, read in this case or kept: numbers, names of files, lists of
+            numbers. Whether a value has an effect is the digits' matter. Angles in rad.
+        read: Names of the values that this case reads; friction and subsurface are among them. The others are kept.
+        warnings: Sentences on what is probably a mistake.
+        errors: Sentences on why it cannot be computed: a word that does not fit, digits that do not go with each other,
+            data of a case with errors. It may have been read in part then.
+        reid: Its result element, where the file names one.
+        cpid: Its contact problem, where the file names a result element for module 3.
+        friction: Sets of the friction law in force, with ALPHVF, SVF or IY where friction varies.
+        subsurface: Blocks of points below the surface in force: ISUBS, and lists of IX, IY, Z or X, Y, Z.
+    """
+
+    number: int
+    line: int
+    module: int
+    digits: Mapping[str, int]
+    values: Mapping[str, Any]
+    read: tuple[str, ...]
+    warnings: tuple[str, ...]
+    errors: tuple[str, ...]
+    reid: int | None = None
+    cpid: int | None = None
+    friction: tuple[Mapping[str, float], ...] = ()
+    subsurface: tuple[Mapping[str, Any], ...] = ()
+
+
+@dataclass(frozen=True)
+class ContactFile(ContactFileMethods[ContactCase]):
+    """Cases of an input file of the CONTACT program: a sequence of them, and what is wrong with the file.
+
+    Attributes:
+        cases: The cases in the order of the file.
+        warnings: Sentences on the file that are about no case.
+        errors: Sentences on what stands between cases and does not belong there.
+    """
+
+    cases: tuple[ContactCase, ...]
+    warnings: tuple[str, ...]
+    errors: tuple[str, ...]

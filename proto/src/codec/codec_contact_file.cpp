@@ -1,0 +1,64 @@
+#include "contactd/proto/contact_file.hpp"
+
+#include <type_traits>
+#include <variant>
+
+namespace contactd::proto {
+
+using nlohmann::json;
+
+namespace {
+
+json encode_value(const ContactValue& value) {
+    return std::visit(
+        [](const auto& given) -> json {
+            if constexpr (std::is_same_v<std::decay_t<decltype(given)>, ContactNumbers>)
+                return *given;
+            else
+                return given;
+        },
+        value);
+}
+
+json encode_values(const ByName<ContactValue>& values) {
+    json encoded = json::object();
+    for (const auto& [name, value] : values) encoded[name] = encode_value(value);
+    return encoded;
+}
+
+std::size_t numbers_in(const ByName<ContactValue>& values) {
+    std::size_t count = values.size();
+    for (const auto& [name, value] : values)
+        if (const auto* list = std::get_if<ContactNumbers>(&value)) count += (*list)->size();
+    return count;
+}
+
+}  // namespace
+
+json encode_contact_case(const ContactCase& read) {
+    json encoded = {{"number", read.number},
+                    {"line", read.line},
+                    {"module", read.module},
+                    {"digits", read.digits},
+                    {"values", encode_values(read.values)},
+                    {"read", read.read},
+                    {"warnings", read.warnings},
+                    {"errors", read.errors}};
+    if (read.reid) encoded["reid"] = *read.reid;
+    if (read.cpid) encoded["cpid"] = *read.cpid;
+    if (read.friction) encoded["friction"] = *read.friction;
+    if (read.subsurface)
+        for (const auto& block : *read.subsurface) encoded["subsurface"].push_back(encode_values(block));
+    return encoded;
+}
+
+std::size_t numbers_of(const ContactCase& read) {
+    std::size_t count = numbers_in(read.values);
+    if (read.friction)
+        for (const auto& set : *read.friction) count += set.size();
+    if (read.subsurface)
+        for (const auto& block : *read.subsurface) count += numbers_in(block);
+    return count;
+}
+
+}  // namespace contactd::proto

@@ -1,0 +1,67 @@
+// contact_file.*: files of the CONTACT program, whose text comes in a message.
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "all_methods.hpp"
+#include "contactd/proto/contact_file.hpp"
+#include "contactd/read_contact_file.hpp"
+#include "jobs/job_reports.hpp"
+#include "methods/costs/cost_parts.hpp"
+
+namespace contactd::server {
+namespace {
+
+using nlohmann::json;
+
+// Bytes for each character: lists of numbers, and values that cases keep, of which an answer has a bounded number.
+constexpr double bytes_of_text = 30, bytes_of_cases = 150, most_bytes_of_cases = 1e8;
+constexpr double seconds_of_character = 1e-6;
+
+WorkCost cost_of_contact_file(const json& params, const Config&) {
+    const auto length = static_cast<double>(params.at("text").get_ref<const std::string&>().size());
+    return {bytes_beside + length * bytes_of_text + std::min(length * bytes_of_cases, most_bytes_of_cases),
+            seconds_of_character * length};
+}
+
+constexpr std::size_t most_numbers = 500'000;  // of an answer with more than one case
+
+/// Reads all cases, since each depends on those before it, and answers those that are asked for, as many as a message
+/// of moderate size holds.
+void read_file(const CallPtr& call, const DaemonParts&) {
+    const json& params = call->request.params;
+    proto::check_frames_used(params, call->request.frames);
+    const auto first = params.value("first", std::size_t{0}), count = params.value("count", std::size_t{10000});
+    const CallObserver observer(call);
+    ContactFileReader reader(params.at("text").get_ref<const std::string&>(), params.value("name", "text"));
+    json cases = json::array();
+    std::size_t at = 0, numbers = 0;
+    bool has_more = false;
+    while (const auto read = reader.next()) {
+        if (at % 100 == 0) observer.throw_if_cancelled();
+        if (at++ < first) continue;
+        numbers += proto::numbers_of(*read);
+        if (cases.size() == count || (!cases.empty() && numbers > most_numbers)) {
+            has_more = true;
+            --at;
+            break;
+        }
+        cases.push_back(proto::encode_contact_case(*read));
+    }
+    json result = {{"cases", std::move(cases)}, {"warnings", json::array()}, {"errors", json::array()}};
+    if (has_more) {
+        result["next"] = at;
+    } else {
+        result["warnings"] = reader.warnings();
+        result["errors"] = reader.errors();
+    }
+    call->succeed(result);
+}
+
+}  // namespace
+
+void add_contact_file_methods(MethodTable& methods) {
+    methods.add({.name = "contact_file.read", .cost = cost_of_contact_file, .handle = read_file});
+}
+
+}  // namespace contactd::server

@@ -1,0 +1,37 @@
+"""Input files of the CONTACT program: their text in a request, their cases in answers."""
+
+from conformance.wire import INVALID_ARGUMENT, OK
+
+CASE = "{}200100\n022020\n000001\n999 20 25 1 1e-5\n1. 0 0 0\n.3 .3\n.28 .28 1. 1.\n-3\n2 2 1. 1. 1.1\n"
+
+
+def test_cases_come_in_pages(peer):
+    text = CASE.format("3 MODULE\n") * 3 + "0 MODULE\n"
+    numbers, first = [], 0
+    while first is not None:
+        reply = peer.ask("contact_file.read", {"text": text, "first": first, "count": 2})
+        assert reply.code == OK
+        numbers.append([case["number"] for case in reply.result["cases"]])
+        first = reply.result.get("next")
+    assert numbers == [[1, 2], [3]]
+    assert reply.result["warnings"] == reply.result["errors"] == []
+
+
+def test_a_case_has_its_digits_and_values(peer):
+    (case,) = peer.ask("contact_file.read", {"text": CASE.format("3 5 2\n") + "0"}).result["cases"]
+    assert (case["line"], case["module"], case["reid"], case["cpid"]) == (2, 3, 5, 2)
+    assert case["digits"]["C"] == 2
+    assert case["values"]["SCALE"] == 1.1
+    assert case["friction"] == [{"FSTAT": 0.3, "FKIN": 0.3}]
+    assert "friction" in case["read"]
+
+
+def test_what_is_wrong_stands_in_the_answer(peer):
+    reply = peer.ask("contact_file.read", {"text": "3 MODULE\nabc\n"})
+    assert reply.code == OK
+    assert "line 2, column 1" in reply.result["cases"][0]["errors"][0]
+
+
+def test_what_is_no_text_is_refused(peer):
+    reply = peer.ask("contact_file.read", {"text": "3 MODULE\0", "name": "a.inp"})
+    assert (reply.code, reply.fields) == (INVALID_ARGUMENT, ["a.inp"])
