@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "contactd/error.hpp"
 #include "number_text.hpp"
@@ -10,6 +11,8 @@ namespace contactd {
 namespace {
 
 constexpr double most_inclination = 0.2, most_slope = 3, widest = 1000;  // widest: mm
+constexpr double farthest_shift = 1e4;                                   // mm
+constexpr double half_a_turn = 3.141592653589793;
 
 void check_ends(double from, double to, const std::string& name) {
     if (!(std::abs(from) <= widest))
@@ -52,19 +55,63 @@ void check(const ConeProfile& cone) {
     check_slope(cone.slope, "profile.cone");
 }
 
+void check_unit(double unit, const std::string& of) {
+    if (!(unit >= 1e-6 && unit <= 1e6))
+        throw InvalidArgument(
+            of + ".unit",
+            "is " + number_text(unit) + "; it is the mm of a unit of the points: 1, 1000 for m, 25.4 for inches");
+}
+
+void check_smoothing(double length, const std::string& of) {
+    if (!(length >= 0 && length <= 1000))
+        throw InvalidArgument(of + ".smoothing_length",
+                              "is " + number_text(length) +
+                                  "; it is a wavelength in mm, 0 for no smoothing, about 5 for measured profiles");
+}
+
 void check(const ProfilePoints& points) {
     if (points.points.size() > most_profile_points)
         throw InvalidArgument("profile.points", "are " + std::to_string(points.points.size()) + "; " +
                                                     std::to_string(most_profile_points) +
                                                     " are the most, leave some of them out");
-    if (!(points.unit >= 1e-6 && points.unit <= 1e6))
-        throw InvalidArgument("profile.unit",
-                              "is " + number_text(points.unit) +
-                                  "; it is the mm of a unit of the points: 1, 1000 for m, 25.4 for inches");
-    if (!(points.smoothing_length >= 0 && points.smoothing_length <= 1000))
-        throw InvalidArgument("profile.smoothing_length",
-                              "is " + number_text(points.smoothing_length) +
-                                  "; it is a wavelength in mm, 0 for no smoothing, about 5 for measured profiles");
+    check_unit(points.unit, "profile");
+    check_smoothing(points.smoothing_length, "profile");
+}
+
+void check(const ProfileFile& file) {
+    if (file.name.empty())
+        throw InvalidArgument("profile.file.name", "is empty; its ending says what the text is, such as wheel.whl");
+    if (file.text.empty() || file.text.size() > most_profile_text)
+        throw InvalidArgument("profile.file.text", "has " + std::to_string(file.text.size()) +
+                                                       " bytes; it must be the content of a file, 1 to " +
+                                                       std::to_string(most_profile_text) +
+                                                       " bytes; leave some of its points out");
+    if (file.unit) check_unit(*file.unit, "profile.file");
+    for (const auto& [shift, name] : {std::pair(file.shift_y, "y"), std::pair(file.shift_z, "z")})
+        if (!(std::abs(shift) <= farthest_shift))
+            throw InvalidArgument(std::string("profile.file.shift_") + name,
+                                  "is " + number_text(shift) + "; it must lie between -10000 and 10000 mm");
+    check_smoothing(file.smoothing_length, "profile.file");
+    if (file.smoothing_order != 2 && file.smoothing_order != 3)
+        throw InvalidArgument(
+            "profile.file.smoothing_order",
+            "is " + std::to_string(file.smoothing_order) + "; it must be 2, for the curvature, or 3, for its change");
+    if (!(file.smoothing_lambda >= 0 && file.smoothing_lambda <= 1e9))
+        throw InvalidArgument("profile.file.smoothing_lambda",
+                              "is " + number_text(file.smoothing_lambda) + "; it must lie between 0 and 1e9 mm^3");
+    if (file.smoothing_lambda > 0 && (file.smoothing_length > 0 || file.smoothing_order != 2))
+        throw InvalidArgument("profile.file.smoothing_lambda",
+                              "stands beside smoothing_length or smoothing_order; it is in the place of both");
+    const auto check_angle = [](double angle, const char* name) {
+        if (!(angle >= 0 && angle <= half_a_turn))
+            throw InvalidArgument(std::string("profile.file.kinks.") + name,
+                                  "is " + number_text(angle) + "; it is an angle between 0 and pi, in rad");
+    };
+    check_angle(file.kinks.angle, "angle");
+    check_angle(file.kinks.rest, "rest");
+    if (!(file.kinks.width >= 0 && file.kinks.width <= widest))
+        throw InvalidArgument("profile.file.kinks.width",
+                              "is " + number_text(file.kinks.width) + "; it must lie between 0 and 1000 mm");
 }
 
 }  // namespace

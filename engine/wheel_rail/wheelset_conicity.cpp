@@ -1,6 +1,7 @@
 #include "wheelset_conicity.hpp"
 
 #include <string>
+#include <utility>
 
 #include "contactd/below.hpp"
 #include "contactd/equivalent_conicity.hpp"
@@ -11,28 +12,36 @@
 namespace contactd::engine {
 namespace {
 
-ProfileCurve curve_of(const ProfileSpec& profile, const std::string& name) {
-    return renaming(in_place_of("profile", name), [&] { return make_profile(profile).curve; });
+/// Profiles where they lie, and what became of their points.
+struct Side {
+    WheelOverRail profiles;
+    ProfileEvidence wheel, rail;
+};
+
+Profile profile_of(const ProfileSpec& profile, const std::string& name) {
+    return renaming(in_place_of("profile", name), [&] { return make_profile(profile); });
 }
 
 /// `name` is where the set-up stands.
-WheelOverRail side_of(const WheelRailSetup& setup, const std::string& name) {
+Side side_of(const WheelRailSetup& setup, const std::string& name) {
     if (!setup.rail_slices.empty())
         throw InvalidArgument(name + ".rail_slices",
                               "are given; a rigid wheelset is told for rails that do not vary along the track");
     if (!setup.wheel_slices.empty())
         throw InvalidArgument(name + ".wheel_slices", "are given; a rigid wheelset is told for wheels that are round");
-    const ProfileCurve wheel = curve_of(setup.wheel, name + ".wheel"), rail = curve_of(setup.rail, name + ".rail");
-    return below(name, [&] { return wheel_over_rail(wheel, rail, setup.track, setup.wheelset); });
+    Profile wheel = profile_of(setup.wheel, name + ".wheel"), rail = profile_of(setup.rail, name + ".rail");
+    return {below(name, [&] { return wheel_over_rail(wheel.curve, rail.curve, setup.track, setup.wheelset); }),
+            std::move(wheel.evidence), std::move(rail.evidence)};
 }
 
 WheelsetOnTrack wheelset_of(const WheelsetSetup& setup) {
-    const WheelOverRail right = side_of(setup.setup, "setup");
-    return {setup.left ? side_of(*setup.left, "left") : right, right};
+    const WheelOverRail right = side_of(setup.setup, "setup").profiles;
+    return {setup.left ? side_of(*setup.left, "left").profiles : right, right};
 }
 
-PlacedProfiles placed(const WheelOverRail& side) {
-    return {side.wheel.points(), side.rail.points(), side.wheel_origin, side.rail_origin};
+PlacedProfiles placed(const Side& side) {
+    const WheelOverRail& both = side.profiles;
+    return {both.wheel.points(), both.rail.points(), both.wheel_origin, both.rail_origin, side.wheel, side.rail};
 }
 
 }  // namespace
@@ -70,8 +79,8 @@ std::vector<WheelsetContacts> wheelset_contacts(const WheelsetSetup& setup, cons
 }
 
 ProfilesOfSides placed_profiles(const WheelsetSetup& setup) {
-    const WheelsetOnTrack wheelset = wheelset_of(setup);
-    return {placed(wheelset.left), placed(wheelset.right)};
+    const PlacedProfiles right = placed(side_of(setup.setup, "setup"));
+    return {setup.left ? placed(side_of(*setup.left, "left")) : right, right};
 }
 
 }  // namespace contactd::engine

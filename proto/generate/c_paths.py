@@ -38,8 +38,8 @@ TITLED = {
 WITH_FIELDS = re.compile(r"(setup\.)?bodies\b|ics\b|columns\.frames|friction\.(rolling\.)?force|motion\b")
 #: They have the fields of "ics", and evidence those of ic.get.
 NOT_BELOW = re.compile(r"bodies\.\w+\.ics|ics\.\w+\.evidence")
-#: The length of a list, which has a path; and what other functions say.
-NO_FIELDS = {"contacts", "fields", "initial", "wheelrail"}
+#: The length of a list, which has a path; and what other functions say: sections get the points of a file.
+NO_FIELDS = {"contacts", "fields", "initial", "wheelrail", "ics.section.profile_section.profile.file"}
 HEAD = """/* Paths of fields and keywords for contactd.h. An entry of a list has its number printed in place of %d:
  *
  *     snprintf(path, sizeof path, CONTACTD_PATH_PATCHES_SOLUTION_PMAX, patch);

@@ -59,8 +59,9 @@ MODULES = [
             "definitions.json#/definitions/profile/properties/arc",
             "definitions.json#/definitions/profile/properties/cone",
             "definitions.json#/definitions/profile",
+            "definitions.json#/definitions/profile/properties/file",
         ),
-        {"Profile": "S1002 | Rail60E1 | ArcProfile | ConeProfile | ProfilePoints"},
+        {"Profile": "S1002 | Rail60E1 | ArcProfile | ConeProfile | ProfilePoints | ProfileFile"},
         is_asked=True,
     ),
     Module(

@@ -15,6 +15,7 @@ READERS = {
     "client/python/contactctl/table_files.py": "IC file (`.h5`) of a stranger",
     "client/python/contactd/contact_files/input_file.py": "`.inp`",
     "client/python/contactd/files/contact_text.py": "`.txt`",
+    "client/python/contactd/files/profile_text.py": "profiles",
     "client/python/contactd/files/ic_files.py": "IC file (`.h5`) of a stranger",
     "client/python/contactd/files/saved.py": "problem or solution (`.h5`)",
     "client/python/contactd/files/table_files.py": "`.npz`",

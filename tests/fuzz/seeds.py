@@ -128,7 +128,9 @@ def sessions() -> Iterator[bytes]:
     step = {"session": "0" * 32, "step": 2, "approach": 0.1, "gap": {"semi_axes": {"a": 1, "b": 2}}}
     yield message({"contactd": 1, "id": "7f", "method": "session.step", "params": step})
     setup = {"side": "left", "rail": {"points": array(1, 3, 2)}, "friction": {"mu": [{"angle": -1, "mu": 0.1}, {"angle": 0, "mu": 0.3}]}, "dx": 1}
-    setup |= {"wheel_slices": [{"angle": a, "profile": {"s1002": True}} for a in (-0.1, 0.1)], "track": {"springs": {"y": 1e4, "z": 1e5}}}
+    said = {"unit": 25.4, "mirror_y": True, "mirror_z": False, "shift_y": 1, "shift_z": -1, "smoothing_length": 3, "smoothing_order": 3}
+    file = {"name": "a.csv", "text": "y;z\n-2;0,2\n0;0\n2;0,2\n", "kinks": {"angle": 1, "rest": 0.1, "width": 1}, **said}
+    setup |= {"wheel_slices": [{"angle": a, "profile": {"s1002": True}} for a in (-0.1, 0.1)], "wheel": {"file": file}, "track": {"springs": {"y": 1e4, "z": 1e5}}}
     opening = {"wheelrail": {"setup": setup}, "lease_seconds": 60, "accept_unconverged": True}
     yield message({"contactd": 1, "id": "7f", "method": "session.open", "params": opening}, np.array([[-20.0, 2], [0, 0], [20, 2]]).tobytes())
     state = {"position": {"y": 1, "yaw": 1e-3}, "velocity": {"x": 2000, "pitch": -4.3}, "rail": {"y": 0.1, "Fy": 10}, "Fz": 1e4, "derivatives": True}
@@ -208,7 +210,7 @@ def profile_files() -> Iterator[bytes]:
     """A format's number, as profile_file.cpp reads it, and a rough wheel or rail in this format."""
     wheel = [(-68, 20), (-55, 28), (-41, 19), (-38, 11), (-30, 4), (-20, 1.6), (-10, 0.5), (0, 0), (20, -0.3), (40, -1.3), (60, -2.6)]
     rail = [(y, 0.006 * y * y + 1e-7 * y**4) for y in range(-36, 37, 4)]
-    for number in range(10):  # from five on smoothed
+    for number in (*range(15), 35, 73, 91, 137, 219):  # from five on smoothed, from ten on with more said beside them
         is_wheel = number % 5 in (0, 2)
         upwards = number % 5 in (2, 3)
         points = "".join(f"{y} {-z if upwards else z}\n" for y, z in (wheel if is_wheel else rail))

@@ -30,8 +30,11 @@ WheelRailSetup unusual_setup() {
     setup.side = Side::left;
     setup.wheel = {ProfileKind::wheel, ConeProfile{-0.05, -30, 30.5}};
     setup.rail = {ProfileKind::rail, ProfilePoints{{{-10, 0.1 + 0.2}, {0, 0}, {10, 0.17}}, 1000, true, true, 5}};
-    setup.rail_slices = {{-5, {ProfileKind::rail, Rail60E1{0.05}}},
-                         {5, {ProfileKind::rail, ProfilePoints{{{-1, 0}, {1, 0.5}}}}}};
+    setup.rail_slices = {
+        {-5, {ProfileKind::rail, Rail60E1{0.05}}},
+        {5, {ProfileKind::rail, ProfilePoints{{{-1, 0}, {1, 0.5}}}}},
+        {6, {ProfileKind::rail, ProfileFile{"a.csv", "0 0\n\t1 \"0.5\"\n", 25.4, true, false, 1, -2, 5}}},
+        {7, {ProfileKind::rail, ProfileFile{"a.ban", "0 0\n1 -1\n"}}}};
     setup.wheel_slices = {{-0.1, {ProfileKind::wheel, S1002{}}},
                           {0.2, {ProfileKind::wheel, ProfilePoints{{{-1, 0}, {1, 0.25}}}}}};
     setup.rigid_slip = RigidSlipKind::surfaces;

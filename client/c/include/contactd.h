@@ -194,7 +194,11 @@ CONTACTD_API int32_t contactd_get_frames(contactd_contact* contact, const char* 
                                          double* angle, int32_t length);
 /* Makes the profile that `path` names that of a file: Simpack (.prr, .prw), MiniProf (.ban, .whl), or two columns. Of a
  * wheel "setup.rail" or "setup.rail_slices[0].profile", of a contact "ics.section.profile_section.profile", whose kind
- * is set before. It is read now, and here. */
+ * is set before. It is read now, and here: "setup.rail.unit", ".mirror_y", ".mirror_z" and ".smoothing_length" are then
+ * those of its points, and may be set otherwise. With the path "setup.rail.file" its text is taken as it is, and read
+ * when it is solved, as "setup.rail.file.unit", ".mirror_y", ".mirror_z", ".shift_y", ".shift_z" and
+ * ".smoothing_length" say; what neither file nor points say is refused. Whoever has the content, and no file, sets
+ * "setup.rail.file.name" and "setup.rail.file.text". */
 CONTACTD_API int32_t contactd_read_profile(void* handle, const char* path, const char* file);
 
 /* --- wheels on rails ----------------------------------------------------------------------------------------- */

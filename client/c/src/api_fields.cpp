@@ -19,6 +19,7 @@ using namespace contactd::c;
 using contactd::FieldPath;
 using contactd::FieldType;
 using contactd::InvalidArgument;
+using contactd::ProfileFile;
 using contactd::ProfileKind;
 using contactd::ProfileSpec;
 using contactd::SolutionField;
@@ -127,15 +128,23 @@ std::int32_t get(void* handle, const PathName& name, double* value) {
 }
 
 void set_profile(const FieldPath& path, void* root, const char* file) {
+    const std::filesystem::path place(given(file, "file"));
+    if (&path.type() == &contactd::type_of<ProfileFile>()) {
+        std::string text = contactd::text_of_profile(place);
+        auto& content = *static_cast<ProfileFile*>(path.make(root));
+        content.name = place.filename().string();
+        content.text = std::move(text);
+        return;
+    }
     if (&path.type() != &contactd::type_of<ProfileSpec>())
-        throw InvalidArgument(
-            path.text(),
-            "is not a profile; of a wheel setup.wheel, setup.rail and profile of each slice are, of a "
-            "contact profile of a profile_section");
+        throw InvalidArgument(path.text(),
+                              "is not a profile; of a wheel setup.wheel, setup.rail and profile of each slice are, and "
+                              "file below each of "
+                              "them, of a contact profile of a profile_section");
     const auto* before = static_cast<const ProfileSpec*>(path.find(root));
     const ProfileKind of_path = path.text().starts_with("setup.rail") ? ProfileKind::rail : ProfileKind::wheel;
     const ProfileKind kind = before != nullptr ? before->kind : of_path;
-    ProfileSpec read = contactd::read_profile(std::filesystem::path(given(file, "file")), kind);
+    ProfileSpec read = contactd::read_profile(place, kind);
     *static_cast<ProfileSpec*>(path.make(root)) = std::move(read);
 }
 

@@ -35,13 +35,21 @@ const FieldType& value_type() {
         return object_of<T>();
 }
 
+/// A section is known by points, which contactd_read_profile takes from a file.
+template <class Alternative>
+constexpr bool is_field = !std::is_same_v<Alternative, ProfileFile>;
+
 /// An alternative of a variant stands under its own name beside the other members.
 template <class Owner, auto member, class... Alternatives>
 void add(std::vector<Field>& list, const char*, std::type_identity<std::variant<Alternatives...>>) {
     std::size_t index = 0;
-    (list.push_back(fields::field_as<Owner, member, fields::alternative<Alternatives>>(
-         alternative_names<std::variant<Alternatives...>>[index++], &value_type<Alternatives>)),
-     ...);
+    const auto add_one = [&]<class Alternative>(std::type_identity<Alternative>) {
+        const std::string_view name = alternative_names<std::variant<Alternatives...>>[index++];
+        if constexpr (is_field<Alternative>)
+            list.push_back(
+                fields::field_as<Owner, member, fields::alternative<Alternative>>(name, &value_type<Alternative>));
+    };
+    (add_one(std::type_identity<Alternatives>()), ...);
 }
 template <class Owner, auto member, class Value>
 void add(std::vector<Field>& list, const char* name, std::type_identity<Value>) {

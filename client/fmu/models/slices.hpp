@@ -1,8 +1,9 @@
-// Profiles that vary: of an out-of-round wheel, and of a rail along the track.
+// Profiles in files, also those that vary: of an out-of-round wheel, and of a rail along the track.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "handles.hpp"
 
@@ -13,9 +14,21 @@ struct Slices {
     std::string path, column;
 };
 
+/// What holds for a file of a profile beside what it says itself; a unit of 0 leaves that to the file.
+struct FileWords {
+    double unit = 0;
+    bool mirror_y = false;
+    std::string_view mirror_z{};  ///< one of `orientations`
+    double shift_y = 0, shift_z = 0, smoothing_length = 0;
+};
+
+/// Makes the profile at this path that of a file. Throws Failure for one that cannot be read.
+void set_profile_file(contactd_wheel* wheel, const std::string& profile, const std::filesystem::path& path,
+                      const FileWords& words);
+
 /// Sets the slices of the file `name`. Throws Failure naming `variable` for what is no such file, and for a line that
 /// has no number and file.
 void set_slices(contactd_wheel* wheel, const Slices& slices, const std::string& variable, const std::string& name,
-                double smoothing_length, const std::filesystem::path& resources);
+                const FileWords& words, const std::filesystem::path& resources);
 
 }  // namespace contactd::fmu

@@ -17,26 +17,31 @@ consteval std::size_t at(std::string_view name) {
 /// Where the list has what a body is, and its profile; and where contactd.h has them.
 struct BodyPlaces {
     std::string_view profile_path, body_path;
-    std::size_t profile, radius, slope, from, to, smoothing, G, nu, rigid;
+    std::size_t profile, radius, slope, from, to, unit, mirror_y, mirror_z, shift_y, shift_z, smoothing, G, nu, rigid;
 };
-constexpr BodyPlaces wheel{"setup.wheel",     "setup.bodies.lower", at("wheel.profile"), at("wheel.radius"),
-                           at("wheel.slope"), at("wheel.from"),     at("wheel.to"),      at("wheel.smoothing"),
-                           at("wheel.G"),     at("wheel.nu"),       at("wheel.rigid")};
-constexpr BodyPlaces rail{"setup.rail",     "setup.bodies.upper", at("rail.profile"), at("rail.radius"),
-                          at("rail.slope"), at("rail.from"),      at("rail.to"),      at("rail.smoothing"),
-                          at("rail.G"),     at("rail.nu"),        at("rail.rigid")};
+constexpr BodyPlaces wheel{"setup.wheel",         "setup.bodies.lower", at("wheel.profile"), at("wheel.radius"),
+                           at("wheel.slope"),     at("wheel.from"),     at("wheel.to"),      at("wheel.unit"),
+                           at("wheel.mirror_y"),  at("wheel.mirror_z"), at("wheel.shift_y"), at("wheel.shift_z"),
+                           at("wheel.smoothing"), at("wheel.G"),        at("wheel.nu"),      at("wheel.rigid")};
+constexpr BodyPlaces rail{"setup.rail",         "setup.bodies.upper", at("rail.profile"), at("rail.radius"),
+                          at("rail.slope"),     at("rail.from"),      at("rail.to"),      at("rail.unit"),
+                          at("rail.mirror_y"),  at("rail.mirror_z"),  at("rail.shift_y"), at("rail.shift_z"),
+                          at("rail.smoothing"), at("rail.G"),         at("rail.nu"),      at("rail.rigid")};
+
+FileWords words_of(const Values& values, const BodyPlaces& of) {
+    return {values[of.unit],    values.is(of.mirror_y), keyword_of(wheel_variables[of.mirror_z], values[of.mirror_z]),
+            values[of.shift_y], values[of.shift_z],     values[of.smoothing]};
+}
 
 void set_file(contactd_wheel* w, const Values& values, const BodyPlaces& of, const std::filesystem::path& resources) {
     const std::string& name = values.text(of.profile);
-    const std::string profile(of.profile_path);
     const auto path = file_named(name, resources);
     if (!path)
         throw Failure(std::string(wheel_variables[of.profile].name) + " is \"" + name + "\"; " +
                       (resources / path_of(name)).string() + " is no file. It must be " +
                       (of.profile == wheel.profile ? "S1002" : "60E1") +
                       ", cone, arc, a path from / on, a URI file:///..., or a file in the FMU's resources.");
-    check(contactd_read_profile(w, profile.c_str(), path->c_str()), w);
-    set_field(w, profile + ".smoothing_length", values[of.smoothing]);
+    set_profile_file(w, std::string(of.profile_path), *path, words_of(values, of));
 }
 
 void set_profile(contactd_wheel* w, const Values& values, const BodyPlaces& of,
@@ -92,9 +97,9 @@ void set_up(contactd_wheel* w, const Values& values, const std::filesystem::path
         set_material(w, values, of);
     }
     if (const std::string& slices = values.text(at("wheel.slices")); !slices.empty())
-        set_slices(w, {"setup.wheel_slices", "angle"}, "wheel.slices", slices, values[wheel.smoothing], resources);
+        set_slices(w, {"setup.wheel_slices", "angle"}, "wheel.slices", slices, words_of(values, wheel), resources);
     if (const std::string& slices = values.text(at("rail.slices")); !slices.empty())
-        set_slices(w, {"setup.rail_slices", "x"}, "rail.slices", slices, values[rail.smoothing], resources);
+        set_slices(w, {"setup.rail_slices", "x"}, "rail.slices", slices, words_of(values, rail), resources);
     if (const int angles = values.whole(at("friction.angles")); angles < 0 || angles > most_angles)
         throw Failure("friction.angles is " + std::to_string(angles) + "; it must be 0 to " +
                       std::to_string(most_angles) + ".");

@@ -16,6 +16,8 @@ inline constexpr std::string_view search_keywords[] = {"locus", "mesh"};
 inline constexpr Enumeration searches{"Search", search_keywords};
 inline constexpr std::string_view rigid_slip_keywords[] = {"plane", "surfaces"};
 inline constexpr Enumeration rigid_slips{"RigidSlip", rigid_slip_keywords};
+inline constexpr std::string_view orientation_keywords[] = {"by_shape", "as_given", "turned"};
+inline constexpr Enumeration orientations{"Orientation", orientation_keywords};
 inline constexpr std::string_view vertical_keywords[] = {"force", "position"};
 inline constexpr Enumeration verticals{"Vertical", vertical_keywords};
 
@@ -35,6 +37,15 @@ inline constexpr auto wheel_alone = std::to_array<Variable>({
     real("wheel.to", Role::parameter, "mm", 40, "Where it ends."),
     real("wheel.smoothing", Role::parameter, "mm", 0,
          "Of a file: wavelength of which half the amplitude is smoothed away; 0: none."),
+    real("wheel.unit", Role::parameter, "", 0,
+         "Of a file: mm that a unit of its points has, 25.4 for inches, 1000 for metres; 0: as the file says, else 1."),
+    boolean("wheel.mirror_y", Role::parameter, false, "Of a file: y is turned to the other side."),
+    keyword("wheel.mirror_z", orientations, 0,
+            "Of a file: whether z is turned; by_shape: as Simpack's file says, in others as the points ask for."),
+    number("wheel.mirror_z_number", "wheel.mirror_z", orientations,
+           "In the place of wheel.mirror_z: 0 by_shape, 1 as_given, 2 turned; -1: as wheel.mirror_z says."),
+    real("wheel.shift_y", Role::parameter, "mm", 0, "Of a file: added to y, after mirroring."),
+    real("wheel.shift_z", Role::parameter, "mm", 0, "The same of z."),
     real("wheel.G", Role::parameter, "N/mm2", 82000, "Shear modulus of the wheel."),
     real("wheel.nu", Role::parameter, "", 0.28, "Poisson's ratio of the wheel."),
     boolean("wheel.rigid", Role::parameter, false, "The wheel does not deform."),
@@ -51,6 +62,13 @@ inline constexpr auto wheel_alone = std::to_array<Variable>({
     real("rail.from", Role::parameter, "mm", -40, "Where a cone or an arc begins, across the track."),
     real("rail.to", Role::parameter, "mm", 40, "Where it ends."),
     real("rail.smoothing", Role::parameter, "mm", 0, "Of a file, as for the wheel."),
+    real("rail.unit", Role::parameter, "", 0, "Of a file, as for the wheel."),
+    boolean("rail.mirror_y", Role::parameter, false, "Of a file, as for the wheel."),
+    keyword("rail.mirror_z", orientations, 0, "Of a file, as for the wheel."),
+    number("rail.mirror_z_number", "rail.mirror_z", orientations,
+           "In the place of rail.mirror_z: 0 by_shape, 1 as_given, 2 turned; -1: as rail.mirror_z says."),
+    real("rail.shift_y", Role::parameter, "mm", 0, "Of a file, as for the wheel."),
+    real("rail.shift_z", Role::parameter, "mm", 0, "Of a file, as for the wheel."),
     real("rail.G", Role::parameter, "N/mm2", 82000, "Shear modulus of the rail."),
     real("rail.nu", Role::parameter, "", 0.28, "Poisson's ratio of the rail."),
     boolean("rail.rigid", Role::parameter, false, "The rail does not deform."),

@@ -61,6 +61,7 @@ from .values.materials import Layer, LayeredBody, Material, RigidBody
 from .values.motion import KineticFriction, Rolling, Shift
 from .values.partial_solution import PartialSolution, SavedState, StepSolution
 from .values.problem import ContactColumns, ContactProblem, Estimate
+from .values.profile_shapes import ProfileFile
 from .values.records import ImportedIc, QuarantinedIc, RecentPatch, RecentSolve, StoredIc
 from .values.registry import register
 from .values.service import Job, Limits, Progress, ServerInfo, SessionSummary
@@ -113,6 +114,7 @@ __all__ = [
     "Paraboloid",
     "PartialSolution",
     "PermissionDenied",
+    "ProfileFile",
     "Progress",
     "ProtocolError",
     "QuarantinedIc",

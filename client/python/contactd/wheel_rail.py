@@ -21,7 +21,16 @@ draws them. Forces act on the rail. What is None takes the daemon's default.
 
 from __future__ import annotations
 
-from .values.profile_shapes import S1002, ArcProfile, ConeProfile, Profile, ProfilePoints, Rail60E1
+from .values.profile_shapes import (
+    S1002,
+    ArcProfile,
+    ConeProfile,
+    KinkRule,
+    Profile,
+    ProfileFile,
+    ProfilePoints,
+    Rail60E1,
+)
 from .values.wheel_rail.forces import (
     WheelRailDerivatives,
     WheelRailForces,
@@ -41,9 +50,13 @@ from .values.wheel_rail.places import (
 from .values.wheel_rail.rigid_wheelset import (
     EquivalentConicity,
     PlacedProfiles,
+    ProfileEvidence,
     ProfileOrigin,
+    ProfilePlace,
+    ProfileReading,
     ProfilesOfSides,
     RigidContact,
+    WheelLandmarks,
     WheelsetContacts,
     WheelsetRoll,
 )
@@ -73,12 +86,17 @@ __all__ = [
     "ContactRow",
     "Creepages",
     "EquivalentConicity",
+    "KinkRule",
     "OverlapRegion",
     "PatchRules",
     "PlacedProfiles",
     "Profile",
+    "ProfileEvidence",
+    "ProfileFile",
     "ProfileOrigin",
+    "ProfilePlace",
     "ProfilePoints",
+    "ProfileReading",
     "ProfilesOfSides",
     "Rail60E1",
     "RailDeflection",
@@ -88,6 +106,7 @@ __all__ = [
     "RigidSlipKind",
     "Side",
     "Track",
+    "WheelLandmarks",
     "WheelRailDerivatives",
     "WheelRailForces",
     "WheelRailFriction",

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "contactd/profile_evidence.hpp"
 #include "contactd/profile_spec.hpp"
 
 namespace contactd {
@@ -56,6 +57,7 @@ struct PlacedProfiles {
     std::vector<ProfilePoint> wheel, rail;
     double wheel_origin = 0;     ///< from the middle of the axle to y = 0 of the wheel's profile
     ProfilePoint rail_origin{};  ///< from the middle of the track
+    ProfileEvidence wheel_evidence{}, rail_evidence{};
 
     bool operator==(const PlacedProfiles&) const = default;
 };

@@ -1,21 +1,11 @@
 // From a profile as a value to its curve.
 #pragma once
 
-#include <cstddef>
-
 #include "contactd/profile.hpp"
+#include "contactd/profile_evidence.hpp"
 #include "contactd/profile_spec.hpp"
 
 namespace contactd {
-
-/// Evidence of what became of the points.
-struct ProfileEvidence {
-    std::size_t points_given = 0, points_kept = 0;
-    double largest_distance = 0;  ///< of the points kept from the curve (mm): 0 without smoothing
-    double rms_distance = 0;
-
-    bool operator==(const ProfileEvidence&) const = default;
-};
 
 /// The curve of a wheel or a rail: y ascends, and the wheel's flange, the rail's gauge side lie at y < 0.
 struct Profile {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -59,7 +61,33 @@ struct ProfilePoints {
     bool operator==(const ProfilePoints&) const = default;
 };
 
-using ProfileShape = std::variant<S1002, Rail60E1, ArcProfile, ConeProfile, ProfilePoints>;
+/// A point where the points turn by more than `angle` is a kink, at which the curve is broken, where none of those
+/// within `width` along the curve, to both sides, turns by more than `rest`.
+struct KinkRule {
+    double angle = 0.5235987755982988, rest = 0.10471975511965978;  ///< rad: 30 and 6 degrees
+    double width = 2;                                               ///< mm
+
+    bool operator==(const KinkRule&) const = default;
+};
+
+/// The content of a file as read_profile.hpp knows them. What else is said here holds beside what the file says itself.
+struct ProfileFile {
+    std::string name;  ///< its ending says what the text is; a folder before it means nothing
+    std::string text;
+    std::optional<double> unit{};    ///< mm that a unit of its points has, whatever the file says; absent: what it says
+    bool mirror_y = false;           ///< y is turned to the other side, after what the file says
+    std::optional<bool> mirror_z{};  ///< z is turned, or not, after what the file says; absent: as the shape asks for
+    double shift_y = 0, shift_z = 0;  ///< added to the points at last (mm)
+    double smoothing_length = 0;      ///< as of ProfilePoints
+    int smoothing_order = 2;          ///< of the derivative that smoothing makes small: 2 or 3
+    double smoothing_lambda = 0;      ///< weight of the curvature while all points weigh 1, in place of a length (mm^3)
+    KinkRule kinks{};
+
+    bool operator==(const ProfileFile&) const = default;
+};
+
+/// Sections in files have a shape's place in this list.
+using ProfileShape = std::variant<S1002, Rail60E1, ArcProfile, ConeProfile, ProfilePoints, ProfileFile>;
 
 struct ProfileSpec {
     ProfileKind kind = ProfileKind::wheel;
@@ -70,6 +98,8 @@ struct ProfileSpec {
 
 /// Points that a profile may have.
 inline constexpr std::size_t most_profile_points = 20000;
+/// Bytes that the text of a ProfileFile may have.
+inline constexpr std::size_t most_profile_text = 2 << 20;
 
 /// Throws InvalidArgument naming the field below "profile" when a parameter can not be used. What the points describe
 /// is for make_profile to check.

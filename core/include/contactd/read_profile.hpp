@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "contactd/error.hpp"
+#include "contactd/profile_evidence.hpp"
 #include "contactd/profile_spec.hpp"
 
 namespace contactd {
@@ -28,5 +30,35 @@ inline constexpr std::size_t most_profile_bytes = 16 << 20;
 ProfileSpec read_profile(std::string_view text, const std::string& name, std::optional<ProfileKind> kind = {});
 /// Reads a file on disk likewise. Throws InvalidArgument when it cannot be read.
 ProfileSpec read_profile(const std::filesystem::path& file, std::optional<ProfileKind> kind = {});
+/// The bytes of such a file.
+std::string text_of_profile(const std::filesystem::path& file);
+
+/// The points of a file in mm, turned and shifted, and how that came about.
+struct PointsOfFile {
+    ProfilePoints points;
+    ProfileReading reading;
+    double rounded_to = 0;  ///< as of ProfileEvidence
+};
+
+/// What ProfileFile says holds beside what its text says. Throws InvalidArgument with the field "profile.file" for what
+/// read_profile refuses; and for a text that does not say in which unit or which way up its points are, where their
+/// shape does not show it and nobody has said it.
+PointsOfFile points_of(const ProfileFile& file, ProfileKind kind);
+
+/// The profile with the points of its file in place of the file, or as it is.
+ProfileSpec with_points(const ProfileSpec& profile);
+
+/// For in_words_of_file: the problem of a file that `error` is, which names the file and the line, or "profile.points".
+std::string problem_of_file(const ProfileFile& file, const InvalidArgument& error);
+
+/// The result of `work` on a file or its points; what it refuses is refused as "profile.file", by the file's name.
+template <class Work>
+auto in_words_of_file(const ProfileFile& file, const Work& work) {
+    try {
+        return work();
+    } catch (const InvalidArgument& error) {
+        throw InvalidArgument("profile.file", problem_of_file(file, error));
+    }
+}
 
 }  // namespace contactd

@@ -106,7 +106,7 @@ inline constexpr auto alternative_names<SectionShape> =
                                      "plate_hole", "slab", "profile_section"});
 template <>
 inline constexpr auto alternative_names<ProfileShape> =
-    std::to_array<std::string_view>({"s1002", "rail_60e1", "arc", "cone", "points"});
+    std::to_array<std::string_view>({"s1002", "rail_60e1", "arc", "cone", "points", "file"});
 
 /// Calls `visit` with the name and the value of each field, in their order: numbers, counts, flags, words, objects with
 /// named_members, lists (std::vector) and alternatives (std::variant). `Of` may be const.

@@ -157,9 +157,9 @@ Profiles make_profiles(const WheelRailSetup& setup, const Observer& observer) {
     Profile rail = profile_of(setup.rail, "rail");
     check_fit(setup, wheel.curve, rail.curve);
     const ProfilePoint origin = rail_origin(rail.curve, setup.track);
-    return {std::move(wheel.curve),        std::move(rail.curve),       origin,
-            sliced_rail(setup, observer),  out_of_round(setup, slices), wheel.evidence.largest_distance,
-            rail.evidence.largest_distance};
+    return {std::move(wheel.curve),           std::move(rail.curve),       origin,
+            sliced_rail(setup, observer),     out_of_round(setup, slices), std::move(wheel.evidence.warnings),
+            std::move(rail.evidence.warnings)};
 }
 
 Position::Position(const WheelRailSetup& setup, const Profiles& profiles, const WheelRailState& state,

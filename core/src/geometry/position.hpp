@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "contactd/friction.hpp"
@@ -23,7 +24,7 @@ struct Profiles {
     ProfilePoint rail_origin;
     std::shared_ptr<const SlicedRail> slices{};        ///< in place of the rail
     std::shared_ptr<const OutOfRound> out_of_round{};  ///< beside the wheel's profile, which is that of its first slice
-    double wheel_smoothed = 0, rail_smoothed = 0;      ///< the farthest that smoothing has moved a point (mm)
+    std::vector<std::string> wheel_warnings{}, rail_warnings{};  ///< as of ProfileEvidence
 };
 
 /// Throws InvalidArgument ("wheel.points[i]", "rail.points", ...) where the setup's profiles cannot be used, and

@@ -11,66 +11,10 @@
 namespace contactd {
 namespace {
 
-constexpr double narrowest_wheel = 25, narrowest_rail = 12;  // mm: a fifth of what is usual
-constexpr double least_flange = 15;                          // mm below the tape circle: what has less has no flange
-constexpr double near_tip = 3;                               // mm
-constexpr double near_back = 15;                             // mm beyond the profile's end
-constexpr double steepest_head = 1.4;                        // rad: the side of a rail's head
-
-// --- profiles --------------------------------------------------------------------------------------------------------
-
-double width_of(const ProfileCurve& profile) {
-    const auto [least, most] = std::ranges::minmax_element(profile.points(), {}, &ProfilePoint::y);
-    return most->y - least->y;
-}
-
-void warn_of_width(const ProfileSpec& spec, const ProfileCurve& curve, const char* name, double narrowest,
-                   const char* usual, std::vector<std::string>& warnings) {
-    const auto* points = std::get_if<ProfilePoints>(&spec.shape);
-    const double width = width_of(curve);
-    if (points == nullptr || width >= narrowest) return;
-    warnings.push_back("The profile of the " + std::string(name) + " is " + short_text(width) + " mm wide, where " +
-                       usual + " mm are usual. Points in inches need unit 25.4, in metres unit 1000.");
-}
-
-/// The coarsest step that all coordinates are multiples of, if there is one.
-std::optional<double> rounding_of(const std::vector<ProfilePoint>& points) {
-    for (const double step : {1.0, 0.1, 0.01, 0.001}) {
-        const auto is_rounded = [step](double value) {
-            return std::abs(value / step - std::round(value / step)) < 1e-6;
-        };
-        if (std::ranges::all_of(points, [&](const ProfilePoint& p) { return is_rounded(p.y) && is_rounded(p.z); }))
-            return step;
-    }
-    return std::nullopt;
-}
-
-/// Second differences of rounded points are a step over the square of their distance.
-void warn_of_rounding(const ProfileSpec& spec, const ProfileCurve& curve, const char* name,
-                      std::vector<std::string>& warnings) {
-    constexpr std::size_t measured = 100;  // points: fewer are drawn by hand
-    constexpr double much = 2e-3;          // 1/mm, of treads and heads whose radii are 300 mm
-    const auto* points = std::get_if<ProfilePoints>(&spec.shape);
-    if (points == nullptr || points->smoothing_length > 0 || points->points.size() < measured) return;
-    const std::optional<double> step = rounding_of(points->points);
-    const double apart = (curve.end() - curve.begin()) / static_cast<double>(curve.points().size() - 1);
-    if (!step || *step * points->unit < much * apart * apart) return;
-    warnings.push_back("The points of the " + std::string(name) + " are rounded to " + short_text(*step) + " and " +
-                       short_text(apart) +
-                       " mm apart, so that their curvature is mostly rounding, and pressures with it. Smooth them: "
-                       "smoothing_length, about 5 mm.");
-}
-
-/// A profile that is smoothed by more than measurements err has lost a part of its shape.
-void warn_of_smoothing(const ProfileSpec& spec, double moved, const char* name, std::vector<std::string>& warnings) {
-    constexpr double much = 0.3;  // mm
-    if (!(moved > much)) return;
-    warnings.push_back("Smoothing has moved points of the " + std::string(name) + " by up to " + short_text(moved) +
-                       " mm: smoothing_length " + short_text(std::get<ProfilePoints>(spec.shape).smoothing_length) +
-                       " mm takes away its arcs, not only the noise. About 5 mm suits measured profiles.");
-}
-
-// --- where they touch ------------------------------------------------------------------------------------------------
+constexpr double least_flange = 15;    // mm below the tape circle: what has less has no flange
+constexpr double near_tip = 3;         // mm
+constexpr double near_back = 15;       // mm beyond the profile's end
+constexpr double steepest_head = 1.4;  // rad: the side of a rail's head
 
 /// The lowest point of a wheel's profile, where it is that of a flange.
 std::optional<ProfilePoint> flange_tip(const ProfileCurve& wheel) {
@@ -98,16 +42,11 @@ std::string name_of(const ContactReference& reference, Side side) {
 std::vector<std::string> plausibility_warnings(const WheelRailSetup& setup, const geometry::Profiles& profiles) {
     std::vector<std::string> warnings;
     if (setup.wheel_slices.empty()) {
-        warn_of_width(setup.wheel, profiles.wheel, "wheel", narrowest_wheel, "130", warnings);
-        warn_of_rounding(setup.wheel, profiles.wheel, "wheel", warnings);
-        warn_of_smoothing(setup.wheel, profiles.wheel_smoothed, "wheel", warnings);
+        warnings = profiles.wheel_warnings;
         warn_of_flange_back(setup, profiles.wheel, warnings);
     }
-    if (setup.rail_slices.empty()) {
-        warn_of_width(setup.rail, profiles.rail, "rail", narrowest_rail, "70", warnings);
-        warn_of_rounding(setup.rail, profiles.rail, "rail", warnings);
-        warn_of_smoothing(setup.rail, profiles.rail_smoothed, "rail", warnings);
-    }
+    if (setup.rail_slices.empty())
+        warnings.insert(warnings.end(), profiles.rail_warnings.begin(), profiles.rail_warnings.end());
     return warnings;
 }
 

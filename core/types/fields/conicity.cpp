@@ -21,7 +21,7 @@ namespace {
     [[maybe_unused]] const auto& [left_, right_] = all;
 }
 [[maybe_unused]] void all_of(const PlacedProfiles& all) {
-    [[maybe_unused]] const auto& [wheel_, rail_, wheel_origin_, rail_origin_] = all;
+    [[maybe_unused]] const auto& [wheel_, rail_, wheel_origin_, rail_origin_, wheel_evidence_, rail_evidence_] = all;
 }
 
 }  // namespace
@@ -95,6 +95,8 @@ const FieldType& type_of<PlacedProfiles>() {
         fields::field<&PlacedProfiles::rail>("rail", {.required = true}),
         fields::field<&PlacedProfiles::wheel_origin>("wheel_origin", {.unit = "mm", .required = true}),
         fields::field<&PlacedProfiles::rail_origin>("rail_origin", {.required = true}),
+        fields::field<&PlacedProfiles::wheel_evidence>("wheel_evidence", {.required = true}),
+        fields::field<&PlacedProfiles::rail_evidence>("rail_evidence", {.required = true}),
     });
     static const FieldType type = fields::object_type(list);
     return type;

@@ -170,6 +170,9 @@ bool check(const Slab& slab, const std::string& field) {
 }
 
 bool check(const ProfileSection& section, const std::string& field) {
+    if (std::holds_alternative<ProfileFile>(section.profile.shape))
+        throw InvalidArgument(field + ".profile_section.profile.file",
+                              "is a file, and tables are known by points; give what with_points makes of it");
     validate_below(field + ".profile_section", section.profile);
     check_length(section.depth, field + ".profile_section.depth");
     check_place(section.from, field + ".profile_section.from");

@@ -75,4 +75,15 @@ std::optional<bool> points_upwards(const Points& points, ProfileKind kind) {
     return kind == ProfileKind::wheel ? wheel_upwards(points) : rail_upwards(points, height);
 }
 
+double rounding_of(const Points& points) {
+    for (const double step : {1.0, 0.1, 0.01, 0.001}) {
+        const auto is_rounded = [step](double value) {
+            return std::abs(value / step - std::round(value / step)) < 1e-6;
+        };
+        if (std::ranges::all_of(points, [&](const ProfilePoint& p) { return is_rounded(p.y) && is_rounded(p.z); }))
+            return step;
+    }
+    return 0;
+}
+
 }  // namespace contactd::geometry

@@ -12,4 +12,7 @@ namespace contactd::geometry {
 /// what is next to them; of a wheel the flange stands out downwards. The points follow the profile, from either end.
 std::optional<bool> points_upwards(const std::vector<ProfilePoint>& points, ProfileKind kind);
 
+/// The coarsest step of 1, 0.1, 0.01 and 0.001 that all coordinates are multiples of; 0 where there is none.
+double rounding_of(const std::vector<ProfilePoint>& points);
+
 }  // namespace contactd::geometry

@@ -80,6 +80,31 @@ std::vector<std::string_view> fields_of(std::string_view line, std::string_view 
     return found;
 }
 
+std::optional<std::vector<double>> NumberStyle::numbers(std::string_view line) {
+    std::vector<double> values;
+    bool any_comma = false;
+    const auto fields = fields_of(line, ";");
+    for (const std::string_view field : fields) {
+        std::string digits(field);
+        if (const auto comma = digits.find(','); comma != digits.npos) {
+            digits[comma] = '.';
+            any_comma = any_comma || (comma > 0 && comma + 1 < digits.size());
+        }
+        if (const auto value = number_in(digits)) values.push_back(*value);
+    }
+    if (values.size() == fields.size() && (fields.size() > 1 || has_decimal_commas || !any_comma)) {
+        has_decimal_commas = has_decimal_commas || any_comma;
+        return values;
+    }
+    values.clear();
+    for (const std::string_view field : fields_of(line, ",;")) {
+        const auto value = number_in(field);
+        if (!value) return {};
+        values.push_back(*value);
+    }
+    return values;
+}
+
 std::vector<double> ProfileLines::numbers(std::string_view separators) const {
     std::vector<double> values;
     for (const std::string_view field : fields_of(line_, separators)) values.push_back(number(field));

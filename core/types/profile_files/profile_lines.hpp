@@ -1,6 +1,7 @@
 // The lines of a profile's file, and what is wrong with one.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -46,15 +47,31 @@ std::optional<double> number_in(std::string_view text);
 /// The texts between blanks and the characters of `separators`; two separators have an empty one between them.
 std::vector<std::string_view> fields_of(std::string_view line, std::string_view separators);
 
+/// How the numbers of a file are written, as its lines have shown it so far. A comma is a decimal sign where others
+/// part the numbers.
+struct NumberStyle {
+    bool has_decimal_commas = false;
+
+    /// The numbers of a line; nothing where one of its fields is none.
+    std::optional<std::vector<double>> numbers(std::string_view line);
+};
+
 /// In quotation marks, the first forty characters, without what cannot be printed.
 std::string quoted(std::string_view text);
 std::string_view trimmed(std::string_view text);
 /// Throws when a file has more points than a profile may have.
 void add_point(std::vector<ProfilePoint>& points, const ProfilePoint& point, const ProfileLines& lines);
 
+/// The points of a file, in its unit and with its own mirroring, and what it leaves open.
+struct FilePoints {
+    ProfilePoints points;
+    bool says_unit = false, says_mirror_z = false;
+    std::size_t lines_left_out = 0;  ///< as of ProfileReading
+};
+
 /// Each of the formats. The kind is that of the file's ending.
-ProfilePoints read_simpack(std::string_view text, const std::string& name, ProfileKind kind);
-ProfilePoints read_miniprof(std::string_view text, const std::string& name, ProfileKind kind);
-ProfilePoints read_columns(std::string_view text, const std::string& name, ProfileKind kind);
+FilePoints read_simpack(std::string_view text, const std::string& name, ProfileKind kind);
+FilePoints read_miniprof(std::string_view text, const std::string& name);
+FilePoints read_columns(std::string_view text, const std::string& name);
 
 }  // namespace contactd::geometry

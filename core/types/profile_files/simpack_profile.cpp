@@ -18,7 +18,8 @@ const Keys defaults{{"shift.y", 0},     {"shift.z", 0},     {"rotate", 0},      
                     {"bound.y.max", 0}, {"bound.z.min", 1}, {"bound.z.max", 0}, {"mirror.y", 0},
                     {"mirror.z", 0},    {"units.len.f", 1}, {"units.ang.f", 1}};
 
-void read_key(const ProfileLines& lines, bool in_header, ProfileKind kind, Keys& keys) {
+/// Returns whether the key of the line means something here.
+bool read_key(const ProfileLines& lines, bool in_header, ProfileKind kind, Keys& keys) {
     const auto at = lines.line().find('=');
     if (at == std::string_view::npos)
         lines.fail("is " + quoted(lines.line()) + "; outside of point.begin and point.end a line reads key = value");
@@ -34,7 +35,10 @@ void read_key(const ProfileLines& lines, bool in_header, ProfileKind kind, Keys&
         if (key.starts_with("units.") && !(known->second > 0))
             lines.fail("has the unit " + quoted(value) +
                        "; it must be positive, the number of units in a metre or radian");
+    } else {
+        return false;
     }
+    return true;
 }
 
 std::vector<ProfilePoint> read_points(ProfileLines& lines) {
@@ -69,10 +73,11 @@ std::vector<ProfilePoint> processed(const std::vector<ProfilePoint>& read, const
 
 }  // namespace
 
-ProfilePoints read_simpack(std::string_view text, const std::string& name, ProfileKind kind) {
+FilePoints read_simpack(std::string_view text, const std::string& name, ProfileKind kind) {
     ProfileLines lines(text, name, "!%");
     Keys keys = defaults;
     std::vector<ProfilePoint> read;
+    FilePoints found;
     bool in_header = false, has_points = false;
     while (lines.next()) {
         const auto line = lines.line();
@@ -84,18 +89,20 @@ ProfilePoints read_simpack(std::string_view text, const std::string& name, Profi
             read = read_points(lines);
         } else if (line == "spline.end")
             break;
-        else if (line != "spline.begin")
-            read_key(lines, in_header, kind, keys);
+        else if (line != "spline.begin" && !read_key(lines, in_header, kind, keys))
+            ++found.lines_left_out;
+        if (!in_header && line.starts_with("units.len.f")) found.says_unit = true;
     }
     if (!has_points) lines.fail_file("has no line point.begin; a profile of Simpack has its points behind one");
-    ProfilePoints given;
+    ProfilePoints& given = found.points;
     given.points = processed(read, keys);
     if (given.points.empty() && !read.empty())
         lines.fail_file("has no points within its bounds bound.y.min to bound.z.max; widen them");
     given.unit = 1000 / keys["units.len.f"];
     given.mirror_y = keys["mirror.y"] == 1;
     given.mirror_z = keys["mirror.z"] == 1;
-    return given;
+    found.says_mirror_z = true;
+    return found;
 }
 
 }  // namespace contactd::geometry

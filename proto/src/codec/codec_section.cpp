@@ -7,8 +7,10 @@
 
 #include "codec_parts.hpp"
 #include "codec_profile.hpp"
+#include "contactd/below.hpp"
 #include "contactd/proto/object.hpp"
 #include "contactd/proto/status.hpp"
+#include "contactd/read_profile.hpp"
 #include "contactd/section_fields.hpp"
 
 namespace contactd::proto {
@@ -71,6 +73,8 @@ class Reader {
     void get(const json& source, const std::string& field, ProfileSection& section) const {
         read_name(source["kind"], section.profile.kind);
         decode_profile(source["profile"], section.profile, frames_, field + ".profile");
+        section.profile =
+            renaming(in_place_of("profile", field + ".profile"), [&] { return with_points(section.profile); });
         section.depth = source["depth"].get<double>();
         section.from = source.value("from", section.from);
     }

@@ -179,6 +179,42 @@ TEST_CASE("A profile of a file is that of its points", "[c]") {
     CHECK(solved(from_file) == solved(from_points));
 }
 
+TEST_CASE("A file is read as what is set beside its text says, here and at the daemon", "[c]") {
+    Daemon daemon;
+    const Place here("local"), there(daemon.endpoint());
+    const std::string file = std::filesystem::temp_directory_path() / ("contactd-head-" + std::to_string(getpid()));
+    std::string text = "% z upwards, in inches\ny;z\n";
+    std::vector<double> points;
+    for (int k = -60; k <= 60; ++k) {
+        points.insert(points.end(), {0.5 * k, 0.25 * k * k / 600});
+        text += std::to_string(0.5 * k / 25.4) + ";" + std::to_string(-points.back() / 25.4) + "\n";
+    }
+    std::ofstream(file) << text;
+    const WheelHandle from_file(there), from_text(here);
+    for (contactd_wheel* w : {static_cast<contactd_wheel*>(from_file), static_cast<contactd_wheel*>(from_text)}) {
+        set_rolling(w, 0);
+        set_cone(w, "setup.wheel", -0.05);
+        set(w, {{"setup.track.rail_origin.y", 750}, {"setup.track.rail_origin.z", 0}});
+    }
+    require_ok(contactd_read_profile(from_file, "setup.rail.file", file.c_str()), from_file);
+    set_word(from_text, "setup.rail.file.name", "head.csv");
+    set_word(from_text, "setup.rail.file.text", text.c_str());
+    std::filesystem::remove(file);
+    CHECK(contactd_wheel_solve(from_file) == CONTACTD_INVALID_ARGUMENT);
+    CHECK(contactd_last_field(from_file) == std::string("setup.rail.file"));
+    CHECK(std::string(contactd_last_error(from_file)).find("give unit") != std::string::npos);
+    for (contactd_wheel* w : {static_cast<contactd_wheel*>(from_file), static_cast<contactd_wheel*>(from_text)})
+        set(w, {{"setup.rail.file.unit", 25.4}, {"setup.rail.file.smoothing_length", 3}});
+    const auto by_shape = solved(from_file);
+    CHECK(by_shape == solved(from_text));
+    set(from_file, "setup.rail.file.mirror_z", 1);
+    CHECK(solved(from_file) == by_shape);
+    require_ok(contactd_clear(from_file, "setup.rail.file.mirror_z"), from_file);
+    set(from_file, {{"setup.rail.file.mirror_y", 1}, {"setup.rail.file.shift_z", 0.5}});
+    set(from_file, "setup.track.rail_origin.z", -0.5);
+    CHECK(solved(from_file)[0] == Approx(by_shape[0]));
+}
+
 TEST_CASE("What is not there to be read is said", "[c]") {
     const Place here("local");
     const WheelHandle w(here);

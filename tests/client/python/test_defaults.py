@@ -36,6 +36,8 @@ PLACES = [
     (wheel_rail.Rail60E1, (*DEFINITIONS, "profile", "properties", "rail_60e1")),
     (wheel_rail.ArcProfile, (*DEFINITIONS, "profile", "properties", "arc")),
     (wheel_rail.ProfilePoints, (*DEFINITIONS, "profile")),
+    (wheel_rail.ProfileFile, (*DEFINITIONS, "profile", "properties", "file")),
+    (wheel_rail.KinkRule, (*DEFINITIONS, "profile", "properties", "file", "properties", "kinks")),
     (contactd.Rolling, (*DEFINITIONS, "rolling")),
     (contactd.Friction, ("contact.solve.params", "properties", "friction")),
     (contactd.KineticFriction, ("contact.solve.params", "properties", "friction", "properties", "kinetic")),

@@ -43,6 +43,7 @@ from contactd.values.tables import IcTable
 from contactd.wheel_rail import (
     S1002,
     ConeProfile,
+    ProfileFile,
     ProfilePoints,
     Rail60E1,
     RailSprings,
@@ -102,7 +103,7 @@ VALUES = {
     "a wheel on a rail": WheelRailSetup(
         side="left", wheel=ConeProfile(-0.05, ends=(-30.0, 30.0)), track=Track(rail_origin=(717.5, 0.0), springs=RailSprings(z=1e5)), lower=STEEL, upper=STEEL,
         rail_slices=[(0.0, Rail60E1(0.025)), (9.0, ProfilePoints([[float(i), 0.1] for i in range(200)]))],
-        wheel_slices=[(-0.1, S1002()), (0.1, ConeProfile(-0.05))],
+        wheel_slices=[(-0.1, S1002()), (0.1, ConeProfile(-0.05)), (0.2, ProfileFile("folder/a.whl", text="0 0\n1 1", mirror_y=True))],
         friction=WheelRailFriction([(-1.2, 0.1), (-0.4, 0.3)]),
     ),
     "a state": WheelRailState(position=WheelsetPosition(y=3.0), Fz=8e4, derivatives=True),

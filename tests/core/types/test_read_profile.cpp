@@ -117,6 +117,9 @@ TEST_CASE("heads of MiniProf of all years are read", "[profile]") {
     CHECK(read("#MINIPROF\na.ban\nStock.......:\n32.5 37.1 14.7\n(Sd/Sh/qR)\n\n" + points).points == expected);
     CHECK(read("Stock=%Talent\nTilt=\nXOffset=\nXYPoints=3\n\"ColumnDef=Y,X\n\n" + points).points == expected);
     CHECK(read("Date=1/2/2020\n" + points).points == expected);
+    CHECK(read("ColumnDef=X,Y,A\n\n-30,0 -3,0 0,1\n0,0 0,0 0,1 left\n30,0 -3,0 0,1\n").points == expected);
+    CHECK(read("Date=1/2/2020\n\n-30; -3,0\n0; 0\n30; -3,0\n").points == expected);
+    CHECK(read("\n-30, -3\n0, 0\n30, -3\n").points == expected);
     CHECK(read("Date=1/2/2020\n\n-30 -3 % dent\n\"5 5\n0 0\n30 -3 added by hand\n").points == expected);
     CHECK(read("Xoffset=1\nYOffset=-2\n\n-31 -1\n-1 2\n29 -1\n").points == expected);
 }

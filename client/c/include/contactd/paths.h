@@ -392,6 +392,21 @@
 #define CONTACTD_PATH_SETUP_WHEEL_MIRROR_Y "setup.wheel.mirror_y"
 #define CONTACTD_PATH_SETUP_WHEEL_MIRROR_Z "setup.wheel.mirror_z"
 #define CONTACTD_PATH_SETUP_WHEEL_SMOOTHING_LENGTH "setup.wheel.smoothing_length" /* mm */
+#define CONTACTD_PATH_SETUP_WHEEL_FILE "setup.wheel.file"
+#define CONTACTD_PATH_SETUP_WHEEL_FILE_NAME "setup.wheel.file.name"
+#define CONTACTD_PATH_SETUP_WHEEL_FILE_TEXT "setup.wheel.file.text"
+#define CONTACTD_PATH_SETUP_WHEEL_FILE_UNIT "setup.wheel.file.unit"
+#define CONTACTD_PATH_SETUP_WHEEL_FILE_MIRROR_Y "setup.wheel.file.mirror_y"
+#define CONTACTD_PATH_SETUP_WHEEL_FILE_MIRROR_Z "setup.wheel.file.mirror_z"
+#define CONTACTD_PATH_SETUP_WHEEL_FILE_SHIFT_Y "setup.wheel.file.shift_y"                   /* mm */
+#define CONTACTD_PATH_SETUP_WHEEL_FILE_SHIFT_Z "setup.wheel.file.shift_z"                   /* mm */
+#define CONTACTD_PATH_SETUP_WHEEL_FILE_SMOOTHING_LENGTH "setup.wheel.file.smoothing_length" /* mm */
+#define CONTACTD_PATH_SETUP_WHEEL_FILE_SMOOTHING_ORDER "setup.wheel.file.smoothing_order"
+#define CONTACTD_PATH_SETUP_WHEEL_FILE_SMOOTHING_LAMBDA "setup.wheel.file.smoothing_lambda" /* mm^3 */
+#define CONTACTD_PATH_SETUP_WHEEL_FILE_KINKS "setup.wheel.file.kinks"
+#define CONTACTD_PATH_SETUP_WHEEL_FILE_KINKS_ANGLE "setup.wheel.file.kinks.angle" /* rad */
+#define CONTACTD_PATH_SETUP_WHEEL_FILE_KINKS_REST "setup.wheel.file.kinks.rest"   /* rad */
+#define CONTACTD_PATH_SETUP_WHEEL_FILE_KINKS_WIDTH "setup.wheel.file.kinks.width" /* mm */
 #define CONTACTD_PATH_SETUP_RAIL "setup.rail"
 #define CONTACTD_PATH_SETUP_RAIL_S1002 "setup.rail.s1002"
 #define CONTACTD_PATH_SETUP_RAIL_RAIL_60E1 "setup.rail.rail_60e1"
@@ -412,6 +427,21 @@
 #define CONTACTD_PATH_SETUP_RAIL_MIRROR_Y "setup.rail.mirror_y"
 #define CONTACTD_PATH_SETUP_RAIL_MIRROR_Z "setup.rail.mirror_z"
 #define CONTACTD_PATH_SETUP_RAIL_SMOOTHING_LENGTH "setup.rail.smoothing_length" /* mm */
+#define CONTACTD_PATH_SETUP_RAIL_FILE "setup.rail.file"
+#define CONTACTD_PATH_SETUP_RAIL_FILE_NAME "setup.rail.file.name"
+#define CONTACTD_PATH_SETUP_RAIL_FILE_TEXT "setup.rail.file.text"
+#define CONTACTD_PATH_SETUP_RAIL_FILE_UNIT "setup.rail.file.unit"
+#define CONTACTD_PATH_SETUP_RAIL_FILE_MIRROR_Y "setup.rail.file.mirror_y"
+#define CONTACTD_PATH_SETUP_RAIL_FILE_MIRROR_Z "setup.rail.file.mirror_z"
+#define CONTACTD_PATH_SETUP_RAIL_FILE_SHIFT_Y "setup.rail.file.shift_y"                   /* mm */
+#define CONTACTD_PATH_SETUP_RAIL_FILE_SHIFT_Z "setup.rail.file.shift_z"                   /* mm */
+#define CONTACTD_PATH_SETUP_RAIL_FILE_SMOOTHING_LENGTH "setup.rail.file.smoothing_length" /* mm */
+#define CONTACTD_PATH_SETUP_RAIL_FILE_SMOOTHING_ORDER "setup.rail.file.smoothing_order"
+#define CONTACTD_PATH_SETUP_RAIL_FILE_SMOOTHING_LAMBDA "setup.rail.file.smoothing_lambda" /* mm^3 */
+#define CONTACTD_PATH_SETUP_RAIL_FILE_KINKS "setup.rail.file.kinks"
+#define CONTACTD_PATH_SETUP_RAIL_FILE_KINKS_ANGLE "setup.rail.file.kinks.angle" /* rad */
+#define CONTACTD_PATH_SETUP_RAIL_FILE_KINKS_REST "setup.rail.file.kinks.rest"   /* rad */
+#define CONTACTD_PATH_SETUP_RAIL_FILE_KINKS_WIDTH "setup.rail.file.kinks.width" /* mm */
 #define CONTACTD_PATH_SETUP_RAIL_SLICES "setup.rail_slices"
 #define CONTACTD_PATH_SETUP_RAIL_SLICES_X "setup.rail_slices[%d].x" /* mm */
 #define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE "setup.rail_slices[%d].profile"
@@ -436,6 +466,27 @@
 #define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_MIRROR_Z "setup.rail_slices[%d].profile.mirror_z"
 #define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_SMOOTHING_LENGTH \
     "setup.rail_slices[%d].profile.smoothing_length" /* mm */
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_FILE "setup.rail_slices[%d].profile.file"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_FILE_NAME "setup.rail_slices[%d].profile.file.name"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_FILE_TEXT "setup.rail_slices[%d].profile.file.text"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_FILE_UNIT "setup.rail_slices[%d].profile.file.unit"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_FILE_MIRROR_Y "setup.rail_slices[%d].profile.file.mirror_y"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_FILE_MIRROR_Z "setup.rail_slices[%d].profile.file.mirror_z"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_FILE_SHIFT_Y "setup.rail_slices[%d].profile.file.shift_y" /* mm */
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_FILE_SHIFT_Z "setup.rail_slices[%d].profile.file.shift_z" /* mm */
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_FILE_SMOOTHING_LENGTH \
+    "setup.rail_slices[%d].profile.file.smoothing_length" /* mm */
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_FILE_SMOOTHING_ORDER \
+    "setup.rail_slices[%d].profile.file.smoothing_order"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_FILE_SMOOTHING_LAMBDA \
+    "setup.rail_slices[%d].profile.file.smoothing_lambda" /* mm^3 */
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_FILE_KINKS "setup.rail_slices[%d].profile.file.kinks"
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_FILE_KINKS_ANGLE \
+    "setup.rail_slices[%d].profile.file.kinks.angle" /* rad */
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_FILE_KINKS_REST \
+    "setup.rail_slices[%d].profile.file.kinks.rest" /* rad */
+#define CONTACTD_PATH_SETUP_RAIL_SLICES_PROFILE_FILE_KINKS_WIDTH \
+    "setup.rail_slices[%d].profile.file.kinks.width" /* mm */
 #define CONTACTD_PATH_SETUP_RAIL_SLICES_FEATURES "setup.rail_slices[%d].features"
 #define CONTACTD_PATH_SETUP_WHEEL_SLICES "setup.wheel_slices"
 #define CONTACTD_PATH_SETUP_WHEEL_SLICES_ANGLE "setup.wheel_slices[%d].angle" /* rad */
@@ -461,6 +512,27 @@
 #define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_MIRROR_Z "setup.wheel_slices[%d].profile.mirror_z"
 #define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_SMOOTHING_LENGTH \
     "setup.wheel_slices[%d].profile.smoothing_length" /* mm */
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_FILE "setup.wheel_slices[%d].profile.file"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_FILE_NAME "setup.wheel_slices[%d].profile.file.name"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_FILE_TEXT "setup.wheel_slices[%d].profile.file.text"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_FILE_UNIT "setup.wheel_slices[%d].profile.file.unit"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_FILE_MIRROR_Y "setup.wheel_slices[%d].profile.file.mirror_y"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_FILE_MIRROR_Z "setup.wheel_slices[%d].profile.file.mirror_z"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_FILE_SHIFT_Y "setup.wheel_slices[%d].profile.file.shift_y" /* mm */
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_FILE_SHIFT_Z "setup.wheel_slices[%d].profile.file.shift_z" /* mm */
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_FILE_SMOOTHING_LENGTH \
+    "setup.wheel_slices[%d].profile.file.smoothing_length" /* mm */
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_FILE_SMOOTHING_ORDER \
+    "setup.wheel_slices[%d].profile.file.smoothing_order"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_FILE_SMOOTHING_LAMBDA \
+    "setup.wheel_slices[%d].profile.file.smoothing_lambda" /* mm^3 */
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_FILE_KINKS "setup.wheel_slices[%d].profile.file.kinks"
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_FILE_KINKS_ANGLE \
+    "setup.wheel_slices[%d].profile.file.kinks.angle" /* rad */
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_FILE_KINKS_REST \
+    "setup.wheel_slices[%d].profile.file.kinks.rest" /* rad */
+#define CONTACTD_PATH_SETUP_WHEEL_SLICES_PROFILE_FILE_KINKS_WIDTH \
+    "setup.wheel_slices[%d].profile.file.kinks.width" /* mm */
 #define CONTACTD_PATH_SETUP_TRACK "setup.track"
 #define CONTACTD_PATH_SETUP_TRACK_GAUGE "setup.track.gauge"               /* mm */
 #define CONTACTD_PATH_SETUP_TRACK_GAUGE_HEIGHT "setup.track.gauge_height" /* mm */

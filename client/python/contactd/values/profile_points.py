@@ -1,15 +1,18 @@
-"""How the points of a profile are written, which is in `profiles`."""
+"""What profiles by points, and by files, do beside their fields."""
 
 from __future__ import annotations
 
+import os
+import re
 from typing import Any
 
 import numpy.typing as npt
 
 from ..errors import invalid
 from .arrays import array_of
+from .registry import extra
 
-__all__ = ["MeasuredProfile"]
+__all__ = ["FileOfProfile", "MeasuredProfile"]
 
 
 class MeasuredProfile:
@@ -21,3 +24,33 @@ class MeasuredProfile:
         if points.ndim != 2 or points.shape[1] != 2:
             raise invalid(field, f"has shape {list(points.shape)}; it must be [n, 2]", "ARRAY_INVALID")
         return points
+
+
+class FileOfProfile:
+    """A profile by the text of a file, which is read when this is made, and anew never."""
+
+    name: Any
+    text: Any
+
+    def __post_init__(self) -> None:
+        """Raises OSError where the file cannot be read."""
+        text = extra("ProfileFile.text")(self.name) if self.text is None else self.text
+        object.__setattr__(self, "name", os.fspath(self.name))
+        object.__setattr__(self, "text", text if isinstance(text, str) else _text_of(text))
+
+    def __repr__(self) -> str:
+        given = ", ".join(f"{name}={value!r}" for name, value in vars(self).items() if name not in ("name", "text") and value is not None)
+        return f"{type(self).__name__}({self.name!r}{given and ', '}{given})"
+
+    @staticmethod
+    def _write_name(given: str, field: str) -> str:
+        """Of no interest to others is where it lies."""
+        return re.split(r"[\\/]", given)[-1]
+
+
+def _text_of(content: bytes) -> str:
+    """Comments of old files may be in any writing."""
+    try:
+        return content.decode()
+    except UnicodeDecodeError:
+        return content.decode("latin-1")

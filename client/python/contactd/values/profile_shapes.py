@@ -7,12 +7,13 @@ Written by ./dev generate from proto/schema: edit it there.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from os import PathLike
 
 import numpy.typing as npt
 
-from .profile_points import MeasuredProfile
+from .profile_points import FileOfProfile, MeasuredProfile
 
-__all__ = ["S1002", "ArcProfile", "ConeProfile", "Profile", "ProfilePoints", "Rail60E1"]
+__all__ = ["S1002", "ArcProfile", "ConeProfile", "KinkRule", "Profile", "ProfileFile", "ProfilePoints", "Rail60E1"]
 
 
 @dataclass(frozen=True)
@@ -87,4 +88,67 @@ class ProfilePoints(MeasuredProfile):
     smoothing_length: float | None = None
 
 
-Profile = S1002 | Rail60E1 | ArcProfile | ConeProfile | ProfilePoints
+@dataclass(frozen=True)
+class KinkRule:
+    """What counts as a kink, at which the curve is broken.
+
+    Attributes:
+        angle: Points turn by more than this at a kink (rad), 0 to 3.14159. Default 0.5235987755982988.
+        rest: Near a kink they turn by no more than this anywhere else (rad), 0 to 3.14159. Default 0.10471975511965978.
+        width: Distance along the points, to both sides of a kink, that is near it (mm), >= 0. Default 2.
+    """
+
+    angle: float | None = None
+    rest: float | None = None
+    width: float | None = None
+
+
+@dataclass(frozen=True, repr=False)
+class ProfileFile(FileOfProfile):
+    """A profile in a file of Simpack (.prr, .prw), of MiniProf (.ban, .whl), or of two columns, y and z.
+
+    The file is read when this is made, and its text is sent. What is said here holds after what the file says itself.
+    Which way z points is seen by the shape of the points, where neither does; what shape and file leave open is
+    refused.
+
+    ::
+
+        ProfileFile("wheels/0815.whl", smoothing_length=5)
+        ProfileFile("rail.csv", unit=25.4, mirror_z=True)  # in inches, z upwards
+
+    Attributes:
+        name: Path of the file; its ending says the format.
+        text: Content of the file; None: what the file at this path has.
+        unit: Length of a unit of its points in mm, in place of what the file says (>= 1e-06): 1000 for metres, 25.4 for
+            inches. None: as the file says, else mm, and widths that no wheel and no rail has are refused.
+        mirror_y: Whether y is turned to the other side, after what the file says. Default False.
+        mirror_z: Whether z is turned, after what the file says. None: as Simpack's file says; in others as the shape of
+            the points asks for, and refused where that leaves it open.
+        shift_y: Added to y at last, after mirroring (mm). Default 0.
+        shift_z: Added to z at last, after mirroring (mm). Default 0.
+        smoothing_length: Wavelength of the points of which half the amplitude is smoothed away, about 5 for measured
+            profiles (mm), >= 0; 0: none. Default 0.
+        smoothing_order: Order of the derivative that smoothing makes small (2 to 3): 2, of the curvature, or 3, of its
+            change, by splines of a quarter of smoothing_length. Default 2.
+        smoothing_lambda: In place of smoothing_length (mm^3), >= 0: weight of the integral of the curvature's square
+            while all points weigh 1. Half the amplitude stays of waves of 2 pi (smoothing_lambda spacing)^(1/4).
+            Default 0.
+        kinks: What counts as a kink, at which the curve is broken.
+    """
+
+    _key = "file"
+
+    name: str | PathLike[str]
+    text: str | bytes | None = None
+    unit: float | None = None
+    mirror_y: bool | None = None
+    mirror_z: bool | None = None
+    shift_y: float | None = None
+    shift_z: float | None = None
+    smoothing_length: float | None = None
+    smoothing_order: int | None = None
+    smoothing_lambda: float | None = None
+    kinks: KinkRule | None = None
+
+
+Profile = S1002 | Rail60E1 | ArcProfile | ConeProfile | ProfilePoints | ProfileFile

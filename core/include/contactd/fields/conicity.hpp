@@ -4,6 +4,7 @@
 
 #include "contactd/conicity.hpp"
 #include "contactd/fields.hpp"
+#include "contactd/fields/profile_evidence.hpp"
 #include "contactd/fields/profile_spec.hpp"
 
 namespace contactd {

@@ -23,6 +23,10 @@ const FieldType& type_of<ProfileEnds<ConeProfile>>();
 template <>
 const FieldType& type_of<ConeProfile>();
 template <>
+const FieldType& type_of<ProfileFile>();
+template <>
+const FieldType& type_of<KinkRule>();
+template <>
 const FieldType& type_of<ProfilePoint>();
 
 }  // namespace contactd

@@ -8,8 +8,8 @@ namespace contactd::geometry {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double least_distance = 1e-4, least_advance = 1e-9, around_kink = 2;    // mm
-constexpr double zigzag = 150 * degree, kink = 30 * degree, smooth = 6 * degree;  // angles
+constexpr double least_distance = 1e-4, least_advance = 1e-9;  // mm
+constexpr double zigzag = 150 * degree;
 
 double distance(const ProfilePoint& a, const ProfilePoint& b) {
     return std::hypot(b.y - a.y, b.z - a.z);
@@ -88,7 +88,7 @@ Points rail_seen_from_above(const Points& points) {
     return joined(uppermost(std::make_reverse_iterator(top + 1), points.rend(), -1), uppermost(top, points.end(), 1));
 }
 
-std::vector<std::size_t> kinks_of(const Points& points) {
+std::vector<std::size_t> kinks_of(const Points& points, const KinkRule& rule) {
     std::vector<double> s{0}, angles{0};
     for (std::size_t i = 1; i < points.size(); ++i) {
         s.push_back(s.back() + distance(points[i - 1], points[i]));
@@ -96,11 +96,11 @@ std::vector<std::size_t> kinks_of(const Points& points) {
     }
     std::vector<std::size_t> kinks;
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-        if (angles[i] <= kink) continue;
-        const auto from = std::lower_bound(s.begin(), s.end(), s[i] - around_kink) - s.begin();
-        const auto to = std::upper_bound(s.begin(), s.end(), s[i] + around_kink) - s.begin();
+        if (angles[i] <= rule.angle) continue;
+        const auto from = std::lower_bound(s.begin(), s.end(), s[i] - rule.width) - s.begin();
+        const auto to = std::upper_bound(s.begin(), s.end(), s[i] + rule.width) - s.begin();
         const auto bends =
-            std::count_if(angles.begin() + from, angles.begin() + to, [](double t) { return t > smooth; });
+            std::count_if(angles.begin() + from, angles.begin() + to, [&](double t) { return t > rule.rest; });
         if (bends == 1) kinks.push_back(i);
     }
     return kinks;

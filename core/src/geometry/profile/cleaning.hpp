@@ -23,8 +23,8 @@ Points wheel_seen_from_above(const Points& points);
 /// top.
 Points rail_seen_from_above(const Points& points);
 
-/// Points where the curve turns by more than 30 degrees and, within 2 mm, nowhere else by more than 6.
-std::vector<std::size_t> kinks_of(const Points& points);
+/// Points at which the curve is broken.
+std::vector<std::size_t> kinks_of(const Points& points, const KinkRule& rule = {});
 
 /// The first chord that another one crosses or touches, and that other one; their first points' indices, or {0, 0}.
 struct Crossing {

@@ -2,46 +2,64 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
+#include <variant>
 
+#include "contactd/read_profile.hpp"
 #include "geometry/profile/cleaning.hpp"
 #include "geometry/profile/formula_points.hpp"
 #include "geometry/profile/measured_points.hpp"
+#include "geometry/profile/profile_warnings.hpp"
 #include "geometry/profile/smoothing.hpp"
+#include "geometry/profile/wheel_landmarks.hpp"
+#include "types/profile_files/points_upwards.hpp"
 
 namespace contactd {
 namespace {
 
 using geometry::Points;
 
-/// Weights as the distances of the points, more at the ends, which are fixed, and most at kinks.
-std::vector<double> weights_between(const std::vector<double>& s, std::size_t from, std::size_t to) {
+/// How points become a curve.
+struct Fit {
+    double length = 0, lambda = 0;  // as of ProfileFile
+    int order = 2;
+    KinkRule kinks{};
+
+    bool smooths() const { return length > 0 || lambda > 0; }
+};
+
+/// Points alike, or as their distances and more at the ends, which are fixed; most at kinks, but of the third order.
+std::vector<double> weights_between(const std::vector<double>& s, std::size_t from, std::size_t to, const Fit& fit) {
     std::vector<double> weights;
     for (std::size_t i = from; i <= to; ++i) {
         const double before = i > from ? s[i] - s[i - 1] : 0, behind = i < to ? s[i + 1] - s[i] : 0;
-        const bool end = i == 0 || i + 1 == s.size();
-        weights.push_back((before + behind) / 2 * (end ? 20 : i == from || i == to ? 100 : 1));
+        const bool end = i == 0 || i + 1 == s.size(), kink = !end && (i == from || i == to);
+        const double share = fit.lambda > 0 ? 1 : (before + behind) / 2 * (end ? 20 : 1);
+        weights.push_back(kink && fit.order == 2 ? 100 * share : share);
     }
     return weights;
 }
 
 /// Each part between kinks for itself; where two meet, the mean of both.
-Points smoothed(const ProfileCurve& rough, double wavelength) {
+Points smoothed(const ProfileCurve& rough, const Fit& fit) {
     const Points& points = rough.points();
     const auto& s = rough.knots();
-    const double lambda = geometry::lambda_of(wavelength);
+    const double lambda = fit.lambda > 0 ? fit.lambda : geometry::lambda_of(fit.length);
     Points smooth(points.size());
     std::size_t from = 0;
     for (std::size_t part = 0; part <= rough.kinks().size(); ++part) {
         const std::size_t to = part < rough.kinks().size() ? rough.kinks()[part] : points.size() - 1;
-        const auto weights = weights_between(s, from, to);
+        const auto weights = weights_between(s, from, to, fit);
         for (double ProfilePoint::* coordinate : {&ProfilePoint::y, &ProfilePoint::z}) {
             std::vector<double> values;
             for (std::size_t i = from; i <= to; ++i) values.push_back(points[i].*coordinate);
-            const auto fit = geometry::smoothed({s.data() + from, values.size()}, values, weights, lambda);
+            const std::span<const double> knots(s.data() + from, values.size());
+            const auto found = fit.order == 2 ? geometry::smoothed(knots, values, weights, lambda)
+                                              : geometry::smoothed_by_third(knots, values, weights, fit.length);
             for (std::size_t i = from; i <= to; ++i) {
                 const bool shared = (i == from && from > 0) || (i == to && to + 1 < points.size());
-                smooth[i].*coordinate += (shared ? 0.5 : 1) * fit[i - from];
+                smooth[i].*coordinate += (shared ? 0.5 : 1) * found[i - from];
             }
         }
         from = to;
@@ -60,39 +78,63 @@ double distance(const ProfileCurve& curve, const ProfilePoint& point, double s) 
     return std::hypot(at.y - point.y, at.z - point.z);
 }
 
-Profile of_points(const ProfilePoints& given, ProfileKind kind) {
+ProfileEvidence evidence_of(const ProfileCurve& curve, std::size_t points_given) {
+    ProfileEvidence evidence{points_given, curve.points().size()};
+    evidence.spacing = (curve.end() - curve.begin()) / static_cast<double>(curve.points().size() - 1);
+    for (const std::size_t kink : curve.kinks()) evidence.kinks.push_back(curve.points()[kink].y);
+    return evidence;
+}
+
+/// The curve through the points, or near them.
+Profile of_points(const ProfilePoints& given, ProfileKind kind, const Fit& fit, double rounded_to) {
     const Points points = geometry::measured_points(given, kind);
-    const auto kinks = geometry::kinks_of(points);
-    ProfileEvidence evidence{given.points.size(), points.size()};
+    const auto kinks = geometry::kinks_of(points, fit.kinks);
     ProfileCurve curve(points, kinks);
-    if (given.smoothing_length == 0) return {kind, curve, evidence};
-    curve = ProfileCurve(smoothed(curve, given.smoothing_length), kinks);
-    double squares = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const double far = distance(curve, points[i], curve.knots()[i]);
-        evidence.largest_distance = std::max(evidence.largest_distance, far);
-        squares += far * far;
+    Profile made{kind, curve, evidence_of(curve, given.points.size())};
+    ProfileEvidence& evidence = made.evidence;
+    evidence.rounded_to = rounded_to;
+    if (fit.smooths()) {
+        evidence.cut_off = fit.lambda > 0 ? geometry::wavelength_of(fit.lambda * evidence.spacing) : fit.length;
+        made.curve = ProfileCurve(smoothed(curve, fit), kinks);
+        double squares = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const double far = distance(made.curve, points[i], made.curve.knots()[i]);
+            evidence.largest_distance = std::max(evidence.largest_distance, far);
+            squares += far * far;
+        }
+        evidence.rms_distance = std::sqrt(squares / static_cast<double>(points.size()));
     }
-    evidence.rms_distance = std::sqrt(squares / static_cast<double>(points.size()));
-    return {kind, curve, evidence};
+    if (kind == ProfileKind::wheel) evidence.wheel = geometry::wheel_landmarks(made.curve);
+    evidence.warnings = geometry::profile_warnings(made);
+    return made;
+}
+
+Profile made_of(const ProfilePoints& given, ProfileKind kind) {
+    return of_points(given, kind, {.length = given.smoothing_length}, given.unit * geometry::rounding_of(given.points));
+}
+
+Profile made_of(const ProfileFile& file, ProfileKind kind) {
+    const PointsOfFile read = points_of(file, kind);
+    const Fit fit{file.smoothing_length, file.smoothing_lambda, file.smoothing_order, file.kinks};
+    Profile made = in_words_of_file(file, [&] { return of_points(read.points, kind, fit, read.rounded_to); });
+    made.evidence.file = read.reading;
+    return made;
+}
+
+/// By a formula.
+Profile made_of(const auto& shape, ProfileKind kind) {
+    const auto points = geometry::formula_points(shape);  // sides of an inclined head may lean under it
+    ProfileCurve curve(kind == ProfileKind::rail ? geometry::rail_seen_from_above(points) : points);
+    ProfileEvidence evidence = evidence_of(curve, points.size());
+    if (kind == ProfileKind::wheel) evidence.wheel = geometry::wheel_landmarks(curve);
+    return {kind, std::move(curve), std::move(evidence)};
 }
 
 }  // namespace
 
 Profile make_profile(const ProfileSpec& spec) {
     validate(spec);
-    return std::visit(
-        [&](const auto& shape) -> Profile {
-            if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, ProfilePoints>)
-                return of_points(shape, spec.kind);
-            else {
-                const auto points = geometry::formula_points(shape);  // sides of an inclined head may lean under it
-                ProfileCurve curve(spec.kind == ProfileKind::rail ? geometry::rail_seen_from_above(points) : points);
-                const std::size_t kept = curve.points().size();
-                return {spec.kind, std::move(curve), {points.size(), kept}};
-            }
-        },
-        spec.shape);
+    return std::visit([&](const auto& shape) { return made_of(shape, spec.kind); }, spec.shape);
 }
 
 }  // namespace contactd

@@ -13,15 +13,23 @@ from ..arrays import Array
 
 __all__ = [
     "EquivalentConicity",
+    "OrientedBy",
     "PlacedProfiles",
+    "ProfileEvidence",
+    "ProfileFormat",
     "ProfileOrigin",
+    "ProfilePlace",
+    "ProfileReading",
     "ProfilesOfSides",
     "RigidContact",
+    "WheelLandmarks",
     "WheelsetContacts",
     "WheelsetRoll",
 ]
 
 WheelsetRoll = Literal["demanded", "neglected"]
+ProfileFormat = Literal["simpack", "miniprof", "columns"]
+OrientedBy = Literal["file", "shape", "request"]
 
 
 @dataclass(frozen=True)
@@ -101,6 +109,87 @@ class ProfileOrigin:
     z: float
 
 
+@dataclass(frozen=True)
+class ProfilePlace:
+    """A place on a profile, or beside it.
+
+    Attributes:
+        y: To the field side (mm).
+        z: Downwards (mm).
+    """
+
+    y: float
+    z: float
+
+
+@dataclass(frozen=True)
+class WheelLandmarks:
+    """Places by which a wheel is known.
+
+    Attributes:
+        tip: Tip of the flange, the lowest point.
+        throat: The hollowest point between flange and tread.
+        tread: The tread at the running circle, 55 mm beside the tip.
+    """
+
+    tip: ProfilePlace
+    throat: ProfilePlace
+    tread: ProfilePlace
+
+
+@dataclass(frozen=True)
+class ProfileReading:
+    """What a file of a profile was taken for.
+
+    Attributes:
+        format: Format of the file.
+        unit: Length of a unit of its points (mm).
+        mirror_y: Whether y of its points was turned, all told.
+        mirror_z: Whether z of its points was turned, all told.
+        oriented_by: What says which way z points: the file, the shape of its points, or the request.
+        lines_left_out: Number of lines that are neither points nor keys with a meaning here; comments are not counted.
+    """
+
+    format: ProfileFormat
+    unit: float
+    mirror_y: bool
+    mirror_z: bool
+    oriented_by: OrientedBy
+    lines_left_out: int
+
+
+@dataclass(frozen=True)
+class ProfileEvidence:
+    """What became of the points of the wheel's profile.
+
+    Attributes:
+        points_given: Number of points that were given, or that stand for a formula.
+        points_kept: Number of points after cleaning, through or near which the curve goes.
+        spacing: Mean distance of these points (mm).
+        rounded_to: Step that all given coordinates are multiples of, of 1, 0.1, 0.01 and 0.001 of their unit (mm); 0:
+            of none.
+        cut_off: Wavelength of which smoothing leaves half the amplitude (mm); 0: nothing is smoothed.
+        largest_distance: Largest distance of these points from the smoothed curve (mm).
+        rms_distance: Root of the mean square of these distances (mm).
+        kinks: Kinks, at which the curve is broken: their y (mm).
+        warnings: Sentences that a user should know.
+        wheel: Places by which a wheel is known; None where no flange stands out by 10 mm.
+        file: What a file was taken for; None where there was none.
+    """
+
+    points_given: int
+    points_kept: int
+    spacing: float
+    rounded_to: float
+    cut_off: float
+    largest_distance: float
+    rms_distance: float
+    kinks: tuple[float, ...]
+    warnings: tuple[str, ...]
+    wheel: WheelLandmarks | None = None
+    file: ProfileReading | None = None
+
+
 @dataclass(frozen=True, eq=False)
 class PlacedProfiles:
     """Profiles of one side, as the daemon has read them: points through which its curves go.
@@ -111,12 +200,16 @@ class PlacedProfiles:
         rail: Points (y, z) of the rail's profile (mm), shape [n, 2], as the track's cant turns it.
         wheel_origin: Origin of the wheel's profile (mm): from the middle of the axle to the field side.
         rail_origin: Origin of the rail's profile, in the track.
+        wheel_evidence: What became of the points of the wheel's profile.
+        rail_evidence: What became of the points of the rail's profile.
     """
 
     wheel: Array
     rail: Array
     wheel_origin: float
     rail_origin: ProfileOrigin
+    wheel_evidence: ProfileEvidence
+    rail_evidence: ProfileEvidence
 
 
 @dataclass(frozen=True, eq=False)

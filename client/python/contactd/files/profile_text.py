@@ -1,0 +1,42 @@
+"""Files of profiles: read as they are, for a daemon to parse, and written as other programs read them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Literal
+
+from .whole import read_whole
+
+if TYPE_CHECKING:
+    from ..values.arrays import Array
+
+__all__ = ["ENDINGS", "format_profile", "read_profile_text"]
+
+_MOST_BYTES = 1 << 21  #: as proto/schema has it
+#: The formats that are written, by the endings of files.
+ENDINGS = (".prr", ".prw", ".csv", ".txt")
+
+
+def read_profile_text(path: str | os.PathLike[str]) -> bytes:
+    """The content of a file. Raises OSError where there is none, and for what is too large for a profile."""
+    return read_whole(path, _MOST_BYTES)
+
+
+def format_profile(points: Array, kind: Literal["wheel", "rail"], ending: str, remarks: Sequence[str] = ()) -> str:
+    """The text of a file with this ending: of Simpack, or of two columns with commas (.csv) or blanks between.
+
+    `points` are (y, z), shape [n, 2], in mm, y to the field side and z downwards; they are written with all their digits.
+    """
+    said = [f"{'!' if ending in ('.prr', '.prw') else '#'} {' '.join(remark.split())}" for remark in remarks]
+    if ending in (".csv", ".txt"):
+        between = "," if ending == ".csv" else " "
+        return "\n".join([*said, between.join("yz"), *_rows(points, between), ""])
+    head = ["header.begin", "  version  = 1", f"  type     = {1 if kind == 'wheel' else 0}", "header.end", "spline.begin"]
+    keys = ["  approx.smooth = 0.0", "  units.len.f   = 1000.0", "  units.ang.f   = 1.0", "  point.begin"]
+    rows = [f"    {row}" for row in _rows(points, " ")]
+    return "\n".join([*said, *head, *keys, *rows, "  point.end", "spline.end", ""])
+
+
+def _rows(points: Any, between: str) -> list[str]:
+    return [f"{float(y)!r}{between}{float(z)!r}" for y, z in points]

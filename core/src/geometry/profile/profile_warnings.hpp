@@ -1,0 +1,15 @@
+// Likely mistakes in profiles that were measured.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "contactd/make_profile.hpp"
+
+namespace contactd::geometry {
+
+/// Sentences about a profile by points that is as wide as if they were in inches, about points that scatter or are
+/// rounded so that their curvature is noise, and about smoothing that takes away more than noise.
+std::vector<std::string> profile_warnings(const Profile& profile);
+
+}  // namespace contactd::geometry

@@ -1,0 +1,46 @@
+#include "geometry/profile/wheel_landmarks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace contactd::geometry {
+namespace {
+
+constexpr double least_flange = 10;         // mm that its tip stands out from the tread
+constexpr double to_tread = 55;             // mm from the tip to the running circle, 70 mm from the flange's back
+constexpr double step = 0.25, reach = 1.5;  // mm along the curve, and to both sides for a curvature without its noise
+
+ProfilePoint difference(const ProfilePoint& a, const ProfilePoint& b) {
+    return {a.y - b.y, a.z - b.z};
+}
+
+/// Of the circle through three points of the curve (1/mm): positive in a hollow of the wheel.
+double hollowness(const ProfileCurve& curve, double s) {
+    const ProfilePoint here = curve.at(s), before = difference(here, curve.at(s - reach)),
+                       behind = difference(curve.at(s + reach), here), across{before.y + behind.y, before.z + behind.z};
+    const double turned = before.y * behind.z - before.z * behind.y;
+    return 2 * turned /
+           (std::hypot(before.y, before.z) * std::hypot(behind.y, behind.z) * std::hypot(across.y, across.z));
+}
+
+}  // namespace
+
+std::optional<WheelLandmarks> wheel_landmarks(const ProfileCurve& wheel) {
+    const auto tip = std::ranges::max_element(wheel.points(), {}, &ProfilePoint::z);
+    const double y_of_tread = std::min(tip->y + to_tread, wheel.points().back().y);
+    const double from = wheel.knots()[static_cast<std::size_t>(tip - wheel.points().begin())],
+                 to = wheel.s_at_y(y_of_tread);
+    WheelLandmarks found{*tip, *tip, wheel.at(to)};
+    if (!(found.tip.z - found.tread.z >= least_flange)) return {};
+    double hollowest = 0;
+    for (double s = from + reach; s < to - reach; s += step) {
+        const double here = hollowness(wheel, s);
+        if (here <= hollowest) continue;
+        hollowest = here;
+        found.throat = wheel.at(s);
+    }
+    if (hollowest == 0) return {};
+    return found;
+}
+
+}  // namespace contactd::geometry

@@ -1,0 +1,46 @@
+// Two columns, as tables, spreadsheets and other programs write them.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "profile_lines.hpp"
+
+namespace contactd::geometry {
+namespace {
+
+bool is_heading(std::string_view line) {
+    return std::ranges::none_of(fields_of(line, ",;"), [](std::string_view field) {
+        return number_in(field) || field == "nan" || field == "NaN" || field == "inf" || field.empty();
+    });
+}
+
+}  // namespace
+
+FilePoints read_columns(std::string_view text, const std::string& name) {
+    ProfileLines lines(text, name, "#%!");
+    FilePoints found;
+    std::vector<ProfilePoint>& points = found.points.points;
+    NumberStyle style;
+    while (lines.next()) {
+        std::string line(lines.line());
+        if (std::ranges::count(line, '"') % 2 == 0)
+            std::erase(line, '"');
+        else
+            line.erase(line.find('"'));  // a comment
+        if (trimmed(line).empty()) continue;
+        const auto values = style.numbers(line);
+        if (!values && points.empty() && is_heading(line)) {
+            ++found.lines_left_out;
+            continue;
+        }
+        if (!values) lines.numbers(",;");  // which says what is none
+        if (!values || values->size() != 2)
+            lines.fail("has " + std::to_string(values ? values->size() : 0) +
+                       " numbers; a point has two, y and z; where commas are decimal signs, blanks, tabs or semicolons "
+                       "stand between them");
+        add_point(points, {values->at(0), values->at(1)}, lines);
+    }
+    return found;
+}
+
+}  // namespace contactd::geometry

@@ -1,0 +1,47 @@
+"""Profiles in files, as Python reads and sends them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+import contactd
+from contactd.values.profiles import profile_params
+from contactd.wheel_rail import ProfileFile
+from support import schemas
+
+TEXT = "y;z\n-20;3,5\n0;0\n20;3,5\n"
+
+
+def test_a_file_is_read_when_it_is_named_and_its_folder_is_not_sent(tmp_path):
+    path = tmp_path / "head.csv"
+    path.write_text(TEXT)
+    given = ProfileFile(path, unit=25.4, mirror_z=False, smoothing_length=5)
+    path.unlink()
+    sent = profile_params(given, "setup.rail")
+    assert sent == {"file": {"name": "head.csv", "text": TEXT, "unit": 25.4, "mirror_z": False, "smoothing_length": 5}}
+    schemas.check("wheelrail.solve.params", {"setup": {"rail": sent}, "state": {}})
+    assert replace(given, mirror_z=True).text == TEXT
+
+
+def test_content_needs_no_file():
+    assert profile_params(ProfileFile("C:\\data\\a.whl", text=b"0 0\n"), "setup.wheel") == {"file": {"name": "a.whl", "text": "0 0\n"}}
+    assert ProfileFile("a.whl", text="% Stra\xdfe".encode("latin-1")).text == "% Stra\xdfe"
+    assert contactd.ProfileFile is ProfileFile
+
+
+def test_it_shows_itself_without_its_text():
+    assert repr(ProfileFile("a.whl", text="0 0\n", shift_z=1.5)) == "ProfileFile('a.whl', shift_z=1.5)"
+    assert repr(ProfileFile("a.whl", text="0 0\n")) == "ProfileFile('a.whl')"
+
+
+def test_what_cannot_be_read_is_an_error_of_the_system(tmp_path):
+    with pytest.raises(FileNotFoundError, match=r"none\.whl"):
+        ProfileFile(tmp_path / "none.whl")
+    with pytest.raises(IsADirectoryError):
+        ProfileFile(tmp_path)
+    large = tmp_path / "large.csv"
+    large.write_bytes(b" " * ((2 << 20) + 1))
+    with pytest.raises(OSError, match="at most 2097152"):
+        ProfileFile(large)
