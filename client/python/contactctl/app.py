@@ -11,7 +11,21 @@ import typer
 from contactd import __version__
 
 from .codes import Code
-from .commands import bench, completion, dashboard, info, jobs, keys, session, solve, study, tables, watch, wheelrail
+from .commands import (
+    bench,
+    completion,
+    dashboard,
+    info,
+    jobs,
+    keys,
+    profile,
+    session,
+    solve,
+    study,
+    tables,
+    watch,
+    wheelrail,
+)
 from .common import Group
 from .interrupts import heeded_signals
 from .output import note
@@ -28,7 +42,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
-for family in (info, tables, solve, wheelrail, session, jobs, watch, bench, dashboard, keys, study, completion):
+for family in (info, tables, solve, wheelrail, profile, session, jobs, watch, bench, dashboard, keys, study, completion):
     family.add_to(app)
 
 

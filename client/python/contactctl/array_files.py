@@ -11,11 +11,12 @@ import numpy as np
 
 from contactd.files.whole import check_npy, read_whole
 
+from .number_text import rows_of
+
 __all__ = ["read_array"]
 
 _MOST_BYTES = 1 << 29  #: 67 million numbers; a daemon takes no such grid
 _MOST_TEXT = 1 << 26
-_COMMENTS = ("#", "%")
 
 
 def read_array(file: Path, named_by: str) -> np.ndarray[Any, Any]:
@@ -23,7 +24,7 @@ def read_array(file: Path, named_by: str) -> np.ndarray[Any, Any]:
     try:
         if file.suffix == ".npy":
             return _npy(read_whole(file, _MOST_BYTES))
-        return _text(read_whole(file, _MOST_TEXT).decode("utf-8-sig"))
+        return np.array(rows_of(read_whole(file, _MOST_TEXT).decode("utf-8-sig")))
     except OSError as error:
         raise click.UsageError(f"{named_by} names {file}, which cannot be read: {error.strerror or error}.") from None
     except UnicodeDecodeError:
@@ -40,44 +41,3 @@ def _npy(content: bytes) -> np.ndarray[Any, Any]:
     file.seek(0)
     loaded: np.ndarray[Any, Any] = np.load(file, allow_pickle=False)
     return loaded
-
-
-def _text(text: str) -> np.ndarray[Any, Any]:
-    """Between numbers are blanks, commas, or semicolons, beside which a comma is that of a decimal fraction. What follows # or
-    % is a comment, and a first line of words a heading."""
-    between = ";" if ";" in text else "," if "," in text else None
-    rows: list[list[float]] = []
-    is_first = True
-    for number, line in enumerate(text.splitlines(), 1):
-        for sign in _COMMENTS:
-            line = line.partition(sign)[0]
-        if not line.strip():
-            continue
-        words = [word.strip() for word in line.split(between)]
-        if between == ";":
-            words = [word.replace(",", ".") for word in words]
-        if is_first and not any(_is_number(word) for word in words):
-            is_first = False
-            continue
-        is_first = False
-        rows.append([_number(word, number) for word in words])
-        if len(rows[-1]) != len(rows[0]):
-            raise ValueError(f"line {number} has {len(rows[-1])} numbers, and the first {len(rows[0])}")
-    if not rows:
-        raise ValueError("it has none")
-    return np.array(rows)
-
-
-def _is_number(word: str) -> bool:
-    try:
-        float(word)
-    except ValueError:
-        return False
-    return True
-
-
-def _number(word: str, line: int) -> float:
-    try:
-        return float(word)
-    except ValueError:
-        raise ValueError(f"line {line} has {word[:40]!r} in the place of a number") from None

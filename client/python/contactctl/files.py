@@ -12,6 +12,7 @@ from typing import Any
 import click
 
 from contactd.files.whole import read_whole, write_whole
+from contactd.wheel_rail import ProfileFile
 
 from .array_files import read_array
 from .yaml_files import parse_yaml
@@ -26,8 +27,9 @@ _MOST_VALUES = 2_000_000  #: of a document of JSON
 def read_object(path: str) -> dict[str, Any]:
     """The object that a file holds, "-" being standard input; the ending .json, .yaml or .yml says how it is written.
 
-    ``{"$file": "gap.npy"}`` stands for the array of that file, beside this one: .npy, or text with a row a line. Raises
-    click.UsageError with the file and the line.
+    ``{"$file": "gap.npy"}`` stands for the array of that file, beside this one: .npy, or text with a row a line; a profile's
+    ``file: wheel.whl``, or ``file: {name: wheel.whl, unit: 25.4}``, for the text of that file. Raises click.UsageError with
+    the file and the line.
     """
     found: dict[str, Any] = with_arrays(read_named(path), path)
     return found
@@ -42,7 +44,7 @@ def read_named(path: str) -> dict[str, Any]:
 
 
 def with_arrays(document: Any, path: str) -> Any:
-    """Returns what `path` holds, with the arrays of the files that it names."""
+    """Returns what `path` holds, with the arrays and the profiles of the files that it names."""
     return _with_arrays(document, Path() if path == "-" else Path(path).parent, path)
 
 
@@ -126,7 +128,22 @@ def _with_arrays(value: Any, folder: Path, path: str, depth: int = 0) -> Any:
             if not isinstance(name := value["$file"], str):
                 raise click.UsageError(f"{path}: $file is {name!r:.60}; it must be the name of a file.")
             return read_array(folder / name, path)
-        return {name: _with_arrays(member, folder, path, depth + 1) for name, member in value.items()}
+        return {
+            name: _profile(member, folder, path) if name == "file" else _with_arrays(member, folder, path, depth + 1)
+            for name, member in value.items()
+        }
     if isinstance(value, list):
         return [_with_arrays(member, folder, path, depth + 1) for member in value]
     return value
+
+
+def _profile(named: Any, folder: Path, path: str) -> Any:
+    """The file of a profile with its text; what is no name of a file, or has its text, as it is."""
+    given = {"name": named} if isinstance(named, str) else named
+    if not isinstance(given, dict) or not isinstance(name := given.get("name"), str) or "text" in given:
+        return named
+    try:
+        read = ProfileFile(folder / name)
+    except OSError as error:
+        raise click.UsageError(f"{path} names {folder / name}, which cannot be read: {error.strerror or error}.") from None
+    return {**given, "name": Path(name).name, "text": read.text}

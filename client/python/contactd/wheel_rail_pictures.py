@@ -16,6 +16,16 @@ Nothing here needs matplotlib by itself.
 
 from __future__ import annotations
 
+from .pictures.profile import curvature_of, draw_curvature, draw_profile
 from .pictures.profiles import draw_conicity, draw_contact_locus, draw_patches, placed_rail, placed_wheel
 
-__all__ = ["draw_conicity", "draw_contact_locus", "draw_patches", "placed_rail", "placed_wheel"]
+__all__ = [
+    "curvature_of",
+    "draw_conicity",
+    "draw_contact_locus",
+    "draw_curvature",
+    "draw_patches",
+    "draw_profile",
+    "placed_rail",
+    "placed_wheel",
+]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import math
 import warnings
 from collections.abc import Iterator
@@ -21,6 +19,7 @@ from contactd.files.whole import read_whole
 from ..asking import ask
 from ..common import Command, connected, setting
 from ..files import read_object
+from ..number_text import table_of
 from ..output import emit, listing, warn
 from ..paths import changed, put
 from ..progress import Bar
@@ -112,23 +111,21 @@ def _steps(file: str, history: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def _steps_of_csv(path: Path) -> list[dict[str, Any]]:
-    steps = []
     try:
-        with io.StringIO(read_whole(path, _MOST_BYTES).decode("utf-8-sig"), newline="") as file:
-            for number, row in enumerate(csv.DictReader(file), 1):
-                step: dict[str, Any] = {}
-                for column, text in row.items():
-                    if column is None or text is None:
-                        raise click.UsageError(f"{path}: step {number} has another number of columns than the first line.")
-                    if text.strip():
-                        put(step, column, _number(path, number, column, text))
-                steps.append(step)
+        names, rows = table_of(read_whole(path, _MOST_BYTES).decode("utf-8-sig"))
     except OSError as error:
         raise click.UsageError(f"{path} cannot be read: {error.strerror}.") from None
     except UnicodeDecodeError:
         raise click.UsageError(f"{path} is no text in UTF-8.") from None
-    except csv.Error as error:
+    except ValueError as error:
         raise click.UsageError(f"{path} is no CSV: {error}.") from None
+    steps = []
+    for number, (_, cells) in enumerate(rows, 1):
+        step: dict[str, Any] = {}
+        for column, text in zip(names, cells, strict=True):
+            if text:
+                put(step, column, _number(path, number, column, text))
+        steps.append(step)
     return steps
 
 

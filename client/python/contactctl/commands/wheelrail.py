@@ -13,7 +13,7 @@ from contactd.values.wheel_rail.solution import read_wheel_rail
 from ..asking import ask
 from ..codes import Code, Ended
 from ..common import Command, Group, connected, setting
-from ..files import read_object
+from ..files import read_object, with_arrays
 from ..output import emit, facts, listing
 from ..paths import changed, get
 from ..saving import check_outputs, save
@@ -88,7 +88,8 @@ def _params(
         radius = get(params, "setup.wheelset.nominal_radius")
         is_usable = isinstance(radius, (int, float)) and radius != 0  # else it is the daemon's to refuse
         params["state"]["velocity"].setdefault("pitch", -speed / (radius if is_usable else RADIUS))
-    return changed(params, sets or ())
+    # Files that are named here lie where the command is given.
+    return with_arrays(changed(params, sets), "--set") if sets else params
 
 
 def _shown(answer: dict[str, Any]) -> list[RenderableType]:

@@ -37,12 +37,13 @@ def folder(own):
         own.write(name, text)
     x = (np.arange(40) - 19.5) * 0.06
     np.savetxt(own.folder / "gap.csv", (x[:, None] ** 2 + x**2) / 100, delimiter=",")
+    own.write("head.csv", "y;z\n" + "".join(f"{y};{y * y / 600:.4f}\n".replace(".", ",") for y in range(-36, 37)))
     program = own.folder / "bin" / "contactctl"
     program.parent.mkdir()
     program.write_text(f'#!/bin/sh\nexec {shlex.quote(sys.executable)} -m contactctl "$@"\n')
     program.chmod(0o755)
     own.environment["PATH"] = f"{program.parent}:{own.environment['PATH']}"
-    assert len(files) == 4
+    assert len(files) == 5
     return own
 
 

@@ -1,0 +1,184 @@
+"""profile: what a file of a profile is taken for, and the same profile in other formats."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import click
+import numpy as np
+import typer
+
+from contactd import Client, InvalidArgument, __version__
+from contactd.files.profile_text import ENDINGS, format_profile
+from contactd.files.whole import write_whole
+from contactd.wheel_rail import ProfileEvidence, ProfileFile, Track, WheelRailSetup
+from contactd.wheel_rail_pictures import curvature_of, draw_curvature, draw_profile
+
+from ..common import Command, Group, connected, setting
+from ..files import writable, write_text
+from ..output import emit, facts, number, plain_json, warn
+from ..saving import need
+
+__all__ = ["add_to"]
+
+Kind = Literal["wheel", "rail"]
+File = Annotated[Path, typer.Argument(help="File of Simpack (.prr, .prw), of MiniProf (.ban, .whl), or of two columns, y and z.")]
+IsWheel = Annotated[bool, typer.Option("--wheel", help="It is a wheel's, whatever its shape.")]
+IsRail = Annotated[bool, typer.Option("--rail", help="It is a rail's.")]
+Unit = Annotated[float | None, typer.Option("--unit", help="Mm that a unit of its points has: 25.4 inches, 1000 metres; else as it says.")]
+MirrorY = Annotated[bool, typer.Option("--mirror-y", help="Turn y to the other side.")]
+MirrorZ = Annotated[bool | None, typer.Option("--mirror-z/--keep-z", help="Turn z, or leave it; else as the file or its shape says.")]
+ShiftY = Annotated[float, typer.Option("--shift-y", help="Added to y at last (mm).")]
+ShiftZ = Annotated[float, typer.Option("--shift-z", help="Added to z at last (mm).")]
+Smoothing = Annotated[float, typer.Option("--smoothing", help="Wavelength of which half is smoothed away (mm); 5 suits measured profiles.")]
+_PICTURES = (".png", ".svg", ".pdf")
+_WIDTHS_OF_WHEELS = (95, 180)  #: mm
+_BY_ENDING: dict[str, Kind] = {".whl": "wheel", ".prw": "wheel", ".ban": "rail", ".prr": "rail"}
+
+
+def add_to(app: typer.Typer) -> None:
+    """Adds the commands of this family."""
+    family = typer.Typer(cls=Group, help="Files of profiles.", rich_markup_mode=None)
+    family.command(cls=Command)(show)
+    family.command(cls=Command)(convert)
+    app.add_typer(family, name="profile")
+
+
+def show(
+    file: File, wheel: IsWheel = False, rail: IsRail = False, unit: Unit = None, mirror_y: MirrorY = False, mirror_z: MirrorZ = None,
+    shift_y: ShiftY = 0, shift_z: ShiftZ = 0, smoothing: Smoothing = 0,
+    output: Annotated[str | None, typer.Option("--output", "-o", metavar="FILE", help="A picture, .png, .svg or .pdf.")] = None,
+) -> None:  # fmt: skip
+    """What a file was taken for, how its points lie, their curvature, and what is doubtful about them."""
+    if output is not None:
+        if Path(output).suffix not in _PICTURES:
+            raise click.UsageError(f"--output {output}: the name must end in .png, .svg or .pdf.")
+        writable("--output", output)
+        need("matplotlib", "pictures", "python3-matplotlib")
+    profile = _file(file, unit, mirror_y, mirror_z, shift_y, shift_z, smoothing)
+    with connected() as client:
+        found = _Found(client, profile, _kind(wheel, rail))
+        measured = _Found(client, replace(profile, smoothing_length=None), found.kind).points if smoothing else None
+    if output is not None:
+        _draw(Path(output), f"{file.name}: a {found.kind}", found, measured)
+    given = {"kind": found.kind, "evidence": found.evidence, "points": found.points}
+    emit(setting().json, plain_json(given), facts(file.name, _rows(found, smoothing)))
+    warn(found.evidence.warnings)
+
+
+def convert(
+    file: File,
+    target: Annotated[Path, typer.Argument(help="Simpack (.prr, .prw), or two columns (.csv, .txt), in mm, z downwards.")],
+    wheel: IsWheel = False, rail: IsRail = False, unit: Unit = None, mirror_y: MirrorY = False, mirror_z: MirrorZ = None,
+    shift_y: ShiftY = 0, shift_z: ShiftZ = 0, smoothing: Smoothing = 0,
+) -> None:  # fmt: skip
+    """Write the points of a file as they are understood: cleaned, turned, in mm."""
+    if target.suffix not in ENDINGS:
+        raise click.UsageError(f"{target}: the name must end in {', '.join(ENDINGS)}.")
+    writable("the target", target)
+    profile = _file(file, unit, mirror_y, mirror_z, shift_y, shift_z, smoothing)
+    with connected() as client:
+        found = _Found(client, profile, _kind(wheel, rail))
+    if target.suffix in _BY_ENDING and _BY_ENDING[target.suffix] != found.kind:
+        raise click.UsageError(f"{target}: {file.name} is a {found.kind}'s, whose name ends in {'.prw' if found.kind == 'wheel' else '.prr'}.")
+    smoothed = f", smoothed over {smoothing:g} mm" if smoothing else ""
+    remark = f"{found.kind}, made of {file.name} by contactctl {__version__}{smoothed}: y to the field side, z downwards, mm"
+    write_text(target, format_profile(found.points, found.kind, target.suffix, [remark]))
+    given = {"kind": found.kind, "target": str(target), "points": len(found.points)}
+    emit(setting().json, given, f"{target}: {len(found.points)} points of a {found.kind}")
+    warn(found.evidence.warnings)
+
+
+def _file(
+    file: Path, unit: float | None, mirror_y: bool, mirror_z: bool | None, shift_y: float, shift_z: float, smoothing: float
+) -> ProfileFile:
+    return ProfileFile(
+        file, unit=unit, mirror_y=mirror_y or None, mirror_z=mirror_z, shift_y=shift_y or None, shift_z=shift_z or None,
+        smoothing_length=smoothing or None,
+    )  # fmt: skip
+
+
+def _kind(wheel: bool, rail: bool) -> Kind | None:
+    if wheel and rail:
+        raise click.UsageError("--wheel and --rail: a file is that of one of them.")
+    return "wheel" if wheel else "rail" if rail else None
+
+
+class _Found:
+    """A profile as the daemon reads it, and whose it is."""
+
+    def __init__(self, client: Client, profile: ProfileFile, kind: Kind | None) -> None:
+        named = _BY_ENDING.get(Path(profile.name).suffix.lower())
+        self.by_shape = kind is None and named is None
+        self.kind: Kind = kind or named or "wheel"
+        try:
+            self._read(client, profile)
+            width = float(np.ptp(self.points[:, 0]))
+            is_wheel = _WIDTHS_OF_WHEELS[0] <= width <= _WIDTHS_OF_WHEELS[1]
+        except InvalidArgument as error:
+            if not self.by_shape or "which way z points" not in str(error):
+                raise
+            is_wheel = False
+        if self.by_shape and not is_wheel:
+            self.kind = "rail"
+            self._read(client, profile)
+
+    def _read(self, client: Client, profile: ProfileFile) -> None:
+        # Where the rail lies needs no gauge face, which not every rail has.
+        track = Track(rail_origin=(750.0, 0.0))
+        setup = WheelRailSetup(wheel=profile, track=track) if self.kind == "wheel" else WheelRailSetup(rail=profile, track=track)
+        placed = client.placed_profiles(setup).right
+        self.points = placed.wheel if self.kind == "wheel" else placed.rail
+        self.evidence: ProfileEvidence = placed.wheel_evidence if self.kind == "wheel" else placed.rail_evidence
+
+
+def _rows(found: _Found, smoothing: float) -> list[tuple[str, Any]]:
+    evidence, reading = found.evidence, found.evidence.file
+    formats = {"simpack": "Simpack", "miniprof": "MiniProf", "columns": "two columns"}
+    said_by = {"file": "as the file says", "shape": "as its shape shows", "request": "as asked for"}
+    (left, right), (top, low) = ((float(of.min()), float(of.max())) for of in found.points.T)
+    rows: list[tuple[str, Any]] = [("profile of", f"a {found.kind}{', by its shape' if found.by_shape else ''}")]
+    if reading is not None:
+        rows += [
+            ("format", formats[reading.format]),
+            ("unit", f"{number(float(reading.unit))} mm"),
+            ("y", "turned" if reading.mirror_y else "as given"),
+            ("z", f"{'turned' if reading.mirror_z else 'as given'}, {said_by[reading.oriented_by]}"),
+            ("lines left out", reading.lines_left_out or None),
+        ]
+    rows += [
+        ("points", f"{evidence.points_kept} of {evidence.points_given}, {number(round(evidence.spacing, 4))} mm apart"),
+        ("rounded to (mm)", float(evidence.rounded_to) if evidence.rounded_to else None),
+        ("y (mm)", f"{left:.3f} to {right:.3f}"),
+        ("z (mm)", f"{top:.3f} to {low:.3f}"),
+        ("kinks at y (mm)", ", ".join(f"{y:.3f}" for y in evidence.kinks[:20]) or None),
+    ]
+    if evidence.wheel is not None:
+        places = ((name, getattr(evidence.wheel, name)) for name in ("tip", "throat", "tread"))
+        rows.append(("flange", ", ".join(f"{name} at ({at.y:.2f}, {at.z:.2f})" for name, at in places)))
+    if smoothing:
+        moved = f"{1e3 * evidence.largest_distance:.3g} um at most, {1e3 * evidence.rms_distance:.3g} um rms"
+        rows.append(("smoothing", f"half of a wave of {smoothing:g} mm stays; points moved by {moved}"))
+    if len(found.points) > 2:
+        outwards = curvature_of(found.points)[1] * (1 if found.kind == "rail" else -1)
+        rows += [("smallest radius, outwards (mm)", _radius(outwards)), ("smallest radius, hollow (mm)", _radius(-outwards))]
+    return rows
+
+
+def _radius(curvature: Any) -> float | None:
+    largest = float(np.max(curvature))
+    return 1 / largest if largest > 0 and math.isfinite(largest) else None
+
+
+def _draw(path: Path, title: str, found: _Found, measured: Any) -> None:
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(7.2, 6.0), layout="constrained")
+    above, below = figure.subplots(2, 1, sharex=True)
+    draw_profile(above, found.points, found.evidence, measured)
+    draw_curvature(below, found.points, measured)
+    above.set_title(title, fontsize="medium")
+    write_whole(path, lambda file: figure.savefig(file, format=path.suffix[1:], dpi=150))
