@@ -53,6 +53,21 @@ TEST_CASE("closed form agrees with quadrature for all components", "[half_space]
             }
 }
 
+// A strip of the half-width a under unit pressure sinks in its middle by (1 - nu)/(pi G) ((x+a) ln|x+a| - (x-a) ln|x-a|
+// - 2 a ln a) deeper than at x (Johnson, Contact Mechanics, 2.5(a)); ends L away change that by (x/L)^2.
+TEST_CASE("elements a hundred thousand times longer than wide act as strips", "[half_space]") {
+    const double dx = 0.05, dy = 1e5 * dx, a = dx / 2;
+    const Material material{82000, 0.28};
+    const double middle = half_space_coefficient(Axis::z, Axis::z, 0, 0, dx, dy, material);
+    for (const int k : {1, 2, 5, 20, 90}) {
+        CAPTURE(k);
+        const double x = k * dx;
+        const double deeper = (1 - material.nu) / (std::numbers::pi * material.G) *
+                              ((x + a) * std::log(x + a) - (x - a) * std::log(x - a) - 2 * a * std::log(a));
+        CHECK_THAT(middle - half_space_coefficient(Axis::z, Axis::z, x, 0, dx, dy, material), WithinRel(deeper, 1e-6));
+    }
+}
+
 TEST_CASE("closed form keeps its relative accuracy far away", "[half_space]") {
     const double aspect = GENERATE(0.1, 1.0, 10.0);
     const Material material{82000, 0.28};

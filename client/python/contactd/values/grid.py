@@ -23,7 +23,8 @@ class Grid(GridMethods):
         nx: Number of elements along x; nx*ny is at most limits.max_grid_elements of server.info.
         ny: Number of elements along y; nx*ny is at most limits.max_grid_elements of server.info.
         dx: Element size along x (mm), > 0.
-        dy: Element size along y, 1/1000 to 1000 times dx (mm), > 0; of a line contact any length.
+        dy: Element size along y, 1/1000 to 1000 times dx, 1e-6 to 1e6 under constant loads on half-spaces in closed
+            form (mm), > 0; of a line contact any length.
         x0: x of the lower left corner (mm); without it the grid is centred on the origin.
         y0: y of the lower left corner (mm); without it the grid is centred on the origin.
     """
