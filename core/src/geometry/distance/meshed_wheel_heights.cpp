@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -11,7 +12,9 @@ class Mesh {
    public:
     Mesh(const WheelSurface& wheel, const ContactReference& reference, const PlanePoints& points) {
         const Grid& grid = points.columns;
-        const double farthest = std::max(std::abs(points.rows.front()), std::abs(points.rows.back()));
+        // Rows that bend away from the plane are dy apart along the surface, and less in the plane.
+        const double farthest = std::max({std::abs(points.rows.front()), std::abs(points.rows.back()),
+                                          std::abs(grid.y(0)), std::abs(grid.y(grid.ny - 1))});
         const Frame contact = contact_frame(reference);
         const Vector3 centre = wheel.frame().inside(contact.origin);
         const ProfileCurve& profile = wheel.profile();

@@ -61,6 +61,28 @@ TEST_CASE("Rows of a curved contact lie half-way between rail and wheel, along b
     }
 }
 
+// Radii that hardly differ, so that the contact spreads to where rows stand nearly upright.
+TEST_CASE("A wheel between the nodes of a mesh reaches as far as the rows of a wide curved contact") {
+    WheelRailSetup setup = throat_on_rail(Conformal::half_space);
+    setup.dx = 0.5;
+    setup.dy = 0.1;
+    setup.rail.shape = ArcProfile{of_rail, 0, -12.8, 12.8};
+    setup.wheel.shape = ArcProfile{of_rail + 0.02, 0, -12.8, 12.8};
+    WheelRailState state;
+    state.position.z = 0.05;
+    const WheelRailSolution exact = solve(setup, state);
+    setup.wheel_surface = WheelSurfaceKind::bilinear;
+    const WheelRailSolution meshed = solve(setup, state);
+    REQUIRE(exact.patches.size() == 1);
+    REQUIRE(meshed.patches.size() == 1);
+    const std::vector<ContactRow>& rows = exact.patches[0].place.rows;
+    REQUIRE(rows.front().angle < -1.2);
+    REQUIRE(rows.back().angle > 1.2);
+    const std::vector<double>&of_exact = exact.patches[0].gap, &of_meshed = meshed.patches[0].gap;
+    REQUIRE(of_meshed.size() == of_exact.size());
+    for (std::size_t i = 0; i < of_exact.size(); ++i) REQUIRE_THAT(of_meshed[i], WithinAbs(of_exact[i], 0.01));
+}
+
 // The distance along the normal of two circles that touch in their lowest points grows by the difference of the radii.
 TEST_CASE("Gaps of a curved contact are those along each row's normal") {
     const WheelRailSolution solution = solve(throat_on_rail(Conformal::half_space), loaded(60000));
