@@ -151,8 +151,13 @@ MODULES = [
     Module("step_input", "Inputs of a step of a contact.", ("session.step.params.json# StepInput",)),
     Module(
         "contact_files",
-        "Cases of input files of the CONTACT program: what `Client.read_contact_file` answers.",
-        ("contact_file.read.result.json#/properties/cases/items", "contact_file.read.result.json#"),
+        "Files of the CONTACT program: what `Client.read_contact_file` and `Client.read_contact_slices` answer.",
+        (
+            "contact_file.read.result.json#/properties/cases/items",
+            "contact_file.read.result.json#",
+            "contact_file.slices.result.json#/properties/slices/items",
+            "contact_file.slices.result.json#",
+        ),
     ),
     Module(
         "wheel_rail/setup",

@@ -35,3 +35,17 @@ def test_what_is_wrong_stands_in_the_answer(peer):
 def test_what_is_no_text_is_refused(peer):
     reply = peer.ask("contact_file.read", {"text": "3 MODULE\0", "name": "a.inp"})
     assert (reply.code, reply.fields) == (INVALID_ARGUMENT, ["a.inp"])
+
+
+def test_slices_are_answered_with_their_features(peer):
+    text = "0.5 1000\n2\n3 0 0\n2\n0 'a.prr'\n1 'b.prr'\n0 0 5 999\n1 -1 5 999\n"
+    result = peer.ask("contact_file.slices", {"text": text}).result
+    assert [one["u"] for one in result["slices"]] == [500, 1500]
+    assert [one["features"] for one in result["slices"]] == [[0, 5, 999], [-1, 5, 999]]
+    assert result["is_approximated"]
+    assert result["slices"][1]["file"] == "b.prr"
+
+
+def test_a_list_of_slices_that_does_not_fit_is_refused_by_line(peer):
+    reply = peer.ask("contact_file.slices", {"text": "0 1\ntwo\n", "name": "a.slcs"})
+    assert (reply.code, reply.fields) == (INVALID_ARGUMENT, ["a.slcs"])

@@ -1,6 +1,7 @@
 #include "contactd/proto/contact_file.hpp"
 
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 namespace contactd::proto {
@@ -59,6 +60,16 @@ std::size_t numbers_of(const ContactCase& read) {
     if (read.subsurface)
         for (const auto& block : *read.subsurface) count += numbers_in(block);
     return count;
+}
+
+json encode_contact_slices(const ContactSlices& read) {
+    json slices = json::array();
+    for (const auto& [u, file, features] : read.slices)
+        slices.push_back({{"u", u}, {"file", file}, {"features", features}});
+    return {{"slices", std::move(slices)},
+            {"is_approximated", read.is_approximated},
+            {"kinks", read.kinks},
+            {"accelerations", read.accelerations}};
 }
 
 }  // namespace contactd::proto

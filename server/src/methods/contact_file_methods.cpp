@@ -58,10 +58,18 @@ void read_file(const CallPtr& call, const DaemonParts&) {
     call->succeed(result);
 }
 
+void read_slices(const CallPtr& call, const DaemonParts&) {
+    const json& params = call->request.params;
+    proto::check_frames_used(params, call->request.frames);
+    call->succeed(proto::encode_contact_slices(
+        read_contact_slices(params.at("text").get_ref<const std::string&>(), params.value("name", "text"))));
+}
+
 }  // namespace
 
 void add_contact_file_methods(MethodTable& methods) {
     methods.add({.name = "contact_file.read", .cost = cost_of_contact_file, .handle = read_file});
+    methods.add({.name = "contact_file.slices", .handle = read_slices});
 }
 
 }  // namespace contactd::server

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from ..values.answers import read
-from ..values.contact_files import ContactCase, ContactFile
+from ..values.contact_files import ContactCase, ContactFile, ContactSlices
 from .call import Answering, asks
 from .caller import Caller
 
@@ -33,3 +33,13 @@ class ContactFileCalls(Caller):
             if type(following) is not int or following <= first:
                 return replace(page, cases=tuple(cases))
             first = following
+
+    @asks
+    def read_contact_slices(self, text: str, *, name: str = "text", timeout: float | None = None) -> Answering[ContactSlices]:
+        """Slices of the `text` of a list of the CONTACT program (.slcs of rails, .slcw of wheels).
+
+        Profiles that the list names are not opened: contactd.contact_files.read_slices reads them, too. `name` is that of
+        the file, for refusals. Raises InvalidArgument with line and column of what does not fit.
+        """
+        answer = yield from self.asked("contact_file.slices", {"text": text, "name": name}, timeout=timeout)
+        return read(ContactSlices, answer)

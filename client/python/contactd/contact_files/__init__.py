@@ -11,5 +11,6 @@
 
 from .case import Case, ContactFile
 from .input_file import read
+from .slice_list import read_slices
 
-__all__ = ["Case", "ContactFile", "read"]
+__all__ = ["Case", "ContactFile", "read", "read_slices"]

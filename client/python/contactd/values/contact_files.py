@@ -1,4 +1,4 @@
-"""Cases of input files of the CONTACT program: what `Client.read_contact_file` answers.
+"""Files of the CONTACT program: what `Client.read_contact_file` and `Client.read_contact_slices` answer.
 
 Written by ./dev generate from proto/schema: edit it there.
 """
@@ -11,7 +11,7 @@ from typing import Any
 
 from .contact_file_methods import ContactFileMethods
 
-__all__ = ["ContactCase", "ContactFile"]
+__all__ = ["ContactCase", "ContactFile", "ContactSlice", "ContactSlices"]
 
 
 @dataclass(frozen=True)
@@ -62,3 +62,36 @@ class ContactFile(ContactFileMethods[ContactCase]):
     cases: tuple[ContactCase, ...]
     warnings: tuple[str, ...]
     errors: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class ContactSlice:
+    """A slice, with the name of its profile.
+
+    Attributes:
+        u: Where it lies: along the track (mm), or around the wheel (rad), with the list's offset and scale.
+        file: Its profile, as written: relative to the folder of the list.
+        features: Lengths along the profile from its first point to the features (mm), as rail_slices has them; none
+            where the profile is one part.
+    """
+
+    u: float
+    file: str
+    features: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class ContactSlices:
+    """A list of slices of the CONTACT program.
+
+    Attributes:
+        slices: Slices in rising order of u.
+        is_approximated: Whether the surface approximates the slices (U_INTPOL = 2); else it goes through them.
+        kinks: Numbers of the parts that begin with a kink.
+        accelerations: Numbers of the parts that begin with a jump of curvature.
+    """
+
+    slices: tuple[ContactSlice, ...]
+    is_approximated: bool
+    kinks: tuple[int, ...]
+    accelerations: tuple[int, ...]

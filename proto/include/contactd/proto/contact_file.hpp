@@ -1,4 +1,4 @@
-// The messages of contact_file.read (docs/contact-files.md).
+// The messages of contact_file.* (docs/contact-files.md).
 #pragma once
 
 #include <cstddef>
@@ -6,11 +6,14 @@
 #include <nlohmann/json.hpp>
 
 #include "contactd/read_contact_file.hpp"
+#include "contactd/read_contact_slices.hpp"
 
 namespace contactd::proto {
 
 nlohmann::json encode_contact_case(const ContactCase& read);
 /// How many numbers the message of a case has.
 std::size_t numbers_of(const ContactCase& read);
+
+nlohmann::json encode_contact_slices(const ContactSlices& read);
 
 }  // namespace contactd::proto

@@ -1,0 +1,47 @@
+"""Lists of slices of the CONTACT program, with the profiles that they name."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ..values.profile_shapes import Profile, ProfileFile
+from .input_file import text_of
+
+if TYPE_CHECKING:
+    from ..client import Client
+
+__all__ = ["SPLINES", "read_slices"]
+
+#: Curves from slice to slice (rail_spline, wheel_spline), by whether the list asks for an approximation.
+SPLINES = {False: "cubic", True: "approximating"}
+#: A feature at the end of every profile: lists without features have one part.
+_WHOLE = (0.0, 1e5)
+
+
+def read_slices(
+    path: str | os.PathLike[str],
+    client: Client,
+    *,
+    scale: float = 1.0,
+    profile: Callable[[Path], Profile] = ProfileFile,
+) -> list[tuple[float, Profile, tuple[float, ...]]]:
+    """The `rail_slices` of a list of rails (.slcs): place, profile and features of each::
+
+        setup = WheelRailSetup(rail_slices=read_slices("nose.slcs", client), rail_spline="cubic", ...)
+
+    The `client` reads the list; profiles are read by `profile` from their paths, which are relative to the folder of the
+    list. `scale` is the mm of a unit of features, as of the profiles. Of a list of wheels (.slcw) the first two parts of
+    each are the `wheel_slices`.
+
+    Raises OSError for what cannot be read, and InvalidArgument with line and column of what does not fit.
+    """
+    path = Path(path)
+    read = client.read_contact_slices(text_of(path), name=path.name)
+    slices = []
+    for one in read.slices:
+        features = tuple(at * scale if at >= 0 else -1.0 for at in one.features)
+        slices.append((one.u, profile(path.parent / one.file.replace("\\", "/")), features or _WHOLE))
+    return slices
