@@ -25,7 +25,6 @@ def read_slices(
     path: str | os.PathLike[str],
     client: Client,
     *,
-    scale: float = 1.0,
     profile: Callable[[Path], Profile] = ProfileFile,
 ) -> list[tuple[float, Profile, tuple[float, ...]]]:
     """The `rail_slices` of a list of rails (.slcs): place, profile and features of each::
@@ -33,8 +32,8 @@ def read_slices(
         setup = WheelRailSetup(rail_slices=read_slices("nose.slcs", client), rail_spline="cubic", ...)
 
     The `client` reads the list; profiles are read by `profile` from their paths, which are relative to the folder of the
-    list. `scale` is the mm of a unit of features, as of the profiles. Of a list of wheels (.slcw) the first two parts of
-    each are the `wheel_slices`.
+    list: ``profile=lambda path: ProfileFile(path, unit=1000)`` of files in metres. Of a list of wheels (.slcw) the first two
+    parts of each are the `wheel_slices`.
 
     Raises OSError for what cannot be read, and InvalidArgument with line and column of what does not fit.
     """
@@ -42,6 +41,5 @@ def read_slices(
     read = client.read_contact_slices(text_of(path), name=path.name)
     slices = []
     for one in read.slices:
-        features = tuple(at * scale if at >= 0 else -1.0 for at in one.features)
-        slices.append((one.u, profile(path.parent / one.file.replace("\\", "/")), features or _WHOLE))
+        slices.append((one.u, profile(path.parent / one.file.replace("\\", "/")), one.features or _WHOLE))
     return slices
