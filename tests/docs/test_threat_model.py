@@ -20,6 +20,7 @@ READERS = {
     "client/python/contactd/files/saved.py": "problem or solution (`.h5`)",
     "client/python/contactd/files/table_files.py": "`.npz`",
     "client/python/contactd/transport/curve.py": "keys",
+    "client/cntc/src/interface/input_file.cpp": "`.inp`",
     "client/fmu/instance/serialized.cpp": "saved states of FMUs",
     "client/fmu/models/slices.cpp": "lists of slices",
     "core/src/store/ic_file.cpp": "IC file in the store",

@@ -56,6 +56,11 @@ void cntc_getflags(int* ire, int* icp, int* lenflg, int* params, int* values);
 void cntc_setmetadata(int* ire, int* icp, int* lenmta, int* params, double* values);
 void cntc_setsolverflags(int* ire, int* icp, int* gdigit, int* nints, int* iparam, int* nreals, double* rparam);
 
+/* Sets what an input file of module 3 has, one case for each contact problem of the result element: those of its
+ * number, or those of a file that names none. `itype` has no effect. `*ierror` is 0, or the code of what was refused;
+ * what was set before that stays set. */
+void cntc_readinpfile(int* ire, int* itype, const char* name, int* len_name, int* ierror);
+
 /* --- bodies and friction -------------------------------------------------------------------------------------- */
 
 /* With imeth 0 rparam is [nu1, nu2, G1, G2]. */
@@ -124,7 +129,6 @@ void subs_getresults(int* ire, int* icp, int* iblk, int* lenarr, int* ncol, int*
 
 /* --- not covered: an error, always ---------------------------------------------------------------------------- */
 
-void cntc_readinpfile(int* ire, int* itype, const char* name, int* len_name, int* ierror);
 void cntc_settemperaturedata(int* ire, int* icp, int* imeth, int* nparam, double* rparam);
 void cntc_getmaximumtemperature(int* ire, int* icp, double* t1max, double* t2max);
 /* Wheel on rail ("module 1"). */

@@ -14,12 +14,6 @@ constexpr const char* heat = "Temperature";
 
 }  // namespace
 
-extern "C" void cntc_readinpfile(int*, int*, const char*, int*, int* ierror) {
-    const int code = refuse("cntc_readinpfile", "Reading an input file");
-    if (ierror != nullptr) *ierror = code;
-}
-CONTACTD_FORTRAN_NAME(cntc_readinpfile)
-
 /// A program that asks for heat gets no solution without it.
 extern "C" void cntc_settemperaturedata(int* ire, int* icp, int* imeth, int*, double*) {
     set("cntc_settemperaturedata", ire, icp, "temperature", [&](Settings&) {

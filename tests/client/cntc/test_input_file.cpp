@@ -1,0 +1,109 @@
+// cntc_readinpfile: a file sets what the functions set.
+#include <unistd.h>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include "client/cntc/calls.hpp"
+
+using namespace contactd::cntc::test;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+/// A file that lasts as long as this.
+class InputFile {
+   public:
+    explicit InputFile(const std::string& text)
+        : path_(std::filesystem::temp_directory_path() / ("contactd-" + std::to_string(getpid()) + ".inp")) {
+        std::ofstream(path_) << text;
+    }
+    ~InputFile() { std::filesystem::remove(path_); }
+    InputFile(const InputFile&) = delete;
+    InputFile& operator=(const InputFile&) = delete;
+
+    int read(Case& contact) const {
+        int type = 1, length = static_cast<int>(path_.string().size()), error = -1000;
+        cntc_readinpfile(contact.ire(), &type, path_.c_str(), &length, &error);
+        return error;
+    }
+
+   private:
+    std::filesystem::path path_;
+};
+
+/// A ball that rolls.
+const std::string rolling =
+    "3 MODULE\n203100\n022020\n000001\n999 30 30 1 1e-6\n9000. 1e-3 2e-4 1e-4\n0.3 0.3\n0.d 0.4 2000.\n.28 .28 82000. "
+    "82000.\n"
+    "-3\n20 20 4. 4. 1.1\n";
+const std::string end = "0 MODULE\n";
+
+}  // namespace
+
+TEST_CASE("a file sets what the functions set", "[input]") {
+    Case by_calls(71), by_file(72);
+    by_calls.flag(1972, 3);
+    by_calls.tolerance(1e-6);
+    by_calls.material(.28, .28, 82000, 82000);
+    by_calls.coulomb(0.3);
+    by_calls.hertz(-3, {20, 20, 4, 4, 1.1});
+    by_calls.normal_force(9000);
+    by_calls.creepages(1e-3, 2e-4, 1e-4);
+    by_calls.rolling_step(0, 0.4);
+    by_calls.velocity(2000);
+    by_file.flag(1933, 1935);  // metres, which hold for what is read back and not for the file
+    CHECK(InputFile(rolling + end).read(by_file) == 0);
+    CHECK(by_file.get_flag(1933) == 1935);
+    by_file.flag(1933, 1934);
+    CHECK(by_calls.calculate() == by_file.calculate());
+    CHECK(by_calls.forces() == by_file.forces());
+    CHECK(by_file.forces().fn > 0);
+}
+
+TEST_CASE("each contact problem of a result element has its own case", "[input]") {
+    Case first(73, 1), second(73, 2, false), alone(74);
+    const std::string of_second =
+        "3 73 2\n203100\n022020\n000001\n999 30 30 1 1e-6\n4500. 1e-3 2e-4 1e-4\n0.3 0.3\n0.d 0.4 2000.\n.28 .28 "
+        "82000. 82000.\n-3\n20 20 4. 4. 1.1\n";
+    const InputFile file("3 73 1" + rolling.substr(1) + of_second + end);
+    CHECK(file.read(first) == 0);
+    first.calculate();
+    second.calculate();
+    CHECK(std::abs(first.forces().fn / second.forces().fn - 2) < 1e-4);
+    CHECK(file.read(alone) == -39);
+    CHECK_THAT(last_sentence(), ContainsSubstring("There is no case of the result element 74"));
+}
+
+TEST_CASE("what the library does not have is refused by its name", "[input]") {
+    Case contact(75);
+    const auto refused = [&](std::string text, const std::string& from, const std::string& to, int code,
+                             const std::string& sentence) {
+        if (!from.empty()) text.replace(text.find(from), from.size(), to);
+        CHECK(InputFile(text + end).read(contact) == code);
+        CHECK_THAT(last_sentence(), ContainsSubstring(sentence));
+    };
+    refused(rolling, "1e-4\n", "1e-4 1. 2.\n", -99, "SPINXO");
+    refused(rolling, "022020", "022120", -39, "line");
+    refused(rolling, ".28 .28", ".28 abc", -39, "line 9, column 5, has \"abc\"");
+    refused(rolling + "3 MODULE\n203100\n100000\n100001\n1. 0. 0. 0.\n", "", "", -39,
+            "A second case begins in line 13");
+    refused(rolling, "-3\n20 20 4. 4. 1.1", "-6\n20 20 4. 4. 4. 1.1", -99, "IPOTCN = -6");
+    refused(rolling, "-3\n20 20 4. 4. 1.1", "1\n2 2 -1. -1. 1. 1.\n2 1\n1 0 1 0 1\n0", -99, "IBASE = 2");
+    refused(
+        "1 MODULE\n1201100\n0022033\n0000001\n999 30 30 1 1e-6\n.3 .3\n.28 .28 1. 1.\n.2 .2 1. 1. 8. 4.\n14. 0 1435. "
+        "0.\n'a.prr' 0 1. 0.\n0 0 0 0 0 0\n1360. -70. 460.\n'b.prw' 0 1. 0.\n0 0 1. 0 0 0\n0 0 0 0 0 0\n",
+        "", "", -99, "Wheel on rail (module 1), line 2, is not covered");
+}
+
+TEST_CASE("a file that is not there is refused", "[input]") {
+    Case contact(76);
+    int type = 1, length = 12, error = 0;
+    cntc_readinpfile(contact.ire(), &type, "no/such.file", &length, &error);
+    CHECK(error == -39);
+    CHECK_THAT(last_sentence(), ContainsSubstring("cannot be read"));
+    length = 0;
+    cntc_readinpfile(contact.ire(), &type, "", &length, &error);
+    CHECK(error == -39);
+}
