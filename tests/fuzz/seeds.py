@@ -224,6 +224,30 @@ def profile_files() -> Iterator[bytes]:
             yield bytes([number]) + f"# y, z\n{points}".encode()
 
 
+def contact_files() -> Iterator[bytes]:
+    """Input files of the CONTACT program with groups of every kind, and a list of slices behind an L."""
+    bounds, load, elastic = "999 20 25 1 1e-5\n", "1. .1 0 0\n", ".28 .28 1. 1.\n"
+    for digits, friction, more in [
+        ("200100\n022020\n000001", ".3 .3\n", ""),
+        ("202110\n422421 2\n3000001", ".3 .1 9. 0 0\n0. 1.\n0d .5 1.\n", "1. 0. 1. .4\n1 2 3 4\n0 1 1 1\n0 1 1 1\n.5\n"),
+        ("203103\n3024029\n10000001\n0", "0 .2 30. 1 1 3\n-1 1d 0 0 1 1r\n", ""),
+    ]:
+        grid = "1\n2 2 -1 -1 1 1\n9 4\n0 0\n0 0\n1\n-1 1 -1 1\n"
+        points = "2 1\n2\n1 1 2\n1 1 1\n2 0. .1\n9\n1 1 2\n0\n0\n0 1\n0\n" if digits[5] == "3" else ""
+        head = f"3 1 2 MODULE\n{digits}\n{bounds}{load}{friction}{elastic}{more}"
+        yield f"{head}{grid}{points}3 1 2\n001100\n100000\n101001\n{load}0\n".encode()
+    for grid in ("-1\n1 1 1 1 1\n", "-6\n1 1 1 1 1 1\n", "3\n2 1 0 0 1 1\n2 1\n1 0 1 0 1\n0\n", "4\n1 1 0 0 1 1\n3 3\n1 2 3 4 5 6 7 8\n0 1 0 1 2 3 2 3\n"):
+        yield f"3 MODULE\n200100\n022020\n400000\n{bounds}1 .9\n{load}.3 .3\n{elastic}{grid}".encode()
+    profile = "0 1. 0. 0 2\n0 150d 30d 6d 2.\n-1 .5\n"
+    for first, place in (("1203130", "0"), ("5203100", "1")):
+        springs = "1 2 3 4 .5\n" if first[5] == "3" else ""
+        yield (
+            f"1 MODULE\n{first}\n1022035\n0000001\n{bounds}1\n-10d .3 .3\n{elastic}.2 .2 1. 90d0 8. 4. 9.\n{place} 0 0 0. 1e-6\n'a.slcs' {profile}"
+            f"0 0 0 0 0 0\n{springs}1360. -70. 460. 1.\n'b.prw' {profile}0 0 1. 0 0 0\n1. 0 0 0 0 -1d\n0 0 0 0 0 0\n0 0 0 0 0 0\n0 MODULE\n"
+        ).encode()
+    yield b"L0. 1000.\n2\n4 1 1\n2\n-1. 'a.prr'\n0. 'b.prr'\n1\n2\n-1. 0. 1. 2. -1\n0. 0. 1. 2. 999.\n"
+
+
 def ic_contents() -> Iterator[bytes]:
     """Edits, as ic_content.cpp reads them: none, of an attribute, of a dataset."""
     for family in (0, 1):
@@ -310,7 +334,7 @@ def main() -> None:
     kinds = {
         "request": requests, "session": sessions, "reply": replies, "array": arrays, "config": configurations,
         "ic_file": ic_files, "ic_content": ic_contents, "ic_import": ic_imports, "profile_file": profile_files,
-        "outlines": outlines,
+        "contact_file": contact_files, "outlines": outlines,
     }  # fmt: skip
     for target, inputs in kinds.items():
         (folder / target).mkdir(exist_ok=True)
