@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "contactd/error.hpp"
 #include "contactd/profile_evidence.hpp"
@@ -38,6 +39,7 @@ struct PointsOfFile {
     ProfilePoints points;
     ProfileReading reading;
     double rounded_to = 0;  ///< as of ProfileEvidence
+    std::vector<std::string> warnings{};
 };
 
 /// What ProfileFile says holds beside what its text says. Throws InvalidArgument with the field "profile.file" for what

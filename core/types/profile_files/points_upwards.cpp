@@ -41,7 +41,7 @@ std::optional<bool> rail_upwards(const Points& points, double height) {
 
 /// A flange stands out from the tread by more than all else does, but for the wheel's faces, which stand upright at its
 /// ends and are left out. What is as deep at both ends is a disc, or has two flanges.
-std::optional<bool> wheel_upwards(const Points& points) {
+std::optional<Flange> flange_among(const Points& points) {
     const auto [left, right] = std::ranges::minmax(points | std::views::transform(&ProfilePoint::y));
     const double edge = face * (right - left);
     std::vector<ProfilePoint> inner;
@@ -62,7 +62,8 @@ std::optional<bool> wheel_upwards(const Points& points) {
         return (is_upwards ? tread - end.z : end.z - tread) > 0.5 * flange;
     };
     if (is_deep(*first) && is_deep(*last)) return {};
-    return is_upwards;
+    const auto [highest, lowest] = std::ranges::minmax_element(inner, {}, &ProfilePoint::z);
+    return Flange{is_upwards, (is_upwards ? highest : lowest)->y < (left + right) / 2};
 }
 
 }  // namespace
@@ -72,7 +73,13 @@ std::optional<bool> points_upwards(const Points& points, ProfileKind kind) {
     const auto [least, most] = std::ranges::minmax_element(points, {}, &ProfilePoint::z);
     const double height = most->z - least->z;
     if (!(height > 0)) return {};
-    return kind == ProfileKind::wheel ? wheel_upwards(points) : rail_upwards(points, height);
+    if (kind == ProfileKind::rail) return rail_upwards(points, height);
+    const std::optional<Flange> flange = flange_among(points);
+    return flange ? std::optional(flange->upwards) : std::nullopt;
+}
+
+std::optional<Flange> flange_of(const Points& points) {
+    return points.size() < 3 ? std::nullopt : flange_among(points);
 }
 
 double rounding_of(const Points& points) {

@@ -126,6 +126,12 @@ PointsOfFile points_of_content(const ProfileFile& file, const std::string& name,
         if (file.shift_y != 0) point.y += file.shift_y;
         if (file.shift_z != 0) point.z += file.shift_z;
     }
+    if (kind == ProfileKind::rail && reading.oriented_by != OrientedBy::shape &&
+        geometry::points_upwards(points, kind).value_or(false))
+        result.warnings.push_back(
+            "The points of the rail lie upside down by their shape, as the file or mirror_z has them: an end of them "
+            "lies "
+            "above what is next to it. A groove does so; else change mirror_z.");
     result.points.points = std::move(points);
     result.points.smoothing_length = file.smoothing_length;
     return result;

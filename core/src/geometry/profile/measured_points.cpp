@@ -11,8 +11,9 @@
 namespace contactd::geometry {
 namespace {
 
-constexpr double widest = 1000;       // mm
-constexpr double flange_height = 10;  // mm: what a flange stands out at least, and the sides of a rail
+constexpr double widest = 1000;         // mm
+constexpr double flange_height = 10;    // mm: what a flange stands out at least, and the sides of a rail
+constexpr double flange_to_tread = 40;  // mm: less wide is a flange alone, which may be cut off anywhere
 
 std::string text_of(const ProfilePoint& point) {
     return "(" + number_text(point.y) + ", " + number_text(point.z) + ")";
@@ -52,12 +53,15 @@ void check_sense(const Points& points, ProfileKind kind) {
     std::nth_element(heights.begin(), median, heights.end());
     const double usual = *median, centre = (points.front().y + points.back().y) / 2;
     if (kind == ProfileKind::wheel) {
-        if (points_upwards(points, kind).value_or(false))
+        const std::optional<Flange> flange = flange_of(points);
+        const bool shows_tread = points.back().y - points.front().y > flange_to_tread;
+        if (flange && flange->upwards)
             throw InvalidArgument("profile.points",
                                   "rise to z = " + number_text(upper->z) + " at y = " + number_text(upper->y) +
                                       "; z points downwards, to the tip of the flange: change mirror_z");
         // What falls off evenly to one side is a cone, and no flange.
-        if (lower->z - usual > std::max(flange_height, 2 * (usual - upper->z)) && lower->y > centre)
+        const bool deep = lower->z - usual > std::max(flange_height, 2 * (usual - upper->z));
+        if ((flange && !flange->is_left && shows_tread) || (deep && lower->y > centre))
             throw InvalidArgument("profile.points", "have the flange at y = " + number_text(lower->y) +
                                                         "; y grows to the field side: change mirror_y");
     } else if (const double half = (upper->z + lower->z) / 2; std::max(points.front().z, points.back().z) < half &&

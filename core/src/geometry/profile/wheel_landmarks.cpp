@@ -7,6 +7,7 @@ namespace contactd::geometry {
 namespace {
 
 constexpr double least_flange = 10;         // mm that its tip stands out from the tread
+constexpr double least_hollow = 0.02;       // 1/mm: throats have radii of 13 to 20 mm, and worn ones of 30
 constexpr double to_tread = 55;             // mm from the tip to the running circle, 70 mm from the flange's back
 constexpr double step = 0.25, reach = 1.5;  // mm along the curve, and to both sides for a curvature without its noise
 
@@ -32,14 +33,14 @@ std::optional<WheelLandmarks> wheel_landmarks(const ProfileCurve& wheel) {
                  to = wheel.s_at_y(y_of_tread);
     WheelLandmarks found{*tip, *tip, wheel.at(to)};
     if (!(found.tip.z - found.tread.z >= least_flange)) return {};
-    double hollowest = 0;
+    double hollowest = least_hollow;
     for (double s = from + reach; s < to - reach; s += step) {
         const double here = hollowness(wheel, s);
         if (here <= hollowest) continue;
         hollowest = here;
         found.throat = wheel.at(s);
     }
-    if (hollowest == 0) return {};
+    if (found.throat == found.tip) return {};
     return found;
 }
 
