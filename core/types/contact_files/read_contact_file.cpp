@@ -119,7 +119,11 @@ bool ContactFileReader::State::find_case() {
     }
     if (std::exchange(is_lost, false)) return find_module(true) && begin_case();
     if (!lines.next()) {
-        warnings.push_back(lines.where() + " is where the file ends, without a line of MODULE 0; it may be cut off");
+        if (counters.empty() && errors.empty())
+            errors.push_back("there is no case, and nothing but comments and empty lines");
+        else
+            warnings.push_back(lines.where() +
+                               " is where the file ends, without a line of MODULE 0; it may be cut off");
         has_ended = true;
         return false;
     }

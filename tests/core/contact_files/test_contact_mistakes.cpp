@@ -143,7 +143,7 @@ TEST_CASE("a file without its end, and one with more behind it, are warned of", 
     BasicCase open;
     open.digits = "201100\n022020\n000000\n";
     CHECK_THAT(read_all(open.text()).errors.at(0), ContainsSubstring("R = 0 or 2"));
-    CHECK(read_all("").cases.empty());
+    CHECK_THAT(read_all("% nothing\n\n").errors.at(0), ContainsSubstring("there is no case"));
 }
 
 TEST_CASE("values beyond the end of a line are warned of", "[contact_files]") {
