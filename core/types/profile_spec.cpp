@@ -1,6 +1,7 @@
 #include "contactd/profile_spec.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -12,7 +13,6 @@ namespace {
 
 constexpr double most_inclination = 0.2, most_slope = 3, widest = 1000;  // widest: mm
 constexpr double farthest_shift = 1e4;                                   // mm
-constexpr double half_a_turn = 3.141592653589793;
 
 void check_ends(double from, double to, const std::string& name) {
     if (!(std::abs(from) <= widest))
@@ -103,7 +103,7 @@ void check(const ProfileFile& file) {
         throw InvalidArgument("profile.file.smoothing_lambda",
                               "stands beside smoothing_length or smoothing_order; it is in the place of both");
     const auto check_angle = [](double angle, const char* name) {
-        if (!(angle >= 0 && angle <= half_a_turn))
+        if (!(angle >= 0 && angle <= std::numbers::pi))
             throw InvalidArgument(std::string("profile.file.kinks.") + name,
                                   "is " + number_text(angle) + "; it is an angle between 0 and pi, in rad");
     };

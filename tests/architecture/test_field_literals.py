@@ -27,6 +27,7 @@ HOOKS: dict[str, tuple[int, str]] = {
     "values/params.py": (2, "the metadata of fields"),
     "values/partial_solution.py": (7, "arrays that frictionless contacts lack"),
     "values/problem_methods.py": (3, "fields in whose place a solution may stand"),
+    "values/profile_points.py": (4, "the text of a file, which is read when the file is named"),
     "values/solution_methods.py": (9, "rows of representations"),
     "values/subsurface_methods.py": (8, "components that are drawn, rows of representations"),
     "values/tables.py": (35, "tables, whose array has another name on the wire; rows of representations"),

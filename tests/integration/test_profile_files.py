@@ -47,8 +47,8 @@ def test_a_wheel_in_a_file_is_that_of_its_points(shared, wheel, tmp_path):
 
 
 def test_what_neither_file_nor_points_say_is_asked_for(shared, wheel):
-    def setup(**said):
-        return WheelRailSetup(wheel=ProfileFile("wheel.csv", text=text_of(wheel / 25.4, "\t"), **said))
+    def setup(**options):
+        return WheelRailSetup(wheel=ProfileFile("wheel.csv", text=text_of(wheel / 25.4, "\t"), **options))
 
     with pytest.raises(InvalidArgument, match=r"setup\.wheel\.file.*wheel\.csv: its points span 5\.\d+ .* give unit, 25\.4 for inches"):
         shared.placed_profiles(setup())

@@ -36,7 +36,7 @@ class Variant:
     name: str
     ending: str
     text: str
-    said: dict[str, Any] = field(default_factory=dict)
+    options: dict[str, Any] = field(default_factory=dict)
     points: Any = None
     refusal: tuple[str, ...] = ()
     warning: str = ""  #: that does in place of a refusal
@@ -162,7 +162,7 @@ def test_a_measured_profile_is_what_it_is_in_every_form(shared, kind, name):
     for variant in variants(kind, original):
         counted += 1
         where = f"{name}: {variant.name}"
-        profile = ProfileFile(f"a{variant.ending}", text=variant.text, **variant.said)
+        profile = ProfileFile(f"a{variant.ending}", text=variant.text, **variant.options)
         sentence = ""
         try:
             points, found = read(shared, kind, profile)
@@ -181,6 +181,6 @@ def test_a_measured_profile_is_what_it_is_in_every_form(shared, kind, name):
         assert found.points_kept > 0.5 * found.points_given, where
         if not variant.part:
             assert distance(expected, points) < 2e-3, where
-        said_by = "request" if "mirror_z" in variant.said else "file" if variant.ending in (".prw", ".prr") else "shape"
-        assert found.file.oriented_by == said_by, where
+        source = "request" if "mirror_z" in variant.options else "file" if variant.ending in (".prw", ".prr") else "shape"
+        assert found.file.oriented_by == source, where
     assert counted > 50

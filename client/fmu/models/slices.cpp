@@ -11,19 +11,19 @@
 namespace contactd::fmu {
 
 void set_profile_file(contactd_wheel* w, const std::string& profile, const std::filesystem::path& path,
-                      const FileWords& words) {
+                      const FileReading& reading) {
     const std::string file = profile + ".file";
     check(contactd_read_profile(w, file.c_str(), path.c_str()), w);
-    if (words.unit != 0) set_field(w, file + ".unit", words.unit);
-    set_field(w, file + ".mirror_y", words.mirror_y ? 1 : 0);
-    if (words.mirror_z != "by_shape") set_field(w, file + ".mirror_z", words.mirror_z == "turned" ? 1 : 0);
-    set_field(w, file + ".shift_y", words.shift_y);
-    set_field(w, file + ".shift_z", words.shift_z);
-    set_field(w, file + ".smoothing_length", words.smoothing_length);
+    if (reading.unit != 0) set_field(w, file + ".unit", reading.unit);
+    set_field(w, file + ".mirror_y", reading.mirror_y ? 1 : 0);
+    if (reading.mirror_z != "by_shape") set_field(w, file + ".mirror_z", reading.mirror_z == "turned" ? 1 : 0);
+    set_field(w, file + ".shift_y", reading.shift_y);
+    set_field(w, file + ".shift_z", reading.shift_z);
+    set_field(w, file + ".smoothing_length", reading.smoothing_length);
 }
 
 void set_slices(contactd_wheel* w, const Slices& slices, const std::string& variable, const std::string& name,
-                const FileWords& words, const std::filesystem::path& resources) {
+                const FileReading& reading, const std::filesystem::path& resources) {
     const auto list = file_named(name, resources);
     if (!list) throw Failure(variable + " is \"" + name + "\", which is no file; it must name a list of slices.");
     std::ifstream file(*list);
@@ -46,7 +46,7 @@ void set_slices(contactd_wheel* w, const Slices& slices, const std::string& vari
                           " names a profile that is no file:" + profile);
         const std::string slice = slices.path + "[" + std::to_string(count++) + "].";
         set_field(w, slice + slices.column, place);
-        set_profile_file(w, slice + "profile", *found, words);
+        set_profile_file(w, slice + "profile", *found, reading);
     }
     if (!file.eof())
         throw Failure(variable + ": line " + std::to_string(number + 1) + " of " + list->string() +

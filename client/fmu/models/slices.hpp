@@ -14,8 +14,8 @@ struct Slices {
     std::string path, column;
 };
 
-/// What holds for a file of a profile beside what it says itself; a unit of 0 leaves that to the file.
-struct FileWords {
+/// How a file of a profile is read, beside what it says itself; a unit of 0 leaves that to the file.
+struct FileReading {
     double unit = 0;
     bool mirror_y = false;
     std::string_view mirror_z{};  ///< one of `orientations`
@@ -24,11 +24,11 @@ struct FileWords {
 
 /// Makes the profile at this path that of a file. Throws Failure for one that cannot be read.
 void set_profile_file(contactd_wheel* wheel, const std::string& profile, const std::filesystem::path& path,
-                      const FileWords& words);
+                      const FileReading& reading);
 
 /// Sets the slices of the file `name`. Throws Failure naming `variable` for what is no such file, and for a line that
 /// has no number and file.
 void set_slices(contactd_wheel* wheel, const Slices& slices, const std::string& variable, const std::string& name,
-                const FileWords& words, const std::filesystem::path& resources);
+                const FileReading& reading, const std::filesystem::path& resources);
 
 }  // namespace contactd::fmu

@@ -28,7 +28,7 @@ constexpr BodyPlaces rail{"setup.rail",         "setup.bodies.upper", at("rail.p
                           at("rail.mirror_y"),  at("rail.mirror_z"),  at("rail.shift_y"), at("rail.shift_z"),
                           at("rail.smoothing"), at("rail.G"),         at("rail.nu"),      at("rail.rigid")};
 
-FileWords words_of(const Values& values, const BodyPlaces& of) {
+FileReading reading_of(const Values& values, const BodyPlaces& of) {
     return {values[of.unit],    values.is(of.mirror_y), keyword_of(wheel_variables[of.mirror_z], values[of.mirror_z]),
             values[of.shift_y], values[of.shift_z],     values[of.smoothing]};
 }
@@ -41,7 +41,7 @@ void set_file(contactd_wheel* w, const Values& values, const BodyPlaces& of, con
                       (resources / path_of(name)).string() + " is no file. It must be " +
                       (of.profile == wheel.profile ? "S1002" : "60E1") +
                       ", cone, arc, a path from / on, a URI file:///..., or a file in the FMU's resources.");
-    set_profile_file(w, std::string(of.profile_path), *path, words_of(values, of));
+    set_profile_file(w, std::string(of.profile_path), *path, reading_of(values, of));
 }
 
 void set_profile(contactd_wheel* w, const Values& values, const BodyPlaces& of,
@@ -97,9 +97,9 @@ void set_up(contactd_wheel* w, const Values& values, const std::filesystem::path
         set_material(w, values, of);
     }
     if (const std::string& slices = values.text(at("wheel.slices")); !slices.empty())
-        set_slices(w, {"setup.wheel_slices", "angle"}, "wheel.slices", slices, words_of(values, wheel), resources);
+        set_slices(w, {"setup.wheel_slices", "angle"}, "wheel.slices", slices, reading_of(values, wheel), resources);
     if (const std::string& slices = values.text(at("rail.slices")); !slices.empty())
-        set_slices(w, {"setup.rail_slices", "x"}, "rail.slices", slices, words_of(values, rail), resources);
+        set_slices(w, {"setup.rail_slices", "x"}, "rail.slices", slices, reading_of(values, rail), resources);
     if (const int angles = values.whole(at("friction.angles")); angles < 0 || angles > most_angles)
         throw Failure("friction.angles is " + std::to_string(angles) + "; it must be 0 to " +
                       std::to_string(most_angles) + ".");

@@ -50,12 +50,12 @@ PointsOfFile points_of(const ProfileFile& file, ProfileKind kind);
 /// The profile with the points of its file in place of the file, or as it is.
 ProfileSpec with_points(const ProfileSpec& profile);
 
-/// For in_words_of_file: the problem of a file that `error` is, which names the file and the line, or "profile.points".
+/// For naming_file: the problem of a file that `error` is, which names the file and the line, or "profile.points".
 std::string problem_of_file(const ProfileFile& file, const InvalidArgument& error);
 
 /// The result of `work` on a file or its points; what it refuses is refused as "profile.file", by the file's name.
 template <class Work>
-auto in_words_of_file(const ProfileFile& file, const Work& work) {
+auto naming_file(const ProfileFile& file, const Work& work) {
     try {
         return work();
     } catch (const InvalidArgument& error) {

@@ -167,7 +167,7 @@ std::string text_of_profile(const std::filesystem::path& file) {
 
 PointsOfFile points_of(const ProfileFile& file, ProfileKind kind) {
     validate(ProfileSpec{kind, file});
-    return in_words_of_file(file, [&] { return points_of_content(file, shown_name(file.name), kind); });
+    return naming_file(file, [&] { return points_of_content(file, shown_name(file.name), kind); });
 }
 
 ProfileSpec with_points(const ProfileSpec& profile) {

@@ -138,7 +138,7 @@ class _Found:
 def _rows(found: _Found, smoothing: float) -> list[tuple[str, Any]]:
     evidence, reading = found.evidence, found.evidence.file
     formats = {"simpack": "Simpack", "miniprof": "MiniProf", "columns": "two columns"}
-    said_by = {"file": "as the file says", "shape": "as its shape shows", "request": "as asked for"}
+    sources = {"file": "as the file says", "shape": "as its shape shows", "request": "as asked for"}
     (left, right), (top, low) = ((float(of.min()), float(of.max())) for of in found.points.T)
     rows: list[tuple[str, Any]] = [("profile of", f"a {found.kind}{', by its shape' if found.by_shape else ''}")]
     if reading is not None:
@@ -146,7 +146,7 @@ def _rows(found: _Found, smoothing: float) -> list[tuple[str, Any]]:
             ("format", formats[reading.format]),
             ("unit", f"{number(float(reading.unit))} mm"),
             ("y", "turned" if reading.mirror_y else "as given"),
-            ("z", f"{'turned' if reading.mirror_z else 'as given'}, {said_by[reading.oriented_by]}"),
+            ("z", f"{'turned' if reading.mirror_z else 'as given'}, {sources[reading.oriented_by]}"),
             ("lines left out", reading.lines_left_out or None),
         ]
     rows += [

@@ -28,14 +28,14 @@ def format_profile(points: Array, kind: Literal["wheel", "rail"], ending: str, r
 
     `points` are (y, z), shape [n, 2], in mm, y to the field side and z downwards; they are written with all their digits.
     """
-    said = [f"{'!' if ending in ('.prr', '.prw') else '#'} {' '.join(remark.split())}" for remark in remarks]
+    comments = [f"{'!' if ending in ('.prr', '.prw') else '#'} {' '.join(remark.split())}" for remark in remarks]
     if ending in (".csv", ".txt"):
         between = "," if ending == ".csv" else " "
-        return "\n".join([*said, between.join("yz"), *_rows(points, between), ""])
+        return "\n".join([*comments, between.join("yz"), *_rows(points, between), ""])
     head = ["header.begin", "  version  = 1", f"  type     = {1 if kind == 'wheel' else 0}", "header.end", "spline.begin"]
     keys = ["  approx.smooth = 0.0", "  units.len.f   = 1000.0", "  units.ang.f   = 1.0", "  point.begin"]
     rows = [f"    {row}" for row in _rows(points, " ")]
-    return "\n".join([*said, *head, *keys, *rows, "  point.end", "spline.end", ""])
+    return "\n".join([*comments, *head, *keys, *rows, "  point.end", "spline.end", ""])
 
 
 def _rows(points: Any, between: str) -> list[str]:

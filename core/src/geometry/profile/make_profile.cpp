@@ -116,7 +116,7 @@ Profile made_of(const ProfilePoints& given, ProfileKind kind) {
 Profile made_of(const ProfileFile& file, ProfileKind kind) {
     const PointsOfFile read = points_of(file, kind);
     const Fit fit{file.smoothing_length, file.smoothing_lambda, file.smoothing_order, file.kinks};
-    Profile made = in_words_of_file(file, [&] { return of_points(read.points, kind, fit, read.rounded_to); });
+    Profile made = naming_file(file, [&] { return of_points(read.points, kind, fit, read.rounded_to); });
     made.evidence.file = read.reading;
     made.evidence.warnings.insert(made.evidence.warnings.begin(), read.warnings.begin(), read.warnings.end());
     return made;

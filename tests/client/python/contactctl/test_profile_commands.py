@@ -16,7 +16,7 @@ def wheel(shared):
 
 
 def rows(points, between=" "):
-    return "".join(f"{y:.6f}{between}{z:.6f}\n" for y, z in points)
+    return "".join(f"{y:.9f}{between}{z:.9f}\n" for y, z in points)
 
 
 HEAD = rows([(y, y * y / 600) for y in range(-36, 37)])
@@ -54,7 +54,7 @@ def test_options_say_what_a_file_does_not(ctl, wheel):
     assert "give unit" in ctl("profile", "show", "inches.txt", "--wheel").err
     assert "change mirror_y" in ctl("profile", "show", "inches.txt", "--wheel", "--unit", 25.4).err
     told = ctl("profile", "show", "inches.txt", "--wheel", "--unit", 25.4, "--mirror-y", "--shift-z", 0.5, "--json").json
-    np.testing.assert_allclose(told["points"], np.add(wheel, (0, 0.5)), atol=3e-5)
+    np.testing.assert_allclose(told["points"], np.add(wheel, (0, 0.5)), atol=1e-6)
 
 
 def test_a_picture_is_drawn(ctl):
