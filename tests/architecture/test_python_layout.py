@@ -21,6 +21,7 @@ ARROWS = {
     "transport": ["values", "files"],
     "calls": ["values", "values/wheel_rail", "files", "transport"],
     "contact_files": ["", "values", "files"],
+    "contact_files/problems": ["values", "values/wheel_rail"],
 }
 GROUND = {"contactd._version", "contactd.errors", "contactd.refusals"}
 MOST_FLOORS = 10

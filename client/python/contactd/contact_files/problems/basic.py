@@ -1,0 +1,196 @@
+"""A case of basic contact (module 3) as a problem of contactd, by the conventions of the CONTACT program."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ...values.evidence import SolverSettings
+from ...values.friction import Friction
+from ...values.grid import Grid
+from ...values.ics import AnalyticIcs
+from ...values.motion import Rolling
+from ...values.problem import ContactProblem, Estimate
+from .areas import PotentialContact, potential_contact
+from .bodies import Pair, pair_of
+from .features import Missing, missing
+from .frictions import coefficients, shares, static
+
+if TYPE_CHECKING:
+    from ...values.contact_files import ContactCase as Case
+
+__all__ = ["BasicContact", "State", "goes_on"]
+
+NormalForce = Callable[[ContactProblem], float]
+
+_NONE, _SHIFT, _TRANSIENT, _STEADY = range(4)
+_NEAR = 0.01  #: rad, of a rolling direction that counts as that of an axis
+_NORMAL, _OTHERS = 1e-8, 1e-6  #: contactd's own tolerances, which a case makes smaller and never larger
+
+
+@dataclass(frozen=True, eq=False)
+class State:
+    """The end of a step, where the next one may start."""
+
+    grid: Grid
+    pressure: npt.NDArray[np.float64]
+    traction_x: npt.NDArray[np.float64]
+    traction_y: npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class BasicContact:
+    """A case made ready.
+
+    Attributes:
+        case: What was read.
+        area: Its elements.
+        pair: Its bodies.
+        friction_unit: What shares of tangential forces are shares of: the coefficient at rest (1 where rows have their own).
+        chi: The rolling direction that is used (rad).
+        dq: The step as the program prints it (mm).
+        ics: Its coefficients.
+        problem: What contactd solves.
+    """
+
+    case: Case
+    area: PotentialContact
+    pair: Pair
+    friction_unit: float
+    chi: float
+    dq: float
+    ics: AnalyticIcs
+    problem: ContactProblem
+
+    @property
+    def phi(self) -> float:
+        """The spin of the whole plane (rad, rad/mm); where it acts in one direction alone, that is slip of the elements."""
+        is_split = self.case.digits["E"] != 0 and self.case.values["EXRHS"] in (2, 3)
+        return 0.0 if is_split else float(self.case.values["CPHI"])
+
+    @classmethod
+    def of(cls, case: Case, normal_force: NormalForce, before: State | None = None) -> BasicContact:
+        """`normal_force` solves a problem without friction; `before` is the state at the start of a step that goes on.
+
+        Raises Missing for what contactd does not have.
+        """
+        if names := missing(case):
+            raise Missing(", ".join(names))
+        values = case.values
+        area = potential_contact(values, None if before is None else before.grid)
+        pair = pair_of(values)
+        load = {"Fn": values["FN"]} if case.digits["N"] == 1 else {"approach": values["PEN"]}
+        ics = AnalyticIcs(load_shape="bilinear") if values["INFLCF"] == 3 else AnalyticIcs()
+        problem = ContactProblem(
+            grid=area.grid, upper=pair.upper, lower=pair.lower, gap=area.gap, ics=ics, **load,
+            **_settings(values, pair), **_model(case),
+        )  # fmt: skip
+        unit = 1.0 if values["VARFRC"] == 3 else static(values["FRCLAW"], case.friction[0])
+        chi, dq = _rolling_step(case, area.grid)
+        if case.digits["T"] != _NONE:
+            force = shares(values, case.digits["F"], unit * _normal_force(problem, case, pair, normal_force))
+            # ConvexGS prints the step as it is given; its steady rolling is that by one element, too.
+            step = area.grid.dx if case.digits["T"] == _STEADY else dq
+            friction = _friction(case, area.grid, chi, step, force)
+            previous = None if before is None else _moved(before, area.grid)
+            problem = problem.replace(friction=friction, previous=previous)
+        return cls(case, area, pair, unit, chi, dq, ics, problem)
+
+
+def goes_on(case: Case) -> bool:
+    """Whether a case starts from what one before it ended with."""
+    return case.digits["P"] != 2 and case.digits["T"] in (_SHIFT, _TRANSIENT)
+
+
+def _rolling_step(case: Case, grid: Grid) -> tuple[float, float]:
+    """CHI and DQ as the program prints them: steady rolling goes along x by elements, unless ConvexGS solves it."""
+    values = case.values
+    chi, dq = values["CHI"], values["DQ"]
+    is_along_x = (case.digits["T"] == _STEADY and values["GAUSEI"] != 2) or case.digits["M"] in (3, 5)
+    if not is_along_x or case.digits["T"] not in (_TRANSIENT, _STEADY):
+        return chi, dq
+    goes_back = abs(abs(math.remainder(chi, 2 * math.pi)) - math.pi) < _NEAR
+    return (math.pi if goes_back else 0.0), grid.dx
+
+
+def _settings(values: Any, pair: Pair) -> dict[str, Any]:
+    eps = values["EPS"]
+    settings: dict[str, Any] = {}
+    if eps < _NORMAL:
+        settings["normal"] = SolverSettings(tolerance=eps)
+    if eps < _OTHERS:
+        settings["tangential"] = SolverSettings(tolerance=eps)
+    if not pair.is_quasi_identical and values["MAXOUT"] == 1:
+        settings["outer"] = SolverSettings(max_iterations=1)
+    elif eps < _OTHERS:
+        settings["outer"] = SolverSettings(tolerance=eps)
+    return settings
+
+
+def _model(case: Case) -> dict[str, Any]:
+    return {"model": "fastsim"} if case.digits["M"] == 3 else {}
+
+
+def _normal_force(problem: ContactProblem, case: Case, pair: Pair, normal_force: NormalForce) -> float:
+    """What shares of tangential forces refer to."""
+    if case.digits["F"] == 0:
+        return 0.0
+    if problem.Fn is not None:
+        return problem.Fn
+    if not pair.is_quasi_identical:
+        raise Missing("shares of a normal force that is not known before the solve (N = 0, F > 0, dissimilar bodies)")
+    return normal_force(problem)
+
+
+def _friction(case: Case, grid: Grid, chi: float, dq: float, force: Any) -> Friction:
+    values, digits = case.values, case.digits
+    mu, kinetic = coefficients(values["FRCLAW"], case.friction, grid)
+    phi, rolls = values["CPHI"], digits["T"] != _SHIFT
+    xi = values.get("CKSI", 0.0) + phi * values["SPINYO"]
+    eta = values.get("CETA", 0.0) - phi * values["SPINXO"]
+    ahead = values["FACPHI"] * dq if rolls else 0.0
+    extra = _extra_slip(values, digits["E"], grid, ahead * math.cos(chi), ahead * math.sin(chi))
+    if extra is not None and values["EXRHS"] in (2, 3):
+        phi, xi, eta = 0.0, values.get("CKSI", 0.0), values.get("CETA", 0.0)
+    if not rolls:
+        return Friction(mu=mu, kinetic=kinetic, rigid_shift=(xi, eta), rotation=phi, force=force, rigid_slip=extra)
+    rolling = Rolling(
+        xi=xi, eta=eta, phi=phi, chi=chi, dq=dq, spin_offset=values["FACPHI"], velocity=values["VELOC"], force=force,
+        kind="steady" if digits["T"] == _STEADY else "transient",
+    )  # fmt: skip
+    return Friction(mu=mu, kinetic=kinetic, rolling=rolling, rigid_slip=extra)
+
+
+def _extra_slip(values: Any, digit: int, grid: Grid, ahead_x: float, ahead_y: float) -> tuple[Any, Any] | None:
+    """Slip of the elements beside that of the motion. Spin in one direction alone is slip of the elements, too, evaluated
+    `ahead` of their centres."""
+    if digit == 0 or values["EXRHS"] == 0:
+        return None
+    if values["EXRHS"] == 9:
+        return np.reshape(values["SLIP_X"], grid.shape), np.reshape(values["SLIP_Y"], grid.shape)
+    none, phi = np.zeros(grid.shape), values["CPHI"]
+    if values["EXRHS"] == 2:
+        return none - phi * (grid.y[:, None] + ahead_y - values["SPINYO"]), none
+    return none, none + phi * (grid.x[None, :] + ahead_x - values["SPINXO"])
+
+
+def _moved(before: State, grid: Grid) -> Estimate:
+    """Tractions on elements that lie whole elements elsewhere, and may be more or fewer."""
+    dx, dy = round((grid.x[0] - before.grid.x[0]) / grid.dx), round((grid.y[0] - before.grid.y[0]) / grid.dy)
+    if (dx, dy) == (0, 0) and grid.shape == before.grid.shape:
+        return Estimate(before.pressure, before.traction_x, before.traction_y)
+    rows, columns = np.arange(grid.ny) + dy, np.arange(grid.nx) + dx
+    there = np.ix_((rows >= 0) & (rows < before.grid.ny), (columns >= 0) & (columns < before.grid.nx))
+    taken = np.ix_(rows[(rows >= 0) & (rows < before.grid.ny)], columns[(columns >= 0) & (columns < before.grid.nx)])
+
+    def on_grid(array: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        placed = np.zeros(grid.shape)
+        placed[there] = array[taken]
+        return placed
+
+    return Estimate(on_grid(before.pressure), on_grid(before.traction_x), on_grid(before.traction_y))

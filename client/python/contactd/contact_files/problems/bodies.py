@@ -1,0 +1,48 @@
+"""The two bodies of a case, and the constants of the pair that the CONTACT program prints and decides by."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from ...values.materials import Material
+
+__all__ = ["Pair", "pair_of"]
+
+_ALIKE = 1e-4  #: below this difference the program takes bodies as quasi-identical
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Bodies and their combined constants.
+
+    Attributes:
+        upper: Body 1.
+        lower: Body 2; None: as the upper one.
+        nu: Combined Poisson's ratio: nu/G is the mean of both.
+        G: Combined shear modulus (N/mm^2): 1/G is the mean of both.
+        difference: G/4 ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2), of dissimilar bodies (AK).
+    """
+
+    upper: Material
+    lower: Material | None
+    nu: float
+    G: float
+    difference: float
+
+    @property
+    def is_quasi_identical(self) -> bool:
+        """Whether normal and tangential contact do not depend on each other."""
+        return self.lower is None
+
+
+def pair_of(values: Mapping[str, Any]) -> Pair:
+    """The bodies of a case. Where they hardly differ, both are of the combined material, as the program has them."""
+    nu1, nu2, g1, g2 = (values[name] for name in ("POISS1", "POISS2", "GG1", "GG2"))
+    G = 2 / (1 / g1 + 1 / g2)
+    nu = G * (nu1 / g1 + nu2 / g2) / 2
+    difference = G / 4 * ((1 - 2 * nu1) / g1 - (1 - 2 * nu2) / g2)
+    if abs(difference) < _ALIKE:
+        return Pair(Material(G=G, nu=nu), None, nu, G, 0.0 if nu1 == nu2 and g1 == g2 else difference)
+    return Pair(Material(G=g1, nu=nu1), Material(G=g2, nu=nu2), nu, G, difference)

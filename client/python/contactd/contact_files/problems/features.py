@@ -1,0 +1,104 @@
+"""What cases ask for that contactd does not have: each by its name, and by the digit or value that asks for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from ...values.contact_files import ContactCase as Case
+
+__all__ = ["Missing", "missing"]
+
+
+class Missing(Exception):
+    """A case that cannot be computed, for the feature that it needs."""
+
+
+@dataclass(frozen=True)
+class _Feature:
+    name: str
+    is_needed: Callable[[Case], bool]
+
+
+def missing(case: Case) -> list[str]:
+    """Names of the features that a case needs and contactd lacks."""
+    features = _BOTH + (_ON_RAILS if case.module == 1 else _BASIC)
+    return [feature.name for feature in features if feature.is_needed(case)]
+
+
+def _digit(name: str, digit: str, *values: int) -> _Feature:
+    asked = ", ".join(map(str, values))
+    return _Feature(f"{name} ({digit} = {asked})", lambda case: case.digits.get(digit) in values)
+
+
+def _has_memory(case: Case) -> bool:
+    return case.values.get("FRCLAW") != 0 and case.values.get("MEMDST", 0) > 0
+
+
+def _falls_in_two_terms(case: Case) -> bool:
+    if case.values.get("FRCLAW") not in (2, 4):
+        return False
+    return any(one["F1"] > 1e-8 and one["F2"] > 1e-8 for one in case.friction)
+
+
+def _is_damped(case: Case) -> bool:
+    return case.digits.get("M2", 1) != 0 and any(case.values.get(name, 0) != 0 for name in ("CDAMPN", "CDAMPT"))
+
+
+def _is_reduced_fastsim(case: Case) -> bool:
+    return case.digits["M"] == 3 and (case.values["K0"] != 1 or case.values["ALFA"] != 1)
+
+
+_BOTH = (
+    _digit("tractions from the pressures of the case before", "P", 1),
+    _digit("thin sheet", "B", 1),
+    _digit("viscoelastic bodies", "M", 1),
+    _Feature("FASTSIM without Hertz's contact (M = 3, IPOTCN > 0)",
+             lambda case: case.digits["M"] == 3 and case.module == 3 and case.values["IPOTCN"] not in (-1, -2, -3)),
+    _digit("FASTSIM of one flexibility", "M", 2),
+    _digit("interfacial layer", "M", 4),
+    _digit("FaStrip", "M", 5),
+    _digit("trials of the simplified theory", "M", 6, 7),
+    _Feature("FASTSIM with reduced slope (M = 3)", _is_reduced_fastsim),
+    _Feature("friction law, rational (L = 3)", lambda case: case.values.get("FRCLAW") == 3),
+    _Feature("friction by temperature (L = 6)", lambda case: case.values.get("FRCLAW") == 6),
+    _Feature("falling friction of two terms (F1, F2)", _falls_in_two_terms),
+    _Feature("memory of friction (MEMDST)", _has_memory),
+    _Feature("damping (M2)", _is_damped),
+    _Feature("surface temperature (H)", lambda case: case.digits.get("H", 0) > 0),
+)
+
+_BASIC = (
+    _digit("elliptic traction bound", "B", 2),
+    _Feature("parabolic traction bound with the full theory (B = 3)",
+             lambda case: case.digits["B"] == 3 and case.digits["M"] != 3),
+    _digit("bound of two half ellipses, SDEC", "B", 4),
+    _digit("KPEC, ANALYN", "B", 5, 6),
+    _Feature("half-spaces that turn (C = 4)", lambda case: case.values.get("INFLCF") == 4),
+    _Feature("coefficients from a file (C = 9)", lambda case: case.values.get("INFLCF") == 9),
+    _Feature("two half ellipses (IPOTCN = -6)", lambda case: case.values.get("IPOTCN") == -6),
+    _Feature("patches that share their displacements (IPLAN = 4)",
+             lambda case: case.values.get("IPOTCN", 0) > 0 and case.values.get("IPLAN") == 4),
+)  # fmt: skip
+
+_FLEXIBLE = ("DXWHL", "DYWHL", "DZWHL", "DROLLW", "DYAWW", "VXWHL", "VYWHL", "VZWHL", "VROLLW", "VYAWW", "VPITCHW")
+
+_ON_RAILS = (
+    _digit("transient contact on rails", "T", 1, 2),
+    _digit("elliptic or parabolic traction bound", "B", 2, 3, 4),
+    _digit("KPEC", "B", 5),
+    _digit("ANALYN", "B", 6),
+    _Feature("FASTSIM on rails (M = 3)", lambda case: case.digits["M"] == 3 and case.digits["B"] not in (5, 6)),
+    _Feature("bilinear tractions on rails (C = 3)", lambda case: case.values.get("INFLCF") == 3),
+    _Feature("half-spaces that turn in a plane contact (C = 4)",
+             lambda case: case.values.get("INFLCF") == 4 and case.values.get("DISCNS") != 4),
+    _Feature("trials of the discretisation (D = 6 to 9)", lambda case: case.values.get("DISCNS", 2) > 5),
+    _Feature("a roller that leans with its axle (DROLLR)",
+             lambda case: case.digits["C1"] >= 4 and case.values.get("DROLLR", 0) != 0),
+    _Feature("a roller placed by its gauge that deviates with its axle (DZRAIL)",
+             lambda case: case.digits["C1"] >= 4 and case.values.get("DZRAIL", 0) != 0 and case.values["GAUGHT"] > 0),
+    # Deviations of an earlier case stay in force, whatever E says.
+    _Feature("flexible wheelset (E = 4, 5)", lambda case: any(case.values.get(name, 0) != 0 for name in _FLEXIBLE)),
+)  # fmt: skip

@@ -1,0 +1,65 @@
+"""The friction of a case: sets of values by the law in force, as contactd has them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from ...values.friction_methods import Force
+from ...values.grid import Grid
+from ...values.motion import KineticFriction, SlipLaw
+from .features import Missing
+
+__all__ = ["Coefficients", "coefficients", "coefficients_of_sets", "shares", "static"]
+
+Set = Mapping[str, float]
+Coefficients = tuple[Any, KineticFriction | None]
+"""mu of Friction, one or an array, and its fall."""
+
+_NO_TERM = 1e-8
+_BY_TEMPERATURE = 6
+_LAWS: dict[int, tuple[SlipLaw, float]] = {2: ("linear", 2.0), 4: ("exponential", 1 / math.log(2))}
+"""The law of contactd, and its slip velocity over SABSH."""
+
+
+def static(law: int, one: Set) -> float:
+    """The coefficient at rest."""
+    if law == 0:
+        return one["FSTAT"]
+    return one["FREF"] if law == _BY_TEMPERATURE else one["FKIN"] + one["F1"] + one["F2"]
+
+
+def coefficients(law: int, sets: Sequence[Set], grid: Grid) -> Coefficients:
+    """Of one set, or of one a row of the grid."""
+    rows, fall = coefficients_of_sets(law, sets)
+    if len(rows) == 1:
+        return rows[0], fall
+    return np.repeat(np.array(rows)[:, None], grid.nx, axis=1), fall
+
+
+def coefficients_of_sets(law: int, sets: Sequence[Set]) -> tuple[list[float], KineticFriction | None]:
+    """Coefficients at rest, and the fall that all sets have. Raises Missing where they do not all fall alike."""
+    falls = [_fall(law, one) for one in sets]
+    if any(fall != falls[0] for fall in falls):
+        raise Missing("falling friction that is another one from place to place (V)")
+    return [static(law, one) for one in sets], falls[0]
+
+
+def _fall(law: int, one: Set) -> KineticFriction | None:
+    if law not in _LAWS:
+        return None
+    name, factor = _LAWS[law]
+    term = "1" if one["F1"] > _NO_TERM else "2"
+    if one[f"F{term}"] <= _NO_TERM:
+        return None
+    return KineticFriction(one["FKIN"], factor * one[f"SABSH{term}"], name)
+
+
+def shares(case_values: Mapping[str, Any], prescribed: int, unit: float) -> Force | None:
+    """The forces that shares of `unit` (N) stand for; prescribed is the digit F."""
+    if prescribed == 0:
+        return None
+    return (case_values["FX"] * unit, case_values["FY"] * unit if prescribed == 2 else None)

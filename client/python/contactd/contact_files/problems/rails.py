@@ -1,0 +1,191 @@
+"""A case of a wheel on a rail (module 1) as a set-up and a state of contactd, by the conventions of the CONTACT program."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...values.evidence import SolverSettings
+from ...values.profile_shapes import Profile
+from ...values.wheel_rail.setup import (
+    PatchRules,
+    RailSprings,
+    Track,
+    WheelRailFriction,
+    WheelRailSetup,
+    Wheelset,
+    WheelSurface,
+)
+from ...values.wheel_rail.state import RailDeviation, WheelRailState, WheelsetPosition, WheelsetVelocity
+from .bodies import pair_of
+from .features import Missing, missing
+from .frictions import coefficients_of_sets
+
+if TYPE_CHECKING:
+    from ...values.contact_files import ContactCase as Case
+
+__all__ = ["Profiles", "RailContact", "Slices"]
+
+Slices = Sequence[tuple[Any, ...]]
+#: The profile that a case names, or its slices and their spline: of "RAIL" or "WHEEL", by its values.
+Profiles = Callable[["Case", str], "Profile | tuple[Slices, str]"]
+
+_ROLLER, _RIGHT = 4, 1
+_HALF_PLANE = 4  #: D: contact that follows the surfaces
+_NEAR = 1e-6  #: by how much distances that are the same to the program are apart here (mm)
+
+
+@dataclass(frozen=True, eq=False)
+class RailContact:
+    """A case made ready.
+
+    Attributes:
+        case: What was read.
+        setup: Profiles, track, friction and elements.
+        state: Position and motion.
+        friction_unit: The coefficient at rest that shares of forces are printed by; None where angles decide.
+    """
+
+    case: Case
+    setup: WheelRailSetup
+    state: WheelRailState
+    friction_unit: float | None
+
+    @classmethod
+    def of(cls, case: Case, profiles: Profiles, wheel_surface: WheelSurface) -> RailContact:
+        """Raises Missing for what contactd does not have, and OSError for a profile that cannot be read."""
+        if names := missing(case):
+            raise Missing(", ".join(names))
+        values = case.values
+        friction = _friction(case) if case.digits["T"] != 0 else None
+        pair = pair_of(values)
+        setup = WheelRailSetup(
+            side="right" if case.digits["C1"] % _ROLLER == _RIGHT else "left",
+            upper=pair.upper, lower=pair.lower, track=_track(case), wheelset=_wheelset(values), friction=friction,
+            dx=values["DX"], dy=values["DS"], patches=_patches(values), wheel_surface=wheel_surface,
+            rigid_slip="surfaces" if values["DISCNS"] == 3 else None, conformal=_conformal(values),
+            **_surfaces(case, profiles), **_settings(values),
+        )  # fmt: skip
+        unit = friction.mu if friction is not None and isinstance(friction.mu, float) else None
+        return cls(case, setup, _state(case), unit)
+
+
+def _surfaces(case: Case, profiles: Profiles) -> dict[str, Any]:
+    found: dict[str, Any] = {}
+    for name in ("rail", "wheel"):
+        surface = profiles(case, name.upper())
+        if isinstance(surface, tuple):
+            found[f"{name}_slices"], found[f"{name}_spline"] = surface
+        else:
+            found[name] = surface
+    return found
+
+
+def _track(case: Case) -> Track:
+    values = case.values
+    outwards = 1 if case.digits["C1"] % _ROLLER == _RIGHT else -1
+    places: dict[str, Any] = {}
+    if values["GAUGHT"] > 0:
+        places = {"gauge": values["GAUGWD"], "gauge_height": values["GAUGHT"]}
+    else:
+        places = {"rail_origin": (outwards * values["RAILY0"], values["RAILZ0"] + _sunk(case))}
+    if case.digits["C1"] >= _ROLLER:
+        return Track(roller_radius=values["NOMRADR"], **places)
+    springs = None
+    if case.digits["F"] == 3 and (values["KYRAIL"] > 0 or values["KZRAIL"] > 0):
+        springs = RailSprings(y=values["KYRAIL"] or None, z=values["KZRAIL"] or None)
+    return Track(cant=values["CANT"], springs=springs, **places)
+
+
+def _sunk(case: Case) -> float:
+    """By how much a roller lies deeper, whose axle goes along with its deviation (mm)."""
+    is_whole = case.digits["C1"] >= _ROLLER and case.values["GAUGHT"] <= 0
+    return float(case.values["DZRAIL"]) if is_whole else 0.0
+
+
+def _wheelset(values: Any) -> Wheelset:
+    """Only where the wheel's profile lies along the axle matters, so that distances that no flanges have become others."""
+    distance, position = values["FBDIST"], values["FBPOS"]
+    if distance <= 0:
+        distance, position = 1.0, 0.5 - max(distance / 2 - position, _NEAR)
+    return Wheelset(flange_back_distance=distance, flange_back_position=position, nominal_radius=values["NOMRADW"])
+
+
+def _patches(values: Any) -> PatchRules:
+    combine = values["D_COMB"]
+    separate = max(values["D_SEP"], combine + _NEAR)
+    return PatchRules(
+        angle_separate=min(values["A_SEP"], math.pi), distance_combine=combine, distance_separate=separate,
+        distance_turn=max(values["D_TURN"], separate + _NEAR), search="mesh" if values["DISCNS"] == 5 else None,
+    )  # fmt: skip
+
+
+def _conformal(values: Any) -> Any:
+    if values["DISCNS"] != _HALF_PLANE:
+        return None
+    return "rotated" if values["INFLCF"] == _HALF_PLANE else "half_space"
+
+
+def _settings(values: Any) -> dict[str, Any]:
+    """Tolerances of a case make contactd's own smaller, and never larger."""
+    names = (("normal", 1e-8), ("tangential", 1e-6), ("force", 1e-6))
+    return {name: SolverSettings(tolerance=values["EPS"]) for name, own in names if values["EPS"] < own}
+
+
+def _friction(case: Case) -> WheelRailFriction:
+    values, law = case.values, case.values["FRCLAW"]
+    if values["VARFRC"] != 1:
+        sets = [_at_place(case.friction, values["S_WS"])] if values["VARFRC"] == 2 else case.friction[:1]
+        (mu,), kinetic = coefficients_of_sets(law, sets)
+        return WheelRailFriction(float(mu), kinetic=kinetic)
+    mus, kinetic = coefficients_of_sets(law, case.friction)
+    by_angle = [(one["ALPHVF"] + _angle_offset(case), mu) for one, mu in zip(case.friction, mus)]
+    return WheelRailFriction(by_angle, along_profile=values["DISCNS"] == _HALF_PLANE or None, kinetic=kinetic)
+
+
+def _angle_offset(case: Case) -> float:
+    """Angles are those against the wheel's profile where the contact is a plane, and else against the track; contactd's are
+    against the track, and of left wheels those of the mirror image."""
+    if case.values["DISCNS"] == _HALF_PLANE:
+        return 0.0
+    roll = case.values["ROLL"]
+    return float(roll if case.digits["C1"] % _ROLLER == _RIGHT else -roll)
+
+
+def _at_place(sets: Sequence[Mapping[str, float]], place: float) -> dict[str, float]:
+    """Between sets along the track, on straight lines; constant beyond."""
+    along = [one["SVF"] for one in sets]
+    return {name: float(np.interp(place, along, [one[name] for one in sets])) for name in sets[0] if name != "SVF"}
+
+
+def _state(case: Case) -> WheelRailState:
+    values, is_roller = case.values, case.digits["C1"] >= _ROLLER
+    position = WheelsetPosition(
+        x=0.0 if is_roller else values["S_WS"], y=values["Y_WS"], z=values.get("Z_WS", 0.0), roll=values["ROLL"],
+        yaw=values["YAW"], pitch=values["PITCH"],
+    )  # fmt: skip
+    forwards = 0.0 if is_roller else values["VS"]
+    velocity = WheelsetVelocity(
+        x=forwards, y=values["VY"], z=values["VZ"], roll=values["VROLL"], yaw=values["VYAW"] + forwards * values["CURV"],
+        pitch=values["VPITCH"] if "VPITCH" in values else _free_pitch_rate(values, forwards, is_roller),
+    )  # fmt: skip
+    others = {"Fy": values["FYRAIL"], "Fz": values["FZRAIL"]} if case.digits["F"] == 3 else {}
+    rail = RailDeviation(
+        y=values["DYRAIL"], z=values["DZRAIL"] - _sunk(case), roll=values["DROLLR"], y_velocity=values["VYRAIL"],
+        z_velocity=values["VZRAIL"], roll_velocity=values["VROLLR"], **others,
+    )  # fmt: skip
+    return WheelRailState(
+        position=position, velocity=velocity, rail=rail, roller_pitch=values["RPITCH"] if is_roller else 0.0,
+        Fz=values.get("FZ"), Fx=values.get("FX") if case.digits["F"] == 1 else None,
+    )  # fmt: skip
+
+
+def _free_pitch_rate(values: Any, forwards: float, is_roller: bool) -> float:
+    """Where the search for the pitch rate that brings Fx starts."""
+    if is_roller:
+        return float(-values["RPITCH"] * values["NOMRADR"] / values["NOMRADW"])
+    return float(-forwards / values["NOMRADW"])

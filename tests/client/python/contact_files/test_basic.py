@@ -1,0 +1,174 @@
+"""Cases of basic contact as problems of contactd."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from contactd import ContactProblem, Grid, KineticFriction, Material, Rolling
+from contactd.contact_files.problems.basic import BasicContact, State, goes_on
+from contactd.contact_files.problems.features import Missing, missing
+from support.contact_cases import basic_case
+
+CORNER = {"IPOTCN": 1, "MX": 6, "MY": 4, "XL": -3.0, "YL": -1.0, "DX": 1.0, "DY": 0.5, "IBASE": 1, "IPLAN": 1,
+          "B1": 1e-3, "B2": 0.0, "B3": 2e-3, "B4": 0.0, "B5": 0.0, "B6": 0.0}  # fmt: skip
+
+
+def no_force(_: ContactProblem) -> float:
+    raise AssertionError("no normal force is asked for")
+
+
+def made(**changes: object) -> BasicContact:
+    return BasicContact.of(basic_case(**changes), no_force)
+
+
+def rolling(contact: BasicContact) -> Rolling:
+    assert contact.problem.friction is not None and contact.problem.friction.rolling is not None
+    return contact.problem.friction.rolling
+
+
+def test_the_load_is_a_force_or_an_approach() -> None:
+    assert made().problem.Fn == 5e4
+    assert made(N=0, PEN=0.02).problem.approach == 0.02
+
+
+def test_bodies_that_hardly_differ_are_one_material() -> None:
+    contact = made(POISS1=0.28, POISS2=0.28001, GG1=82000.0, GG2=82000.0)
+    assert contact.problem.lower is None
+    assert contact.pair.nu == pytest.approx(0.280005)
+    others = made(POISS1=0.28, GG1=200.0, POISS2=0.28, GG2=1.0)
+    assert (others.problem.upper, others.problem.lower) == (Material(G=200, nu=0.28), Material(G=1, nu=0.28))
+    assert others.pair.G == pytest.approx(2 / (1 / 200 + 1))
+    assert others.pair.difference == pytest.approx(others.pair.G / 4 * (0.44 / 200 - 0.44))
+
+
+def test_steady_rolling_goes_along_x_by_elements_but_by_convexgs() -> None:
+    dx = 2 * 6 * 1.1 / 12
+    assert (rolling(made(CHI=0.7)).chi, rolling(made(CHI=0.7)).dq) == (0.0, pytest.approx(dx))
+    assert rolling(made(CHI=3.1415)).chi == math.pi
+    by_convexgs = made(CHI=0.7, GAUSEI=2)
+    assert (by_convexgs.chi, by_convexgs.dq) == (0.7, 0.5)
+    assert (rolling(by_convexgs).chi, rolling(by_convexgs).dq, rolling(by_convexgs).kind) == (0.7, pytest.approx(dx), "steady")
+    transient = rolling(made(T=2, CHI=0.7))
+    assert (transient.chi, transient.dq, transient.kind) == (0.7, 0.5, "transient")
+
+
+def test_spin_is_evaluated_ahead_and_about_its_centre() -> None:
+    found = rolling(made(CKSI=1e-3, CETA=2e-3, CPHI=1e-4, SPINXO=3.0, SPINYO=-2.0))
+    assert (found.xi, found.eta, found.phi) == pytest.approx((1e-3 - 2e-4, 2e-3 - 3e-4, 1e-4))
+    assert found.spin_offset == 1 / 6
+    assert rolling(made(FACPHI=0.5)).spin_offset == 0.5
+
+
+def test_a_shift_is_one_and_knows_no_way_ahead() -> None:
+    friction = made(T=1, CKSI=3e-3, CPHI=1e-4).problem.friction
+    assert friction is not None
+    assert (friction.rigid_shift, friction.rotation, friction.rolling) == ((3e-3, 0.0), 1e-4, None)
+
+
+def test_shares_of_forces_are_of_the_bound() -> None:
+    assert rolling(made(F=1, FX=-0.6)).force == (-0.6 * 0.3 * 5e4, None)
+    assert rolling(made(F=2, FX=-0.6, FY=0.1)).force == pytest.approx((-0.6 * 0.3 * 5e4, 0.1 * 0.3 * 5e4))
+    by_rows = [{"IY": row, "FSTAT": 0.2 + row / 100, "FKIN": 0.2} for row in range(1, 11)]
+    assert rolling(made(F=1, FX=-0.1, V=3, VARFRC=3, friction=by_rows)).force == (-0.1 * 5e4, None)
+    found = BasicContact.of(basic_case(N=0, PEN=0.02, F=1, FX=0.5), lambda problem: 1000.0)
+    assert rolling(found).force == (0.5 * 0.3 * 1000, None)
+
+
+def test_shares_of_a_force_that_nobody_knows_are_refused() -> None:
+    with pytest.raises(Missing, match="not known before the solve"):
+        made(N=0, PEN=0.02, F=1, FX=0.5, POISS1=0.0)
+
+
+def test_rows_have_their_own_friction() -> None:
+    by_rows = [{"IY": row, "FSTAT": 0.2 + row / 100, "FKIN": 0.2} for row in range(1, 11)]
+    friction = made(V=3, VARFRC=3, friction=by_rows).problem.friction
+    assert friction is not None
+    assert np.shape(friction.mu) == (10, 12)
+    assert np.asarray(friction.mu)[3] == pytest.approx(0.24)
+
+
+def test_laws_that_fall_are_those_of_contactd() -> None:
+    values = {"FKIN": 0.12, "F1": 0.18, "SABSH1": 100.0, "F2": 0.0, "SABSH2": 1e-4}
+    linear = made(L=2, FRCLAW=2, friction=[values]).problem.friction
+    assert linear is not None
+    assert (linear.mu, linear.kinetic) == (pytest.approx(0.3), KineticFriction(0.12, 200.0, "linear"))
+    exponential = made(L=4, FRCLAW=4, friction=[values]).problem.friction
+    assert exponential is not None and exponential.kinetic is not None
+    fallen = 0.12 + 0.18 * math.exp(-250 / exponential.kinetic.slip_velocity)
+    assert fallen == pytest.approx(0.12 + 0.18 * 2 ** (-250 / 100))
+    other_term = {"FKIN": 0.12, "F1": 0.0, "SABSH1": 1e-4, "F2": 0.18, "SABSH2": 100.0}
+    both = made(L=4, FRCLAW=4, friction=[other_term]).problem.friction
+    assert both is not None and both.kinetic == exponential.kinetic
+
+
+def test_elements_slip_by_themselves() -> None:
+    slip = list(np.linspace(0, 1, 120))
+    friction = made(E=9, EXRHS=9, SLIP_X=slip, SLIP_Y=slip[::-1]).problem.friction
+    assert friction is not None and friction.rigid_slip is not None
+    assert np.asarray(friction.rigid_slip[0])[2, 5] == slip[2 * 12 + 5]
+    none = made(E=0, EXRHS=9, SLIP_X=slip, SLIP_Y=slip).problem.friction
+    assert none is not None and none.rigid_slip is None
+
+
+def test_spin_in_one_direction_alone() -> None:
+    contact = made(E=2, EXRHS=2, CPHI=1e-3, CHI=0.0)
+    friction = contact.problem.friction
+    assert friction is not None and friction.rigid_slip is not None
+    assert rolling(contact).phi == 0
+    assert np.asarray(friction.rigid_slip[0])[:, 0] == pytest.approx(-1e-3 * contact.area.grid.y)
+    assert not np.asarray(friction.rigid_slip[1]).any()
+
+
+def test_tolerances_get_smaller_and_never_larger() -> None:
+    loose = made(EPS=1e-4).problem
+    assert loose.normal is loose.tangential is loose.outer is None
+    tight = made(EPS=1e-9).problem
+    assert tight.normal is not None and tight.tangential is not None
+    assert (tight.normal.tolerance, tight.tangential.tolerance) == (1e-9, 1e-9)
+    once = made(POISS1=0.0, MAXOUT=1).problem
+    assert once.outer is not None and once.outer.max_iterations == 1
+
+
+def test_a_step_goes_on_from_tractions_that_may_lie_elsewhere() -> None:
+    before = Grid(6, 4, 1.0, 0.5, -3.0, -1.0)
+    numbers = np.arange(24.0).reshape(4, 6)
+    start = State(before, numbers, numbers + 100, numbers + 200)
+    case = basic_case(T=2, P=0, **{**CORNER, "MX": 8, "XL": -2.0, "YL": -1.5})
+    previous = BasicContact.of(case, no_force, start).problem.previous
+    assert previous is not None and previous.pressure is not None
+    assert previous.pressure.shape == (4, 8)
+    assert not previous.pressure[0].any()
+    assert previous.pressure[1].tolist() == [1, 2, 3, 4, 5, 0, 0, 0]
+    assert previous.traction_y is not None and previous.traction_y[3].tolist() == [213, 214, 215, 216, 217, 0, 0, 0]
+
+
+def test_shifts_and_transient_steps_go_on_unless_they_start_anew() -> None:
+    assert goes_on(basic_case(P=0, T=1)) and goes_on(basic_case(P=0, T=2))
+    assert not any(goes_on(basic_case(P=p, T=t)) for p, t in ((2, 1), (2, 2), (0, 3), (0, 0)))
+
+
+@pytest.mark.parametrize(
+    ("changes", "name"),
+    [
+        ({"P": 1}, "P = 1"), ({"B": 1}, "thin sheet"), ({"B": 2}, "elliptic traction bound"), ({"B": 3}, "parabolic"),
+        ({"B": 4}, "SDEC"), ({"B": 5}, "KPEC"), ({"M": 1}, "viscoelastic"), ({"M": 4}, "interfacial layer"), ({"M": 5}, "FaStrip"),
+        ({"M": 3, "K0": 0.5, "ALFA": 1.0}, "reduced slope"), ({"FRCLAW": 3}, "rational"), ({"FRCLAW": 6}, "temperature"),
+        ({"FRCLAW": 4, "MEMDST": 0.1, "friction": [{"FKIN": 0.1, "F1": 0.1, "F2": 0.0}]}, "memory"), ({"H": 1}, "temperature"),
+        ({"FRCLAW": 4, "friction": [{"FKIN": 0.1, "F1": 0.1, "F2": 0.1}]}, "two terms"), ({"CDAMPN": 1.0, "CDAMPT": 0.0}, "damping"),
+        ({"INFLCF": 4}, "half-spaces that turn"), ({"INFLCF": 9}, "from a file"), ({"IPOTCN": -6}, "half ellipses"),
+        ({"IPOTCN": 1, "IPLAN": 4}, "share their displacements"),
+    ],
+)  # fmt: skip
+def test_what_contactd_lacks_is_told_by_name(changes: dict[str, object], name: str) -> None:
+    (told,) = missing(basic_case(**changes))
+    assert name in told
+    with pytest.raises(Missing, match=name):
+        made(**changes)
+
+
+def test_what_is_in_memory_and_does_not_act_is_no_matter() -> None:
+    assert missing(basic_case(MEMDST=0.1, MEM_S0=1.0, FG1=1.0, IPLAN=4, FLXZ=1.0)) == []
+    assert missing(basic_case(CDAMPN=1.0, CDAMPT=1.0, M2=0)) == []
