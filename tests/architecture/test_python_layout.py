@@ -22,6 +22,8 @@ ARROWS = {
     "calls": ["values", "values/wheel_rail", "files", "transport"],
     "contact_files": ["", "values", "files"],
     "contact_files/problems": ["values", "values/wheel_rail"],
+    "contact_files/answers": ["values", "values/wheel_rail", "contact_files/problems"],
+    "contact_files/prints": ["values", "values/wheel_rail", "contact_files/problems", "contact_files/answers"],
 }
 GROUND = {"contactd._version", "contactd.errors", "contactd.refusals"}
 MOST_FLOORS = 10

@@ -1,0 +1,1 @@
+"""What the CONTACT program tells of cases, from solutions of contactd."""

@@ -1,0 +1,161 @@
+"""What the CONTACT program prints of a case of basic contact, from a solution of contactd."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+import numpy.typing as npt
+
+from ...values.motion import Rolling, Shift
+from ...values.solution import ContactSolution
+from ..problems.basic import BasicContact
+from .compared import Compared
+from .displacements import Displacements
+from .elements import Elements, ahead, rigid_slip_on
+from .subsurface import Stresses, StressField, stress_field
+
+__all__ = ["BasicResult"]
+
+Floats = npt.NDArray[np.float64]
+
+_PER_THOUSAND = 1e-3  #: from N mm to J, and from N mm/s to W
+
+
+@dataclass(frozen=True, eq=False)
+class BasicResult:
+    """A case solved. Forces are those on body 1, as contactd has them.
+
+    Attributes:
+        contact: The case.
+        solution: Its solution.
+        fx: Force along x (N), 0 where the program takes it for nothing.
+        fy: Force along y (N), alike.
+        mz: Torsional moment (N mm), alike.
+        creepage: The motion, prescribed or found: of rolling creepages, of a shift the rigid shift (mm), at the centre of
+            spin, as the program has it.
+        pressure: Pressures, shape [ny, nx] (N/mm^2); of FASTSIM with its parabola, which bounds the tractions there.
+        displacement: Displacements of body 1 less those of body 2, shape [3, ny, nx] (mm).
+        elastic_energy: Of both bodies (J).
+        stresses: At the points below the surface that the case names.
+        friction: Work (J) of a shift or power (W) of rolling that friction takes, negative.
+    """
+
+    contact: BasicContact
+    solution: ContactSolution
+    fx: float
+    fy: float
+    mz: float
+    creepage: tuple[float, float]
+    pressure: Floats
+    displacement: Floats
+    elastic_energy: float
+    friction: float
+    stresses: list[StressField] = field(default_factory=list)
+
+    @classmethod
+    def of(
+        cls, contact: BasicContact, solution: ContactSolution, displacements: Displacements, stresses: Stresses
+    ) -> BasicResult:
+        """`displacements` and `stresses` make what a solution does not have."""
+        grid, case = contact.area.grid, contact.case
+        is_simplified = contact.problem.model is not None
+        pressure = _parabola(contact, solution) if is_simplified else solution.pressure
+        tractions = np.stack([solution.traction_x, solution.traction_y, pressure])
+        moved = np.zeros(tractions.shape)
+        if not is_simplified:
+            moved = displacements.between(contact.pair, grid, contact.ics, tractions)
+        energy = 0.5 * float(np.sum(moved * tractions)) * grid.dx * grid.dy * _PER_THOUSAND
+        lost = solution.frictional_power if case.digits["T"] > 1 else solution.frictional_work
+        least = case.values["EPS"] * solution.Fn * contact.friction_unit / 2
+        fx, fy, mz = (0.0 if abs(force) < least else force for force in (solution.Fx, solution.Fy, solution.Mz))
+        creepage = _creepage(contact, solution)
+        blocks = case.subsurface if case.digits["S"] >= 1 else ()
+        below = [stress_field(block, grid, tractions, contact.pair, stresses) for block in blocks]
+        return cls(contact, solution, fx, fy, mz, creepage, pressure, moved, energy, -(lost or 0.0) * _PER_THOUSAND, below)
+
+    @property
+    def elements(self) -> Elements:
+        """Its elements."""
+        contact, solution = self.contact, self.solution
+        grid, friction = contact.area.grid, contact.problem.friction
+        none = np.zeros(grid.shape)
+        return Elements(
+            grid=grid, tangential=contact.case.digits["T"], chi=contact.chi, division=solution.element_division,
+            h=contact.area.h, approach=solution.approach,
+            mu=none if friction is None else none + np.asarray(friction.mu, dtype=float), pressure=self.pressure,
+            traction=(solution.traction_x, solution.traction_y), slip=(_or(solution.slip_x, none), _or(solution.slip_y, none)),
+            rigid_slip=self._rigid_slip(), displacement=self.displacement,
+        )  # fmt: skip
+
+    def _rigid_slip(self) -> tuple[Floats, Floats]:
+        contact, values = self.contact, self.contact.case.values
+        offset = ahead(contact.dq, contact.chi, values["FACPHI"]) if contact.case.digits["T"] >= 2 else (0.0, 0.0)
+        centre = values["SPINXO"] - offset[0], values["SPINYO"] - offset[1]
+        x, y = rigid_slip_on(contact.area.grid, self.creepage, contact.phi, centre)
+        extra = None if contact.problem.friction is None else contact.problem.friction.rigid_slip
+        return (x, y) if extra is None else (x + np.asarray(extra[0], dtype=float), y + np.asarray(extra[1], dtype=float))
+
+    @property
+    def compared(self) -> Compared:
+        """Its numbers, for a comparison with printed ones."""
+        friction = self.contact.problem.friction
+        mu = 0.0 if friction is None else float(np.max(np.asarray(friction.mu, dtype=float)))
+        return Compared(self.numbers, mu * self.solution.Fn)
+
+    @property
+    def is_converged(self) -> bool:
+        """Whether all solvers met their tolerances; of a case that asks for one outer iteration, all others."""
+        outer = self.contact.problem.outer
+        return self.solution.converged or (outer is not None and outer.max_iterations == 1)
+
+    @property
+    def force_unit(self) -> float:
+        """What tangential forces are printed as shares of (N)."""
+        return self.contact.friction_unit * self.solution.Fn
+
+    @property
+    def numbers(self) -> dict[str, float]:
+        """What is compared, by the labels that it is printed under; motions only where a force was prescribed."""
+        values, solution, counts = self.contact.case.values, self.solution, self.solution.elements
+        moves = "CREEP" if self.contact.case.digits["T"] >= 2 else "SHIFT"
+        found = {f"{moves} {axis}": motion for axis, motion in zip("XY", self.creepage) if f"F{axis}" in values}
+        has_friction = self.contact.case.digits["T"] > 0
+        adhesion, slip = (counts.adhesion, counts.slip) if has_friction else (counts.contact, 0)
+        return {
+            "FN": solution.Fn, "FX": self.fx, "FY": self.fy, "MZ": self.mz, "ELAST.EN.": self.elastic_energy,
+            "FRIC": self.friction, **found, "APPROACH": solution.approach, "PMAX": float(np.max(self.pressure)),
+            "NPOT": solution.pressure.size, "NCON": counts.contact, "NADH": adhesion, "NSLIP": slip,
+        }  # fmt: skip
+
+    @property
+    def velocity(self) -> float:
+        """VELOC as printed (mm/s)."""
+        return float(self.contact.case.values["VELOC"])
+
+
+def _creepage(contact: BasicContact, solution: ContactSolution) -> tuple[float, float]:
+    values, found = contact.case.values, solution.motion
+    if isinstance(found, Rolling):
+        xi, eta = found.xi, found.eta
+    elif isinstance(found, Shift):
+        xi, eta = found.rigid_shift
+    else:
+        return values.get("CKSI", 0.0), values.get("CETA", 0.0)
+    phi = values["CPHI"]
+    x = values.get("CKSI", xi - phi * values["SPINYO"])
+    y = values.get("CETA", eta + phi * values["SPINXO"])
+    least = values["EPS"] * max(abs(x), abs(y))
+    return (0.0 if "FX" in values and abs(x) < least else x), (0.0 if "FY" in values and abs(y) < least else y)
+
+
+def _parabola(contact: BasicContact, solution: ContactSolution) -> Floats:
+    """2 Fn/(pi a b) (1 - x^2/a^2 - y^2/b^2) at the element centres."""
+    ellipse, grid = contact.area.ellipse, contact.area.grid
+    assert ellipse is not None
+    depth = 1 - (grid.x[None, :] / ellipse.aa) ** 2 - (grid.y[:, None] / ellipse.bb) ** 2
+    return np.asarray(2 * solution.Fn / (np.pi * ellipse.aa * ellipse.bb) * np.maximum(depth, 0.0))
+
+
+def _or(array: Floats | None, none: Floats) -> Floats:
+    return none if array is None else array

@@ -1,0 +1,79 @@
+"""What a file shows of the elements of a contact, of basic contact and of patches on rails alike."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import numpy.typing as npt
+
+from ...values.grid import Grid
+
+__all__ = ["Elements", "ahead", "rigid_slip_on"]
+
+Floats = npt.NDArray[np.float64]
+Pair = tuple[Floats, Floats]
+
+_SLIP = 2
+
+
+@dataclass(frozen=True, eq=False)
+class Elements:
+    """Arrays over the grid, shape [ny, nx].
+
+    Attributes:
+        grid: The elements.
+        tangential: The digit T.
+        chi: Rolling direction (rad).
+        division: 0 exterior, 1 adhesion, 2 slip.
+        h: Undeformed distance without the approach (mm).
+        approach: The approach (mm).
+        mu: Coefficient of friction at rest.
+        pressure: Pressure (N/mm^2).
+        traction: Tractions along x and y (N/mm^2).
+        slip: Slip along x and y: of a shift its distance (mm), of rolling relative.
+        rigid_slip: The same before bodies deform.
+        displacement: Of body 1 less those of body 2, shape [3, ny, nx] (mm).
+    """
+
+    grid: Grid
+    tangential: int
+    chi: float
+    division: npt.NDArray[np.uint8]
+    h: Floats
+    approach: float
+    mu: Floats
+    pressure: Floats
+    traction: Pair
+    slip: Pair
+    rigid_slip: Pair
+    displacement: Floats
+
+    @cached_property
+    def traction_size(self) -> Floats:
+        """Size of the tangential traction (N/mm^2)."""
+        return np.hypot(*self.traction)
+
+    @cached_property
+    def bound(self) -> Floats:
+        """The traction bound (N/mm^2). Where an element slips its traction is at it, whatever law that follows."""
+        return np.where(self.division == _SLIP, self.traction_size, self.mu * self.pressure)
+
+    @property
+    def is_frictionless(self) -> bool:
+        """Whether nothing is told of adhesion and slip."""
+        return self.tangential == 0
+
+
+def rigid_slip_on(grid: Grid, creepage: tuple[float, float], phi: float, centre: tuple[float, float]) -> Pair:
+    """The rigid slip of a plane that moves by `creepage` at `centre` and turns by `phi`."""
+    x, y = grid.x[None, :] - centre[0], grid.y[:, None] - centre[1]
+    none = np.zeros(grid.shape)
+    return creepage[0] - phi * y + none, creepage[1] + phi * x + none
+
+
+def ahead(dq: float, chi: float, spin_offset: float) -> tuple[float, float]:
+    """How far ahead of an element's centre its spin is evaluated (mm)."""
+    return spin_offset * dq * math.cos(chi), spin_offset * dq * math.sin(chi)

@@ -1,0 +1,176 @@
+"""What the CONTACT program prints of a case of a wheel on a rail, from a solution of contactd."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+import numpy.typing as npt
+
+from ...values.ics import AnalyticIcs
+from ...values.wheel_rail.result import WheelRailPatch
+from ...values.wheel_rail.solution import WheelRailSolution
+from ..problems.bodies import pair_of
+from ..problems.rails import RailContact
+from .compared import Compared
+from .displacements import Displacements
+from .elements import Elements, ahead, rigid_slip_on
+from .rail_places import moment_about_normal, on_rail, on_wheel
+from .subsurface import Stresses, StressField, stress_field
+
+__all__ = ["LETTERS", "RailResult"]
+
+Floats = npt.NDArray[np.float64]
+
+LETTERS = "abcdefghijklmnopqrstuvwxyz"  #: of patches, in names of files
+
+_SPIN_OFFSET = 1 / 6
+_PER_THOUSAND = 1e-3  #: from N mm to J, and from N mm/s to W
+
+
+@dataclass(frozen=True, eq=False)
+class RailResult:
+    """A case solved. Forces act on the rail, in the axes of the patches and of the track.
+
+    Attributes:
+        contact: The case.
+        solution: Its solution, with all arrays and gaps.
+        displacements: Of each patch, from the right to the left as in the solution: of the rail less those of the wheel,
+            shape [3, ny, nx] (mm).
+        stresses: Of each patch, alike, at the points below the surface that the case names, in the axes of the patch.
+    """
+
+    contact: RailContact
+    solution: WheelRailSolution
+    displacements: list[Floats] = field(default_factory=list)
+    stresses: list[list[StressField]] = field(default_factory=list)
+
+    @classmethod
+    def of(
+        cls, contact: RailContact, solution: WheelRailSolution, displacements: Displacements, stresses: Stresses
+    ) -> RailResult:
+        """`displacements` and `stresses` make what a solution does not have."""
+        pair = pair_of(contact.case.values)
+        moved, below = [], []
+        blocks = contact.case.subsurface if contact.case.digits["S"] >= 1 else ()
+        for patch in solution.patches:
+            grid, tractions = patch.place.grid, _tractions(patch)
+            moved.append(displacements.between(pair, grid, AnalyticIcs(), tractions))
+            below.append([stress_field(block, grid, tractions, pair, stresses) for block in blocks])
+        return cls(contact, solution, moved, below)
+
+    @property
+    def patches(self) -> tuple[WheelRailPatch, ...]:
+        """From the field side to the gauge side."""
+        return self.solution.patches if self.contact.setup.side == "right" else self.solution.patches[::-1]
+
+    @property
+    def is_converged(self) -> bool:
+        """Whether all solvers and searches met their tolerances."""
+        return self.solution.converged
+
+    @property
+    def numbers(self) -> dict[str, float]:
+        """What is compared of the whole, by the labels that it is printed under."""
+        track, wheelset = self.solution.forces.track, self.solution.forces.wheelset
+        found = {"Z_WS": self.solution.z} if self.contact.state.Fz is not None else {}
+        if self.contact.state.Fx is not None:
+            found["VPITCH_WS"] = self.solution.pitch_rate
+        return {
+            **found, "FX(TR)": track.Fx, "FY(TR)": track.Fy, "FZ(TR)": track.Fz,
+            "FX(WS)": wheelset.Fx, "FY(WS)": wheelset.Fy, "FZ(WS)": wheelset.Fz,
+        }  # fmt: skip
+
+    def numbers_of(self, patch: WheelRailPatch) -> dict[str, float]:
+        """What is compared of a patch."""
+        reference, motion, solution = patch.place.reference, patch.place.creepages, patch.solution
+        has_friction, counts = self.contact.case.digits["T"] != 0, solution.elements
+        energy = 0.5 * float(np.sum(self._displacement(patch) * _tractions(patch)))
+        return {
+            "XCP(TR)": reference.x, "YCP(TR)": reference.y, "ZCP(TR)": reference.z, "DELTCP(TR)": reference.angle,
+            "CKSI": motion.xi, "CETA": motion.eta, "CPHI": motion.phi, **_forces(patch),
+            "ELAST.EN.": energy * patch.place.grid.dx * patch.place.grid.dy * _PER_THOUSAND,
+            "FRIC": -(solution.frictional_power or 0.0) * _PER_THOUSAND,
+            "APPROACH": solution.approach, "PMAX": solution.pmax, "NPOT": patch.place.grid.nx * patch.place.grid.ny,
+            "NCON": counts.contact, "NADH": counts.adhesion if has_friction else counts.contact,
+            "NSLIP": counts.slip if has_friction else 0,
+        }  # fmt: skip
+
+    @property
+    def compared(self) -> Compared:
+        """Its numbers, for a comparison with printed ones."""
+        patches = self.patches
+        bounds = [self.mu_of(patch) * patch.solution.Fn for patch in patches]
+        return Compared(self.numbers, sum(bounds), [self.numbers_of(patch) for patch in patches], bounds)
+
+    def mu_of(self, patch: WheelRailPatch) -> float:
+        """The coefficient at rest, by the angle of the patch where angles decide."""
+        return self._mu_at(patch.place.reference.angle)
+
+    def mu_of_rows(self, patch: WheelRailPatch) -> list[float]:
+        """The coefficient at rest of each row of a curved contact; none of a plane one."""
+        return [self._mu_at(row.angle) for row in patch.place.rows]
+
+    def _mu_at(self, angle: float) -> float:
+        friction = self.contact.setup.friction
+        if friction is None:
+            return 0.0
+        if not isinstance(friction.mu, Sequence):
+            return float(friction.mu)
+        turned = angle if self.contact.setup.side == "right" else -angle
+        return float(np.interp(turned, [one for one, _ in friction.mu], [mu for _, mu in friction.mu]))
+
+    def on_wheel(self, patch: WheelRailPatch) -> tuple[float, float, float]:
+        """The reference in the axes of the wheel's profile."""
+        x, y, z = on_wheel(self.contact, self.solution.z, patch.place.reference)
+        return float(x), float(y), float(z)
+
+    def on_rail(self, patch: WheelRailPatch) -> tuple[float, float]:
+        """The reference in the axes of the rail's profile."""
+        return on_rail(self.contact, self.solution, patch.place.reference)
+
+    def elements_of(self, patch: WheelRailPatch) -> Elements:
+        """The elements of a patch."""
+        place, solution, motion = patch.place, patch.solution, patch.place.creepages
+        none = np.zeros(place.grid.shape)
+        offset = ahead(self.contact.case.values["DX"], motion.chi, _SPIN_OFFSET)
+        arrays = [none if array is None else array for array in (solution.slip_x, solution.slip_y, patch.gap)]
+        slip_x, slip_y, gap = arrays
+        traction_x, traction_y, pressure = _tractions(patch)
+        division = np.zeros(place.grid.shape, np.uint8) if solution.element_division is None else solution.element_division
+        return Elements(
+            grid=place.grid, tangential=self.contact.case.digits["T"], chi=motion.chi, division=division, h=gap,
+            approach=solution.approach, mu=none + self.mu_of(patch), pressure=pressure, traction=(traction_x, traction_y),
+            slip=(slip_x, slip_y), displacement=self._displacement(patch),
+            rigid_slip=rigid_slip_on(place.grid, (motion.xi, motion.eta), motion.phi, (-offset[0], -offset[1])),
+        )  # fmt: skip
+
+    def stresses_of(self, patch: WheelRailPatch) -> list[StressField]:
+        """Below the surface of a patch."""
+        return self.stresses[self._index(patch)] if self.stresses else []
+
+    def _displacement(self, patch: WheelRailPatch) -> Floats:
+        return self.displacements[self._index(patch)] if self.displacements else np.zeros((3, *patch.place.grid.shape))
+
+    def _index(self, patch: WheelRailPatch) -> int:
+        return next(index for index, one in enumerate(self.solution.patches) if one is patch)
+
+
+def _tractions(patch: WheelRailPatch) -> Floats:
+    none = np.zeros(patch.place.grid.shape)
+    arrays = (patch.solution.traction_x, patch.solution.traction_y, patch.solution.pressure)
+    return np.stack([none if array is None else array for array in arrays])
+
+
+def _forces(patch: WheelRailPatch) -> dict[str, float]:
+    """In the axes of the patch. Of one that is curved they are those of the vectors of all rows together."""
+    solution, track, reference = patch.solution, patch.forces.track, patch.place.reference
+    if not patch.place.rows:
+        return {"FN": solution.Fn, "FX": solution.Fx, "FS": solution.Fy, "MN": solution.Mz}
+    cos, sin = math.cos(reference.angle), math.sin(reference.angle)
+    return {
+        "BAR_FN": track.Fz * cos - track.Fy * sin, "BAR_FX": track.Fx, "BAR_FS": track.Fy * cos + track.Fz * sin,
+        "MN": moment_about_normal(track, reference),
+    }  # fmt: skip

@@ -1,0 +1,105 @@
+"""Stresses and displacements inside both bodies, at the points that a case names."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from ...values.grid import Grid, Paraboloid
+from ...values.problem import ContactProblem, Estimate
+from ...values.subsurface import StressBlock, SubsurfaceStress
+from ..problems.bodies import Pair
+from .interior import interior_displacements
+
+__all__ = ["COMPONENTS", "Body", "StressField", "Stresses", "stress_field"]
+
+Floats = npt.NDArray[np.float64]
+Body = Literal["lower", "upper"]
+#: Stresses of a body of a problem under tractions, on a block of points.
+Stresses = Callable[[ContactProblem, Estimate, Body, StressBlock], SubsurfaceStress]
+
+COMPONENTS = ("xx", "xy", "xz", "yy", "yz", "zz")
+_ANY = Paraboloid(Rx=1.0, Ry=1.0)  #: stresses follow from tractions, whatever surfaces made them
+
+
+@dataclass(frozen=True, eq=False)
+class StressField:
+    """Points z, y, x, of which x runs fastest, and what is there; z >= 0 in body 1.
+
+    Attributes:
+        x: Places along x (mm).
+        y: Places along y (mm).
+        z: Places along z (mm).
+        displacement: Displacements, shape [nz, ny, nx, 3] (mm).
+        stress: Stresses by COMPONENTS, shape [6, nz, ny, nx] (N/mm^2), tension positive.
+    """
+
+    x: Floats
+    y: Floats
+    z: Floats
+    displacement: Floats
+    stress: Floats
+
+    @cached_property
+    def principal(self) -> Floats:
+        """Principal stresses, ascending, shape [3, nz, ny, nx] (N/mm^2)."""
+        xx, xy, xz, yy, yz, zz = self.stress
+        tensors = np.stack([np.stack(row, axis=-1) for row in ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))], axis=-2)
+        return np.moveaxis(np.linalg.eigvalsh(tensors), -1, 0)
+
+    @property
+    def hydrostatic(self) -> Floats:
+        """Mean of the normal stresses (N/mm^2)."""
+        return np.asarray((self.stress[0] + self.stress[3] + self.stress[5]) / 3)
+
+    @property
+    def von_mises(self) -> Floats:
+        """Von Mises' equivalent stress (N/mm^2)."""
+        first, second, third = self.principal
+        return np.asarray(np.sqrt(((first - second) ** 2 + (second - third) ** 2 + (third - first) ** 2) / 2))
+
+    @property
+    def tresca(self) -> Floats:
+        """Largest less smallest principal stress (N/mm^2)."""
+        return np.asarray(self.principal[2] - self.principal[0])
+
+
+def stress_field(block: Mapping[str, Any], grid: Grid, tractions: Floats, pair: Pair, stresses: Stresses) -> StressField:
+    """Of a block of points as it was read. `tractions` act on body 1, along x, y and z, shape [3, ny, nx]."""
+    x, y, z = _places(block, grid)
+    displacement, stress = np.zeros((len(z), len(y), len(x), 3)), np.zeros((6, len(z), len(y), len(x)))
+    problem = ContactProblem(grid=grid, upper=pair.upper, lower=pair.lower, gap=_ANY, approach=1.0)
+    acting = Estimate(tractions[2], tractions[0], tractions[1])
+    bodies: tuple[tuple[Body, npt.NDArray[np.bool_], int], ...] = (("upper", z >= 0, 1), ("lower", z < 0, -1))
+    for body, inside, sign in bodies:
+        if not inside.any():
+            continue
+        depth = np.abs(z[inside])
+        found = stresses(problem, acting, body, StressBlock(x, y, -depth))
+        # The frame of the upper body is mirrored, and so are its shear stresses with z.
+        mirrored = {"xz": -1, "yz": -1} if body == "upper" else {}
+        stress[:, inside] = [mirrored.get(name, 1) * getattr(found, name) for name in COMPONENTS]
+        material = pair.upper if body == "upper" or pair.lower is None else pair.lower
+        points = np.stack(np.meshgrid(depth, y, x, indexing="ij"), axis=-1)[..., ::-1].reshape(-1, 3)
+        moved = interior_displacements(grid, tractions * np.array([sign, sign, 1])[:, None, None], points, material.nu, material.G)
+        displacement[inside] = moved.reshape(-1, len(y), len(x), 3) * [1, 1, sign]
+    return StressField(x, y, z, displacement, stress)
+
+
+def _places(block: Mapping[str, Any], grid: Grid) -> tuple[Floats, Floats, Floats]:
+    z = np.array(block["Z"], dtype=np.float64)
+    if "X" in block:
+        return np.array(block["X"], dtype=np.float64), np.array(block["Y"], dtype=np.float64), z
+    return _elements(grid.x, block.get("IX")), _elements(grid.y, block.get("IY")), z
+
+
+def _elements(centres: Floats, numbers: Sequence[int] | None) -> Floats:
+    """Those of elements, counted from 1, that there are; None: of all."""
+    if numbers is None:
+        return centres
+    return centres[[int(number) - 1 for number in numbers if 1 <= number <= len(centres)]]

@@ -1,0 +1,1 @@
+"""Files as the CONTACT program writes them."""

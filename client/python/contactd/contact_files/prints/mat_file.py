@@ -1,0 +1,88 @@
+"""A .mat file: text with a header and a line for each element, as the CONTACT program's own scripts read it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+
+from ...values.grid import Grid
+from ..answers.basic_results import BasicResult
+from ..answers.elements import Elements
+from ..answers.rail_results import LETTERS, RailResult
+from .mat_places import PatchPlaces, patch_places
+from .numbers import fortran_g
+from .out_laws import NAMES_OF_LAWS
+
+__all__ = ["mat_texts"]
+
+_COLUMNS = 11
+_FORMAT = 2410.0  #: the version of the format, which readers look for in the last column
+
+Cell = float | int
+
+
+def mat_texts(result: BasicResult | RailResult) -> Iterator[tuple[str, str]]:
+    """Of each contact a letter, empty in basic contact, and the text; none where the digit A is 0."""
+    case = result.contact.case
+    if case.digits["A"] == 0:
+        return
+    if isinstance(result, BasicResult):
+        motion = (result.contact.chi, result.contact.dq, result.velocity)
+        yield "", _text(case, PatchPlaces.none(case), motion, result.elements)
+        return
+    for index, patch in enumerate(result.patches):
+        creepages = patch.place.creepages
+        motion = (creepages.chi, case.values["DX"], creepages.velocity)
+        yield LETTERS[index % len(LETTERS)], _text(case, patch_places(result, patch, index + 1), motion, result.elements_of(patch))
+
+
+def _text(case: Any, places: PatchPlaces, motion: tuple[float, float, float], elements: Elements) -> str:
+    values, digits, grid = case.values, case.digits, elements.grid
+    chi, dq, velocity = motion
+    law = values["FRCLAW"]
+    friction = [case.friction[0][name] for name in NAMES_OF_LAWS[law]] if case.friction else []
+    if law != 0:
+        friction += [values.get("MEMDST", 0.0), values.get("MEM_S0", 0.0)]
+    lines = [
+        "% tim, s_ws, th_ws, y_r, z_r, roll_r, rnom_r, format",
+        _header([*places.rail, *[0.0] * (_COLUMNS - 1 - len(places.rail)), _FORMAT]),
+        "% x_w, y_w, z_w, roll_w, yaw_w, rnom_w",
+        _header(places.wheel),
+        "% xcp_r, ycp_r, zcp_r, deltcp_r, xcp_w, ycp_w, zcp_w, npatch, ipatch, spinxo, spinyo",
+        _header(places.reference),
+        "% mx, my, xl, yl, dx, dy, chi, dq, config, d_digit, y_nom_w",
+        _header([grid.nx, grid.ny, *_corner(grid), grid.dx, grid.dy, chi, dq, digits.get("C1", 0), values["DISCNS"] if
+                 case.module == 1 else digits["D"], places.nominal]),
+        "% tang, mater, gg1, gg2, poiss1, poiss2",
+        _header([digits["T"], digits["M"], *(values[name] for name in ("GG1", "GG2", "POISS1", "POISS2"))]),
+        "% frclaw, heat, veloc, friction",
+        _header([law, digits["H"], velocity, *friction]),
+        "%    I    IGS    H             MU            PN            PX            PY            UN            UX            UY"
+        "            SREL",
+        *_elements(elements, digits["A"] == 1),
+    ]  # fmt: skip
+    return "\n".join([*lines, ""])
+
+
+def _corner(grid: Grid) -> tuple[float, float]:
+    return float(grid.x[0] - grid.dx / 2), float(grid.y[0] - grid.dy / 2)
+
+
+def _header(cells: Sequence[Cell]) -> str:
+    """Filled with zeros; whole numbers as such."""
+    filled = [*cells, *[0.0] * (_COLUMNS - len(cells))]
+    return "".join(f"{cell:6d}        " if isinstance(cell, int) else fortran_g(cell, 14, 6) for cell in filled)
+
+
+def _elements(elements: Elements, in_contact_only: bool) -> Iterator[str]:
+    flat = elements.division.ravel()
+    chosen = np.flatnonzero(flat) if in_contact_only else np.arange(flat.size)
+    slip = np.hypot(*elements.slip)
+    displacement = elements.displacement
+    columns = [elements.h, elements.mu, elements.pressure, *elements.traction, displacement[2], displacement[0], displacement[1], slip]
+    table = np.stack([column.ravel() for column in columns], axis=1)
+    for index in chosen:
+        division = 1 if elements.is_frictionless and flat[index] else int(flat[index])
+        yield f"{index + 1:7d} {division:4d}  " + "".join(fortran_g(float(value), 14, 6) for value in table[index])

@@ -1,0 +1,176 @@
+"""The blocks that an .out file has of a case of a wheel on a rail."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from ..answers.rail_results import RailResult
+from ..problems.bodies import pair_of
+from .numbers import fixed, fortran_g, general
+from .out_laws import LABELS_OF_LAWS, NAMES_OF_LAWS
+from .out_text import case_head, digits, g_row, row
+
+__all__ = ["rail_lines"]
+
+_DEVIATIONS = ("DYRAIL", "DZRAIL", "DROLLR", "VYRAIL", "VZRAIL", "VROLLR")
+
+
+def rail_lines(result: RailResult) -> list[str]:
+    """The lines of a case above those of its patches, by its digit O."""
+    case = result.contact.case
+    level, digit = case.digits["O"], case.digits
+    if level == 0:
+        return []
+    lines = case_head(case)
+    if level >= 2:
+        lines += ["", _title(result), *digits(case)[1:], *_sentences(result), *_set_up(result)]
+        if digit["E"] >= 1:
+            lines += ["", *_wheelset(result), ""]
+        lines += [""]
+    lines += _forces(result)
+    if not result.patches:
+        lines += ["", " ----- NO CONTACT FOUND -----"]
+    return lines
+
+
+def _is_roller(result: RailResult) -> bool:
+    return result.contact.case.digits["C1"] >= 4
+
+
+def _title(result: RailResult) -> str:
+    base = "ROLLER" if _is_roller(result) else "RAIL"
+    count = len(result.patches)
+    patches = "PATCH" if count == 1 else "PATCHES"
+    return f" WHEEL-{base} CONTACT, {result.contact.setup.side or 'right'} WHEEL,{count:3d} CONTACT {patches}".upper()
+
+
+def _sentences(result: RailResult) -> Iterator[str]:
+    digit, values = result.contact.case.digits, result.contact.case.values
+    if digit["T"] == 0 and digit["N"] == 0:
+        return
+    yield f" VERTICAL PROBLEM WITH PRESCRIBED {'VERTICAL FORCE' if digit['N'] == 1 else 'POSITION'}, FULL SOLUTION"
+    if digit["T"] == 0:
+        return
+    yield f" STEADY STATE ROLLING, {'X-FORCE' if digit['F'] == 1 else 'CREEPAGE'} PRESCRIBED"
+    if pair_of(values).is_quasi_identical or values["MAXOUT"] == 1:
+        yield ' JOHNSON"S METHOD IS USED FOR THE FRICTIONAL STRESS'
+    else:
+        yield f' PANAGIOTOPOULOS" METHOD IS USED FOR THE FRICTIONAL STRESS. MAXOUT={values["MAXOUT"]:3d}'
+
+
+def _set_up(result: RailResult) -> Iterator[str]:
+    case = result.contact.case
+    digit, values = case.digits, case.values
+    if digit["C"] >= 2:
+        yield from ("", *_materials(values))
+    if digit["L"] != 1 and digit["T"] != 0:
+        yield from ("", *_friction(result))
+    if digit["D"] >= 2:
+        yield from ("", *_discretisation(values))
+    base = "ROLLER" if _is_roller(result) else "RAIL"
+    if digit["Z"] == 3:
+        yield from ("", *_profile(values, base, values["RFNAME"], "RAIL", digit["O"]))
+    if digit["Z"] in (1, 3):
+        yield from ("", *_track(values))
+    if digit["Z"] >= 2 and any(values[name] != 0 for name in _DEVIATIONS):
+        yield from ("", f" {base} IRREGULARITY", "     DYRAIL      DZRAIL      DROLLR      VYRAIL      VZRAIL      VROLLR")
+        placed = [fixed(values[name], 12, 4) for name in _DEVIATIONS[:3]]
+        yield row([*placed, *(general(values[name]) for name in _DEVIATIONS[3:])])
+    if digit["E"] in (3, 5):
+        yield from ("", *_profile(values, "WHEEL", values["WFNAME"], "WHEEL", digit["O"]))
+    if digit["F"] == 3:
+        yield from ("", *_deflection(result))
+
+
+def _materials(values: Mapping[str, Any]) -> Iterator[str]:
+    pair = pair_of(values)
+    yield " MATERIAL CONSTANTS"
+    yield "     NU          G           AK          EPS"
+    yield row([fortran_g(pair.nu), general(pair.G), fortran_g(pair.difference), general(values["EPS"])])
+    yield from ("", "    POISS(R)    POISS(W)     GG(R)       GG(W)")
+    yield row([fortran_g(values["POISS1"]), fortran_g(values["POISS2"]), general(values["GG1"]), general(values["GG2"])])
+
+
+def _friction(result: RailResult) -> Iterator[str]:
+    case = result.contact.case
+    law = case.values["FRCLAW"]
+    place = {1: "ALPHVF", 2: "SVF"}.get(case.values["VARFRC"])
+    labels = [*(["ALPHA" if place == "ALPHVF" else "SVF"] if place else []), *LABELS_OF_LAWS[law]]
+    names = [*([place] if place else []), *NAMES_OF_LAWS[law]]
+    yield " FRICTION LAW PARAMETERS"
+    yield "  " + "".join(f"   {label:<9}" for label in labels).rstrip()
+    for one in case.friction:
+        yield g_row(*(one[name] for name in names))
+
+
+def _discretisation(values: Mapping[str, Any]) -> Iterator[str]:
+    names = ["DX", "DS", "DQREL", "A_SEP", "D_SEP", "D_COMB"]
+    if values["D_TURN"] != 2 * values["D_SEP"] - values["D_COMB"]:
+        names.append("D_TURN")
+    yield " DISCRETISATION PARAMETERS"
+    yield "  " + "".join(f"   {name:<9}" for name in names).rstrip()
+    yield g_row(*(values[name] for name in names))
+
+
+def _profile(values: Mapping[str, Any], base: str, name: str, prefix: str, level: int) -> Iterator[str]:
+    yield f' {base} PROFILE "{name}"'
+    yield f"   MIRRORY     MIRRORZ     ISMOOTH    {'  LAMBDA' if values[f'{prefix}_ISMOOTH'] == 0 else '  L_FILT'}"
+    flags = [int(values[f"{prefix}_{flag}"]) for flag in ("MIRRORY", "MIRRORZ", "ISMOOTH")]
+    yield f"{flags[0]:7d}{flags[1]:12d}{flags[2]:12d}   {fixed(values[f'{prefix}_SMOOTH'], 12, 4)}"
+    if level >= 3:
+        yield from ("", "   ZIGTHRS     KINKHIG     KINKLOW      KINKWID     MAXOMIT")
+        kinks = [values[f"{prefix}_{limit}"] for limit in ("ZIGTHRS", "KINKHIGH", "KINKLOW", "KINKWID")]
+        yield g_row(*kinks, values.get(f"{prefix}_MAXOMIT", 0.5))
+
+
+def _track(values: Mapping[str, Any]) -> Iterator[str]:
+    yield " TRACK DIMENSIONS AND RAIL POSITION"
+    curv = general(values["CURV"])
+    if values["GAUGHT"] > 0:
+        yield "    GAUGHT      GAUGWD        CANT        CURV"
+        numbers = [fixed(values["GAUGHT"], 10, 3), fixed(values["GAUGWD"], 12, 3)]
+    else:
+        yield "    GAUGHT      RAILY0      RAILZ0        CANT        CURV"
+        numbers = [fixed(values["GAUGHT"], 10, 3), fixed(values["RAILY0"], 12, 4), fixed(values["RAILZ0"], 12, 4)]
+    yield "".join([*numbers, fixed(values.get("CANT", 0.0), 12, 4), curv])
+
+
+def _deflection(result: RailResult) -> Iterator[str]:
+    values, found = result.contact.case.values, result.solution.rail_deflection
+    y, z = (0.0, 0.0) if found is None else (found.y, found.z)
+    yield " MASSLESS RAIL DEFLECTION"
+    yield "     KY_RAIL     DY_DEFL     FY_RAIL     KZ_RAIL     DZ_DEFL     FZ_RAIL"
+    yield row([
+        fixed(values["KYRAIL"], 12, 4), fixed(y, 12, 4), general(values["FYRAIL"]),
+        fixed(values["KZRAIL"], 12, 4), fixed(z, 12, 4), general(values["FZRAIL"]),
+    ])  # fmt: skip
+
+
+def _wheelset(result: RailResult) -> Iterator[str]:
+    values, roller = result.contact.case.values, _is_roller(result)
+    yield " WHEEL-SET POSITION AND VELOCITY"
+    yield f"     {'X' if roller else 'S'}_WS        Y_WS        Z_WS        ROLL_WS     YAW_WS      PITCH_WS"
+    along = general(values["X_WS"] if roller else values["S_WS"], 4, 6)
+    turned = [general(values[name]) for name in ("ROLL", "YAW", "PITCH")]
+    yield row([along, general(values["Y_WS"]), fixed(result.solution.z, 12, 4), *turned])
+    yield ""
+    yield f"    {'VPITCH_ROL ' if roller else ' VX_WS     '}  VY_WS       VZ_WS       VROLL_WS    VYAW_WS     VPITCH_WS"
+    forwards = fixed(values["RPITCH"], 12, 7) if roller else general(values["VS"])
+    others = [general(values[name]) for name in ("VY", "VZ", "VROLL", "VYAW")]
+    yield row([forwards, *others, fixed(result.solution.pitch_rate, 12, 7)])
+
+
+def _forces(result: RailResult) -> Iterator[str]:
+    case, forces = result.contact.case, result.solution.forces
+    names = ("FX(TR)", "FY(TR)", "FZ(TR)", "FX(WS)", "FY(WS)", "FZ(WS)")
+    if case.digits["O"] >= 2:
+        moments = " AND MOMENTS" if case.digits["O"] >= 4 else ""
+        yield f" TOTAL FORCES{moments} ON {'ROLLER' if _is_roller(result) else 'RAIL'}"
+    yield "     FX(TR)      FY(TR)      FZ(TR)      FX(WS)      FY(WS)      FZ(WS)"
+    yield "".join(general(result.numbers[name]) for name in names)
+    if case.digits["O"] >= 4:
+        at_rail, at_wheel = forces.rail, forces.wheelset
+        yield ""
+        yield "     MX@R(TR)    MY@R(TR)    MZ@R(TR)    MX@W(WS)    MY@W(WS)    MZ@W(WS)"
+        yield "".join(map(general, (at_rail.Mx, at_rail.My, at_rail.Mz, at_wheel.Mx, at_wheel.My, at_wheel.Mz)))

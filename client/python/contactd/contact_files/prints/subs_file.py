@@ -1,0 +1,51 @@
+"""A .subs file, and what an .out file tells of the points below the surface."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from ..answers.basic_results import BasicResult
+from ..answers.rail_results import LETTERS, RailResult
+from ..answers.subsurface import COMPONENTS, StressField
+from .numbers import fortran_g, general
+
+__all__ = ["subs_text", "subs_texts"]
+
+_SHORT, _LONG = 8, 14
+_ALL = 2  #: the digit A for all components
+
+
+def subs_texts(result: BasicResult | RailResult) -> Iterator[tuple[str, str]]:
+    """Of each contact a letter, empty in basic contact, and the text; none where the digit A of the points is 0."""
+    case = result.contact.case
+    level = case.values.get("SUBS_A", 0) if case.digits["S"] >= 1 else 0
+    if level == 0:
+        return
+    if isinstance(result, BasicResult):
+        if result.stresses:
+            yield "", subs_text(result.stresses, level == _ALL)
+        return
+    for index, patch in enumerate(result.patches):
+        yield LETTERS[index % len(LETTERS)], subs_text(result.stresses_of(patch), level == _ALL)
+
+
+def subs_text(fields: Sequence[StressField], all_components: bool) -> str:
+    """Blocks of points, x fastest: places, displacements, hydrostatic and von Mises' stress, and all components if so said."""
+    return "\n".join([line for field in fields for line in _block(field, all_components)] + [""])
+
+
+def _block(field: StressField, all_components: bool) -> Iterator[str]:
+    nz, ny, nx = field.hydrostatic.shape
+    columns = _LONG if all_components else _SHORT
+    yield "% nx, ny, nz"
+    yield f"{nx:6d}{ny:12d}{nz:12d}      " + fortran_g(0.0) * (columns - 3)
+    names = ["X", "Y", "Z", "UX", "UY", "UZ", "SIGHYD", "SIGVM"]
+    names += [f"SIG{name.upper()}" for name in COMPONENTS] if all_components else []
+    yield "%" + "".join(f"{name:>12}" for name in names)
+    z, y, x = np.meshgrid(field.z, field.y, field.x, indexing="ij")
+    values = [x, y, z, *np.moveaxis(field.displacement, -1, 0), field.hydrostatic, field.von_mises]
+    values += list(field.stress) if all_components else []
+    for row in np.stack([value.ravel() for value in values], axis=1):
+        yield "".join(general(float(value), 6, 5) for value in row)
