@@ -7,6 +7,7 @@ ROOT = Path(__file__).parents[2]
 #: What reads files that are named to it, below the root, and a word of the row of these files.
 READERS = {
     "client/python/contactctl/array_files.py": "`.npy`",
+    "client/python/contactctl/cases/files.py": "`.out`",
     "client/python/contactctl/commands/keys.py": "keys",
     "client/python/contactctl/commands/session.py": "`.csv`",
     "client/python/contactctl/files.py": "`.yaml`",

@@ -14,6 +14,7 @@ from .codes import Code
 from .commands import (
     bench,
     completion,
+    contact,
     dashboard,
     info,
     jobs,
@@ -42,7 +43,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
-for family in (info, tables, solve, wheelrail, profile, session, jobs, watch, bench, dashboard, keys, study, completion):
+for family in (info, tables, solve, wheelrail, profile, contact, session, jobs, watch, bench, dashboard, keys, study, completion):
     family.add_to(app)
 
 

@@ -32,7 +32,7 @@ def examples():
 @pytest.fixture
 def folder(own):
     """With the files of the page, and a contactctl on the path."""
-    files = re.findall(r"^```yaml\n# (\S+)\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL)
+    files = re.findall(r"^```(?:yaml\n#|inp\n%) (\S+)\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL)
     for name, text in files:
         own.write(name, text)
     x = (np.arange(40) - 19.5) * 0.06

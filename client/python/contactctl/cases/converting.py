@@ -1,0 +1,62 @@
+"""Cases in the words of contactd: as YAML that `contactctl solve` and `contactctl wheelrail solve` take, or as Python."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import click
+
+from contactd import Client, ContactProblem
+from contactd.contact_files.case import Case
+from contactd.contact_files.problems.basic import BasicContact, goes_on
+from contactd.contact_files.problems.features import Missing
+from contactd.contact_files.problems.rails import Profiles, RailContact
+from contactd.contact_files.python_text import python_text
+from contactd.values.contact_params import problem_params
+from contactd.values.wheel_rail.params import setup_params, state_params
+
+from ..output import plain_json
+
+__all__ = ["as_python", "as_yaml"]
+
+
+def as_yaml(case: Case, client: Client, profiles: Profiles) -> str:
+    """The parameters of contact.solve or of wheelrail.solve. Raises click.UsageError for a case that has none."""
+    contact = _made(case, client, profiles)
+    if isinstance(contact, str):
+        raise click.UsageError(contact)
+    if goes_on(case):
+        raise click.UsageError(f"Case {case.number} in line {case.line} goes on from the one before: convert to Python.")
+    import yaml
+
+    params: dict[str, Any]
+    if isinstance(contact, RailContact):
+        params = {"setup": setup_params(contact.setup), "state": state_params(contact.state, "state")}
+    else:
+        params = problem_params(contact.problem)
+    text: str = yaml.safe_dump(plain_json(params), sort_keys=False, default_flow_style=None, width=120)
+    return f"# Case {case.number}, line {case.line}.\n{text}"
+
+
+def as_python(file: Path, cases: Sequence[Case], client: Client, profiles: Profiles) -> str:
+    """A program that solves the cases, one after the other."""
+    contacts = [_made(case, client, profiles) for case in cases]
+    return python_text(f"Cases of {file.name}, by contactd.", contacts, [goes_on(case) for case in cases])
+
+
+def _made(case: Case, client: Client, profiles: Profiles) -> BasicContact | RailContact | str:
+    where = f"Case {case.number} in line {case.line}"
+    if case.errors:
+        return f"{where} cannot be read: {' '.join(case.errors)}"
+
+    def normal_force(problem: ContactProblem) -> float:
+        return client.solve(problem, fields=[]).Fn
+
+    try:
+        return RailContact.of(case, profiles, "exact") if case.module == 1 else BasicContact.of(case, normal_force)
+    except Missing as error:
+        return f"{where} needs what contactd does not have: {error}."
+    except OSError as error:
+        raise click.UsageError(f"{where}: {error.filename} cannot be read: {error.strerror}.") from None

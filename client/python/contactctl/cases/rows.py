@@ -1,0 +1,47 @@
+"""What is kept of a case that was computed: the row of a journal, from which everything is written."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from typing import Any
+
+from contactd import __version__
+from contactd.contact_files.case import Case
+from contactd.contact_files.out_file import lines_of
+from contactd.contact_files.runner import Outcome
+
+from ..codes import Code
+from ..output import plain_json
+
+__all__ = ["code_of_status", "keys_of", "row_of"]
+
+_CODES = {"solved": Code.DONE, "read": Code.DONE, "not converged": Code.NOT_CONVERGED, "wrong": Code.USAGE, "failed": Code.FAILED}
+
+
+def keys_of(chain: Sequence[Case], options: Mapping[str, Any]) -> list[str]:
+    """A key for each case of a chain: equal for the same cases before it, asked for in the same way."""
+    digest = hashlib.sha256(json.dumps([__version__, options], sort_keys=True).encode())
+    keys = []
+    for case in chain:
+        digest.update(json.dumps(plain_json(asdict(case)), sort_keys=True).encode())
+        keys.append(digest.hexdigest()[:32])
+    return keys
+
+
+def code_of_status(status: str) -> Code:
+    """What a command ends with for a case."""
+    return _CODES.get(status, Code.REFUSED)
+
+
+def row_of(key: str, outcome: Outcome) -> dict[str, Any]:
+    """Of a case that was computed, or was not."""
+    case = outcome.case
+    answers: dict[str, Any] = {"status": outcome.status, "sentence": outcome.sentence, "lines": lines_of(outcome)}
+    if outcome.result is not None:
+        answers["numbers"] = plain_json(outcome.result.compared)
+    values = {"number": case.number, "line": case.line, "module": case.module, "reid": case.reid}
+    code = int(code_of_status(outcome.status))
+    return {"key": key, "code": code, "values": values, "answers": answers, "seconds": outcome.seconds}

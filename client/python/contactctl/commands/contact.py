@@ -1,0 +1,193 @@
+"""contact: cases of the CONTACT program's input files."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import click
+import typer
+
+from contactd import Client
+from contactd.contact_files import read
+from contactd.contact_files.case import Case
+from contactd.contact_files.out_file import out_text
+from contactd.contact_files.out_reader import printed_cases
+from contactd.contact_files.profile_files import ProfileFiles
+from contactd.contact_files.runner import Runner, chains_of, checked
+
+from ..cases.comparing import compared_rows
+from ..cases.converting import as_python, as_yaml
+from ..cases.files import CaseFiles, check_own, read_printed
+from ..cases.rows import code_of_status, keys_of
+from ..cases.running import run_chains
+from ..codes import Code, Ended
+from ..common import Command, Group, connected, setting
+from ..files import writable, write_text
+from ..output import emit, listing, note, warn
+from ..progress import Bar
+from ..study.journal import Journal
+
+__all__ = ["add_to"]
+
+File = Annotated[Path, typer.Argument(help="An input file of the CONTACT program (.inp).")]
+_MOST_SHOWN = 40  #: cases with something to be said
+
+
+def add_to(app: typer.Typer) -> None:
+    """Adds the commands of this family."""
+    family = typer.Typer(cls=Group, help="Cases of the CONTACT program's input files.", rich_markup_mode=None)
+    family.command(cls=Command)(check)
+    family.command(cls=Command)(run)
+    family.command(cls=Command)(convert)
+    app.add_typer(family, name="contact")
+
+
+def check(file: File) -> None:
+    """Tell what can be computed, and what not and why.
+
+    Ends with 4 when cases need what contactd does not have, and with 2 when the file has errors.
+    """
+    with connected() as client:
+        cases = _read(file, client)
+    found = checked(cases)
+    rows = [
+        {"case": one.case.number, "line": one.case.line, "module": one.case.module, "status": _status_text(one.status), "why": one.sentence}
+        for one in found
+    ]
+    counts = Counter(str(row["status"]) for row in rows)
+    remarks = [row for row in rows if row["why"]]
+    emit(setting().json, {"cases": rows}, *_listed(remarks, f"{len(rows)} cases: {_counted(counts)}"))
+    _end([str(one.status) for one in found])
+
+
+def run(
+    file: File,
+    compare: Annotated[Path | None, typer.Option("--compare", metavar="FILE.out", help="Tell where numbers differ from printed ones.")] = None,
+    output: Annotated[Path | None, typer.Option("--output", "-o", metavar="FILE.out", help="Where to write; else beside the input file.")] = None,
+    workers: Annotated[int, typer.Option("--workers", "-w", min=1, max=128, help="Cases at a time.")] = os.cpu_count() or 1,
+    wheel: Annotated[str, typer.Option("--wheel", help="Wheels on rails: exact, or bilinear as the CONTACT program has them.")] = "exact",
+    fresh: Annotated[bool, typer.Option("--fresh", help="Compute all cases, also those that are there.")] = False,
+) -> None:
+    """Compute the cases of a file, and write its .out, .mat and .subs files.
+
+    Killed at any moment and started again, it goes on where it was. Ends with 5 when cases did not converge or numbers
+    differ, with 4 when cases need what contactd does not have, and with 2 when the file has errors.
+    """
+    if wheel not in ("exact", "bilinear"):
+        raise click.UsageError(f"--wheel {wheel}: it is exact or bilinear.")
+    surface: Literal["exact", "bilinear"] = "exact" if wheel == "exact" else "bilinear"
+    place = writable("--output", output or file.with_suffix(".out"))
+    check_own(place)
+    printed = None if compare is None else printed_cases(read_printed(compare))
+    options = {"wheel": wheel}
+    with connected(workers=workers if setting().local else None) as client:
+        cases = _read(file, client)
+        chains = chains_of(cases)
+        runner = Runner(client, ProfileFiles(file.parent, client), surface)
+        rows = _computed(runner, chains, options, Path(f"{place}.rows"), workers, fresh, CaseFiles(place))
+    ordered = [rows[id(case)] for case in cases]
+    write_text(place, out_text(row["answers"]["lines"] for row in ordered))
+    Path(f"{place}.rows").unlink(missing_ok=True)
+    _show(ordered, place, None if printed is None else compared_rows(ordered, printed))
+
+
+def convert(
+    file: File,
+    output: Annotated[Path, typer.Argument(help="FILE.yaml for one case, FILE.py for all.")],
+    case: Annotated[int | None, typer.Option("--case", metavar="N", help="The N-th case of the file.")] = None,
+) -> None:
+    """Write cases in the words of contactd: YAML for contactctl solve, or a program of Python."""
+    if output.suffix not in (".yaml", ".py"):
+        raise click.UsageError(f"{output}: the name must end in .yaml or .py.")
+    place = writable("convert", output)
+    with connected() as client:
+        cases = _read(file, client)
+        if case is not None and not 1 <= case <= len(cases):
+            raise click.UsageError(f"--case {case}: {file} has {len(cases)} cases.")
+        chosen = cases if case is None else cases[case - 1 : case]
+        profiles = ProfileFiles(file.parent, client)
+        if output.suffix == ".py":
+            text = as_python(file, chosen, client, profiles)
+        elif len(chosen) != 1:
+            raise click.UsageError(f"YAML holds one case, {file} has {len(chosen)}: say which by --case.")
+        else:
+            text = as_yaml(chosen[0], client, profiles)
+    write_text(place, text)
+
+
+def _read(file: Path, client: Client) -> Sequence[Case]:
+    """The cases of a file; what is wrong between them is said."""
+    found = read(file, client)
+    warn([*found.warnings, *(sentence for case in found for sentence in case.warnings)])
+    for sentence in found.errors:
+        note(f"{file}: {sentence}")
+    return found.cases
+
+
+def _computed(
+    runner: Runner, chains: Sequence[Sequence[Case]], options: dict[str, Any], path: Path, workers: int, fresh: bool, files: CaseFiles
+) -> dict[int, dict[str, Any]]:
+    """The rows of all cases."""
+    total = sum(map(len, chains))
+    if fresh:
+        path.unlink(missing_ok=True)
+    with Journal(path) as journal:
+        keys = {id(case): key for chain in chains for case, key in zip(chain, keys_of(chain, options))}
+        if known := len(set(keys.values()) & journal.rows.keys()):
+            note(f"{known} of {total} cases are in {path}.")
+        with Bar("cases") as bar:
+
+            def on_row() -> None:
+                done = len(set(keys.values()) & journal.rows.keys())
+                bar.show(done / max(1, total), f"{done} of {total} cases")
+
+            try:
+                run_chains(runner, chains, options, journal, min(workers, max(1, len(chains))), files.keep, on_row)
+            except BaseException:
+                note(f"{len(set(keys.values()) & journal.rows.keys())} of {total} cases are in {path}; the same command goes on.")
+                raise
+        return {case: journal.rows[key] for case, key in keys.items()}
+
+
+def _show(rows: Sequence[dict[str, Any]], place: Path, differences: Sequence[list[str]] | None) -> None:
+    shown = []
+    for index, row in enumerate(rows):
+        values, answers = row["values"], row["answers"]
+        apart = [] if differences is None else differences[index]
+        why = " ".join([answers["sentence"], *(f"{sentence}." for sentence in apart)]).strip()
+        status = "differs" if apart and answers["status"] == "solved" else answers["status"]
+        shown.append({"case": values["number"], "line": values["line"], "module": values["module"], "status": status, "why": why})
+    counts = Counter(row["status"] for row in shown)
+    remarks = [row for row in shown if row["why"]]
+    answer = {"cases": [{**row, "numbers": full["answers"].get("numbers")} for row, full in zip(shown, rows)], "output": str(place)}
+    emit(setting().json, answer, *_listed(remarks, f"{len(rows)} cases: {_counted(counts)}. {place} has them."))
+    _end([row["status"] for row in shown])
+
+
+def _status_text(status: str) -> str:
+    return "can be computed" if status == "read" else status
+
+
+def _counted(counts: Counter[str]) -> str:
+    return ", ".join(f"{count} {status}" for status, count in counts.most_common())
+
+
+def _listed(remarks: Sequence[dict[str, Any]], last: str) -> list[Any]:
+    columns = ["case", "line", "module", "status", "why"]
+    lines = [[row[name] for name in columns] for row in remarks[:_MOST_SHOWN]]
+    more = [f"... {len(remarks) - _MOST_SHOWN} more: --json has them all"] if len(remarks) > _MOST_SHOWN else []
+    return [*([listing(None, columns, lines)] if lines else []), *more, last]
+
+
+def _end(statuses: Sequence[str]) -> None:
+    """With the code of what is worst."""
+    bad = Counter(status for status in statuses if status not in ("solved", "read"))
+    if not bad:
+        return
+    codes = {Code.NOT_CONVERGED if status == "differs" else code_of_status(status) for status in bad}
+    code = next(one for one in (Code.USAGE, Code.FAILED, Code.REFUSED, Code.NOT_CONVERGED) if one in codes)
+    raise Ended(code, f"{_counted(bad)}.")

@@ -1,0 +1,67 @@
+"""Numbers of a case beside those that the CONTACT program printed: what differs by more than what is in tolerance."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+
+from .answers.compared import Compared
+from .out_reader import PrintedCase
+
+__all__ = ["Difference", "case_differences", "differences"]
+
+_FORCES = ("FN", "FX", "FY", "FS", "MZ", "MN", "FX(TR)", "FY(TR)", "FZ(TR)", "FX(WS)", "FY(WS)", "FZ(WS)", "BAR_FN", "BAR_FX", "BAR_FS")
+_MOTIONS = ("CREEP X", "CREEP Y", "SHIFT X", "SHIFT Y", "CKSI", "CETA")
+_PLACES = ("XCP(TR)", "YCP(TR)", "ZCP(TR)", "Z_WS", "DY_DEFL", "DZ_DEFL")
+_COUNTS = ("NCON", "NADH", "NSLIP")
+_SHARE = 5e-4
+_SHARE_OF_PMAX = 4e-3
+_ELEMENTS = 3.0
+_NO_MOTION = 1e-9  #: creepages and spin (1/mm) that rounding leaves of velocities
+_LENGTH = 0.01  # mm
+_ANGLE = 2e-4  # rad
+
+
+@dataclass(frozen=True)
+class Difference:
+    """A number that differs, and by how much it may."""
+
+    name: str
+    printed: float
+    found: float
+    allowed: float
+
+    def __str__(self) -> str:
+        apart = abs(self.found - self.printed)
+        return f"{self.name} {self.found:.6g}, printed {self.printed:.6g}: {apart:.2g} apart, {self.allowed:.2g} is in tolerance"
+
+
+def case_differences(found: Compared, printed: PrintedCase) -> list[str]:
+    """A sentence for each number of a case that is not in tolerance."""
+    sentences = [str(apart) for apart in differences(found.numbers, printed.numbers, found.bound)]
+    if len(found.patches) != len(printed.patches):
+        return [*sentences, f"{len(found.patches)} patches, printed {len(printed.patches)}"]
+    for number, (patch, theirs, bound) in enumerate(zip(found.patches, printed.patches, found.bounds), 1):
+        sentences += [f"patch {number}: {apart}" for apart in differences(patch, theirs, bound)]
+    return sentences
+
+
+def differences(found: Mapping[str, float], printed: Mapping[str, float], friction_bound: float) -> Iterator[Difference]:
+    """Of the numbers that both have. In tolerance are forces and moments within 5e-4 of themselves or of `friction_bound`,
+    mu Fn, which moments have per mm; the approach within 5e-4, motions within 5e-4 of the largest, spin of it per mm; the
+    largest pressure within 4e-3; numbers of elements within 3; places within 0.01 mm, and angles within 2e-4 rad."""
+    largest = max((abs(value) for name, value in printed.items() if name in _MOTIONS), default=0.0)
+    rules: tuple[tuple[tuple[str, ...], Callable[[float], float]], ...] = (
+        (_FORCES, lambda theirs: _SHARE * max(abs(theirs), friction_bound)),
+        (_MOTIONS, lambda theirs: max(_SHARE * largest, _NO_MOTION)),
+        (("CPHI",), lambda theirs: max(_SHARE * max(abs(theirs), largest), _NO_MOTION)),
+        (("APPROACH", "VPITCH_WS"), lambda theirs: _SHARE * abs(theirs)),
+        (("PMAX",), lambda theirs: _SHARE_OF_PMAX * abs(theirs)),
+        (_COUNTS, lambda theirs: _ELEMENTS),
+        (_PLACES, lambda theirs: _LENGTH),
+        (("DELTCP(TR)",), lambda theirs: _ANGLE),
+    )
+    for names, rule in rules:
+        for name in names:
+            if name in found and name in printed and not abs(found[name] - printed[name]) <= rule(printed[name]):
+                yield Difference(name, printed[name], found[name], rule(printed[name]))

@@ -1,0 +1,71 @@
+"""The numbers of an .out file, whoever wrote it: cases, and in them rows of labels above rows of numbers."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+__all__ = ["PrintedCase", "printed_cases"]
+
+_CASE = re.compile(r" Case +(\d+)(?:, result element +(\d+)| for contact problem +\d+ on result element +(\d+))?\s*$")
+_PATCH = re.compile(r" -+ DATA FOR CONTACT PATCH +(\d+)")
+_LABEL = re.compile(r"(?:CREEP|SHIFT) [XYS]|\S+")
+#: Rows of labels whose numbers are read, by how they begin.
+_FIRST = ("FN", "BAR_FN", "TILDE_FN", "FN/G", "NPOT", "FX(TR)", "XCP(TR)", "XCP(W)", "S_WS", "X_WS", "VX_WS", "CHI", "DT", "KY_RAIL")
+_LONGEST_LINE = 1000
+
+
+@dataclass
+class PrintedCase:
+    """One case as printed.
+
+    Attributes:
+        number: Of its memory.
+        reid: Result element; None: there is none.
+        line: Where it begins in the file, from 1.
+        numbers: Those of the whole case, by their labels; of module 3 all.
+        patches: Those of each patch, by their labels.
+    """
+
+    number: int
+    reid: int | None
+    line: int
+    numbers: dict[str, float] = field(default_factory=dict)
+    patches: list[dict[str, float]] = field(default_factory=list)
+
+
+def printed_cases(text: str) -> list[PrintedCase]:
+    """The cases of a file, in its order. What is no row of known labels is passed over."""
+    cases: list[PrintedCase] = []
+    lines = [line[:_LONGEST_LINE].rstrip() for line in text.splitlines()]
+    for index, line in enumerate(lines):
+        if begins := _CASE.match(line):
+            reid = begins[2] or begins[3]
+            cases.append(PrintedCase(int(begins[1]), None if reid is None else int(reid), index + 1))
+        elif cases and _PATCH.match(line):
+            cases[-1].patches.append({})
+        elif cases and index + 1 < len(lines):
+            rows = cases[-1].patches
+            (rows[-1] if rows else cases[-1].numbers).update(_row(line, lines[index + 1]))
+    return cases
+
+
+def _row(labels: str, numbers: str) -> Iterator[tuple[str, float]]:
+    words = labels.split(maxsplit=1)
+    if not words or words[0] not in _FIRST:
+        return
+    names = [found.group() for found in _LABEL.finditer(labels)]
+    values = numbers.split()
+    if len(names) != len(values):
+        return
+    for name, value in zip(names, values):
+        try:
+            yield _plain(name), float(value)
+        except ValueError:
+            return
+
+
+def _plain(name: str) -> str:
+    """Work of shifts and power of rolling have one name; no case has both."""
+    return "FRIC" if name.startswith("FRIC.") else name

@@ -1,0 +1,94 @@
+"""The profiles that cases name, read from files beside the file of cases, as the CONTACT program places them."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from threading import Lock
+from typing import TYPE_CHECKING, Any
+
+from ..files.profile_text import read_profile_text
+from ..values.profile_shapes import KinkRule, Profile, ProfileFile
+from .case import Case
+from .input_file import text_of
+from .problems.rails import Slices
+from .slice_list import SPLINES, read_slices
+
+if TYPE_CHECKING:
+    from ..client import Client
+
+__all__ = ["ProfileFiles"]
+
+_DRIVE = re.compile(r"[A-Za-z]:")
+_LISTS = (".slcs", ".slcw")
+_SIMPACK = (".prr", ".prw")
+_LENGTHS = re.compile(rb"^\s*units\.len\.f\s*=\s*([-+.\deE]+)", re.MULTILINE)
+_MIRRORED = re.compile(rb"^\s*mirror\.y\s*=\s*\+?1(?:\.0*)?\s*(?:[!%].*)?$", re.MULTILINE)
+_METRE = 1000.0  # mm
+_OPTIONS = ("MIRRORY", "SCALE", "SMOOTH", "MIRRORZ", "ISMOOTH", "KINKHIGH", "KINKLOW", "KINKWID")
+
+
+class ProfileFiles:
+    """Reads each file once. Names are relative to `folder`; both kinds of separators serve. The `client` reads the text of
+    lists of slices."""
+
+    def __init__(self, folder: str | os.PathLike[str], client: Client) -> None:
+        self._folder, self._client = Path(folder), client
+        self._read: dict[tuple[Any, ...], Profile | tuple[Slices, str]] = {}
+        self._lock = Lock()
+
+    def __call__(self, case: Case, which: str) -> Profile | tuple[Slices, str]:
+        """The profile of "RAIL" or "WHEEL". Raises OSError where it cannot be read."""
+        values = case.values
+        name = str(values["RFNAME" if which == "RAIL" else "WFNAME"])
+        options = {option: values[f"{which}_{option}"] for option in _OPTIONS}
+        key = (name, *options.values())
+        with self._lock:
+            if key not in self._read:
+                place = self.place(name)
+                is_list = name.lower().endswith(_LISTS)
+                self._read[key] = self._slices(place, options) if is_list else _profile(place, options)
+            return self._read[key]
+
+    def _slices(self, path: Path, options: Mapping[str, Any]) -> tuple[Slices, str]:
+        scale = float(options["SCALE"])
+        slices = read_slices(path, self._client, scale=scale, profile=lambda place: _profile(place, options))
+        is_wheel = path.suffix.lower() == ".slcw"
+        spline = SPLINES[self._client.read_contact_slices(text_of(path), name=path.name).is_approximated]
+        return [one[:2] if is_wheel else one for one in slices], spline
+
+    def place(self, name: str) -> Path:
+        """Where a file lies that is named in another one."""
+        path = Path(name.replace("\\", "/"))
+        is_absolute = path.is_absolute() or _DRIVE.match(name) is not None
+        return path if is_absolute else self._folder / path
+
+
+def _profile(path: Path, options: Mapping[str, Any]) -> ProfileFile:
+    text = read_profile_text(path)
+    is_simpack = path.suffix.lower() in _SIMPACK
+    # MIRRORY = -1 takes back what a file of Simpack says itself.
+    mirrored_back = options["MIRRORY"] == -1 and is_simpack and _MIRRORED.search(text) is not None
+    smooth = options["SMOOTH"]
+    smoothing: dict[str, Any] = {}
+    if smooth > 0:
+        smoothing = {"smoothing_lambda": smooth} if options["ISMOOTH"] == 0 else {"smoothing_length": smooth}
+    if smooth > 0 and options["ISMOOTH"] == 2:
+        smoothing["smoothing_order"] = 3
+    return ProfileFile(
+        path, text, unit=_unit(text, options["SCALE"], is_simpack), mirror_y=options["MIRRORY"] == 1 or mirrored_back,
+        mirror_z=None if options["MIRRORZ"] == 0 else options["MIRRORZ"] == 1,
+        kinks=KinkRule(options["KINKHIGH"], options["KINKLOW"], options["KINKWID"]), **smoothing,
+    )  # fmt: skip
+
+
+def _unit(text: bytes, scale: float, is_simpack: bool) -> float | None:
+    """Millimetres of a unit of the points. Files of Simpack say their own; all others are in mm."""
+    if not is_simpack:
+        return scale
+    if scale == 1:
+        return None
+    given = _LENGTHS.search(text)
+    return _METRE * scale / float(given[1] if given else 1)

@@ -1,0 +1,149 @@
+"""Cases computed in their order. A file is a history: steps start from what the one before ended with, so that what goes
+wrong in one is told of those that follow from it, and other histories go on."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+from ..errors import StatusError, TimeoutExpired
+from ..values.problem import ContactProblem, Estimate
+from ..values.subsurface import StressBlock, SubsurfaceStress
+from ..values.wheel_rail.setup import WheelSurface
+from .answers.basic_results import BasicResult
+from .answers.displacements import Displacements
+from .answers.rail_results import RailResult
+from .answers.subsurface import Body
+from .problems.basic import BasicContact, State, goes_on
+from .problems.features import Missing, missing
+from .problems.rails import Profiles, RailContact
+
+if TYPE_CHECKING:
+    from ..client import Client
+    from .case import Case
+
+__all__ = ["Outcome", "Runner", "Status", "chains_of", "checked"]
+
+Status = Literal["solved", "not converged", "read", "refused", "failed", "follows", "wrong"]
+"""What became of a case: read and not to be computed (R = 2, 3); refused for what contactd does not have; failed at the
+service; one that follows from a case that was not computed; or one that the file has wrong."""
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """What became of a case, with a sentence where that is not all that was wanted."""
+
+    case: Case
+    status: Status
+    sentence: str = ""
+    result: BasicResult | RailResult | None = None
+    seconds: float = 0.0
+
+    @property
+    def is_solved(self) -> bool:
+        """Whether there are numbers."""
+        return self.result is not None
+
+
+def chains_of(cases: Iterable[Case]) -> list[list[Case]]:
+    """Cases that must be computed one after the other; chains do not depend on each other. In the order of their ends."""
+    open_chains: dict[object, list[Case]] = {}
+    chains: list[list[Case]] = []
+    for case in cases:
+        memory = (case.module, case.reid, case.cpid)
+        chain = open_chains.get(memory)
+        if chain is None or not goes_on(case):
+            open_chains[memory] = chain = []
+            chains.append(chain)
+        chain.append(case)
+    return chains
+
+
+def checked(cases: Iterable[Case]) -> list[Outcome]:
+    """What can be computed, without computing it, in the order of the file."""
+    found: dict[int, Outcome] = {}
+    for chain in chains_of(cases):
+        broken: Case | None = None
+        for case in chain:
+            outcome = _refusal(case, broken) or Outcome(case, "read")
+            found[id(case)] = outcome
+            broken = broken or (case if outcome.status != "read" else None)
+    return [found[id(case)] for case in cases]
+
+
+def _refusal(case: Case, broken: Case | None) -> Outcome | None:
+    if case.errors:
+        return Outcome(case, "wrong", " ".join(case.errors))
+    if names := missing(case):
+        return Outcome(case, "refused", f"contactd does not have: {', '.join(names)}.")
+    if broken is not None and goes_on(case):
+        return Outcome(case, "follows", f"It goes on from case {broken.number} in line {broken.line}, which is not computed.")
+    return None
+
+
+class Runner:
+    """Computes cases by a client. Threads may compute chains of their own at the same time."""
+
+    def __init__(self, client: Client, profiles: Profiles, wheel_surface: WheelSurface = "exact") -> None:
+        self._client = client
+        self._profiles, self._wheel_surface = profiles, wheel_surface
+        self._displacements = Displacements(lambda body, grid, ics: client.get_ic(body, grid, ics).array)
+
+    def run(self, chain: Iterable[Case]) -> Iterator[Outcome]:
+        """The outcomes of cases that go on from each other.
+
+        Raises what says that there is nobody to ask; what is refused or goes wrong is the outcome of its case.
+        """
+        broken: Case | None = None
+        last: State | None = None
+        before: State | None = None
+        for case in chain:
+            began = time.monotonic()
+            outcome = _refusal(case, broken)
+            if outcome is None and case.digits["R"] in (2, 3):
+                yield Outcome(case, "read", "It is read and not computed (R = 2, 3).")
+                continue
+            start = before if case.digits["P"] == 3 else last
+            if outcome is None:
+                outcome = self._outcome(case, start if goes_on(case) else None, began)
+            if outcome.result is None:
+                broken = broken or case
+            elif isinstance(outcome.result, BasicResult):
+                before, last = start if goes_on(case) else None, _state_of(outcome.result)
+            yield outcome
+
+    def _outcome(self, case: Case, start: State | None, began: float) -> Outcome:
+        try:
+            result = self._on_rails(case) if case.module == 1 else self._basic(case, start)
+        except Missing as error:
+            return Outcome(case, "refused", f"contactd does not have: {error}.")
+        except (StatusError, TimeoutExpired) as error:
+            return Outcome(case, "failed", str(error))
+        except OSError as error:
+            return Outcome(case, "failed", f"{error.filename}: {error.strerror}.")
+        is_complete = result.is_converged
+        status: Status = "solved" if is_complete else "not converged"
+        sentence = "" if is_complete else "A solver or a search missed its tolerance."
+        return Outcome(case, status, sentence, result, time.monotonic() - began)
+
+    def _basic(self, case: Case, start: State | None) -> BasicResult:
+        contact = BasicContact.of(case, self._normal_force, start)
+        return BasicResult.of(contact, self._client.solve(contact.problem), self._displacements, self._stresses)
+
+    def _on_rails(self, case: Case) -> RailResult:
+        contact = RailContact.of(case, self._profiles, self._wheel_surface)
+        solution = self._client.wheel_rail(contact.setup, contact.state, gap=True)
+        return RailResult.of(contact, solution, self._displacements, self._stresses)
+
+    def _stresses(self, problem: ContactProblem, acting: Estimate, body: Body, block: StressBlock) -> SubsurfaceStress:
+        return self._client.subsurface(problem, acting, body=body, block=block)
+
+    def _normal_force(self, problem: ContactProblem) -> float:
+        return self._client.solve(problem, fields=[]).Fn
+
+
+def _state_of(result: BasicResult) -> State:
+    solution = result.solution
+    return State(result.contact.area.grid, solution.pressure, solution.traction_x, solution.traction_y)

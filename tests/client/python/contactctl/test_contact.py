@@ -1,0 +1,180 @@
+"""contact: cases of input files of the CONTACT program, checked, computed, compared and converted."""
+
+import signal
+
+import numpy as np
+import pytest
+
+from contactctl.codes import Code
+
+FIRST = """\
+ 3  MODULE
+  203100
+  022020
+ 0001201
+   999  100  30  1  1e-6
+ 50000.  0.0005  0.0  0.0001
+   0.3   0.3
+   0.0   0.5   20000.
+   0.28  0.28  82000.  82000.
+    -3
+   15  15  6.0  4.0  1.1
+"""
+SECOND = """\
+ 3  MODULE
+  203100
+  100000
+ 0101201
+ 50000.  0.0020  0.0  0.0001
+"""
+LAYER = """\
+ 3  MODULE
+  202100
+  102400
+ 0100201
+ 50000.  0.0020  0.0  0.0001
+   0.0   0.5   20000.
+   0.28  0.28  82000.  82000.
+  100.0  0.01   0.0  0.0
+ 3  MODULE
+  002100
+  100400
+ 0100201
+ 50000.  0.0020  0.0  0.0001
+"""
+END = " 0  MODULE\n"
+TWO = FIRST + SECOND + END
+
+
+def test_a_file_that_can_be_computed_is_said_to_be(ctl):
+    ctl.write("two.inp", TWO)
+    ended = ctl("contact", "check", "two.inp")
+    assert (ended.code, ended.out) == (Code.DONE, "2 cases: 2 can be computed\n")
+
+
+def test_what_cannot_be_computed_is_told_by_case_line_and_feature(ctl):
+    ctl.write("layer.inp", FIRST + LAYER + END)
+    ended = ctl("contact", "check", "layer.inp", "--json")
+    assert ended.code == Code.REFUSED
+    first, second, third = ended.json["cases"]
+    assert (first["status"], first["line"]) == ("can be computed", 2)
+    assert (second["status"], second["line"]) == ("refused", 13)
+    assert "interfacial layer (M = 4)" in second["why"]
+    assert third["status"] == "refused"
+
+
+def test_a_word_that_does_not_fit_has_its_line_and_column_and_others_are_computed(ctl):
+    wrong = SECOND.replace("0.0020  0.0", "0.0020  none")
+    ctl.write("wrong.inp", FIRST + wrong + END)
+    ended = ctl("contact", "run", "wrong.inp")
+    assert ended.code == Code.USAGE
+    assert "1 solved, 1 wrong" in ended.out
+    assert "line 16, column 18" in ended.out
+    written = (ctl.folder / "wrong.out").read_text()
+    assert " WRONG: line 16, column 18" in written
+
+
+def test_a_run_writes_what_contact_would(ctl):
+    ctl.write("two.inp", TWO)
+    ended = ctl("contact", "run", "two.inp")
+    assert (ended.code, ended.out) == (Code.DONE, "2 cases: 2 solved. two.out has them.\n")
+    assert sorted(path.name for path in ctl.folder.iterdir() if path.name.startswith("two")) == ["two.0001.mat", "two.0002.mat", "two.inp", "two.out"]
+    lines = (ctl.folder / "two.out").read_text().splitlines()
+    assert "detailed investigation of 3D" in lines[1]
+    assert [line for line in lines if line.startswith(" Case")] == [" Case     1", " Case     2"]
+
+
+def test_matlab_loads_a_mat_file(ctl):
+    ctl.write("two.inp", TWO)
+    ctl("contact", "run", "two.inp")
+    path = ctl.folder / "two.0002.mat"
+    table = np.loadtxt(path, comments="%")
+    lines = path.read_text().splitlines()
+    assert [number for number, line in enumerate(lines, 1) if line.startswith("%")] == [1, 3, 5, 7, 9, 11, 13]
+    assert table.shape[1] == 11
+    assert table[0, -1] == 2410
+    assert table[3, :2].tolist() == [15, 15]
+    assert (table[5, 2], table[5, 3]) == (20000, 0.3)
+    elements = table[6:]
+    assert set(elements[:, 1]) == {1, 2}
+    area = table[3, 4] * table[3, 5]
+    assert elements[:, 4].sum() * area == pytest.approx(50000, rel=1e-5)
+    slips = elements[:, 1] == 2
+    traction = np.hypot(elements[:, 5], elements[:, 6])
+    assert traction[slips] == pytest.approx(0.3 * elements[slips, 4], rel=1e-4)
+    # In contact surfaces meet: the undeformed distance less the approach, and what displacements add.
+    assert np.ptp(elements[:, 2] + elements[:, 7]) < 1e-5 * elements[:, 7].max()
+    assert elements[~slips, 10].max() < 1e-5 * 2e-3
+
+
+def test_numbers_are_compared_with_printed_ones(ctl):
+    ctl.write("two.inp", TWO)
+    ctl("contact", "run", "two.inp")
+    text = (ctl.folder / "two.out").read_text()
+    ctl.write("same.ref", text)
+    assert ctl("contact", "run", "two.inp", "--compare", "same.ref").code == Code.DONE
+    fx = next(line for number, line in enumerate(text.splitlines()) if "FRIC.POWER" in text.splitlines()[number - 1]).split()[1]
+    ctl.write("other.ref", text.replace(fx, f"{1.01 * float(fx):.4g}", 1))
+    ended = ctl("contact", "run", "two.inp", "--compare", "other.ref")
+    assert ended.code == Code.NOT_CONVERGED
+    assert "1 differs" in ended.out and "FX" in ended.out
+    ctl.write("short.ref", text[: text.index(" Case     2")])
+    assert "does not have it" in ctl("contact", "run", "two.inp", "--compare", "short.ref").out
+
+
+def test_a_file_of_another_program_is_never_written_over(ctl):
+    ctl.write("two.inp", TWO)
+    ctl.write("two.out", "   --------\n   |  CONTACT - detailed investigation of 3D frictional contact problems  |\n")
+    ended = ctl("contact", "run", "two.inp")
+    assert ended.code == Code.USAGE
+    assert "contactd has not written it" in ended.err
+    assert "CONTACT - " in (ctl.folder / "two.out").read_text()
+
+
+def test_a_run_that_was_killed_goes_on(ctl):
+    many = FIRST.replace("15  15", "90  90") + SECOND.replace("0101201", "0100201") * 60 + END
+    ctl.write("many.inp", many)
+    process = ctl.start("contact", "run", "many.inp", "--workers", "1")
+    rows = ctl.folder / "many.out.rows"
+    while not rows.exists() or rows.read_bytes().count(b"\n") < 3:
+        assert process.poll() is None, "it ended before it was killed"
+    process.send_signal(signal.SIGTERM)
+    _, told = process.communicate(timeout=60)
+    assert process.returncode == Code.TERMINATED
+    assert "the same command goes on" in told
+    assert not (ctl.folder / "many.out").exists()
+    kept = rows.read_bytes().count(b"\n")
+    ended = ctl("contact", "run", "many.inp")
+    assert ended.code == Code.DONE
+    assert f"{kept} of 61 cases are in many.out.rows." in ended.err
+    assert not rows.exists()
+
+
+def test_the_number_of_workers_changes_no_answer(ctl):
+    ctl.write("many.inp", FIRST + SECOND.replace("0101201", "0100201") * 5 + END)
+    ctl("contact", "run", "many.inp", "--output", "one.out", "--workers", "1")
+    ctl("contact", "run", "many.inp", "--output", "three.out", "--workers", "3")
+    assert (ctl.folder / "one.out").read_text() == (ctl.folder / "three.out").read_text()
+
+
+def test_a_case_becomes_yaml_that_solves_to_the_same(ctl):
+    ctl.write("two.inp", TWO)
+    assert ctl("contact", "convert", "two.inp", "case.yaml", "--case", "2").code == Code.DONE
+    solved = ctl("solve", "case.yaml", "--json").json
+    cases = ctl("contact", "run", "two.inp", "--json").json["cases"]
+    assert cases[1]["numbers"]["numbers"]["FX"] == solved["forces"]["Fx"]
+    assert "say which by --case" in ctl("contact", "convert", "two.inp", "case.yaml").err
+    assert "has 2 cases" in ctl("contact", "convert", "two.inp", "case.yaml", "--case", "3").err
+
+
+def test_cases_become_a_program_that_solves_them(ctl):
+    ctl.write("two.inp", TWO)
+    assert ctl("contact", "convert", "two.inp", "cases.py").code == Code.DONE
+    compile((ctl.folder / "cases.py").read_text(), "cases.py", "exec")
+    assert "must end in" in ctl("contact", "convert", "two.inp", "cases.txt").err
+
+
+def test_a_file_that_is_not_there_is_told(ctl):
+    ended = ctl("contact", "check", "none.inp")
+    assert ended.code == Code.USAGE
+    assert "none.inp" in ended.err
