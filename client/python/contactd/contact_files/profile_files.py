@@ -53,8 +53,7 @@ class ProfileFiles:
             return self._read[key]
 
     def _slices(self, path: Path, options: Mapping[str, Any]) -> tuple[Slices, str]:
-        scale = float(options["SCALE"])
-        slices = read_slices(path, self._client, scale=scale, profile=lambda place: _profile(place, options))
+        slices = read_slices(path, self._client, profile=lambda place: _profile(place, options))
         is_wheel = path.suffix.lower() == ".slcw"
         spline = SPLINES[self._client.read_contact_slices(text_of(path), name=path.name).is_approximated]
         return [one[:2] if is_wheel else one for one in slices], spline
