@@ -75,7 +75,15 @@ class AsyncWheelRailSession(AnyWheelRailSession, SessionThatAwaits):
     """The WheelRailSession of an AsyncClient: the same steps, which are awaited."""
 
 
-class AsyncClient(ServerCalls, TableCalls, ContactCalls, ContactFileCalls, WheelRailCalls, SessionCalls[AsyncSession, AsyncWheelRailSession], Awaits):
+class AsyncClient(
+    ServerCalls,
+    TableCalls,
+    ContactCalls,
+    ContactFileCalls,
+    WheelRailCalls,
+    SessionCalls[AsyncSession, AsyncWheelRailSession],
+    Awaits,
+):
     """A Client whose calls are coroutines: same names, same arguments, same answers and exceptions.
 
     ::

@@ -40,7 +40,9 @@ if TYPE_CHECKING:
 __all__ = ["Client", "ClientOptions"]
 
 
-class Client(ServerCalls, TableCalls, ContactCalls, ContactFileCalls, WheelRailCalls, SessionCalls[Session, WheelRailSession], Waits):
+class Client(
+    ServerCalls, TableCalls, ContactCalls, ContactFileCalls, WheelRailCalls, SessionCalls[Session, WheelRailSession], Waits
+):
     """Speaks with the daemon at `endpoint`, such as ``tcp://127.0.0.1:5555`` or ``ipc:///run/contactd.socket``.
 
     Connects with the first call. Safe to share between threads: every call has a socket of its own for as long as it
