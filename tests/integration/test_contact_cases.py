@@ -13,6 +13,7 @@ from contactd import ContactProblem, Friction, Grid, Material, Rolling, SemiAxes
 from contactd.contact_files.comparison import case_differences
 from contactd.contact_files.out_file import lines_of, out_text
 from contactd.contact_files.out_reader import printed_cases
+from contactd.contact_files.profile_files import ProfileFiles
 from contactd.contact_files.runner import Runner, chains_of
 from contactd.wheel_rail import S1002, ArcProfile, ConeProfile, Rail60E1
 from support.contact_cases import basic_case, rail_case
@@ -115,6 +116,26 @@ def test_the_reference_is_told_in_the_axes_of_both_profiles(shared, side, placed
     lower = (x * x) / (2 * (460 + slope * outwards * y))  # than the lowest point of the wheel
     assert z + lower == pytest.approx(slope * outwards * y, abs=1.1 * patch.place.penetration)
     assert patch.place.penetration < 0.1
+
+
+@pytest.mark.parametrize(("kind", "spline"), [(1, "cubic"), (2, "approximating")])
+def test_slices_that_are_alike_are_a_straight_rail_and_a_round_wheel(shared, tmp_path, kind, spline):
+    y = np.linspace(-40, 40, 161)
+    for name, z in (("rail", y**2 / 600), ("wheel", -0.025 * y)):
+        lines = [f"{a:.4f} {b:.6f}" for a, b in zip(y[:: 1 if name == "rail" else -1], z[:: 1 if name == "rail" else -1])]
+        (tmp_path / f"{name}.txt").write_text("\n".join(lines) + "\n")
+    files = ProfileFiles(tmp_path, shared)
+    for name, ending, places in (("rail", "slcs", range(-300, 301, 100)), ("wheel", "slcw", np.arange(-0.3, 0.31, 0.1))):
+        below = "".join(f"{place:.3f} '{name}.txt'\n" for place in places)
+        (tmp_path / f"{name}.{ending}").write_text(f"0 1\n{len(places)}\n0 0 0\n{kind}\n{below}")
+    plain = {"RFNAME": "rail.txt", "WFNAME": "wheel.txt", "RAIL_MIRRORZ": -1, "WHEEL_MIRRORZ": -1,
+             "GAUGHT": -1.0, "RAILY0": 750.0, "RAILZ0": 0.0}  # fmt: skip
+    sliced = rail_case(**{**plain, "RFNAME": "rail.slcs", "WFNAME": "wheel.slcw"})
+    assert files(sliced, "RAIL")[1] == files(sliced, "WHEEL")[1] == spline
+    alike, one = computed(shared, [rail_case(**plain), sliced], files)
+    assert (alike.status, one.status) == ("solved", "solved"), f"{alike.sentence}; {one.sentence}"
+    assert one.result.solution.z == pytest.approx(alike.result.solution.z, abs=1e-4)
+    assert one.result.patches[0].solution.pmax == pytest.approx(alike.result.patches[0].solution.pmax, rel=5e-3)
 
 
 def test_steps_go_on_from_each_other_as_a_session_does(shared):
@@ -227,6 +248,16 @@ def test_given_lines_are_met_but_for_digits(shared, given):
                 assert is_met(mine, printed), f"{name}, case {outcome.case.number}:\n{printed}\n{mine}"
                 met += 1
     assert met > 1500
+
+
+def test_a_given_rail_that_is_interrupted_comes_near_what_is_printed(shared, given):
+    file = GIVEN / "testbank/examples_s+c/cw_interrupt.inp"
+    printed = printed_cases(file.with_suffix(".ref_out").read_text(errors="replace"))
+    outcomes = computed(shared, contact_files.read(file, shared).cases, ProfileFiles(file.parent, shared), "bilinear")
+    for outcome, theirs in zip(outcomes, printed, strict=True):
+        assert outcome.status == "solved", outcome.sentence
+        for patch, their_patch in zip(outcome.result.patches, theirs.patches, strict=True):
+            assert patch.solution.Fn == pytest.approx(their_patch["FN"], rel=2e-3)
 
 
 def from_digits(lines):

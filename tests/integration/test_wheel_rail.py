@@ -175,6 +175,18 @@ def test_a_cone_on_an_arc_touches_where_it_must(shared):
         assert shift is not None
 
 
+def test_a_rail_is_straight_along_where_a_part_of_it_begins(shared):
+    y = np.linspace(-40, 40, 161)
+    head = ProfilePoints(np.column_stack([y, y**2 / 600]))
+    features = {True: (-1, 40, 999), False: (0, 40, 999)}
+    slices = [(x, head, features[x < -50]) for x in (-303.0, -203.0, -103.0, -3.0, 97.0, 197.0)]
+    track = Track(rail_origin=(750, 0))
+    setup = COARSE.replace(wheel=ConeProfile(-0.025), rail_slices=slices, rail_spline="cubic", track=track)
+    (patch,) = shared.wheel_rail(setup, rolling(0.0)).patches
+    assert patch.place.reference.y == pytest.approx(742.5, abs=0.05)
+    assert patch.place.radii.rail_along is None
+
+
 def test_points_make_the_same_profile_as_their_formula(shared):
     y = np.linspace(-30, 30, 601)
     arc = ProfilePoints(np.column_stack([y, 300 - np.sqrt(300**2 - y**2)]))

@@ -120,7 +120,8 @@ double RailSurface::slope_along(double x, double y, double z) const {
 double RailSurface::curvature_along(double x, double y, double s) const {
     if (!slices_) return curvature_along();
     const double bulge = height(x + column_width, y, s) + height(x - column_width, y, s) - 2 * height(x, y, s);
-    return bulge / (column_width * column_width);
+    // Straight where a part of the rail begins or ends within a column.
+    return std::isnan(bulge) ? 0 : bulge / (column_width * column_width);
 }
 
 double RailSurface::column_z(int column, double y) const {
