@@ -38,7 +38,7 @@ HOOKS: dict[str, tuple[int, str]] = {
     "calls/any_session.py": (13, "messages of session.close, save, restore and forget"),
     "calls/caller.py": (12, "envelopes"),
     "calls/contact.py": (17, "messages of contact.solve_many and contact.subsurface"),
-    "calls/contact_files.py": (5, "messages of contact_file"),
+    "calls/contact_files.py": (8, "messages of contact_file"),
     "calls/contact_session.py": (22, "fields of a step that are of a shift, of rolling or of neither"),
     "calls/server.py": (11, "messages of server, job and solves"),
     "calls/sessions.py": (24, "messages of session.open, join, info and list"),

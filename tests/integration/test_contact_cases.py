@@ -253,8 +253,8 @@ def test_given_lines_are_met_but_for_digits(shared, given):
 def test_a_given_rail_that_is_interrupted_comes_near_what_is_printed(shared, given):
     file = GIVEN / "testbank/examples_s+c/cw_interrupt.inp"
     printed = printed_cases(file.with_suffix(".ref_out").read_text(errors="replace"))
-    outcomes = computed(shared, contact_files.read(file, shared).cases, ProfileFiles(file.parent, shared), "bilinear")
-    for outcome, theirs in zip(outcomes, printed, strict=True):
+    results = computed(shared, contact_files.read(file, shared).cases, ProfileFiles(file.parent, shared), "bilinear")
+    for outcome, theirs in zip(results, printed, strict=True):
         assert outcome.status == "solved", outcome.sentence
         for patch, their_patch in zip(outcome.result.patches, theirs.patches, strict=True):
             assert patch.solution.Fn == pytest.approx(their_patch["FN"], rel=2e-3)

@@ -5,15 +5,13 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
-from ..files.whole import read_whole
+from ..files.case_text import text_of
 from ..values.contact_files import ContactFile
 
 if TYPE_CHECKING:
     from ..client import Client
 
-__all__ = ["read", "text_of"]
-
-_MOST_BYTES = 16 << 20
+__all__ = ["read"]
 
 
 def read(path_or_text: str | os.PathLike[str], client: Client) -> ContactFile:
@@ -27,12 +25,3 @@ def read(path_or_text: str | os.PathLike[str], client: Client) -> ContactFile:
     if isinstance(path_or_text, str) and "\n" in path_or_text:
         return client.read_contact_file(path_or_text)
     return client.read_contact_file(text_of(path_or_text), name=os.path.basename(os.fspath(path_or_text)))
-
-
-def text_of(path: str | os.PathLike[str]) -> str:
-    """The text of a file of CONTACT. Raises OSError for one that cannot be read or has more than 16 MiB."""
-    content = read_whole(path, _MOST_BYTES)
-    try:
-        return content.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        return content.decode("latin-1")

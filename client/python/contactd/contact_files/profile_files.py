@@ -9,10 +9,10 @@ from pathlib import Path
 from threading import Lock
 from typing import TYPE_CHECKING, Any
 
+from ..files.case_text import text_of
 from ..files.profile_text import read_profile_text
 from ..values.profile_shapes import KinkRule, Profile, ProfileFile
 from .case import Case
-from .input_file import text_of
 from .problems.rails import Slices
 from .slice_list import SPLINES, read_slices
 

@@ -7,8 +7,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ..files.case_text import text_of
 from ..values.profile_shapes import Profile, ProfileFile
-from .input_file import text_of
 
 if TYPE_CHECKING:
     from ..client import Client
