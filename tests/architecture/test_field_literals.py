@@ -34,7 +34,7 @@ HOOKS: dict[str, tuple[int, str]] = {
     "values/wheel_rail/params.py": (6, "the material of the rail, which the daemon does not know by itself"),
     "values/wheel_rail/solution.py": (4, "answers without patches"),
     "values/wheel_rail/solution_methods.py": (12, "rows of representations"),
-    "calls/answer_warnings.py": (22, "where warnings stand in answers"),
+    "calls/answer_warnings.py": (30, "where warnings stand in answers"),
     "calls/any_session.py": (13, "messages of session.close, save, restore and forget"),
     "calls/caller.py": (12, "envelopes"),
     "calls/contact.py": (17, "messages of contact.solve_many and contact.subsurface"),

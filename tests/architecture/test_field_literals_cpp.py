@@ -30,7 +30,7 @@ FOLDERS: dict[str, tuple[int, str]] = {
     "client/cntc/src/edge": (10, WORD),
     "client/cntc/src/interface": (30, "fields that its refusals name beside CONTACT's"),
     "client/cntc/src/problem": (10, "fields that its refusals name beside CONTACT's"),
-    "client/cpp/src": (140, "messages of methods, envelopes, and where warnings stand in answers"),
+    "client/cpp/src": (150, "messages of methods, envelopes, and where warnings stand in answers"),
     "client/fmu/describe": (20, "attributes of modelDescription.xml"),
     "client/fmu/instance": (10, WORD),
     "client/fmu/interface": (20, WORD),
@@ -38,7 +38,7 @@ FOLDERS: dict[str, tuple[int, str]] = {
     "client/fmu/variables": (50, "variables that an FMU has beside the schema's"),
     "client/python/local": (10, "names of arguments"),
     "core/include/contactd": (
-        99,
+        110,
         "lists of the fields of sections and of finite elements, which files and keys visit, too",
     ),
     "core/src/store": (30, "what a key is made of, whose names may never change, and refusals"),

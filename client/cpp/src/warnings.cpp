@@ -27,7 +27,10 @@ constexpr Part parts[] = {{"result", ""},
                           {"geometries", "states"},
                           {"left", "left"},
                           {"right", "right"},
-                          {"patches", "patches"}};
+                          {"patches", "patches"},
+                          {"profiles", "profiles"},
+                          {"wheel_evidence", "wheel"},
+                          {"rail_evidence", "rail"}};
 
 class Collected {
    public:

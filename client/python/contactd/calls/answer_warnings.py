@@ -16,7 +16,8 @@ _LISTS = ("ic.list", "ic.import")
 #: Where answers have `warnings` besides at their top, and what the request calls that part; "" where it is of the whole.
 _PARTS = {"result": "", "evidence": "", "ics": "", "upper": "", "lower": "", "pair": "", "wheelrail": "", "solution": "",
           "solutions": "problems", "steps": "steps", "geometries": "states", "left": "left", "right": "right",
-          "patches": "patches"}  # fmt: skip
+          "patches": "patches", "profiles": "profiles", "wheel_evidence": "wheel", "rail_evidence": "rail",
+          "cases": "cases"}  # fmt: skip
 _MOST_PARTS = 5  #: that are named of those that have the same sentence
 
 

@@ -55,7 +55,7 @@ def test_done_is_0(ctl):
         (["ic", "build", "--E", "2e5", "--nu", "-1", "--nx", "3", "--dx", "1"], "--nu, which is above -1"),
         (["ic", "delete", ""], "A key is empty"),
         (["keys", "new", "alice", "--to", "contact.yaml"], "contact.yaml: File exists"),
-        (["session", "wide.yaml"], "wide.csv is no CSV: field larger than field limit"),
+        (["session", "wide.yaml"], "wide.csv is no CSV: line 2: field larger than field limit"),
         (["cancel"], "Name the jobs to cancel, or say --all"),
         (["keys", "show", "contact.yaml"], "it is no key file"),
         (["keys", "new", "../bob"], "is no name of a file"),

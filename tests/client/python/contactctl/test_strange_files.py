@@ -215,7 +215,7 @@ def test_a_text_of_numbers_is_read_however_they_are_divided(file, text):
     ("text", "why"),
     [
         ("1 2\n3\n", "line 2 has 1 numbers, and the first 2"), ("1 2\n3 x\n", "line 2 has 'x' in the place of a number"),
-        ("a b\nc d\n1 2\n", "line 2 has 'c'"), ("1 a\n", "line 1 has 'a'"), ("# nothing\n", "it has none"), ("a b\n", "it has none"),
+        ("a b\n1 2\nc d\n", "line 3 has 'c'"), ("1 a\n", "line 1 has 'a'"), ("# nothing\n", "it has none"), ("a b\n", "it has none"),
         ("1,2;3\n4,5\n", "line 2 has 1 numbers"), ("1\n" + "9" * 200 + "x", "line 2 has '9{40}' in"),
     ],
 )  # fmt: skip
