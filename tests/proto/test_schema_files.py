@@ -194,7 +194,8 @@ def test_takes_points_or_a_block_inside_either_body(changes: dict[str, object]) 
         {"nu": None},
         {"pressure": None},
         {"body": "both"},
-        {"G": 82000},
+        {"E": 82000},
+        {"G": 0},
     ],
 )
 def test_refuses_stresses_that_are_not_well_asked_for(changes: dict[str, object]) -> None:
