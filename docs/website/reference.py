@@ -46,7 +46,8 @@ def python() -> str:
         title = module.partition(".")[2] or module  # without the folder
         title = title.replace(".", " ").replace("_", " ")
         parts.append(f"## {title}\n\n```{{eval-rst}}\n.. currentmodule:: contactd\n\n{_lead(text)}\n\n{objects}\n```\n")
-    more = (f"## {module}\n\n" + _directive(f"automodule:: {module}") for module in ("contactd.wheel_rail", "contactd.contact_files"))
+    once = {"exclude-members": ", ".join(sorted(set(contactd.__all__)))}
+    more = (f"## {name}\n\n" + _directive(f"automodule:: {name}", **once) for name in ("contactd.wheel_rail", "contactd.contact_files"))
     return "\n".join([*parts, *more])
 
 

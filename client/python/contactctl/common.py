@@ -101,10 +101,13 @@ class Group(_Helpful, TyperGroup):
 
 
 @contextmanager
-def connected(*, workers: int | None = None) -> Iterator[Client]:
-    """The client that the options stand for; `workers` of a local one."""
+def connected(*, workers: int | None = None, local_unless_named: bool = False) -> Iterator[Client]:
+    """The client that the options stand for; `workers` of a local one.
+
+    Commands on files of one's own are `local_unless_named`: they ask a daemon where its endpoint was given.
+    """
     given = setting()
-    if given.local:
+    if given.local or (local_unless_named and given.endpoint is None):
         with _local(given, workers) as client:
             if given.timeout is not None:
                 client.timeout = client.build_timeout = given.timeout

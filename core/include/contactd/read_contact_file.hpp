@@ -34,7 +34,7 @@ using ContactBlocks = std::vector<ByName<ContactValue>>;
 struct ContactCase {
     int number = 0;                 ///< as CONTACT prints it, counted from 1 in each result element
     std::size_t line = 0;           ///< of its first control word, counted from 1
-    int module = 0;                 ///< 1, a wheel on its rail, or 3, basic contact
+    int module_number = 0;          ///< 1, a wheel on its rail, or 3, basic contact
     std::optional<int> reid, cpid;  ///< result element and contact problem, where the file names them
     ByName<int> digits;             ///< C1 (module 1) P B T N F S, V L D C M Z E M2 W2, X H G I A O W R
     ByName<ContactValue> values;

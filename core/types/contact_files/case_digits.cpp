@@ -54,15 +54,15 @@ void take(const InputLines& lines, ContactCase& read, const std::array<DigitRule
     digits.remove_prefix(digits.size() - count);
     for (std::size_t i = 0; i < count; ++i) {
         const DigitRule& rule = rules[i];
-        const std::string_view allowed = read.module == 1 ? rule.on_rails : rule.alone;
+        const std::string_view allowed = read.module_number == 1 ? rule.on_rails : rule.alone;
         if (!allowed.empty() && allowed.find(digits[i]) == allowed.npos) {
             std::string words;
             for (const char c : allowed) words += (words.empty() ? "" : ", ") + std::string(1, c);
             lines.fail(lines.words().front(), "has the digit " + std::string(rule.name) + " = " + digits[i] +
-                                                  "; module " + std::to_string(read.module) + " has " + words +
+                                                  "; module " + std::to_string(read.module_number) + " has " + words +
                                                   " of it");
         }
-        if (rule.name != "C1" || read.module == 1) read.digits[std::string(rule.name)] = digits[i] - '0';
+        if (rule.name != "C1" || read.module_number == 1) read.digits[std::string(rule.name)] = digits[i] - '0';
     }
 }
 
@@ -85,7 +85,7 @@ void take_damping(const InputLines& lines, ContactCase& read) {
 }  // namespace
 
 void read_digits(InputLines& lines, ContactCase& read) {
-    take(lines, read, first_word, digits_here(lines, read.module == 1 ? "C1 P B T N F S" : "P B T N F S", 7, 7));
+    take(lines, read, first_word, digits_here(lines, read.module_number == 1 ? "C1 P B T N F S" : "P B T N F S", 7, 7));
     take(lines, read, second_word, next_digits(lines, "V L D C M Z E", 7, 7));
     take_damping(lines, read);
     take(lines, read, third_word, next_digits(lines, "X H G I A O W R", 8, 8));

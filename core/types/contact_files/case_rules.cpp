@@ -35,7 +35,7 @@ void go_on(Reading& reading, const History& history) {
         reading.fail_case("has " + setting(reading, "P") + ", which goes on from case " +
                           std::to_string(history.failed) + ", and that has errors");
     const auto before_of = [&](const char* name) { return digit(history.last, name); };
-    if (reading.digit("N") != before_of("N") && reading.result.module == 1 && reading.digit("E") == 0)
+    if (reading.digit("N") != before_of("N") && reading.result.module_number == 1 && reading.digit("E") == 0)
         reading.fail_case("has " + setting(reading, "N") +
                           " where the case before has another one; E = 1 or more must then give the position anew");
     if (reading.digit("V") != before_of("V") && reading.digit("L") == 1)
@@ -44,7 +44,7 @@ void go_on(Reading& reading, const History& history) {
             " where the case before has another one; L must then not be 1, so that friction is read anew");
     const bool shifts = reading.digit("T") == 1, shifted = before_of("T") == 1;
     const bool rolls = reading.digit("T") >= 2, rolled = before_of("T") >= 2;
-    if (reading.result.module == 3 && ((shifts && rolled) || (rolls && shifted)) && reading.digit("C") == 0)
+    if (reading.result.module_number == 3 && ((shifts && rolled) || (rolls && shifted)) && reading.digit("C") == 0)
         reading.fail_case("has C = 0 between a shift and rolling; C must be 1 or more there");
 }
 
@@ -54,9 +54,9 @@ void check_digits(Reading& reading) {
     if (reading.digit("H") > 0 && !is("T", 3))
         reading.fail_case("has " + setting(reading, "H") + ", temperatures, with " + setting(reading, "T") +
                           "; they are known in steady rolling, T = 3");
-    if (reading.result.module == 3 && reading.digit("B") >= 5 && !is("N", 0))
+    if (reading.result.module_number == 3 && reading.digit("B") >= 5 && !is("N", 0))
         reading.fail_case("has " + setting(reading, "B") + " with N = 1; KPEC and ANALYN need N = 0");
-    if (reading.result.module == 1 && is("F", 1) && !is("N", 1))
+    if (reading.result.module_number == 1 && is("F", 1) && !is("N", 1))
         reading.fail_case("has F = 1 with N = 0; where FX is given, FZ must be, too (N = 1)");
 }
 
@@ -69,7 +69,7 @@ void note_kept(Reading& reading) {
     note("FRCLAW", "L", reading.digit("L") != 1);
     note("VARFRC", "V", reading.digit("L") != 1);
     note("INFLCF", "C", reading.digit("C") >= 2);
-    if (reading.result.module == 1)
+    if (reading.result.module_number == 1)
         note("DISCNS", "D", reading.digit("D") >= 2);
     else
         note("EXRHS", "E", reading.digit("E") != 1);
@@ -143,7 +143,7 @@ void check_values_alone(Reading& reading) {
 
 History new_history(int module) {
     History history;
-    history.last.module = module;
+    history.last.module_number = module;
     auto& values = history.last.values;
     values = {{"MAXGS", 999}, {"MAXIN", 20}, {"MAXNR", 25}, {"MAXOUT", 1}, {"EPS", 1e-5}, {"GAUSEI", 0}};
     if (module == 1) values["NPOT_MAX"] = 20000;
@@ -151,7 +151,7 @@ History new_history(int module) {
 }
 
 bool keeps_nothing(const Reading& reading) {
-    const bool is_on_rails = reading.result.module == 1;
+    const bool is_on_rails = reading.result.module_number == 1;
     return reading.digit("P") == 2 && reading.digit("I") == 0 && reading.digit("L") != 1 && reading.digit("D") >= 2 &&
            reading.digit("C") >= 2 && reading.digit("G") != 1 && reading.digit("H") != 1 &&
            (reading.digit("S") == 0 || reading.digit("S") == 3) &&
@@ -176,7 +176,7 @@ void apply_values(Reading& reading) {
     check_needs(reading);
     const bool turn = reading.integer("INFLCF") == 4;  // half-spaces, which couples both problems
     if (reading.has("POISS1") && are_bodies_alike(reading) && !turn) reading.set("MAXOUT", 1);
-    if (reading.result.module == 1) return check_needs_on_rails(reading);
+    if (reading.result.module_number == 1) return check_needs_on_rails(reading);
     if (reading.digit("T") == 1 || (reading.digit("T") == 0 && reading.digit("C") >= 2))
         for (const auto& [name, value] : {std::pair("CHI", 0.0), std::pair("DQ", 1.0), std::pair("VELOC", 1.0)})
             reading.set(name, value);

@@ -152,7 +152,7 @@ ContactCase ContactFileReader::State::read_case() {
     result.values = history.last.values;
     result.friction = history.last.friction;
     result.subsurface = history.last.subsurface;
-    result.module = module.module;
+    result.module_number = module.module;
     result.reid = module.reid;
     result.cpid = module.cpid;
     result.number = ++counters[module.reid.value_or(0)];

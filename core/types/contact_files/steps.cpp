@@ -19,7 +19,8 @@ void read_steps(Reading& reading, std::span<const Step> steps) {
 
 std::string solver_bounds(const Reading& reading) {
     if (reading.digit("G") == 1) return {};
-    return std::string("MAXGS# MAXIN# MAXNR# MAXOUT# EPS") + (reading.result.module == 1 ? " {NPOT_MAX#=20000}" : "");
+    return std::string("MAXGS# MAXIN# MAXNR# MAXOUT# EPS") +
+           (reading.result.module_number == 1 ? " {NPOT_MAX#=20000}" : "");
 }
 
 std::string solver_options(const Reading& reading) {

@@ -39,7 +39,7 @@ std::size_t numbers_in(const ByName<ContactValue>& values) {
 json encode_contact_case(const ContactCase& read) {
     json encoded = {{"number", read.number},
                     {"line", read.line},
-                    {"module", read.module},
+                    {"module", read.module_number},
                     {"digits", read.digits},
                     {"values", encode_values(read.values)},
                     {"read", read.read},

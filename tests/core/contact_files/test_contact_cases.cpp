@@ -12,7 +12,7 @@ using Catch::Matchers::WithinRel;
 
 TEST_CASE("a case of module 3 has its values by the names of CONTACT", "[contact_files]") {
     const ContactCase read = last_of(BasicCase{}.text());
-    CHECK(read.module == 3);
+    CHECK(read.module_number == 3);
     CHECK(read.number == 1);
     CHECK(read.line == 2);
     CHECK_FALSE(read.reid);

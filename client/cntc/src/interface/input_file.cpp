@@ -40,7 +40,7 @@ std::string text_of(const std::string& name) {
 
 void check(const FileCase& read, const std::string& where) {
     if (!read.errors.empty()) throw Refused(error_code::input, where + read.errors.front() + ".");
-    if (read.module != basic_contact)
+    if (read.module_number != basic_contact)
         throw Refused(error_code::other, where + "Wheel on rail (module 1), line " + std::to_string(read.line) +
                                              ", is not covered; contactd has basic contact here, module 3.");
 }

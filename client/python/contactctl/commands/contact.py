@@ -51,7 +51,7 @@ def check(file: File) -> None:
 
     Ends with 4 when cases need what contactd does not have, and with 2 when the file has errors.
     """
-    with connected() as client:
+    with connected(local_unless_named=True) as client:
         cases = _read(file, client)
     found = checked(cases)
     rows = [
@@ -84,7 +84,7 @@ def run(
     check_own(place)
     printed = None if compare is None else printed_cases(read_printed(compare))
     options = {"wheel": wheel}
-    with connected(workers=workers if setting().local else None) as client:
+    with connected(workers=workers, local_unless_named=True) as client:
         cases = _read(file, client)
         chains = chains_of(cases)
         runner = Runner(client, ProfileFiles(file.parent, client), surface)
@@ -104,7 +104,7 @@ def convert(
     if output.suffix not in (".yaml", ".py"):
         raise click.UsageError(f"{output}: the name must end in .yaml or .py.")
     place = writable("convert", output)
-    with connected() as client:
+    with connected(local_unless_named=True) as client:
         cases = _read(file, client)
         if case is not None and not 1 <= case <= len(cases):
             raise click.UsageError(f"--case {case}: {file} has {len(cases)} cases.")
@@ -125,6 +125,8 @@ def _read(file: Path, client: Client) -> Sequence[Case]:
     warn([*found.warnings, *(sentence for case in found for sentence in case.warnings)])
     for sentence in found.errors:
         note(f"{file}: {sentence}")
+    if not found.cases:
+        raise Ended(Code.USAGE, f"{file} has no cases.")
     return found.cases
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -11,7 +12,7 @@ import click
 import numpy as np
 import typer
 
-from contactd import Client, InvalidArgument, __version__
+from contactd import Client, ContactWarning, InvalidArgument, __version__
 from contactd.files.profile_text import ENDINGS, format_profile
 from contactd.files.whole import write_whole
 from contactd.wheel_rail import ProfileEvidence, ProfileFile, Track, WheelRailSetup
@@ -59,7 +60,7 @@ def show(
         writable("--output", output)
         need("matplotlib", "pictures", "python3-matplotlib")
     profile = _file(file, unit, mirror_y, mirror_z, shift_y, shift_z, smoothing)
-    with connected() as client:
+    with connected(local_unless_named=True) as client:
         found = _Found(client, profile, _kind(wheel, rail))
         measured = _Found(client, replace(profile, smoothing_length=None), found.kind).points if smoothing else None
     if output is not None:
@@ -80,7 +81,7 @@ def convert(
         raise click.UsageError(f"{target}: the name must end in {', '.join(ENDINGS)}.")
     writable("the target", target)
     profile = _file(file, unit, mirror_y, mirror_z, shift_y, shift_z, smoothing)
-    with connected() as client:
+    with connected(local_unless_named=True) as client:
         found = _Found(client, profile, _kind(wheel, rail))
     if target.suffix in _BY_ENDING and _BY_ENDING[target.suffix] != found.kind:
         raise click.UsageError(f"{target}: {file.name} is a {found.kind}'s, whose name ends in {'.prw' if found.kind == 'wheel' else '.prr'}.")
@@ -89,6 +90,7 @@ def convert(
     write_text(target, format_profile(found.points, found.kind, target.suffix, [remark]))
     given = {"kind": found.kind, "target": str(target), "points": len(found.points)}
     emit(setting().json, given, f"{target}: {len(found.points)} points of a {found.kind}")
+    warn(found.evidence.warnings)
     warn(found.evidence.warnings)
 
 
@@ -130,7 +132,9 @@ class _Found:
         # Where the rail lies needs no gauge face, which not every rail has.
         track = Track(rail_origin=(750.0, 0.0))
         setup = WheelRailSetup(wheel=profile, track=track) if self.kind == "wheel" else WheelRailSetup(rail=profile, track=track)
-        placed = client.placed_profiles(setup).right
+        with warnings.catch_warnings():  # `show` tells what they warn of
+            warnings.simplefilter("ignore", ContactWarning)
+            placed = client.placed_profiles(setup).right
         self.points = placed.wheel if self.kind == "wheel" else placed.rail
         self.evidence: ProfileEvidence = placed.wheel_evidence if self.kind == "wheel" else placed.rail_evidence
 

@@ -32,7 +32,7 @@ def examples():
 @pytest.fixture
 def folder(own):
     """With the files of the page, and a contactctl on the path."""
-    files = re.findall(r"^```(?:yaml\n#|inp\n%) (\S+)\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL)
+    files = re.findall(r"^```(?:yaml\n#|text\n%) (\S+)\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL)
     for name, text in files:
         own.write(name, text)
     x = (np.arange(40) - 19.5) * 0.06
@@ -43,7 +43,7 @@ def folder(own):
     program.write_text(f'#!/bin/sh\nexec {shlex.quote(sys.executable)} -m contactctl "$@"\n')
     program.chmod(0o755)
     own.environment["PATH"] = f"{program.parent}:{own.environment['PATH']}"
-    assert len(files) == 5
+    assert len(files) == 6
     return own
 
 
