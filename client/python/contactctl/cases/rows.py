@@ -1,4 +1,4 @@
-"""What is kept of a case that was computed: the row of a journal, from which everything is written."""
+"""Rows of the journal of a run: they keep of each case what everything is written from."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def code_of_status(status: str) -> Code:
 
 
 def row_of(key: str, outcome: Outcome) -> dict[str, Any]:
-    """Of a case that was computed, or was not."""
+    """Makes the row of a case that was computed, or was not."""
     case = outcome.case
     answers: dict[str, Any] = {"status": outcome.status, "sentence": outcome.sentence, "lines": lines_of(outcome)}
     if outcome.result is not None:

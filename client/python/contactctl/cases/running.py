@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
@@ -10,11 +9,10 @@ from contactd.contact_files.case import Case
 from contactd.contact_files.runner import Outcome, Runner
 
 from ..study.journal import Journal
+from ..study.threads import Add, by_threads
 from .rows import keys_of, row_of
 
 __all__ = ["run_chains"]
-
-_LONGEST_WAIT = 1.0  # seconds for what is nearly finished, when interrupted
 
 
 def run_chains(
@@ -23,49 +21,12 @@ def run_chains(
 ) -> None:  # fmt: skip
     """Adds a row for each case to the journal, but for chains that are all there, and tells `on_row` in this thread. `keep`
     writes what an outcome has beside its row."""
-    todo = iter([chain for chain in chains if any(key not in journal.rows for key in keys_of(chain, options))])
-    lock, changed, ending, closed = threading.Lock(), threading.Event(), threading.Event(), threading.Event()
-    errors: list[BaseException] = []
+    todo = [chain for chain in chains if any(key not in journal.rows for key in keys_of(chain, options))]
 
-    def work() -> None:
-        try:
-            while not ending.is_set():
-                with lock:
-                    chain = next(todo, None)
-                if chain is None:
-                    return
-                for key, outcome in zip(keys_of(chain, options), runner.run(chain)):
-                    keep(outcome)
-                    row = row_of(key, outcome)
-                    with lock:
-                        if closed.is_set():
-                            return
-                        journal.add(row)
-                    changed.set()
-                    if ending.is_set():
-                        return
-        except BaseException as error:  # told to who waits for the threads
-            errors.append(error)
-            ending.set()
-        finally:
-            changed.set()
+    def compute(chain: Sequence[Case], add: Add) -> None:
+        for key, outcome in zip(keys_of(chain, options), runner.run(chain)):
+            keep(outcome)
+            if not add(row_of(key, outcome)):
+                return
 
-    # Daemons, since a solve that takes long must not keep the program from ending.
-    threads = [threading.Thread(target=work, daemon=True) for _ in range(workers)]
-    for thread in threads:
-        thread.start()
-    try:
-        while any(thread.is_alive() for thread in threads):
-            changed.wait(0.2)
-            changed.clear()
-            on_row()
-    except BaseException:
-        ending.set()
-        for thread in threads:
-            thread.join(_LONGEST_WAIT / workers)
-        raise
-    finally:
-        with lock:
-            closed.set()  # whoever still runs must not write any more
-    if errors:
-        raise errors[0]
+    by_threads(todo, compute, journal, workers, on_row)

@@ -47,7 +47,7 @@ def case_differences(found: Compared, printed: PrintedCase) -> list[str]:
 
 
 def differences(found: Mapping[str, float], printed: Mapping[str, float], friction_bound: float) -> Iterator[Difference]:
-    """Of the numbers that both have. In tolerance are forces and moments within 5e-4 of themselves or of `friction_bound`,
+    """Compares the numbers that both have. In tolerance are forces and moments within 5e-4 of themselves or of `friction_bound`,
     mu Fn, which moments have per mm; the approach within 5e-4, motions within 5e-4 of the largest, spin of it per mm; the
     largest pressure within 4e-3; numbers of elements within 3; places within 0.01 mm, and angles within 2e-4 rad."""
     largest = max((abs(value) for name, value in printed.items() if name in _MOTIONS), default=0.0)

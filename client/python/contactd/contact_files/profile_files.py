@@ -14,7 +14,7 @@ from ..files.profile_text import read_profile_text
 from ..values.profile_shapes import KinkRule, Profile, ProfileFile
 from .case import Case
 from .problems.rails import Slices
-from .slice_list import SPLINES, read_slices
+from .slice_list import SPLINES, placed_slices
 
 if TYPE_CHECKING:
     from ..client import Client
@@ -53,10 +53,10 @@ class ProfileFiles:
             return self._read[key]
 
     def _slices(self, path: Path, options: Mapping[str, Any]) -> tuple[Slices, str]:
-        slices = read_slices(path, self._client, profile=lambda place: _profile(place, options))
+        read = self._client.read_contact_slices(text_of(path), name=path.name)
+        slices = placed_slices(read, path.parent, lambda place: _profile(place, options))
         is_wheel = path.suffix.lower() == ".slcw"
-        spline = SPLINES[self._client.read_contact_slices(text_of(path), name=path.name).is_approximated]
-        return [one[:2] if is_wheel else one for one in slices], spline
+        return [one[:2] if is_wheel else one for one in slices], SPLINES[read.is_approximated]
 
     def place(self, name: str) -> Path:
         """Where a file lies that is named in another one."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal
 
 from ..errors import StatusError, TimeoutExpired
@@ -13,7 +13,6 @@ from ..values.problem import ContactProblem, Estimate
 from ..values.subsurface import StressBlock, SubsurfaceStress
 from ..values.wheel_rail.setup import WheelSurface
 from .answers.basic_results import BasicResult
-from .answers.displacements import Displacements
 from .answers.rail_results import RailResult
 from .answers.subsurface import Body
 from .problems.basic import BasicContact, State, goes_on
@@ -43,7 +42,7 @@ class Outcome:
 
     @property
     def is_solved(self) -> bool:
-        """Whether there are numbers."""
+        """Tells whether there are numbers."""
         return self.result is not None
 
 
@@ -89,7 +88,6 @@ class Runner:
     def __init__(self, client: Client, profiles: Profiles, wheel_surface: WheelSurface = "exact") -> None:
         self._client = client
         self._profiles, self._wheel_surface = profiles, wheel_surface
-        self._displacements = Displacements(lambda body, grid, ics: client.get_ic(body, grid, ics).array)
 
     def run(self, chain: Iterable[Case]) -> Iterator[Outcome]:
         """The outcomes of cases that go on from each other.
@@ -130,15 +128,16 @@ class Runner:
 
     def _basic(self, case: Case, start: State | None) -> BasicResult:
         contact = BasicContact.of(case, self._normal_force, start)
-        return BasicResult.of(contact, self._client.solve(contact.problem), self._displacements, self._stresses)
+        problem = contact.problem.replace(displacements=contact.problem.model is None)
+        return BasicResult.of(contact, self._client.solve(problem), self._stresses)
 
     def _on_rails(self, case: Case) -> RailResult:
         contact = RailContact.of(case, self._profiles, self._wheel_surface)
-        solution = self._client.wheel_rail(contact.setup, contact.state, gap=True)
-        return RailResult.of(contact, solution, self._displacements, self._stresses)
+        solution = self._client.wheel_rail(contact.setup, replace(contact.state, displacements=True), gap=True)
+        return RailResult.of(contact, solution, self._stresses)
 
     def _stresses(self, problem: ContactProblem, acting: Estimate, body: Body, block: StressBlock) -> SubsurfaceStress:
-        return self._client.subsurface(problem, acting, body=body, block=block)
+        return self._client.subsurface(problem, acting, body=body, block=block, displacements=True)
 
     def _normal_force(self, problem: ContactProblem) -> float:
         return self._client.solve(problem, fields=[]).Fn

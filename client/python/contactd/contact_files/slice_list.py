@@ -8,12 +8,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..files.case_text import text_of
+from ..values.contact_files import ContactSlices
 from ..values.profile_shapes import Profile, ProfileFile
 
 if TYPE_CHECKING:
     from ..client import Client
 
-__all__ = ["SPLINES", "read_slices"]
+__all__ = ["SPLINES", "placed_slices", "read_slices"]
 
 #: Curves from slice to slice (rail_spline, wheel_spline), by whether the list asks for an approximation.
 SPLINES = {False: "cubic", True: "approximating"}
@@ -38,8 +39,11 @@ def read_slices(
     Raises OSError for what cannot be read, and InvalidArgument with line and column of what does not fit.
     """
     path = Path(path)
-    read = client.read_contact_slices(text_of(path), name=path.name)
-    slices = []
-    for one in read.slices:
-        slices.append((one.u, profile(path.parent / one.file.replace("\\", "/")), one.features or _WHOLE))
-    return slices
+    return placed_slices(client.read_contact_slices(text_of(path), name=path.name), path.parent, profile)
+
+
+def placed_slices(
+    read: ContactSlices, folder: Path, profile: Callable[[Path], Profile]
+) -> list[tuple[float, Profile, tuple[float, ...]]]:
+    """The slices of a list that was read, whose profiles lie in `folder`."""
+    return [(one.u, profile(folder / one.file.replace("\\", "/")), one.features or _WHOLE) for one in read.slices]

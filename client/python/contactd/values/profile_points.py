@@ -44,7 +44,7 @@ class FileOfProfile:
 
     @staticmethod
     def _write_name(given: str, field: str) -> str:
-        """Of no interest to others is where it lies."""
+        """Others need not know where it lies."""
         return re.split(r"[\\/]", given)[-1]
 
 

@@ -11,8 +11,7 @@ from ...values.motion import Rolling, Shift
 from ...values.solution import ContactSolution
 from ..problems.basic import BasicContact
 from .compared import Compared
-from .displacements import Displacements
-from .elements import Elements, ahead, rigid_slip_on
+from .elements import Elements, ahead, displacement_of, rigid_slip_on
 from .subsurface import Stresses, StressField, stress_field
 
 __all__ = ["BasicResult"]
@@ -54,25 +53,31 @@ class BasicResult:
     stresses: list[StressField] = field(default_factory=list)
 
     @classmethod
-    def of(
-        cls, contact: BasicContact, solution: ContactSolution, displacements: Displacements, stresses: Stresses
-    ) -> BasicResult:
-        """`displacements` and `stresses` make what a solution does not have."""
+    def of(cls, contact: BasicContact, solution: ContactSolution, stresses: Stresses) -> BasicResult:
+        """The solution has displacements, unless its model is a simplified one. `stresses` makes those below the surface."""
         grid, case = contact.area.grid, contact.case
-        is_simplified = contact.problem.model is not None
-        pressure = _parabola(contact, solution) if is_simplified else solution.pressure
+        pressure = _parabola(contact, solution) if contact.problem.model is not None else solution.pressure
         tractions = np.stack([solution.traction_x, solution.traction_y, pressure])
-        moved = np.zeros(tractions.shape)
-        if not is_simplified:
-            moved = displacements.between(contact.pair, grid, contact.ics, tractions)
-        energy = 0.5 * float(np.sum(moved * tractions)) * grid.dx * grid.dy * _PER_THOUSAND
+        energy = (solution.elastic_energy or 0.0) * _PER_THOUSAND
         lost = solution.frictional_power if case.digits["T"] > 1 else solution.frictional_work
         least = case.values["EPS"] * solution.Fn * contact.friction_unit / 2
         fx, fy, mz = (0.0 if abs(force) < least else force for force in (solution.Fx, solution.Fy, solution.Mz))
         creepage = _creepage(contact, solution)
         blocks = case.subsurface if case.digits["S"] >= 1 else ()
         below = [stress_field(block, grid, tractions, contact.pair, stresses) for block in blocks]
-        return cls(contact, solution, fx, fy, mz, creepage, pressure, moved, energy, -(lost or 0.0) * _PER_THOUSAND, below)
+        return cls(
+            contact,
+            solution,
+            fx,
+            fy,
+            mz,
+            creepage,
+            pressure,
+            displacement_of(solution),
+            energy,
+            -(lost or 0.0) * _PER_THOUSAND,
+            below,
+        )
 
     @property
     def elements(self) -> Elements:
@@ -94,7 +99,9 @@ class BasicResult:
         centre = values["SPINXO"] - offset[0], values["SPINYO"] - offset[1]
         x, y = rigid_slip_on(contact.area.grid, self.creepage, contact.phi, centre)
         extra = None if contact.problem.friction is None else contact.problem.friction.rigid_slip
-        return (x, y) if extra is None else (x + np.asarray(extra[0], dtype=float), y + np.asarray(extra[1], dtype=float))
+        return (
+            (x, y) if extra is None else (x + np.asarray(extra[0], dtype=float), y + np.asarray(extra[1], dtype=float))
+        )
 
     @property
     def compared(self) -> Compared:
@@ -105,7 +112,7 @@ class BasicResult:
 
     @property
     def is_converged(self) -> bool:
-        """Whether all solvers met their tolerances; of a case that asks for one outer iteration, all others."""
+        """Tells whether all solvers met their tolerances; of a case that asks for one outer iteration, all others."""
         outer = self.contact.problem.outer
         return self.solution.converged or (outer is not None and outer.max_iterations == 1)
 
@@ -116,7 +123,7 @@ class BasicResult:
 
     @property
     def numbers(self) -> dict[str, float]:
-        """What is compared, by the labels that it is printed under; motions only where a force was prescribed."""
+        """Numbers that are compared, by the labels that they are printed under; motions only where a force was prescribed."""
         values, solution, counts = self.contact.case.values, self.solution, self.solution.elements
         moves = "CREEP" if self.contact.case.digits["T"] >= 2 else "SHIFT"
         found = {f"{moves} {axis}": motion for axis, motion in zip("XY", self.creepage) if f"F{axis}" in values}

@@ -5,13 +5,15 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from ...values.grid import Grid
+from ...values.solution import Solution
 
-__all__ = ["Elements", "ahead", "rigid_slip_on"]
+__all__ = ["Elements", "ahead", "displacement_of", "rigid_slip_on"]
 
 Floats = npt.NDArray[np.float64]
 Pair = tuple[Floats, Floats]
@@ -63,7 +65,7 @@ class Elements:
 
     @property
     def is_frictionless(self) -> bool:
-        """Whether nothing is told of adhesion and slip."""
+        """Tells whether adhesion and slip mean nothing."""
         return self.tangential == 0
 
 
@@ -77,3 +79,11 @@ def rigid_slip_on(grid: Grid, creepage: tuple[float, float], phi: float, centre:
 def ahead(dq: float, chi: float, spin_offset: float) -> tuple[float, float]:
     """How far ahead of an element's centre its spin is evaluated (mm)."""
     return spin_offset * dq * math.cos(chi), spin_offset * dq * math.sin(chi)
+
+
+def displacement_of(solution: Solution[Any, Any]) -> Floats:
+    """Displacements of body 1 less those of body 2, shape [3, ny, nx] (mm); zero where the solution has none."""
+    arrays = (solution.displacement_x, solution.displacement_y, solution.displacement_z)
+    assert solution.pressure is not None
+    none = np.zeros(solution.pressure.shape)
+    return np.stack([none if array is None else array for array in arrays])

@@ -9,14 +9,12 @@ from dataclasses import dataclass, field
 import numpy as np
 import numpy.typing as npt
 
-from ...values.ics import AnalyticIcs
 from ...values.wheel_rail.result import WheelRailPatch
 from ...values.wheel_rail.solution import WheelRailSolution
 from ..problems.bodies import pair_of
 from ..problems.rails import RailContact
 from .compared import Compared
-from .displacements import Displacements
-from .elements import Elements, ahead, rigid_slip_on
+from .elements import Elements, ahead, displacement_of, rigid_slip_on
 from .rail_places import moment_about_normal, on_rail, on_wheel
 from .subsurface import Stresses, StressField, stress_field
 
@@ -37,29 +35,24 @@ class RailResult:
     Attributes:
         contact: The case.
         solution: Its solution, with all arrays and gaps.
-        displacements: Of each patch, from the right to the left as in the solution: of the rail less those of the wheel,
-            shape [3, ny, nx] (mm).
-        stresses: Of each patch, alike, at the points below the surface that the case names, in the axes of the patch.
+        stresses: Those of each patch, from the right to the left as in the solution, at the points below the surface that
+            the case names, in the axes of the patch.
     """
 
     contact: RailContact
     solution: WheelRailSolution
-    displacements: list[Floats] = field(default_factory=list)
     stresses: list[list[StressField]] = field(default_factory=list)
 
     @classmethod
-    def of(
-        cls, contact: RailContact, solution: WheelRailSolution, displacements: Displacements, stresses: Stresses
-    ) -> RailResult:
-        """`displacements` and `stresses` make what a solution does not have."""
+    def of(cls, contact: RailContact, solution: WheelRailSolution, stresses: Stresses) -> RailResult:
+        """The solution has displacements. `stresses` makes those below the surface."""
         pair = pair_of(contact.case.values)
-        moved, below = [], []
+        below = []
         blocks = contact.case.subsurface if contact.case.digits["S"] >= 1 else ()
         for patch in solution.patches:
-            grid, tractions = patch.place.grid, _tractions(patch)
-            moved.append(displacements.between(pair, grid, AnalyticIcs(), tractions))
-            below.append([stress_field(block, grid, tractions, pair, stresses) for block in blocks])
-        return cls(contact, solution, moved, below)
+            tractions = _tractions(patch)
+            below.append([stress_field(block, patch.place.grid, tractions, pair, stresses) for block in blocks])
+        return cls(contact, solution, below)
 
     @property
     def patches(self) -> tuple[WheelRailPatch, ...]:
@@ -68,12 +61,12 @@ class RailResult:
 
     @property
     def is_converged(self) -> bool:
-        """Whether all solvers and searches met their tolerances."""
+        """Tells whether all solvers and searches met their tolerances."""
         return self.solution.converged
 
     @property
     def numbers(self) -> dict[str, float]:
-        """What is compared of the whole, by the labels that it is printed under."""
+        """Numbers of the whole that are compared, by the labels that they are printed under."""
         track, wheelset = self.solution.forces.track, self.solution.forces.wheelset
         found = {"Z_WS": self.solution.z} if self.contact.state.Fz is not None else {}
         if self.contact.state.Fx is not None:
@@ -84,14 +77,13 @@ class RailResult:
         }  # fmt: skip
 
     def numbers_of(self, patch: WheelRailPatch) -> dict[str, float]:
-        """What is compared of a patch."""
+        """Numbers of a patch that are compared."""
         reference, motion, solution = patch.place.reference, patch.place.creepages, patch.solution
         has_friction, counts = self.contact.case.digits["T"] != 0, solution.elements
-        energy = 0.5 * float(np.sum(self._displacement(patch) * _tractions(patch)))
         return {
             "XCP(TR)": reference.x, "YCP(TR)": reference.y, "ZCP(TR)": reference.z, "DELTCP(TR)": reference.angle,
             "CKSI": motion.xi, "CETA": motion.eta, "CPHI": motion.phi, **_forces(patch),
-            "ELAST.EN.": energy * patch.place.grid.dx * patch.place.grid.dy * _PER_THOUSAND,
+            "ELAST.EN.": (solution.elastic_energy or 0.0) * _PER_THOUSAND,
             "FRIC": -(solution.frictional_power or 0.0) * _PER_THOUSAND,
             "APPROACH": solution.approach, "PMAX": solution.pmax, "NPOT": patch.place.grid.nx * patch.place.grid.ny,
             "NCON": counts.contact, "NADH": counts.adhesion if has_friction else counts.contact,
@@ -139,20 +131,19 @@ class RailResult:
         arrays = [none if array is None else array for array in (solution.slip_x, solution.slip_y, patch.gap)]
         slip_x, slip_y, gap = arrays
         traction_x, traction_y, pressure = _tractions(patch)
-        division = np.zeros(place.grid.shape, np.uint8) if solution.element_division is None else solution.element_division
+        division = (
+            np.zeros(place.grid.shape, np.uint8) if solution.element_division is None else solution.element_division
+        )
         return Elements(
             grid=place.grid, tangential=self.contact.case.digits["T"], chi=motion.chi, division=division, h=gap,
             approach=solution.approach, mu=none + self.mu_of(patch), pressure=pressure, traction=(traction_x, traction_y),
-            slip=(slip_x, slip_y), displacement=self._displacement(patch),
+            slip=(slip_x, slip_y), displacement=displacement_of(solution),
             rigid_slip=rigid_slip_on(place.grid, (motion.xi, motion.eta), motion.phi, (-offset[0], -offset[1])),
         )  # fmt: skip
 
     def stresses_of(self, patch: WheelRailPatch) -> list[StressField]:
         """Below the surface of a patch."""
         return self.stresses[self._index(patch)] if self.stresses else []
-
-    def _displacement(self, patch: WheelRailPatch) -> Floats:
-        return self.displacements[self._index(patch)] if self.displacements else np.zeros((3, *patch.place.grid.shape))
 
     def _index(self, patch: WheelRailPatch) -> int:
         return next(index for index, one in enumerate(self.solution.patches) if one is patch)

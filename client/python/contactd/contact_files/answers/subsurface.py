@@ -14,13 +14,12 @@ from ...values.grid import Grid, Paraboloid
 from ...values.problem import ContactProblem, Estimate
 from ...values.subsurface import StressBlock, SubsurfaceStress
 from ..problems.bodies import Pair
-from .interior import interior_displacements
 
 __all__ = ["COMPONENTS", "Body", "StressField", "Stresses", "stress_field"]
 
 Floats = npt.NDArray[np.float64]
 Body = Literal["lower", "upper"]
-#: Stresses of a body of a problem under tractions, on a block of points.
+#: Makes stresses and displacements in a body of a problem under tractions, on a block of points.
 Stresses = Callable[[ContactProblem, Estimate, Body, StressBlock], SubsurfaceStress]
 
 COMPONENTS = ("xx", "xy", "xz", "yy", "yz", "zz")
@@ -70,24 +69,21 @@ class StressField:
 
 
 def stress_field(block: Mapping[str, Any], grid: Grid, tractions: Floats, pair: Pair, stresses: Stresses) -> StressField:
-    """Of a block of points as it was read. `tractions` act on body 1, along x, y and z, shape [3, ny, nx]."""
+    """Makes the field of a block of points as it was read. `tractions` act on body 1, along x, y and z, shape [3, ny, nx]."""
     x, y, z = _places(block, grid)
     displacement, stress = np.zeros((len(z), len(y), len(x), 3)), np.zeros((6, len(z), len(y), len(x)))
     problem = ContactProblem(grid=grid, upper=pair.upper, lower=pair.lower, gap=_ANY, approach=1.0)
     acting = Estimate(tractions[2], tractions[0], tractions[1])
-    bodies: tuple[tuple[Body, npt.NDArray[np.bool_], int], ...] = (("upper", z >= 0, 1), ("lower", z < 0, -1))
-    for body, inside, sign in bodies:
+    # The frame of the upper body is mirrored, and so are its displacements along z and its shear stresses with z.
+    bodies: tuple[tuple[Body, npt.NDArray[np.bool_], int], ...] = (("upper", z >= 0, -1), ("lower", z < 0, 1))
+    for body, inside, mirror in bodies:
         if not inside.any():
             continue
-        depth = np.abs(z[inside])
-        found = stresses(problem, acting, body, StressBlock(x, y, -depth))
-        # The frame of the upper body is mirrored, and so are its shear stresses with z.
-        mirrored = {"xz": -1, "yz": -1} if body == "upper" else {}
+        found = stresses(problem, acting, body, StressBlock(x, y, -np.abs(z[inside])))
+        mirrored = {"xz": mirror, "yz": mirror}
         stress[:, inside] = [mirrored.get(name, 1) * getattr(found, name) for name in COMPONENTS]
-        material = pair.upper if body == "upper" or pair.lower is None else pair.lower
-        points = np.stack(np.meshgrid(depth, y, x, indexing="ij"), axis=-1)[..., ::-1].reshape(-1, 3)
-        moved = interior_displacements(grid, tractions * np.array([sign, sign, 1])[:, None, None], points, material.nu, material.G)
-        displacement[inside] = moved.reshape(-1, len(y), len(x), 3) * [1, 1, sign]
+        moved = [np.asarray(part) for part in (found.displacement_x, found.displacement_y, found.displacement_z)]
+        displacement[inside] = np.stack(moved, axis=-1) * [1, 1, mirror]
     return StressField(x, y, z, displacement, stress)
 
 

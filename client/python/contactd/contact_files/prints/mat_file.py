@@ -24,7 +24,7 @@ Cell = float | int
 
 
 def mat_texts(result: BasicResult | RailResult) -> Iterator[tuple[str, str]]:
-    """Of each contact a letter, empty in basic contact, and the text; none where the digit A is 0."""
+    """Yields for each contact a letter, empty in basic contact, and the text; none where the digit A is 0."""
     case = result.contact.case
     if case.digits["A"] == 0:
         return

@@ -34,13 +34,13 @@ class PatchPlaces:
 
     @classmethod
     def none(cls, case: Case) -> PatchPlaces:
-        """Of basic contact, which has the centre of spin only."""
+        """The places of basic contact, which has the centre of spin only."""
         centre = (case.values["SPINXO"], case.values["SPINYO"])
         return cls([], [], [*[0.0] * 7, 1, 1, *centre], 0.0)
 
 
 def patch_places(result: RailResult, patch: WheelRailPatch, number: int) -> PatchPlaces:
-    """Of a patch, which is counted from the field side."""
+    """The places of a patch, which is counted from the field side."""
     values, contact, reference = result.contact.case.values, result.contact, patch.place.reference
     along = values.get("S_WS", values.get("X_WS", 0.0))
     y_rail, z_rail, roll_rail = rail_frame(contact, result.solution)

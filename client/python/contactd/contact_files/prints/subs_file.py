@@ -18,7 +18,7 @@ _ALL = 2  #: the digit A for all components
 
 
 def subs_texts(result: BasicResult | RailResult) -> Iterator[tuple[str, str]]:
-    """Of each contact a letter, empty in basic contact, and the text; none where the digit A of the points is 0."""
+    """Yields for each contact a letter, empty in basic contact, and the text; none where the digit A of the points is 0."""
     case = result.contact.case
     level = case.values.get("SUBS_A", 0) if case.digits["S"] >= 1 else 0
     if level == 0:

@@ -103,7 +103,7 @@ class BasicContact:
 
 
 def goes_on(case: Case) -> bool:
-    """Whether a case starts from what one before it ended with."""
+    """Tells whether a case starts from what one before it ended with."""
     return case.digits["P"] != 2 and case.digits["T"] in (_SHIFT, _TRANSIENT)
 
 

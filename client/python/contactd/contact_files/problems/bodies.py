@@ -33,7 +33,7 @@ class Pair:
 
     @property
     def is_quasi_identical(self) -> bool:
-        """Whether normal and tangential contact do not depend on each other."""
+        """Tells whether normal and tangential contact do not depend on each other."""
         return self.lower is None
 
 

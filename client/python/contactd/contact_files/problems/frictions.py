@@ -33,7 +33,7 @@ def static(law: int, one: Set) -> float:
 
 
 def coefficients(law: int, sets: Sequence[Set], grid: Grid) -> Coefficients:
-    """Of one set, or of one a row of the grid."""
+    """The coefficients of one set, or of one a row of the grid."""
     rows, fall = coefficients_of_sets(law, sets)
     if len(rows) == 1:
         return rows[0], fall
