@@ -224,12 +224,12 @@ TEST_CASE("What a client sent behind a large task begins after it") {
     });
     while (!first_began) std::this_thread::yield();
     pool.post({.client = "b", .is_large = true}, [&] { second_began = true; });
-    pool.post({.client = "b"}, [&] { third_began = second_began.load(); });
+    pool.post({.client = "b"}, [&] { third_began = true; });
     std::promise<void> other;
     pool.post({.client = "c"}, [&] { other.set_value(); });
     other.get_future().wait();
     CHECK_FALSE(second_began);
     CHECK_FALSE(third_began);
     go_on.set_value();
-    while (!third_began) std::this_thread::yield();
+    while (!second_began || !third_began) std::this_thread::yield();
 }
