@@ -50,7 +50,7 @@ def whole(value: float) -> str:
 
 
 s = gs(4, 4)
-#: What is printed and not read.
+#: These names are printed and not read.
 _NOT_READ = (None, g)
 
 
@@ -211,7 +211,7 @@ def _echoes_of(values: Any, names: Any, words: list[str]) -> Iterator[Echo]:
 
 
 def _echoes_of_sets(sets: Any, row: str, below: list[list[str]]) -> Iterator[Echo]:
-    """Of rows in the middle of many, three points stand in their place."""
+    """Three points stand in the place of rows in the middle of many."""
     rows = [words for words in below if words != ["..."]]
     if len(rows) == len(below):
         yield Echo("NVF", str(len(rows)), str(len(sets)))

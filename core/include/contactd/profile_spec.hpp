@@ -98,6 +98,8 @@ struct ProfileSpec {
 
 /// Points that a profile may have.
 inline constexpr std::size_t most_profile_points = 20000;
+/// Points that all slices of a rail, or of a wheel, may have together.
+inline constexpr std::size_t most_points_of_slices = 10 * most_profile_points;
 /// Bytes that the text of a ProfileFile may have.
 inline constexpr std::size_t most_profile_text = 2 << 20;
 

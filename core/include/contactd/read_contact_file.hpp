@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "contactd/observer.hpp"
+
 namespace contactd {
 
 /// The size that an input file of CONTACT may have.
@@ -50,16 +52,16 @@ struct ContactCase {
 /// was given up says so in its errors.
 class ContactFileReader {
    public:
-    /// `name` is that of the file, for messages. `text` must live as long as the reader. Throws InvalidArgument for a
-    /// text beyond most_contact_file_bytes, and for one that is no text.
-    ContactFileReader(std::string_view text, const std::string& name);
+    /// `name` is that of the file, for messages. `text` and the observer, which may be null, must live as long as the
+    /// reader. Throws InvalidArgument for a text beyond most_contact_file_bytes, and for one that is no text.
+    ContactFileReader(std::string_view text, const std::string& name, const Observer* observer = nullptr);
     ~ContactFileReader();
     ContactFileReader(const ContactFileReader&) = delete;
     ContactFileReader& operator=(const ContactFileReader&) = delete;
 
-    /// Returns the next case, and nothing at the end.
+    /// Returns the next case, and nothing at the end. Throws Cancelled when the observer says so.
     std::optional<ContactCase> next();
-    /// What is said of the file so far, beside its cases.
+    /// These sentences are about the file so far, and about no case.
     const std::vector<std::string>& warnings() const;
     const std::vector<std::string>& errors() const;
 

@@ -97,14 +97,34 @@ ContactRadii radii_of(const WheelSurface& wheel, const RailSurface& rail, const 
             radius(rail_curvature * upright), radius(rail.profile().curvature(rail_s))};
 }
 
+/// Counts the points of slices that are files, of which nobody knows how many there are before they are read.
+class PointsOfFiles {
+   public:
+    explicit PointsOfFiles(const char* field) : field_(field) {}
+
+    /// Throws InvalidArgument when there are too many.
+    void add(const ProfileSpec& spec, const ProfileCurve& curve) {
+        if (std::holds_alternative<ProfileFile>(spec.shape)) points_ += curve.points().size();
+        if (points_ > most_points_of_slices)
+            throw InvalidArgument(field_, "have more than " + std::to_string(most_points_of_slices) +
+                                              " points together; leave some of them out");
+    }
+
+   private:
+    const char* field_;
+    std::size_t points_ = 0;
+};
+
 std::shared_ptr<const SlicedRail> sliced_rail(const WheelRailSetup& setup, const Observer& observer) {
     if (setup.rail_slices.empty()) return nullptr;
     std::vector<SlicedRail::Slice> slices;
+    PointsOfFiles points("rail_slices");
     for (std::size_t i = 0; i < setup.rail_slices.size(); ++i) {
         observer.throw_if_cancelled();
         const RailSlice& slice = setup.rail_slices[i];
         slices.push_back(
             {slice.x, curve_of(slice.profile, "rail_slices[" + std::to_string(i) + "].profile"), slice.features});
+        points.add(slice.profile, slices.back().curve);
     }
     return std::make_shared<const SlicedRail>(slices, setup.rail_spline);
 }
@@ -112,9 +132,11 @@ std::shared_ptr<const SlicedRail> sliced_rail(const WheelRailSetup& setup, const
 /// The curves of the slices; none of a round wheel.
 std::vector<ProfileCurve> wheel_slices(const WheelRailSetup& setup, const Observer& observer) {
     std::vector<ProfileCurve> curves;
+    PointsOfFiles points("wheel_slices");
     for (const WheelSlice& slice : setup.wheel_slices) {
         observer.throw_if_cancelled();
         curves.push_back(curve_of(slice.profile, "wheel_slices[" + std::to_string(curves.size()) + "].profile"));
+        points.add(slice.profile, curves.back());
     }
     return curves;
 }

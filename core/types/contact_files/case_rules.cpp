@@ -119,7 +119,7 @@ void check_needs_on_rails(Reading& reading) {
     need(reading, reading.digit("F") == 3, "KYRAIL", "F");
 }
 
-/// Whether normal and tangential problem are coupled, by Dundurs' constant K.
+/// Tells whether normal and tangential problem are coupled, by Dundurs' constant K.
 bool are_bodies_alike(const Reading& reading) {
     const double g1 = reading.real("GG1"), g2 = reading.real("GG2");
     const double g = 2 / (1 / g1 + 1 / g2);

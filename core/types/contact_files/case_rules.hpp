@@ -19,7 +19,7 @@ History new_history(int module);
 /// What digits do before the values are read: corrects those of a first case, and says in the errors of the case where
 /// they do not go with each other or with the case before.
 void apply_digits(Reading& reading, const History& history);
-/// Whether a case reads all that it needs, so that no case before matters.
+/// Tells whether a case reads all that it needs, so that no case before matters.
 bool keeps_nothing(const Reading& reading);
 /// What values do after they were read: what shifts and bodies alike leave in memory, and the errors of the case.
 void apply_values(Reading& reading);

@@ -41,7 +41,7 @@ struct Reading {
 ///     {+NAME=1 ..}    the same, and all of them must be there or none is taken
 /// Throws InvalidArgument for a word that does not fit.
 ByName<ContactValue> read_values(Reading& reading, std::string_view group);
-/// The same, and puts them into the memory of the case.
+/// Reads them likewise, and puts them into the memory of the case.
 void read_group(Reading& reading, std::string_view group);
 
 /// Reads `count` numbers in any layout of lines; the rest of the last line is ignored. `what` names them. `kinds` says

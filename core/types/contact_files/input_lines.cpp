@@ -78,7 +78,8 @@ std::optional<int> integer_in(std::string_view word) {
     return value;
 }
 
-InputLines::InputLines(std::string_view text, const std::string& name) : rest_(text) {
+InputLines::InputLines(std::string_view text, const std::string& name, const Observer* observer)
+    : rest_(text), observer_(observer) {
     if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3);
     if (text.size() > most_contact_file_bytes)
         throw InvalidArgument(name, "has " + std::to_string(text.size()) + " bytes; an input file of CONTACT has " +
@@ -89,14 +90,15 @@ InputLines::InputLines(std::string_view text, const std::string& name) : rest_(t
 
 bool InputLines::next() {
     while (!rest_.empty()) {
-        ++number_;
+        constexpr std::size_t lines_between_looks = 1024;
+        if (++number_ % lines_between_looks == 0 && observer_ != nullptr) observer_->throw_if_cancelled();
         const auto end = std::min(rest_.find('\n'), rest_.size());
         std::string_view line = rest_.substr(0, end);
         rest_.remove_prefix(std::min(end + 1, rest_.size()));
         if (line.ends_with('\r')) line.remove_suffix(1);
         what_is_cut_ = line.size() > longest_line ? "has more than 256 characters" : nullptr;
         line = line.substr(0, longest_line);
-        // Whether a line is empty is seen without heed to quotes.
+        // CONTACT sees without heed to quotes that a line is empty.
         if (line.substr(0, line.find('%')).find_first_not_of(" \t\r") == line.npos) continue;
         split(line);
         if (!words_.empty()) return true;

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "contactd/observer.hpp"
+
 namespace contactd::contact_files {
 
 struct Word {
@@ -22,16 +24,17 @@ inline constexpr std::size_t most_words = 20, most_words_of_array = 50;
 /// The lines that have words, one after the other. A line ends after 256 characters; % begins a comment.
 class InputLines {
    public:
-    /// Throws InvalidArgument, which names the file, for a text that is too long, or none.
-    InputLines(std::string_view text, const std::string& name);
+    /// Throws InvalidArgument, which names the file, for a text that is too long, or none. The observer may be null.
+    InputLines(std::string_view text, const std::string& name, const Observer* observer = nullptr);
 
-    /// Goes to the next line that has words, and returns false at the end.
+    /// Goes to the next line that has words, and returns false at the end. Asks the observer now and then, and throws
+    /// Cancelled.
     bool next();
     /// Goes to the next line, and throws InvalidArgument at the end: `what` should follow.
     void advance(const std::string& what);
     const std::vector<Word>& words() const { return words_; }
     std::size_t number() const { return number_; }
-    /// Whether CONTACT does not see all words of this line, and why; null if it does.
+    /// Says why CONTACT does not see all words of this line; null if it does.
     const char* what_is_cut() const { return what_is_cut_; }
 
     bool is_at_end() const { return rest_.empty() && words_.empty(); }
@@ -47,6 +50,7 @@ class InputLines {
     void split(std::string_view line);
 
     std::string_view rest_;
+    const Observer* observer_;
     std::vector<Word> words_;
     std::size_t number_ = 0;
     const char* what_is_cut_ = nullptr;

@@ -30,7 +30,7 @@ void read_discretisation(Reading& reading) {
     if (!reading.has("D_TURN")) reading.take("D_TURN", 2 * reading.real("D_SEP") - reading.real("D_COMB"));
 }
 
-/// Whether the gauge is measured follows from its first value.
+/// The first value says whether the gauge is measured.
 void read_track(Reading& reading) {
     if (!has_track(reading)) return;
     reading.forget("GAUGSQ GAUGWD RAILY0 RAILZ0 CANT NOMRADR");

@@ -179,8 +179,8 @@ ContactCase ContactFileReader::State::read_case() {
     return result;
 }
 
-ContactFileReader::ContactFileReader(std::string_view text, const std::string& name)
-    : state_(new State{.lines = InputLines(text, name)}) {}
+ContactFileReader::ContactFileReader(std::string_view text, const std::string& name, const Observer* observer)
+    : state_(new State{.lines = InputLines(text, name, observer)}) {}
 
 ContactFileReader::~ContactFileReader() = default;
 

@@ -47,7 +47,6 @@ void read_profile(const json& source, void* value, const MemberPath& path, const
 /// One frame may be the points of many slices, each of which has its own: they are counted as they are read.
 template <class Slice>
 void read_slices(const json& source, void* value, const MemberPath& path, const Reading& with) {
-    constexpr std::size_t most_points_of_slices = 10 * most_profile_points;
     auto& slices = as<std::vector<Slice>>(value);
     slices.clear();
     std::size_t points = 0;

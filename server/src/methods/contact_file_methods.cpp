@@ -33,12 +33,11 @@ void read_file(const CallPtr& call, const DaemonParts&) {
     proto::check_frames_used(params, call->request.frames);
     const auto first = params.value("first", std::size_t{0}), count = params.value("count", std::size_t{10000});
     const CallObserver observer(call);
-    ContactFileReader reader(params.at("text").get_ref<const std::string&>(), params.value("name", "text"));
+    ContactFileReader reader(params.at("text").get_ref<const std::string&>(), params.value("name", "text"), &observer);
     json cases = json::array();
     std::size_t at = 0, numbers = 0;
     bool has_more = false;
     while (const auto read = reader.next()) {
-        if (at % 100 == 0) observer.throw_if_cancelled();
         if (at++ < first) continue;
         numbers += proto::numbers_of(*read);
         if (cases.size() == count || (!cases.empty() && numbers > most_numbers)) {

@@ -1,4 +1,5 @@
 // Sessions of a wheel on its rail.
+#include <algorithm>
 #include <utility>
 
 #include "below_wheel_rail.hpp"
@@ -13,7 +14,12 @@ namespace {
 constexpr std::size_t bytes_per_point = 400, bytes_per_element_state = 152, bytes_beside = 65536;
 constexpr std::size_t points_of_formulae = 2000;  // of what is generated
 
+/// Counts points, which of a file are not known before it is read: a point takes four bytes at least. Its text is kept,
+/// too.
 std::size_t points_of(const ProfileSpec& profile) {
+    constexpr std::size_t least_bytes = 4;
+    if (const auto* file = std::get_if<ProfileFile>(&profile.shape))
+        return std::min(file->text.size() / least_bytes, most_profile_points) + file->text.size() / bytes_per_point;
     const auto* given = std::get_if<ProfilePoints>(&profile.shape);
     return given ? given->points.size() : points_of_formulae;
 }

@@ -1,4 +1,4 @@
-// What is said of files that are wrong: line, column, what should stand there, and what follows from it.
+// Files that are wrong are told by line, column, what should stand there, and what follows from it.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <string>

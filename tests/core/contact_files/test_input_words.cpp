@@ -93,3 +93,19 @@ TEST_CASE("a text that is none is refused by the name of its file", "[contact_fi
     CHECK_THROWS_AS(InputLines(std::string_view("a\0b", 3), "case.inp"), InvalidArgument);
     CHECK_THROWS_AS(InputLines(std::string(most_contact_file_bytes + 1, ' '), "case.inp"), InvalidArgument);
 }
+
+TEST_CASE("A long text without a word ends when its observer says so") {
+    class Impatient final : public Observer {
+       public:
+        bool cancelled() const override { return ++asked > 3; }
+        mutable int asked = 0;
+    } observer;
+    const std::string comments = [] {
+        std::string text;
+        for (int i = 0; i < 100'000; ++i) text += "% nothing\n";
+        return text;
+    }();
+    InputLines lines(comments, "case.inp", &observer);
+    CHECK_THROWS_AS(lines.next(), Cancelled);
+    CHECK(lines.number() < 10'000);
+}

@@ -79,6 +79,17 @@ TEST_CASE("Elements of the contacts of simplified models are bounded as those of
     CHECK(refused([&] { solve(setup, state); }) == "dx");
 }
 
+TEST_CASE("Slices that are files have a bounded number of points together") {
+    std::string text;
+    for (int i = 0; i < 15000; ++i) text += std::to_string(-36 + 72. * i / 15000) + " 0\n";
+    const ProfileSpec file{ProfileKind::rail, ProfileFile{.name = "a.txt", .text = text, .mirror_z = false}};
+    WheelRailSetup setup = cylinder_on_arc(300);
+    for (int i = 0; i < 20; ++i) setup.rail_slices.push_back({10. * i, file, {0, 1e5}});
+    CHECK(refused([&] { WheelRailContact contact(setup); }) == "rail_slices");
+    setup.rail_slices.resize(3);
+    CHECK(refused([&] { WheelRailContact contact(setup); }).empty());
+}
+
 TEST_CASE("Profiles that leap up and down are refused where their length makes the stations") {
     const ProfileCurve flat = make_profile({ProfileKind::rail, ArcProfile{300, 0, -40, 40}}).curve,
                        long_one = leaping(1e5);

@@ -44,7 +44,7 @@ std::string simpack(ProfileKind kind, const std::string& keys, double factor = 1
            "point.end\nspline.end\n";
 }
 
-/// Whether the curve of a file is that of the formula, but for the shift.
+/// Tells whether the curve of a file is that of the formula, but for the shift.
 void is_exact(const ProfileFile& file, ProfileKind kind) {
     const ProfileCurve curve = make_profile({kind, file}).curve, expected = exact(kind);
     for (const double y : {-25.0, -3.0, 10.0, 20.0})

@@ -61,8 +61,8 @@ LineAlong SplineAlong::cubic(std::span<const double> values) const {
     return line;
 }
 
-// Of five knots around one, three control points have a share in what the spline is there (de Boor, A Practical Guide
-// to Splines, chapter X).
+// Three control points have a share in what the spline is at a knot, by the five knots around it (de Boor, A Practical
+// Guide to Splines, chapter X).
 LineAlong SplineAlong::approximating(std::span<const double> values) const {
     LineAlong line;
     for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(values.size()); ++i) {

@@ -15,7 +15,7 @@ ProfilePoint difference(const ProfilePoint& a, const ProfilePoint& b) {
     return {a.y - b.y, a.z - b.z};
 }
 
-/// Of the circle through three points of the curve (1/mm): positive in a hollow of the wheel.
+/// Returns the curvature of the circle through three points of the curve (1/mm): positive in a hollow of the wheel.
 double hollowness(const ProfileCurve& curve, double s) {
     const ProfilePoint here = curve.at(s), before = difference(here, curve.at(s - reach)),
                        behind = difference(curve.at(s + reach), here), across{before.y + behind.y, before.z + behind.z};

@@ -12,7 +12,7 @@ constexpr double seconds_of_offset = 1e-6, seconds_of_layered_offset = 4e-5;
 double elements_of(const nlohmann::json& grid);
 /// A member of an object, or null.
 const nlohmann::json* member(const nlohmann::json& params, const char* name);
-/// Whether any body of a contact, or its pair, has coefficients of this kind.
+/// Tells whether any body of a contact, or its pair, has coefficients of this kind.
 bool any_body(const nlohmann::json& params, const char* kind);
 /// The length of the first axis of an array, a list or a frame.
 double length_of(const nlohmann::json& array);

@@ -74,7 +74,7 @@ TEST_CASE("points that weigh alike keep half the amplitude of a wave by lambda a
 }
 
 TEST_CASE("the third order keeps of waves what the spectrum of its splines says", "[profile]") {
-    // Of exp(i w s), sampled densely, splines of the step h have the share b^2 / (sum of b^2 + (L / 2 pi h)^6 (2
+    // Splines of the step h have of exp(i w s), sampled densely, the share b^2 / (sum of b^2 + (L / 2 pi h)^6 (2
     // sin)^6), b = sinc(t/2)^4 at t = w h and, in the sum, at all t + 2 pi n; half were kept if they could be that
     // wave.
     const double wavelength = 5, waves = GENERATE(4., 5., 10., 20.);
