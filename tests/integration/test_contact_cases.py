@@ -138,6 +138,26 @@ def test_slices_that_are_alike_are_a_straight_rail_and_a_round_wheel(shared, tmp
     assert one.result.patches[0].solution.pmax == pytest.approx(alike.result.patches[0].solution.pmax, rel=5e-3)
 
 
+@pytest.mark.parametrize(("bottom", "upwards"), [(-2.0, False), (2.0, True)])
+def test_a_disc_lies_as_contact_decides(shared, tmp_path, bottom, upwards):
+    """Its sides are `bottom` beside the flat tread at z = 0: nothing stands out as a flange does."""
+    y = np.linspace(-10, 10, 81)
+    z = bottom * np.clip((np.abs(y) - 8) / 2, 0, 1) ** 2
+    (tmp_path / "disc.csv").write_text("".join(f"{a:.4f},{b:.6f}\n" for a, b in zip(y, z)))
+    case = rail_case(WFNAME="disc.csv", WHEEL_MIRRORZ=0)
+    assert ProfileFiles(tmp_path, shared)(case, "WHEEL").mirror_z is upwards
+
+
+def test_a_wheel_at_rest_adheres(shared):
+    still = {name: 0.0 for name in ("VS", "VY", "VZ", "VROLL", "VYAW", "VPITCH")}
+    (outcome,) = computed(shared, [rail_case(Y_WS=3.0, O=3, **still)], ready_made)
+    counts = outcome.result.compared.patches[0]
+    assert (counts["NADH"], counts["NSLIP"]) == (counts["NCON"], 0)
+    lines = lines_of(outcome)
+    assert "S" not in "".join(line[8:] for line in lines if PICTURE.match(line))
+    assert any("Chi=" in line for line in lines)
+
+
 def test_steps_go_on_from_each_other_as_a_session_does(shared):
     first = basic_case(number=1, T=1, P=2, CKSI=2e-3, CPHI=0.0)
     back = basic_case(number=2, T=1, P=0, CKSI=-2e-3, CPHI=0.0)

@@ -4,20 +4,27 @@ from __future__ import annotations
 
 import os
 import re
+import warnings
 from collections.abc import Mapping
 from pathlib import Path
 from threading import Lock
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from ..calls.answer_warnings import ContactWarning
+from ..errors import InvalidArgument
 from ..files.case_text import text_of
 from ..files.profile_text import read_profile_text
 from ..values.profile_shapes import KinkRule, Profile, ProfileFile
+from ..values.wheel_rail.setup import Track, WheelRailSetup
 from .case import Case
 from .problems.rails import Slices
 from .slice_list import SPLINES, placed_slices
 
 if TYPE_CHECKING:
     from ..client import Client
+    from ..values.arrays import Array
 
 __all__ = ["ProfileFiles"]
 
@@ -26,6 +33,8 @@ _LISTS = (".slcs", ".slcw")
 _SIMPACK = (".prr", ".prw")
 _LENGTHS = re.compile(rb"^\s*units\.len\.f\s*=\s*([-+.\deE]+)", re.MULTILINE)
 _MIRRORED = re.compile(rb"^\s*mirror\.y\s*=\s*\+?1(?:\.0*)?\s*(?:[!%].*)?$", re.MULTILINE)
+_ORIENTED = (*_SIMPACK, ".ban", ".whl")  #: whose formats say which way z points
+_FACE = 0.05  #: part of a wheel's width at an end
 _METRE = 1000.0  # mm
 _OPTIONS = ("MIRRORY", "SCALE", "SMOOTH", "MIRRORZ", "ISMOOTH", "KINKHIGH", "KINKLOW", "KINKWID")
 
@@ -49,13 +58,34 @@ class ProfileFiles:
             if key not in self._read:
                 place = self.place(name)
                 is_list = name.lower().endswith(_LISTS)
-                self._read[key] = self._slices(place, options) if is_list else _profile(place, options)
+                self._read[key] = self._slices(place, options) if is_list else self._profile(place, options, which)
             return self._read[key]
+
+    def _profile(self, path: Path, options: Mapping[str, Any], which: str) -> ProfileFile:
+        profile = _profile(path, options)
+        if profile.mirror_z is not None or path.suffix.lower() in _ORIENTED or self._points(profile, which) is not None:
+            return profile
+        points = self._points(_profile(path, {**options, "MIRRORZ": -1}), which)
+        upwards = points is not None and _runs_upwards(points, which)
+        return profile if points is None else _profile(path, {**options, "MIRRORZ": 1 if upwards else -1})
+
+    def _points(self, profile: ProfileFile, which: str) -> Array | None:
+        """Its points as the service reads them, y and z; None where it cannot."""
+        track = Track(rail_origin=(750.0, 0.0))  # needs no gauge face, which not every rail has
+        setup = WheelRailSetup(wheel=profile, track=track) if which == "WHEEL" else WheelRailSetup(rail=profile, track=track)
+        try:
+            with warnings.catch_warnings():  # the case tells what they warn of
+                warnings.simplefilter("ignore", ContactWarning)
+                placed = self._client.placed_profiles(setup).right
+        except InvalidArgument:
+            return None
+        return placed.wheel if which == "WHEEL" else placed.rail
 
     def _slices(self, path: Path, options: Mapping[str, Any]) -> tuple[Slices, str]:
         read = self._client.read_contact_slices(text_of(path), name=path.name)
-        slices = placed_slices(read, path.parent, lambda place: _profile(place, options))
         is_wheel = path.suffix.lower() == ".slcw"
+        which = "WHEEL" if is_wheel else "RAIL"
+        slices = placed_slices(read, path.parent, lambda place: self._profile(place, options, which))
         return [one[:2] if is_wheel else one for one in slices], SPLINES[read.is_approximated]
 
     def place(self, name: str) -> Path:
@@ -81,6 +111,24 @@ def _profile(path: Path, options: Mapping[str, Any]) -> ProfileFile:
         mirror_z=None if options["MIRRORZ"] == 0 else options["MIRRORZ"] == 1,
         kinks=KinkRule(options["KINKHIGH"], options["KINKLOW"], options["KINKWID"]), **smoothing,
     )  # fmt: skip
+
+
+def _runs_upwards(points: Array, which: str) -> bool:
+    """As the CONTACT program decides where neither a flange nor the ends of a rail show it: by where the least z lies."""
+    y, z = points.T
+    if which == "RAIL":
+        outer = len(z) // 10
+        return not outer <= int(np.argmin(z)) < len(z) - outer
+    edge = _FACE * np.ptp(y)
+    highest, lowest = int(np.argmin(z)), int(np.argmax(z))
+
+    def is_at_an_end(place: int) -> bool:
+        return bool(min(y[place] - y.min(), y.max() - y[place]) <= edge)
+
+    if is_at_an_end(highest) or is_at_an_end(lowest):
+        return not is_at_an_end(highest)
+    middle, share = (highest + lowest) // 2, (y[(highest + lowest) // 2] - y[highest]) / (y[lowest] - y[highest])
+    return bool(z[middle] < z[highest] + share * (z[lowest] - z[highest]))
 
 
 def _unit(text: bytes, scale: float, is_simpack: bool) -> float | None:

@@ -49,6 +49,15 @@ Points joined(Points left, const Points& right) {
     return left;
 }
 
+/// Where the side that goes on lower comes out from below the other one's end, a lip. `beside` is the hidden point next
+/// to its own end.
+ProfilePoint below_lip(const ProfilePoint& lip, const ProfilePoint& lower, const ProfilePoint& beside) {
+    constexpr double advance = 1e-3;  // mm, so that y goes on
+    const double y = lip.y + std::copysign(std::min(advance, std::abs(lower.y - lip.y) / 2), lower.y - lip.y);
+    const double share = std::clamp((y - beside.y) / (lower.y - beside.y), 0.0, 1.0);
+    return {y, beside.z + share * (lower.z - beside.z)};
+}
+
 }  // namespace
 
 Points without_repetitions(const Points& points) {
@@ -88,6 +97,10 @@ Points rail_seen_from_above(const Points& points) {
     return joined(uppermost(std::make_reverse_iterator(top + 1), points.rend(), -1), uppermost(top, points.end(), 1));
 }
 
+Points seen_from_above(const Points& points, ProfileKind kind) {
+    return kind == ProfileKind::wheel ? wheel_seen_from_above(points) : rail_seen_from_above(points);
+}
+
 std::vector<std::size_t> kinks_of(const Points& points, const KinkRule& rule) {
     std::vector<double> s{0}, angles{0};
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -104,6 +117,43 @@ std::vector<std::size_t> kinks_of(const Points& points, const KinkRule& rule) {
         if (bends == 1) kinks.push_back(i);
     }
     return kinks;
+}
+
+Visible visible_part(const Points& points, const std::vector<std::size_t>& kinks, ProfileKind kind) {
+    constexpr double width = 2, depth = 0.1;  // mm: noise hides less
+    const Points seen = seen_from_above(points, kind);
+    std::vector<std::size_t> places;  // among all points
+    for (std::size_t i = 0; i < points.size() && places.size() < seen.size(); ++i)
+        if (points[i] == seen[places.size()]) places.push_back(i);
+    const auto hides_before = [&](std::size_t i) {
+        if (i == 0 || i >= seen.size() || distance(seen[i - 1], seen[i]) <= width) return false;
+        double most = seen[i - 1].y, least = seen[i].y;
+        for (std::size_t k = places[i - 1] + 1; k < places[i]; ++k) {
+            most = std::max(most, points[k].y);
+            least = std::min(least, points[k].y);
+        }
+        return std::max(seen[i - 1].y - least, most - seen[i].y) > depth;
+    };
+    Visible visible;
+    const auto keep = [&](const ProfilePoint& point, std::optional<std::size_t> place, bool is_kink) {
+        if (is_kink) visible.kinks.push_back(visible.points.size());
+        visible.points.push_back(point);
+        visible.places.push_back(place);
+    };
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        if (hides_before(i)) {
+            const ProfilePoint &left = seen[i - 1], &right = seen[i];
+            keep(left.z < right.z ? below_lip(left, right, points[places[i] - 1])
+                                  : below_lip(right, left, points[places[i - 1] + 1]),
+                 std::nullopt, true);
+            visible.bridged.push_back({left, right});
+        }
+        const bool is_lip = (hides_before(i) && seen[i].z < seen[i - 1].z) ||
+                            (hides_before(i + 1) && seen[i].z < seen[i + 1].z);
+        keep(seen[i], places[i], is_lip || std::ranges::binary_search(kinks, places[i]));
+    }
+    std::erase_if(visible.kinks, [&](std::size_t i) { return i == 0 || i + 1 == visible.points.size(); });
+    return visible;
 }
 
 Crossing crossing_of(const Points& points) {

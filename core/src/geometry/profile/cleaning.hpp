@@ -1,7 +1,9 @@
-// Cleans the points of a measured profile before a curve goes through them.
+// Cleans the points of a measured profile, and finds where they are broken and what of them is seen.
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "contactd/profile_spec.hpp"
@@ -23,8 +25,22 @@ Points wheel_seen_from_above(const Points& points);
 /// top.
 Points rail_seen_from_above(const Points& points);
 
+Points seen_from_above(const Points& points, ProfileKind kind);
+
 /// Points at which the curve is broken.
 std::vector<std::size_t> kinks_of(const Points& points, const KinkRule& rule = {});
+
+/// What bodies that come from above can touch.
+struct Visible {
+    Points points;
+    std::vector<std::optional<std::size_t>> places;              ///< among all points; of none that was put in
+    std::vector<std::size_t> kinks;                          ///< indices of points
+    std::vector<std::pair<ProfilePoint, ProfilePoint>> bridged;  ///< neighbours with much that is hidden between
+};
+
+/// Leaves out what is hidden, as below a lip. Where it is more than 2 mm, the curve falls upright from the lip to where
+/// the lower side comes out: a spline would swing out there.
+Visible visible_part(const Points& points, const std::vector<std::size_t>& kinks, ProfileKind kind);
 
 /// The first chord that another one crosses or touches, and that other one; their first points' indices, or {0, 0}.
 struct Crossing {

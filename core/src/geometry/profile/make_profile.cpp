@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "contactd/error.hpp"
 #include "contactd/read_profile.hpp"
 #include "geometry/profile/cleaning.hpp"
 #include "geometry/profile/formula_points.hpp"
@@ -78,34 +79,47 @@ double distance(const ProfileCurve& curve, const ProfilePoint& point, double s) 
     return std::hypot(at.y - point.y, at.z - point.z);
 }
 
-ProfileEvidence evidence_of(const ProfileCurve& curve, std::size_t points_given) {
-    ProfileEvidence evidence{points_given, curve.points().size()};
-    evidence.spacing = (curve.end() - curve.begin()) / static_cast<double>(curve.points().size() - 1);
-    for (const std::size_t kink : curve.kinks()) evidence.kinks.push_back(curve.points()[kink].y);
-    return evidence;
+double spacing_of(const ProfileCurve& curve) {
+    return (curve.end() - curve.begin()) / static_cast<double>(curve.points().size() - 1);
 }
 
-/// The curve through the points, or near them.
+/// Fills in how far the curve is from the points that it smooths.
+void tell_smoothing(Profile& made, const Points& points, const geometry::Visible& visible, const Fit& fit) {
+    ProfileEvidence& evidence = made.evidence;
+    double squares = 0, count = 0;
+    for (std::size_t i = 0; i < visible.points.size(); ++i) {
+        if (!visible.places[i]) continue;
+        const double far = distance(made.curve, points[*visible.places[i]], made.curve.knots()[i]);
+        evidence.largest_distance = std::max(evidence.largest_distance, far);
+        squares += far * far;
+        ++count;
+    }
+    evidence.rms_distance = std::sqrt(squares / count);
+    evidence.cut_off = fit.lambda > 0 ? geometry::wavelength_of(fit.lambda * evidence.spacing) : fit.length;
+}
+
+/// The curve through the points, or near them, as far as it is seen from above: hidden points have their part in
+/// smoothing, too.
 Profile of_points(const ProfilePoints& given, ProfileKind kind, const Fit& fit, double rounded_to) {
     const Points points = geometry::measured_points(given, kind);
     const auto kinks = geometry::kinks_of(points, fit.kinks);
-    ProfileCurve curve(points, kinks);
-    Profile made{kind, curve, evidence_of(curve, given.points.size())};
+    const ProfileCurve rough(points, kinks);
+    const geometry::Visible visible =
+        geometry::visible_part(fit.smooths() ? smoothed(rough, fit) : points, kinks, kind);
+    if (visible.points.size() < 2)
+        throw InvalidArgument(fit.lambda > 0 ? "profile.smoothing_lambda" : "profile.smoothing_length",
+                              "leaves nothing of the profile that is seen from above; take it smaller");
+    Profile made{kind, ProfileCurve(visible.points, visible.kinks), {given.points.size(), visible.points.size()}};
     ProfileEvidence& evidence = made.evidence;
+    evidence.spacing = spacing_of(rough);
     evidence.rounded_to = rounded_to;
-    if (fit.smooths()) {
-        evidence.cut_off = fit.lambda > 0 ? geometry::wavelength_of(fit.lambda * evidence.spacing) : fit.length;
-        made.curve = ProfileCurve(smoothed(curve, fit), kinks);
-        double squares = 0;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const double far = distance(made.curve, points[i], made.curve.knots()[i]);
-            evidence.largest_distance = std::max(evidence.largest_distance, far);
-            squares += far * far;
-        }
-        evidence.rms_distance = std::sqrt(squares / static_cast<double>(points.size()));
-    }
+    for (const std::size_t kink : visible.kinks)
+        if (visible.places[kink]) evidence.kinks.push_back(points[*visible.places[kink]].y);
+    if (fit.smooths()) tell_smoothing(made, points, visible, fit);
     if (kind == ProfileKind::wheel) evidence.wheel = geometry::wheel_landmarks(made.curve);
     evidence.warnings = geometry::profile_warnings(made);
+    for (const auto& [from, to] : visible.bridged)
+        evidence.warnings.push_back(geometry::bridge_warning(kind, from, to));
     return made;
 }
 
@@ -126,7 +140,7 @@ Profile made_of(const ProfileFile& file, ProfileKind kind) {
 Profile made_of(const auto& shape, ProfileKind kind) {
     const auto points = geometry::formula_points(shape);  // sides of an inclined head may lean under it
     ProfileCurve curve(kind == ProfileKind::rail ? geometry::rail_seen_from_above(points) : points);
-    ProfileEvidence evidence = evidence_of(curve, points.size());
+    ProfileEvidence evidence{points.size(), curve.points().size(), spacing_of(curve)};
     if (kind == ProfileKind::wheel) evidence.wheel = geometry::wheel_landmarks(curve);
     return {kind, std::move(curve), std::move(evidence)};
 }

@@ -76,15 +76,14 @@ Points measured_points(const ProfilePoints& given, ProfileKind kind) {
     if (given.points.size() < 2)
         throw InvalidArgument("profile.points", "are " + std::to_string(given.points.size()) +
                                                     "; a profile needs two at least, and a real one fifty");
-    const Points points = without_zigzags(without_repetitions(in_mm(given)));
+    // The mean of a zigzag may be its neighbour.
+    const Points points = without_repetitions(without_zigzags(without_repetitions(in_mm(given))));
     if (const auto crossing = crossing_of(points); crossing.found())
         throw InvalidArgument("profile.points", "cross themselves: the chord from " + text_of(points[crossing.first]) +
                                                     " and the one from " + text_of(points[crossing.second]) +
                                                     " meet (mm, cleaned); order the points along the profile, or leave "
                                                     "out those of the loop");
-    Points seen = points.empty()               ? points
-                  : kind == ProfileKind::wheel ? wheel_seen_from_above(points)
-                                               : rail_seen_from_above(points);
+    const Points seen = points.empty() ? points : seen_from_above(points, kind);
     check_remainder(seen.size(), points.size());
     if (seen.size() < 2 || seen.back().y - seen.front().y < 1)
         throw InvalidArgument("profile.points", "span less than 1 mm from side to side; check their unit");
@@ -93,7 +92,7 @@ Points measured_points(const ProfilePoints& given, ProfileKind kind) {
                                                     " mm from side to side, and no wheel or rail is wider than " +
                                                     number_text(widest) + "; check their unit");
     check_sense(seen, kind);
-    return seen;
+    return points;
 }
 
 }  // namespace contactd::geometry

@@ -6,7 +6,8 @@
 
 namespace contactd::geometry {
 
-/// In mm, y ascending, cleaned. Throws InvalidArgument below "profile" for points that make no profile.
+/// In mm, from the end of lesser y to the other, cleaned; some may be hidden from above. Throws InvalidArgument below
+/// "profile" for points that make no profile.
 Points measured_points(const ProfilePoints& given, ProfileKind kind);
 
 }  // namespace contactd::geometry

@@ -100,4 +100,12 @@ std::vector<std::string> profile_warnings(const Profile& profile) {
     return warnings;
 }
 
+std::string bridge_warning(ProfileKind kind, const ProfilePoint& from, const ProfilePoint& to) {
+    const auto text = [](const ProfilePoint& point) {
+        return "(" + short_text(point.y) + ", " + short_text(point.z) + ")";
+    };
+    return "Between " + text(from) + " and " + text(to) + " the " + std::string(name_of(kind)) +
+           " is hidden from above, as below a lip. Its outline falls upright there, and no contact is found below the lip.";
+}
+
 }  // namespace contactd::geometry

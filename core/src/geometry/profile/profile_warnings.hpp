@@ -12,4 +12,7 @@ namespace contactd::geometry {
 /// rounded so that their curvature is noise, and about smoothing that takes away more than noise.
 std::vector<std::string> profile_warnings(const Profile& profile);
 
+/// A sentence about what is hidden from above between two points.
+std::string bridge_warning(ProfileKind kind, const ProfilePoint& from, const ProfilePoint& to);
+
 }  // namespace contactd::geometry

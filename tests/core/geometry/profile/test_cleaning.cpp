@@ -1,6 +1,7 @@
 // Cleaning the points of measured profiles.
 #include "geometry/profile/cleaning.hpp"
 
+#include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 
@@ -29,6 +30,37 @@ TEST_CASE("of a rail remains what nothing lies above", "[profile]") {
     CHECK(rail_seen_from_above(rail) == Points{{-37, 30}, {-36, 14}, {-20, 2}, {0, 0}, {20, 2}, {36, 14}, {37, 30}});
     const Points lip{{0, 0}, {20, 5}, {30, 8}, {25, 6}, {35, 7}};  // comes back above what it had
     CHECK(rail_seen_from_above(lip) == Points{{0, 0}, {20, 5}, {25, 6}, {35, 7}});
+}
+
+TEST_CASE("below a lip a rail's outline falls upright, to where the lower side comes out", "[profile]") {
+    // The lip at (-25, 12) hides the face, down to a foot that is farther out.
+    const Points worn{{-27, 34}, {-23, 33}, {-23.5, 25}, {-24, 16}, {-25, 12}, {-22, 8}, {0, 0}, {30, 4}};
+    const Visible visible = visible_part(worn, {1, 5}, ProfileKind::rail);
+    REQUIRE(visible.points.size() == 6);
+    CHECK(visible.points[0] == ProfilePoint{-27, 34});
+    CHECK(visible.points[1].y == Catch::Approx(-25.001));
+    CHECK(visible.points[1].z == Catch::Approx(33 + 2.001 / 4));
+    CHECK(visible.points[2] == ProfilePoint{-25, 12});
+    CHECK(visible.kinks == std::vector<std::size_t>{1, 2, 3});
+    CHECK(visible.places == std::vector<std::optional<std::size_t>>{0, std::nullopt, 4, 5, 6, 7});
+    REQUIRE(visible.bridged.size() == 1);
+    CHECK(visible.bridged[0] == std::pair{ProfilePoint{-27, 34}, ProfilePoint{-25, 12}});
+    Points mirrored;
+    for (auto point = worn.rbegin(); point != worn.rend(); ++point) mirrored.push_back({-point->y, point->z});
+    const Visible other = visible_part(mirrored, {2, 6}, ProfileKind::rail);
+    REQUIRE(other.points.size() == 6);
+    CHECK(other.points[4].y == Catch::Approx(25.001));
+    CHECK(other.points[4].z == Catch::Approx(visible.points[1].z));
+    CHECK(other.kinks == std::vector<std::size_t>{2, 3, 4});
+}
+
+TEST_CASE("what noise hides is left out without a kink", "[profile]") {
+    Points upright{{0, 0}, {30, 4}};
+    for (int i = 0; i < 20; ++i) upright.push_back({35 + 1e-3 * i - (i % 4 == 3 ? 0.02 : 0), 10.0 + i});
+    const Visible visible = visible_part(upright, {}, ProfileKind::rail);
+    CHECK(visible.points.size() == upright.size() - 5);
+    CHECK(visible.kinks.empty());
+    CHECK(visible.bridged.empty());
 }
 
 TEST_CASE("kinks are sharp corners between smooth parts", "[profile]") {

@@ -113,6 +113,27 @@ TEST_CASE("kinks survive smoothing", "[profile]") {
     CHECK(make_profile({ProfileKind::rail, roof}).evidence.largest_distance > 1e-3);  // two turns are no kink
 }
 
+TEST_CASE("nothing swings out below a lip, and what it hides has its part in smoothing", "[profile]") {
+    ProfilePoints worn;
+    for (int i = 0; i <= 100; ++i) worn.points.push_back({35 - 0.5 * i, std::pow((35 - 0.5 * i) / 35, 2) * 5});
+    for (int i = 0; i < 40; ++i)  // a lip that is 1 mm wide, 3.5 mm high, before a face that recedes
+        worn.points.push_back({-15 - std::exp(-std::pow((i - 14) / 7.0, 2)) + 0.02 * i, 1.5 + 0.25 * i});
+    worn.points.push_back({-16, 30});
+    const Profile rough = make_profile({ProfileKind::rail, worn});
+    REQUIRE(rough.evidence.warnings.size() == 1);
+    CHECK_THAT(rough.evidence.warnings[0], ContainsSubstring("(-16, 30)") && ContainsSubstring("hidden from above"));
+    const auto widest = [](const ProfileCurve& curve) {
+        double least = 0;
+        for (double s = curve.begin(); s < curve.end(); s += 0.01)
+            if (curve.at(s).z < 25) least = std::min(least, curve.at(s).y);
+        return least;
+    };
+    CHECK_THAT(widest(rough.curve), WithinAbs(-15.725, 3e-3));
+    worn.smoothing_length = 4;
+    // The bump loses about as much to both sides, and would lose less at an end.
+    CHECK_THAT(widest(make_profile({ProfileKind::rail, worn}).curve), WithinAbs(-15.60, 0.06));
+}
+
 TEST_CASE("points that make no profile are refused with what to do", "[profile]") {
     const auto good = measured(wheel);
     refused(ProfileKind::wheel, {}, "profile.points are 0; a profile needs two");
@@ -204,6 +225,7 @@ TEST_CASE("no points whatever crash, hang or make a curve that is not one", "[pr
             REQUIRE(std::isfinite(profile.curve.arc_length(profile.curve.end())));
             REQUIRE(profile.curve.end() >= 1);
         } catch (const InvalidArgument& refusal) {
+            INFO(refusal.what());
             REQUIRE(refusal.field().starts_with("profile."));
         }
     }

@@ -86,8 +86,8 @@ class BasicResult:
         grid, friction = contact.area.grid, contact.problem.friction
         none = np.zeros(grid.shape)
         return Elements(
-            grid=grid, tangential=contact.case.digits["T"], chi=contact.chi, division=solution.element_division,
-            h=contact.area.h, approach=solution.approach,
+            grid=grid, tangential=contact.case.digits["T"], is_frictionless=contact.case.digits["T"] == 0, chi=contact.chi,
+            division=solution.element_division, h=contact.area.h, approach=solution.approach,
             mu=none if friction is None else none + np.asarray(friction.mu, dtype=float), pressure=self.pressure,
             traction=(solution.traction_x, solution.traction_y), slip=(_or(solution.slip_x, none), _or(solution.slip_y, none)),
             rigid_slip=self._rigid_slip(), displacement=self.displacement,

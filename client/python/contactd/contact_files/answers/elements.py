@@ -28,6 +28,7 @@ class Elements:
     Attributes:
         grid: The elements.
         tangential: The digit T.
+        is_frictionless: Whether adhesion and slip mean nothing.
         chi: Rolling direction (rad).
         division: 0 exterior, 1 adhesion, 2 slip.
         h: Undeformed distance without the approach (mm).
@@ -42,6 +43,7 @@ class Elements:
 
     grid: Grid
     tangential: int
+    is_frictionless: bool
     chi: float
     division: npt.NDArray[np.uint8]
     h: Floats
@@ -62,11 +64,6 @@ class Elements:
     def bound(self) -> Floats:
         """The traction bound (N/mm^2). Where an element slips its traction is at it, whatever law that follows."""
         return np.where(self.division == _SLIP, self.traction_size, self.mu * self.pressure)
-
-    @property
-    def is_frictionless(self) -> bool:
-        """Tells whether adhesion and slip mean nothing."""
-        return self.tangential == 0
 
 
 def rigid_slip_on(grid: Grid, creepage: tuple[float, float], phi: float, centre: tuple[float, float]) -> Pair:

@@ -79,7 +79,7 @@ class RailResult:
     def numbers_of(self, patch: WheelRailPatch) -> dict[str, float]:
         """Numbers of a patch that are compared."""
         reference, motion, solution = patch.place.reference, patch.place.creepages, patch.solution
-        has_friction, counts = self.contact.case.digits["T"] != 0, solution.elements
+        has_friction, counts = self._rolls(patch), solution.elements
         return {
             "XCP(TR)": reference.x, "YCP(TR)": reference.y, "ZCP(TR)": reference.z, "DELTCP(TR)": reference.angle,
             "CKSI": motion.xi, "CETA": motion.eta, "CPHI": motion.phi, **_forces(patch),
@@ -135,7 +135,8 @@ class RailResult:
             np.zeros(place.grid.shape, np.uint8) if solution.element_division is None else solution.element_division
         )
         return Elements(
-            grid=place.grid, tangential=self.contact.case.digits["T"], chi=motion.chi, division=division, h=gap,
+            grid=place.grid, tangential=self.contact.case.digits["T"], is_frictionless=not self._rolls(patch), chi=motion.chi,
+            division=division, h=gap,
             approach=solution.approach, mu=none + self.mu_of(patch), pressure=pressure, traction=(traction_x, traction_y),
             slip=(slip_x, slip_y), displacement=displacement_of(solution),
             rigid_slip=rigid_slip_on(place.grid, (motion.xi, motion.eta), motion.phi, (-offset[0], -offset[1])),
@@ -144,6 +145,10 @@ class RailResult:
     def stresses_of(self, patch: WheelRailPatch) -> list[StressField]:
         """Below the surface of a patch."""
         return self.stresses[self._index(patch)] if self.stresses else []
+
+    def _rolls(self, patch: WheelRailPatch) -> bool:
+        """Tells whether there is friction: none acts on a wheel at rest, which adheres."""
+        return self.contact.case.digits["T"] != 0 and patch.place.creepages.velocity > 0
 
     def _index(self, patch: WheelRailPatch) -> int:
         return next(index for index, one in enumerate(self.solution.patches) if one is patch)
