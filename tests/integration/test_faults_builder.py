@@ -161,6 +161,7 @@ def test_a_builder_that_spins_without_getting_on_is_ended(daemons, background, k
     program.unlink()
 
 
+@pytest.mark.timeout(300)  # factorises for twenty seconds where nothing else runs
 def test_a_long_factorisation_is_no_stall(daemons, background):
     daemon = daemons.start(builds={"stall_seconds": 1})
     with daemon.client() as client:

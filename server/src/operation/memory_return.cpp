@@ -2,6 +2,8 @@
 
 #include <malloc.h>
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace contactd::server {
@@ -9,6 +11,9 @@ namespace {
 
 constexpr auto calm = std::chrono::milliseconds(300);
 constexpr double worth_it = 16 << 20;  // bytes: less is not missed
+// After these times memory is given back once more: the socket frees answers when a slow client has read them.
+constexpr std::array<std::chrono::seconds, 3> again_after{std::chrono::seconds(2), std::chrono::seconds(10),
+                                                          std::chrono::seconds(60)};
 
 }  // namespace
 
@@ -22,13 +27,14 @@ void MemoryReturn::look(Clock::time_point now, bool is_busy, std::size_t kept) {
         next_ = now + calm;
         return;
     }
-    next_ = Clock::time_point::max();
-    if (freed_ < worth_it) return;
     if (quiet_since_ == Clock::time_point::max()) quiet_since_ = now;
-    next_ = quiet_since_ + calm;
+    const bool is_worth_it = freed_ >= worth_it;
+    next_ = std::max(quiet_since_ + calm, is_worth_it ? quiet_since_ : again_);
     if (now < next_) return;
+    if (is_worth_it) times_again_ = 0;
     freed_ = 0;
-    quiet_since_ = next_ = Clock::time_point::max();
+    again_ = times_again_ < again_after.size() ? now + again_after[times_again_++] : Clock::time_point::max();
+    next_ = again_;
     workers_.post({.client = {}, .priority = proto::Priority::low}, [] { ::malloc_trim(0); });
 }
 

@@ -10,7 +10,7 @@ namespace contactd::server {
 
 /// The allocator keeps what was freed for the arrays of the next solve, which saves solves the time of new pages.
 /// Behind a burst it would keep the most that was ever needed. So when there was no work for a moment, a worker gives
-/// everything that is free back. Used by one thread.
+/// everything that is free back, and does so again some seconds later. Used by one thread.
 class MemoryReturn {
    public:
     using Clock = std::chrono::steady_clock;
@@ -31,6 +31,8 @@ class MemoryReturn {
     std::size_t kept_ = 0;  // at the last look
     Clock::time_point next_ = Clock::time_point::max();
     Clock::time_point quiet_since_ = Clock::time_point::max();
+    Clock::time_point again_ = Clock::time_point::max();  // after memory was given back
+    std::size_t times_again_ = 0;
 };
 
 }  // namespace contactd::server
