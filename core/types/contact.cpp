@@ -213,6 +213,10 @@ void check_closed_form(const ContactSetup& setup) {
         throw InvalidArgument("model",
                               "is fastsim, which knows ellipses only, and ics.line_contact says that the contact does "
                               "not change along y: take model hertz, which rolls as Carter says, or full");
+    if (setup.model != Model::full && setup.sheet_flexibility > 0)
+        throw InvalidArgument("sheet_flexibility", "is " + number_text(setup.sheet_flexibility) +
+                                                       " mm^3/N; closed forms know no sheet between the bodies: leave "
+                                                       "it out, or take model full");
     if (setup.model == Model::full || !(setup.bodies.any_layered() || setup.bodies.any_uniform())) return;
     throw InvalidArgument(
         "model", "is " + std::string(setup.model == Model::hertz ? "hertz" : "fastsim") +

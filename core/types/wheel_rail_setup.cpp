@@ -160,6 +160,10 @@ void validate(const WheelRailSetup& setup) {
     if (setup.rigid_slip == RigidSlipKind::surfaces && setup.model != Model::full)
         throw InvalidArgument("rigid_slip",
                               "is surfaces, and the simplified models know creepages only; take model full");
+    if (setup.sheet_flexibility > 0 && setup.model != Model::full)
+        throw InvalidArgument("sheet_flexibility",
+                              "is " + number_text(setup.sheet_flexibility) +
+                                  " mm^3/N, and the simplified models know no sheet between bodies; take model full");
     if (setup.settings.tangential_solver == TangentialSolver::tangcg)
         throw InvalidArgument("settings.tangential.solver",
                               "is tangcg, whose operators are symmetric, and wheels roll steadily; take newton");

@@ -149,13 +149,27 @@ def test_a_disc_lies_as_contact_decides(shared, tmp_path, bottom, upwards):
 
 
 def test_a_wheel_at_rest_adheres(shared):
-    still = {name: 0.0 for name in ("VS", "VY", "VZ", "VROLL", "VYAW", "VPITCH")}
+    still = dict.fromkeys(("VS", "VY", "VZ", "VROLL", "VYAW", "VPITCH"), 0.0)
     (outcome,) = computed(shared, [rail_case(Y_WS=3.0, O=3, **still)], ready_made)
     counts = outcome.result.compared.patches[0]
     assert (counts["NADH"], counts["NSLIP"]) == (counts["NCON"], 0)
     lines = lines_of(outcome)
     assert "S" not in "".join(line[8:] for line in lines if PICTURE.match(line))
     assert any("Chi=" in line for line in lines)
+
+
+def test_a_thin_sheet_yields_beside_the_bodies(shared):
+    """It takes FLXZ times the pressure, in basic contact and on a rail alike, and nothing where B is 0."""
+    for plain, soft, profiles in (
+        (basic_case(FLXZ=2e-5), basic_case(B=1, FLXZ=2e-5), None),
+        (rail_case(FLXZ=2e-5), rail_case(B=1, FLXZ=2e-5), ready_made),
+    ):
+        bodies, sheet = (outcome.result for outcome in computed(shared, [plain, soft], profiles))
+        first, second = (one.compared.patches[0] if one.compared.patches else one.compared.numbers for one in (bodies, sheet))
+        assert second["PMAX"] < 0.9 * first["PMAX"]
+        assert second["NCON"] > first["NCON"]
+    solution = sheet.patches[0].solution
+    assert solution.displacement_z.max() > 2e-5 * solution.pmax
 
 
 def test_steps_go_on_from_each_other_as_a_session_does(shared):

@@ -41,6 +41,9 @@ struct ContactSetup {
     Grid grid;
     Bodies bodies;
     Model model = Model::full;
+    /// Of a thin sheet between the bodies, of model full only: each pressure times this adds to the normal displacement
+    /// of its element (mm^3/N).
+    double sheet_flexibility = 0;
     std::optional<FrictionLaw> friction;  ///< absent: frictionless
     ContactSettings settings;
     std::optional<ContactColumns> columns{};  ///< where the surface is curved along y; absent: a plane

@@ -151,6 +151,7 @@ struct WheelRailSetup {
     /// Upper is the rail, lower the wheel: forces and tractions act on the rail.
     Bodies bodies = Bodies::of({{82000, 0.28}, {82000, 0.28}});
     Model model = Model::full;
+    double sheet_flexibility = 0;  ///< of a thin sheet between them, as of ContactSetup (mm^3/N)
     std::optional<WheelRailFriction> friction = WheelRailFriction{};  ///< absent: frictionless
     double dx = 0.2, dy = 0.2;  ///< sizes of the elements along and across the track, in the contact plane (mm)
     double dq = 0;              ///< step of rolling (mm); 0: dx

@@ -15,6 +15,7 @@
 #include "curved_strips.hpp"
 #include "discretisation.hpp"
 #include "layer_resolution.hpp"
+#include "operators/thin_sheet.hpp"
 #include "types/number_text.hpp"
 
 namespace contactd {
@@ -231,13 +232,15 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactInflue
                                           " elements; the influence coefficients are for " +
                                           std::to_string(influence.current->size()));
     require_layers_resolved(problem);
-    ContactSolution solution = solve_boundary_elements(problem, influence, observer);
+    ContactInfluence bodies = influence;
+    if (problem.sheet_flexibility > 0)
+        bodies.current = std::make_shared<const ThinSheet>(influence.current, problem.sheet_flexibility);
+    ContactSolution solution = solve_boundary_elements(problem, bodies, observer);
     count_elements(problem, solution);
     sum_up(problem, solution);
     take_friction_losses(problem, solution);
-    find_displacements(problem, *influence.current, solution);
-    solution.evidence.discretisation =
-        discretisation(problem, solution, problem.friction && influence.current->coupled());
+    find_displacements(problem, *bodies.current, solution);
+    solution.evidence.discretisation = discretisation(problem, solution, problem.friction && bodies.current->coupled());
     warn(problem, solution);
     solution.warnings.insert(solution.warnings.end(), influence.warnings.begin(), influence.warnings.end());
     return solution;

@@ -188,6 +188,7 @@
 #define CONTACTD_PATH_APPROACH "approach" /* mm */
 #define CONTACTD_PATH_FN "Fn"             /* N */
 #define CONTACTD_PATH_MODEL "model"
+#define CONTACTD_PATH_SHEET_FLEXIBILITY "sheet_flexibility" /* mm^3/N */
 #define CONTACTD_PATH_FRICTION "friction"
 #define CONTACTD_PATH_FRICTION_MU "friction.mu"
 #define CONTACTD_PATH_FRICTION_KINETIC "friction.kinetic"
@@ -558,6 +559,7 @@
 #define CONTACTD_PATH_SETUP_BODIES_LOWER_NU "setup.bodies.lower.nu"
 #define CONTACTD_PATH_SETUP_BODIES_LOWER_RIGID "setup.bodies.lower.rigid"
 #define CONTACTD_PATH_SETUP_MODEL "setup.model"
+#define CONTACTD_PATH_SETUP_SHEET_FLEXIBILITY "setup.sheet_flexibility" /* mm^3/N */
 #define CONTACTD_PATH_SETUP_FRICTION "setup.friction"
 #define CONTACTD_PATH_SETUP_FRICTION_MU "setup.friction.mu"
 #define CONTACTD_PATH_SETUP_FRICTION_MU_ANGLE "setup.friction.mu[%d].angle" /* rad */

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..calls.answer_warnings import ContactWarning
 from ..errors import InvalidArgument
 from ..files.case_text import text_of
 from ..files.profile_text import read_profile_text
@@ -75,7 +74,7 @@ class ProfileFiles:
         setup = WheelRailSetup(wheel=profile, track=track) if which == "WHEEL" else WheelRailSetup(rail=profile, track=track)
         try:
             with warnings.catch_warnings():  # the case tells what they warn of
-                warnings.simplefilter("ignore", ContactWarning)
+                warnings.simplefilter("ignore", UserWarning)
                 placed = self._client.placed_profiles(setup).right
         except InvalidArgument:
             return None

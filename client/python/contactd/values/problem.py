@@ -105,6 +105,8 @@ class ContactProblem(ProblemMethods, Saved):
             reader. None: a plane.
         displacements: Whether the solution has the displacements of the surfaces, and the elastic energy. Refused for
             simplified models.
+        sheet_flexibility: Flexibility of a thin sheet between the bodies (mm^3/N), >= 0: pressure times this adds to
+            the normal displacement of an element, and of no other. Of model full. Default 0.
     """
 
     grid: Grid
@@ -126,6 +128,7 @@ class ContactProblem(ProblemMethods, Saved):
     derivatives: bool = False
     columns: ContactColumns | None = None
     displacements: bool = False
+    sheet_flexibility: float | None = None
 
     @public
     def replace(self, **changes: Unpack[ProblemFields]) -> ContactProblem:
@@ -155,3 +158,4 @@ class ProblemFields(TypedDict, total=False):
     derivatives: bool
     columns: ContactColumns | None
     displacements: bool
+    sheet_flexibility: float | None

@@ -148,8 +148,8 @@ Visible visible_part(const Points& points, const std::vector<std::size_t>& kinks
                  std::nullopt, true);
             visible.bridged.push_back({left, right});
         }
-        const bool is_lip = (hides_before(i) && seen[i].z < seen[i - 1].z) ||
-                            (hides_before(i + 1) && seen[i].z < seen[i + 1].z);
+        const bool is_lip =
+            (hides_before(i) && seen[i].z < seen[i - 1].z) || (hides_before(i + 1) && seen[i].z < seen[i + 1].z);
         keep(seen[i], places[i], is_lip || std::ranges::binary_search(kinks, places[i]));
     }
     std::erase_if(visible.kinks, [&](std::size_t i) { return i == 0 || i + 1 == visible.points.size(); });

@@ -34,7 +34,7 @@ std::vector<std::size_t> kinks_of(const Points& points, const KinkRule& rule = {
 struct Visible {
     Points points;
     std::vector<std::optional<std::size_t>> places;              ///< among all points; of none that was put in
-    std::vector<std::size_t> kinks;                          ///< indices of points
+    std::vector<std::size_t> kinks;                              ///< indices of points
     std::vector<std::pair<ProfilePoint, ProfilePoint>> bridged;  ///< neighbours with much that is hidden between
 };
 

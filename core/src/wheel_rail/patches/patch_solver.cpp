@@ -188,6 +188,7 @@ ContactProblem problem_of(const WheelRailSetup& setup, const geometry::Candidate
     problem.grid = found.place.grid;
     problem.bodies = setup.bodies;
     problem.model = setup.model;
+    problem.sheet_flexibility = setup.sheet_flexibility;
     problem.settings = setup.settings;
     if (setup.model == Model::full)
         problem.gap = found.gap;

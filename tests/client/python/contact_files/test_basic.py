@@ -150,10 +150,15 @@ def test_shifts_and_transient_steps_go_on_unless_they_start_anew() -> None:
     assert not any(goes_on(basic_case(P=p, T=t)) for p, t in ((2, 1), (2, 2), (0, 3), (0, 0)))
 
 
+def test_a_thin_sheet_is_there_where_the_bound_says_so() -> None:
+    assert made(B=1, FLXZ=2e-5).problem.sheet_flexibility == 2e-5
+    assert not made(B=0, FLXZ=2e-5).problem.sheet_flexibility
+
+
 @pytest.mark.parametrize(
     ("changes", "name"),
     [
-        ({"P": 1}, "P = 1"), ({"B": 1}, "thin sheet"), ({"B": 2}, "elliptic traction bound"), ({"B": 3}, "parabolic"),
+        ({"P": 1}, "P = 1"), ({"B": 2}, "elliptic traction bound"), ({"B": 3}, "parabolic"),
         ({"B": 4}, "SDEC"), ({"B": 5}, "KPEC"), ({"M": 1}, "viscoelastic"), ({"M": 4}, "interfacial layer"), ({"M": 5}, "FaStrip"),
         ({"M": 3, "K0": 0.5, "ALFA": 1.0}, "reduced slope"), ({"FRCLAW": 3}, "rational"), ({"FRCLAW": 6}, "temperature"),
         ({"FRCLAW": 4, "MEMDST": 0.1, "friction": [{"FKIN": 0.1, "F1": 0.1, "F2": 0.0}]}, "memory"), ({"H": 1}, "temperature"),

@@ -17,7 +17,7 @@ from ...values.ics import AnalyticIcs
 from ...values.motion import Rolling
 from ...values.problem import ContactProblem, Estimate
 from .areas import PotentialContact, potential_contact
-from .bodies import Pair, pair_of
+from .bodies import Pair, pair_of, sheet_of
 from .features import Missing, missing
 from .frictions import coefficients, shares, static
 
@@ -88,7 +88,7 @@ class BasicContact:
         ics = AnalyticIcs(load_shape="bilinear") if values["INFLCF"] == 3 else AnalyticIcs()
         problem = ContactProblem(
             grid=area.grid, upper=pair.upper, lower=pair.lower, gap=area.gap, ics=ics, **load,
-            **_settings(values, pair), **_model(case),
+            **_settings(values, pair), **_model(case), sheet_flexibility=sheet_of(case),
         )  # fmt: skip
         unit = 1.0 if values["VARFRC"] == 3 else static(values["FRCLAW"], case.friction[0])
         chi, dq = _rolling_step(case, area.grid)

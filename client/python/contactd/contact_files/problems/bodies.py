@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ...values.materials import Material
 
-__all__ = ["Pair", "pair_of"]
+if TYPE_CHECKING:
+    from ...values.contact_files import ContactCase as Case
 
+__all__ = ["Pair", "pair_of", "sheet_of"]
+
+_SHEET = 1
 _ALIKE = 1e-4  #: below this difference the program takes bodies as quasi-identical
 
 
@@ -46,3 +50,8 @@ def pair_of(values: Mapping[str, Any]) -> Pair:
     if abs(difference) < _ALIKE:
         return Pair(Material(G=G, nu=nu), None, nu, G, 0.0 if nu1 == nu2 and g1 == g2 else difference)
     return Pair(Material(G=g1, nu=nu1), Material(G=g2, nu=nu2), nu, G, difference)
+
+
+def sheet_of(case: Case) -> float:
+    """The flexibility of the thin sheet between the bodies (mm^3/N); 0 where there is none."""
+    return float(case.values["FLXZ"]) if case.digits["B"] == _SHEET else 0.0

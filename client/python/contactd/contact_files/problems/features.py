@@ -53,7 +53,6 @@ def _is_reduced_fastsim(case: Case) -> bool:
 
 _BOTH = (
     _digit("tractions from the pressures of the case before", "P", 1),
-    _digit("thin sheet", "B", 1),
     _digit("viscoelastic bodies", "M", 1),
     _Feature("FASTSIM without Hertz's contact (M = 3, IPOTCN > 0)",
              lambda case: case.digits["M"] == 3 and case.module == 3 and case.values["IPOTCN"] not in (-1, -2, -3)),

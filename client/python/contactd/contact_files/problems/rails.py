@@ -21,7 +21,7 @@ from ...values.wheel_rail.setup import (
     WheelSurface,
 )
 from ...values.wheel_rail.state import RailDeviation, WheelRailState, WheelsetPosition, WheelsetVelocity
-from .bodies import pair_of
+from .bodies import pair_of, sheet_of
 from .features import Missing, missing
 from .frictions import coefficients_of_sets
 
@@ -68,7 +68,7 @@ class RailContact:
             upper=pair.upper, lower=pair.lower, track=_track(case), wheelset=_wheelset(values), friction=friction,
             dx=values["DX"], dy=values["DS"], patches=_patches(values), wheel_surface=wheel_surface,
             rigid_slip="surfaces" if values["DISCNS"] == 3 else None, conformal=_conformal(values),
-            **_surfaces(case, profiles), **_settings(values),
+            **_surfaces(case, profiles), **_settings(values), sheet_flexibility=sheet_of(case),
         )  # fmt: skip
         unit = friction.mu if friction is not None and isinstance(friction.mu, float) else None
         return cls(case, setup, _state(case), unit)

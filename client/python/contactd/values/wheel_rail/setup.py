@@ -167,6 +167,8 @@ class WheelRailSetup(Saved):
         lower: Material of the wheel; None: as the rail.
         model: full: boundary elements. hertz: closed forms of elliptic contact. fastsim: Hertzian contact and Kalker's
             simplified theory of rolling. Default "full".
+        sheet_flexibility: Flexibility of a thin sheet between rail and wheel, as in contact.solve (mm^3/N), >= 0. Of
+            model full. Default 0.
         friction: Coulomb friction, by default 0.3 everywhere; None: frictionless.
         dx: Size of the elements along x, in the plane of a contact (mm), 0.0001 to 100. Default 0.2.
         dy: Size of the elements across (mm), 0.0001 to 100. Default 0.2.
@@ -209,6 +211,7 @@ class WheelRailSetup(Saved):
     upper: Material | RigidBody | None = field(default=None, metadata={"within": "bodies"})
     lower: Material | RigidBody | None = field(default=None, metadata={"within": "bodies"})
     model: Model | None = None
+    sheet_flexibility: float | None = None
     friction: WheelRailFriction | None = WheelRailFriction()
     dx: float | None = None
     dy: float | None = None
@@ -243,6 +246,7 @@ class WheelRailFields(TypedDict, total=False):
     upper: Material | RigidBody | None
     lower: Material | RigidBody | None
     model: Model | None
+    sheet_flexibility: float | None
     friction: WheelRailFriction | None
     dx: float | None
     dy: float | None

@@ -1,0 +1,56 @@
+// A thin sheet between two bodies, which yields where it is pressed and nowhere else (Winkler's foundation).
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "contactd/influence_operator.hpp"
+#include "lazy.hpp"
+
+namespace contactd {
+
+/// The operator of the bodies and of the sheet: A_zz + flexibility. It has coarser grids and boxes where that of the
+/// bodies has them. The flexibility is > 0 (mm^3/N).
+class ThinSheet final : public InfluenceOperator {
+   public:
+    ThinSheet(std::shared_ptr<const InfluenceOperator> bodies, double flexibility);
+    ~ThinSheet() override;
+
+    std::size_t size() const override { return bodies_->size(); }
+    void normal(std::span<const double> pz, std::span<double> uz) const override;
+    void tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
+                    std::span<double> uy) const override {
+        bodies_->tangential(px, py, ux, uy);
+    }
+    bool coupled() const override { return bodies_->coupled(); }
+    void normal_of_tangential(std::span<const double> px, std::span<const double> py,
+                              std::span<double> uz) const override {
+        bodies_->normal_of_tangential(px, py, uz);
+    }
+    void tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const override {
+        bodies_->tangential_of_normal(pz, ux, uy);
+    }
+    std::vector<double> diagonal(Axis i) const override;
+    /// z = W M W r + (1 - W)^2 r / flexibility, W the part of the bodies in the diagonal: exact where one of both is
+    /// all, symmetric and positive definite anyway.
+    void precondition(Axis i, std::span<const double> r, std::span<double> z) const override;
+    void precondition_tangential(std::span<const double> rx, std::span<const double> ry, std::span<double> zx,
+                                 std::span<double> zy) const override {
+        bodies_->precondition_tangential(rx, ry, zx, zy);
+    }
+    std::size_t bytes() const override { return bodies_->bytes() + share_.size() * sizeof(double); }
+    const CoarserGrid* coarser() const override;
+    const ElementBoxes* boxes() const override { return boxes_.get(); }
+
+   private:
+    class Boxes;
+    std::shared_ptr<const InfluenceOperator> bodies_;
+    double flexibility_;
+    std::vector<double> share_;  // W
+    mutable Lazy<std::unique_ptr<const CoarserGrid>> coarser_;
+    std::unique_ptr<const ElementBoxes> boxes_;
+};
+
+}  // namespace contactd
