@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
 from .answers.compared import Compared
 from .out_reader import PrintedCase
 
-__all__ = ["Difference", "case_differences", "differences"]
+__all__ = ["Difference", "case_differences", "common", "differences"]
 
 _FORCES = ("FN", "FX", "FY", "FS", "MZ", "MN", "FX(TR)", "FY(TR)", "FZ(TR)", "FX(WS)", "FY(WS)", "FZ(WS)", "BAR_FN", "BAR_FX", "BAR_FS")
 _MOTIONS = ("CREEP X", "CREEP Y", "SHIFT X", "SHIFT Y", "CKSI", "CETA")
@@ -24,12 +25,25 @@ _ANGLE = 2e-4  # rad
 
 @dataclass(frozen=True)
 class Difference:
-    """A number that differs, and by how much it may."""
+    """A number beside the printed one, and by how much it may differ."""
 
     name: str
     printed: float
     found: float
     allowed: float
+
+    @property
+    def share(self) -> float:
+        """The difference over what is in tolerance: 1 is just in it; of what is no number infinity."""
+        apart = abs(self.found - self.printed)
+        if apart == 0:
+            return 0.0
+        return apart / self.allowed if self.allowed > 0 and math.isfinite(apart) else math.inf
+
+    @property
+    def is_in_tolerance(self) -> bool:
+        """Tells whether it does not differ by more than it may."""
+        return abs(self.found - self.printed) <= self.allowed
 
     def __str__(self) -> str:
         apart = abs(self.found - self.printed)
@@ -47,7 +61,12 @@ def case_differences(found: Compared, printed: PrintedCase) -> list[str]:
 
 
 def differences(found: Mapping[str, float], printed: Mapping[str, float], friction_bound: float) -> Iterator[Difference]:
-    """Compares the numbers that both have. In tolerance are forces and moments within 5e-4 of themselves or of `friction_bound`,
+    """The numbers that both have and that are not in tolerance."""
+    return (one for one in common(found, printed, friction_bound) if not one.is_in_tolerance)
+
+
+def common(found: Mapping[str, float], printed: Mapping[str, float], friction_bound: float) -> Iterator[Difference]:
+    """The numbers that both have. In tolerance are forces and moments within 5e-4 of themselves or of `friction_bound`,
     mu Fn, which moments have per mm; the approach within 5e-4, motions within 5e-4 of the largest, spin of it per mm; the
     largest pressure within 4e-3; numbers of elements within 3; places within 0.01 mm, and angles within 2e-4 rad."""
     largest = max((abs(value) for name, value in printed.items() if name in _MOTIONS), default=0.0)
@@ -63,5 +82,5 @@ def differences(found: Mapping[str, float], printed: Mapping[str, float], fricti
     )
     for names, rule in rules:
         for name in names:
-            if name in found and name in printed and not abs(found[name] - printed[name]) <= rule(printed[name]):
+            if name in found and name in printed:
                 yield Difference(name, printed[name], found[name], rule(printed[name]))
