@@ -169,6 +169,7 @@ def test_a_command_builds_what_it_runs(machine):
     assert machine.built("docs")[-1] == "--build --preset development --target site-programs"
     assert machine.built("faults")[-1] == "--build --preset development --target contactd contactd-ic"
     assert machine.built("paper", "fem")[-1] == "--build --preset production --target contactd contactd-ic block_system"
+    assert machine.built("validate")[-1] == "--build --preset production --target contactd_local"
     assert machine.built("build", "production", "contactd")[-1] == "--build --preset production --target contactd"
     assert machine.built("fuzz", "10", "request")[-1] == "--build --preset fuzz --target fuzz_request"
     assert machine.built("fuzz")[-1] == "--build --preset fuzz"

@@ -1,0 +1,83 @@
+"""The files of cases that are given: inputs of the CONTACT program with what it has printed of them."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from contactd.contact_files.out_reader import PrintedCase, printed_cases
+
+__all__ = ["LIST", "FilesMissing", "GivenFile", "families", "given_files", "printed_seconds"]
+
+LIST = "cases_given.json"
+_TOTAL = re.compile(r"^\|Total +\| +\d+ \| +([\d.]+) \|[^|]*\| +([\d.]+) \|", re.MULTILINE)
+
+
+class FilesMissing(Exception):
+    """The files are not where they should be; its text says what is missing."""
+
+
+@dataclass(frozen=True)
+class GivenFile:
+    """A file of cases.
+
+    Attributes:
+        name: Of the input file below the folder of all.
+        path: The input file.
+        reference: What the CONTACT program has printed.
+    """
+
+    name: str
+    path: Path
+    reference: Path
+
+    @property
+    def family(self) -> str:
+        """The folder that it lies in; the Manchester benchmark has a family of its own among the examples."""
+        folder = Path(self.name).parent.name
+        if folder == "examples" and Path(self.name).name.startswith("mbench"):
+            return "mbench"
+        return folder.removeprefix("examples_")
+
+    def printed(self) -> list[PrintedCase]:
+        """The printed cases, in their order."""
+        return printed_cases(self._text())
+
+    def printed_seconds(self) -> float | None:
+        """The printed time of all its cases; None where there is none."""
+        return printed_seconds(self._text())
+
+    def _text(self) -> str:
+        return self.reference.read_text(errors="replace")
+
+
+def given_files(folder: Path) -> list[GivenFile]:
+    """The files that the folder's list names and that have printed numbers. Raises FilesMissing."""
+    try:
+        listed = json.loads((folder / LIST).read_text())["files"]
+    except FileNotFoundError:
+        raise FilesMissing(
+            f"{folder / LIST} is not there: the cases of the CONTACT program are not part of this repository; "
+            "say by --cases in which folder they are"
+        ) from None
+    files = [
+        GivenFile(one["file"], folder / one["file"], folder / one["reference"]) for one in listed if one["reference"]
+    ]
+    for path in (path for one in files for path in (one.path, one.reference)):
+        if not path.is_file():
+            raise FilesMissing(f"{path} is not there, which {folder / LIST} names")
+    return files
+
+
+def families(files: Sequence[GivenFile]) -> list[str]:
+    """Those of the files, in their order."""
+    return list(dict.fromkeys(one.family for one in files))
+
+
+def printed_seconds(text: str) -> float | None:
+    """The wall clock time of the timers at the end of an .out file (s)."""
+    found = _TOTAL.search(text)
+    return float(found[2]) if found else None

@@ -1,0 +1,135 @@
+"""Why given cases differ from what is printed of them. The one list: the page is made from it, and the test of given
+cases (tests/integration/test_contact_cases.py) takes no case that differs and is not in it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+
+__all__ = ["REASONS", "Reason", "reason_of"]
+
+_TESTS = "tests/integration/test_contact_cases.py"
+_TESTBANK = "testbank/testbank.inp"
+_CONFORMAL = "testbank/examples_conformal"
+_TRANSIENT = "testbank/examples_trans"
+_SLICES = "testbank/examples_s+c"
+_FLATS = "testbank/examples_oor"
+
+
+@dataclass(frozen=True)
+class Reason:
+    """Why cases differ.
+
+    Attributes:
+        name: In the tables.
+        what: What the cases have in common.
+        why: What makes the difference, and which program is nearer to the truth.
+        cases: Numbers of cases by file. Not all of them need differ.
+        shown: What shows it that is neither of the two programs as they are; empty: nothing yet.
+    """
+
+    name: str
+    what: str
+    why: str
+    cases: Mapping[str, Collection[int]]
+    shown: str = ""
+
+
+REASONS = (
+    Reason(
+        "fastsim",
+        "FASTSIM (M = 3)",
+        "Up to 4 % of mu Fn. CONTACT integrates in whole elements from before the first one, with spin a sixth of one ahead, "
+        "and reads creepage coefficients from a table that is 1.3 % off. contactd's model is the limit of small elements: the "
+        "same algorithm on 20 times as many each way, with its coefficients, comes to its numbers within 0.8 % of mu Fn",
+        {"examples/fastsim.inp": (2, 5, 8), "examples/tractcurv.inp": range(61, 91), _TESTBANK: (12,)},
+        f"the algorithm on elements of both sizes (`{_TESTS}`)",
+    ),
+    Reason(
+        "falling friction",
+        "falling friction with INISLP < 0",
+        "Another solution: a law that falls steeply has several. contactd finds the one with the most adhesion",
+        {"examples/veldep_fric.inp": range(4, 54)},
+    ),
+    Reason(
+        "first step",
+        "a first transient step of a symmetric problem",
+        "1.5 % of the creepage. contactd's division is symmetric, as it must be, the printed one is not",
+        {_TESTBANK: (17,)},
+        "the symmetry of the problem",
+    ),
+    Reason(
+        "conformal",
+        "conformal contact (D = 4)",
+        "0.1 % to 0.3 % of mu Fn, and printed creepages by 0.5 %. Creepages are a fit that is not told in full, and friction "
+        "by angle goes by the rail's angle at each row in contactd",
+        {
+            "examples/mbench_a22_varfric.inp": (5, 7),
+            f"{_TRANSIENT}/t3_t1_conformal.inp": (1,),
+            f"{_TRANSIENT}/t3_t2_conformal.inp": (1,),
+            _TESTBANK: (35,),
+        },
+    ),
+    Reason(
+        "half-spaces that turn",
+        "half-spaces that turn (C = 4)",
+        "Up to 1 % of the approach, and up to 9 % of a creepage that a force makes. Other corrections of the coefficients",
+        {f"{_CONFORMAL}/groove_li.inp": range(5, 9)},
+    ),
+    Reason(
+        "slip of surfaces",
+        "slip of surfaces (D = 3), radii of 0.1 m",
+        "Up to 2.5 % of mu Fn, and of creepages that are none here 4e-4. contactd takes it row by row, and not along x",
+        {f"{_CONFORMAL}/test-rollers3.inp": range(1, 13)},
+    ),
+    Reason(
+        "rails of slices",
+        "rails of slices",
+        "0.1 % of mu Fn, more of patches that carry little; spin moments 0.7 %. Not decided. The two are nearer to each other "
+        "than to what quintic splines between slices give (1 % to 4 %)",
+        {
+            f"{_SLICES}/cw_interrupt.inp": (1, 2),
+            f"{_SLICES}/mbench_brute.inp": range(1, 36),
+            f"{_SLICES}/mbench_locus.inp": range(1, 36),
+        },
+    ),
+    Reason(
+        "wheels of slices",
+        "wheels of slices",
+        "0.4 % of mu Fn; the largest pressure below a rounded flat by up to 10 %, spin moments by up to 0.06 mm of mu Fn. Not decided",
+        {f"{_FLATS}/chalmers_flat_fz125.inp": range(1, 27), f"{_FLATS}/rounded_flat_d09.inp": range(1, 16)},
+    ),
+    Reason(
+        "MiniProf",
+        "profiles of MiniProf",
+        "Heights by 0.02 mm to 0.2 mm, forces by 0.5 % and more; where the height is given (30, 31) it decides what touches. "
+        "Not found: the profiles are placed otherwise",
+        {_TESTBANK: (23, *range(27, 33))},
+    ),
+    Reason(
+        "three patches",
+        "three patches, friction by angle",
+        "0.06 % of a force, 0.002 rad of the angle of a patch whose surfaces bend. Not decided",
+        {_TESTBANK: (33, 34)},
+    ),
+    Reason(
+        "springs",
+        "massless flexible rails (F = 3) with the height given",
+        "Z_WS 2.0884 is given, 2.0855 and 2.0685 are printed, and the results are those of the printed heights; what remains "
+        "then is that of conformal contact",
+        {_TESTBANK: (36, 37)},
+        f"the same cases at the printed heights (`{_TESTS}`)",
+    ),
+    Reason(
+        "orientation",
+        "a profile whose points do not show which way z points",
+        "contactd does not guess and wants MIRRORZ, where CONTACT takes one of the two",
+        {_TESTBANK: (20,)},
+        "the points",
+    ),
+)
+
+
+def reason_of(file: str, number: int) -> Reason | None:
+    """Why the case with this number of a file differs; None: no reason is known."""
+    return next((one for one in REASONS if number in one.cases.get(file, ())), None)

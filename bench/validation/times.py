@@ -1,0 +1,29 @@
+"""times.csv: a row for each file, with the time that the CONTACT program prints of it, and ours."""
+
+from __future__ import annotations
+
+import os
+
+import contactd
+from paper.rows import Row
+
+from .given import GivenFile
+from .measure import Run
+
+__all__ = ["COLUMNS", "row_of"]
+
+COLUMNS = (
+    "family", "file", "cases", "computed", "printed_seconds", "seconds", "exact_seconds", "processors", "load", "preset", "version",
+)  # fmt: skip
+
+
+def row_of(file: GivenFile, run: Run, exact: Run | None, load: float, preset: str) -> Row:
+    """The row of a file. `load` is that of the machine before anything was computed, `preset` that of the build."""
+    printed = file.printed_seconds()
+    return {
+        "family": file.family, "file": file.name, "cases": len(run.cases),
+        "computed": sum(one.numbers is not None for one in run.cases),
+        "printed_seconds": "" if printed is None else f"{printed:g}", "seconds": f"{run.seconds:.3g}",
+        "exact_seconds": "" if exact is None else f"{exact.seconds:.3g}",
+        "processors": os.cpu_count() or 1, "load": f"{load:.1f}", "preset": preset, "version": contactd.__version__,
+    }  # fmt: skip
