@@ -22,8 +22,8 @@ _NONE = "–"
 _FINE = 5e-4 / 4e-3  #: of the tolerance of largest pressures
 
 
-def find(cases: Sequence[Row], times: Sequence[Row]) -> Found:
-    """Texts and verdicts of the page."""
+def find(cases: Sequence[Row], times: Sequence[Row], folder: str) -> Found:
+    """Texts and verdicts of the page, which stands beside the folder with tables and pictures."""
     whole = [row for row in cases if is_case(row)]
     counts = Counter(row["status"] for row in whole)
     open_ones = [row for row in whole if row["status"] == "differs" and not row["reason"]]
@@ -31,7 +31,7 @@ def find(cases: Sequence[Row], times: Sequence[Row]) -> Found:
     values = {
         "cases": str(len(whole)), "computed": str(counts["agrees"] + counts["differs"]), "agree": str(counts["agrees"]),
         "differ": str(counts["differs"]), "not_computed": str(len(whole) - counts["agrees"] - counts["differs"]),
-        "families": _families(cases, times), "pictures": _pictures(cases), "reasons": _reasons(cases),
+        "families": _families(cases, times), "pictures": _pictures(cases, folder), "folder": folder, "reasons": _reasons(cases),
         "unexplained": _listed("Differences without a reason", open_ones), "missing": _missing(whole),
         "not_shown": str(sum(row["status"] == "differs" and row["reason"] not in shown for row in whole)),
         **_on_wheels(cases), "ratio": _ratio_text(ratio(times)), "ratio_whole": _ratio_text(ratio(_entirely_computed(times))),
@@ -109,12 +109,12 @@ def _case(row: Row) -> str:
     return f"`{str(row['file']).rpartition('/')[2].rpartition('.')[0]}` {row['case']:g}"
 
 
-def _pictures(cases: Sequence[Row]) -> str:
+def _pictures(cases: Sequence[Row], folder: str) -> str:
     blocks = []
     for name in _names(cases):
         rows = [row for row in cases if row["family"] == name]
         if has_numbers(rows):
-            blocks.append(f"### {name}\n\n![Differences over tolerance, {name}: by quantity](validation/{name}.png)")
+            blocks.append(f"### {name}\n\n![Differences over tolerance, {name}: by quantity]({folder}/{name}.png)")
     return "\n\n".join(blocks)
 
 

@@ -63,6 +63,8 @@ def given_files(folder: Path) -> list[GivenFile]:
             f"{folder / LIST} is not there: the cases of the CONTACT program are not part of this repository; "
             "say by --cases in which folder they are"
         ) from None
+    except (ValueError, KeyError, TypeError):
+        raise FilesMissing(f"{folder / LIST} is no list of cases") from None
     files = [
         GivenFile(one["file"], folder / one["file"], folder / one["reference"]) for one in listed if one["reference"]
     ]

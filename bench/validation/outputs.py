@@ -54,5 +54,5 @@ def write_page(folder: Path, say: Say) -> None:
 
 def render(folder: Path) -> tuple[str, list[str]]:
     """The page, and the names of the verdicts that its text was not written for, from the tables in the folder."""
-    values, verdicts = find(read_csv(folder / CASES), read_csv(folder / TIMES))
+    values, verdicts = find(read_csv(folder / CASES), read_csv(folder / TIMES), folder.name)
     return fill(TEMPLATE.read_text(), values, verdicts)
