@@ -10,7 +10,6 @@ The files are in ../shared/contact, beside the repository. The page is made from
 from __future__ import annotations
 
 import argparse
-import os
 import signal
 import sys
 import warnings
@@ -56,7 +55,7 @@ def chosen(files: Sequence[GivenFile], only: str | None) -> list[GivenFile]:
     return [one for one in files if one.family in names]
 
 
-def computed_rows(file: GivenFile, load: float, preset: str, say: Say) -> tuple[list[Row], Row]:
+def computed_rows(file: GivenFile, preset: str, say: Say) -> tuple[list[Row], Row]:
     """The rows of a file in both tables. Raises FilesMissing where it does not print what it has."""
     printed = file.printed()
     run = compute(file.path, "bilinear")
@@ -68,7 +67,7 @@ def computed_rows(file: GivenFile, load: float, preset: str, say: Say) -> tuple[
     rows = [
         row for one, theirs, other in zip(run.cases, printed, others) for row in table.rows_of(file, one, theirs, other)
     ]
-    timed = times.row_of(file, run, exact, load, preset)
+    timed = times.row_of(file, run, exact, preset)
     say(
         f"{file.name}: {timed['computed']} of {timed['cases']} cases, {run.seconds:.1f} s, printed {timed['printed_seconds']} s"
     )
@@ -78,8 +77,7 @@ def computed_rows(file: GivenFile, load: float, preset: str, say: Say) -> tuple[
 def validate(folder: Path, only: str | None, output: Path, preset: str, say: Say) -> None:
     """Computes what is in the folder and writes tables, pictures and the page. Raises before it writes anything."""
     files = given_files(folder)
-    load = os.getloadavg()[0]
-    found = [computed_rows(one, load, preset, say) for one in chosen(files, only)]
+    found = [computed_rows(one, preset, say) for one in chosen(files, only)]
     cases, timed = [row for rows, _ in found for row in rows], [row for _, row in found]
     say("wrote " + ", ".join(map(str, write_tables(files, cases, timed, output))))
     write_page(output, say)

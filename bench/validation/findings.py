@@ -170,7 +170,7 @@ def _on_wheels(cases: Sequence[Row]) -> dict[str, str]:
     patches = [row for row in both if not is_case(row) and row["status"] == "agrees"]
 
     def number(rows: Iterable[Row]) -> str:
-        return str(len({(row["file"], row["case"]) for row in rows}))
+        return str(len({(row["file"], row["line"]) for row in rows}))
 
     return {
         "wheels": number(both), "exact": number(row for row in both if row["over_exact"] > 1),
@@ -181,6 +181,7 @@ def _on_wheels(cases: Sequence[Row]) -> dict[str, str]:
 
 def _machine(times: Sequence[Row]) -> str:
     processors = max((row["processors"] for row in times), default=0)
-    load = max((row["load"] for row in times), default=0)
+    seconds = sum(row["seconds"] for row in times)
+    load = sum(row["load"] * row["seconds"] for row in times) / seconds if seconds else 0.0
     presets = ", ".join(sorted({str(row["preset"]) for row in times}))
-    return f"{processors:g} processors, preset {presets}, a load of {load:g} before it began"
+    return f"{processors:g} processors, of which other programs took {load:.1f} meanwhile, preset {presets}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import tempfile
 import time
 from collections.abc import Sequence
@@ -37,16 +38,23 @@ class Computed:
 
 @dataclass(frozen=True)
 class Run:
-    """All cases of a file in their order, and the time of reading, computing and writing them (s)."""
+    """All cases of a file in their order.
+
+    Attributes:
+        cases: What became of them.
+        seconds: Time of reading, computing and writing them (s).
+        load: Processors that other programs took meanwhile.
+    """
 
     cases: list[Computed]
     seconds: float
+    load: float = 0.0
 
 
 def compute(file: Path, wheel: WheelSurface) -> Run:
     """The cases of a file on WORKERS workers of this process. What is written of them goes with a temporary folder."""
     with contactd.local(config={"workers": WORKERS}) as client, tempfile.TemporaryDirectory() as folder:
-        began = time.monotonic()
+        began, others = time.monotonic(), _of_others()
         cases = contact_files.read(file, client).cases
         runner = Runner(client, ProfileFiles(file.parent, client), wheel)
         written = CaseFiles(Path(folder) / "cases.out")
@@ -58,7 +66,17 @@ def compute(file: Path, wheel: WheelSurface) -> Run:
             found = {id(one.case): (one, lines) for chain in pool.map(run, chains_of(cases)) for one, lines in chain}
         ordered = [found[id(case)] for case in cases]
         (Path(folder) / "cases.out").write_text(out_text(lines for _, lines in ordered))
-        return Run([one for one, _ in ordered], time.monotonic() - began)
+        seconds = time.monotonic() - began
+        return Run([one for one, _ in ordered], seconds, max(0.0, (_of_others() - others) / seconds))
+
+
+def _of_others() -> float:
+    """Processor time that all other programs have taken since the machine was started (s)."""
+    user, nice, system, _idle, _waiting, *interrupts = map(
+        int, Path("/proc/stat").read_text().split("\n", 1)[0].split()[1:9]
+    )
+    own = os.times()
+    return (user + nice + system + sum(interrupts)) / os.sysconf("SC_CLK_TCK") - own.user - own.system
 
 
 def _kept(outcome: Outcome, written: CaseFiles) -> tuple[Computed, list[str]]:

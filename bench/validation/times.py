@@ -17,13 +17,13 @@ COLUMNS = (
 )  # fmt: skip
 
 
-def row_of(file: GivenFile, run: Run, exact: Run | None, load: float, preset: str) -> Row:
-    """The row of a file. `load` is that of the machine before anything was computed, `preset` that of the build."""
+def row_of(file: GivenFile, run: Run, exact: Run | None, preset: str) -> Row:
+    """The row of a file. `preset` is that of the build."""
     printed = file.printed_seconds()
     return {
         "family": file.family, "file": file.name, "cases": len(run.cases),
         "computed": sum(one.numbers is not None for one in run.cases),
         "printed_seconds": "" if printed is None else f"{printed:g}", "seconds": f"{run.seconds:.3g}",
         "exact_seconds": "" if exact is None else f"{exact.seconds:.3g}",
-        "processors": os.cpu_count() or 1, "load": f"{load:.1f}", "preset": preset, "version": contactd.__version__,
+        "processors": os.cpu_count() or 1, "load": f"{run.load:.2f}", "preset": preset, "version": contactd.__version__,
     }  # fmt: skip

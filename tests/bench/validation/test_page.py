@@ -88,7 +88,9 @@ def test_a_case_that_differs_without_a_reason_is_told():
 def test_what_is_missing_is_counted_by_feature():
     note = "contactd does not have: transient contact on rails (T = 1, 2), interfacial layer (M = 4)."
     refused = [case(number=float(n), status="refused", over="", Fx_over="", note=note) for n in (1, 2)]
-    values, _ = find([*refused, case(number=3.0, status="follows", over="", Fx_over="", note="It goes on.")], [timed()], "validation")
+    values, _ = find(
+        [*refused, case(number=3.0, status="follows", over="", Fx_over="", note="It goes on.")], [timed()], "validation"
+    )
     assert "| transient contact on rails (T = 1, 2) | 2 |\n| interfacial layer (M = 4) | 2 |" in values["missing"]
     assert "| goes on from a case that is not computed | 1 |" in values["missing"]
 

@@ -101,7 +101,7 @@ def test_printed_times_count_by_the_share_of_cases_that_are_computed(tmp_path):
     (tmp_path / "a.ref_out").write_text(TIMERS)
     file = GivenFile("examples/a.inp", tmp_path / "a.inp", tmp_path / "a.ref_out")
     run = Run([computed(basic_case(), basic()), computed(basic_case(), None, "refused")], 2.53)
-    row = times.row_of(file, run, None, 0.25, "production")
+    row = times.row_of(file, run, None, "production")
     assert set(row) == set(times.COLUMNS)
     assert (row["cases"], row["computed"], row["printed_seconds"], row["seconds"]) == (2, 1, "25.3", "2.53")
     timed = {"cases": 2.0, "computed": 1.0, "printed_seconds": 25.3, "seconds": 2.53}
