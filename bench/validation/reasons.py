@@ -100,6 +100,12 @@ REASONS = (
         {f"{_FLATS}/chalmers_flat_fz125.inp": range(1, 27), f"{_FLATS}/rounded_flat_d09.inp": range(1, 16)},
     ),
     Reason(
+        "share of a force",
+        "a small share of a force without friction",
+        "0.0006 N of 297 N: the lateral share of a normal force, whose direction differs by 2e-6 rad",
+        {_TESTBANK: (21,)},
+    ),
+    Reason(
         "kinks at a dent",
         "a rail with eight kinks at a dent",
         "The height by 0.02 mm, forces by 3 %. Not decided",
