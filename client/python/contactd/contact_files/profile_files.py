@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-import warnings
 from collections.abc import Mapping
 from pathlib import Path
 from threading import Lock
@@ -73,9 +72,7 @@ class ProfileFiles:
         track = Track(rail_origin=(750.0, 0.0))  # needs no gauge face, which not every rail has
         setup = WheelRailSetup(wheel=profile, track=track) if which == "WHEEL" else WheelRailSetup(rail=profile, track=track)
         try:
-            with warnings.catch_warnings():  # the case tells what they warn of
-                warnings.simplefilter("ignore", UserWarning)
-                placed = self._client.placed_profiles(setup).right
+            placed = self._client.placed_profiles(setup).right
         except InvalidArgument:
             return None
         return placed.wheel if which == "WHEEL" else placed.rail
