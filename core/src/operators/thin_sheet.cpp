@@ -1,6 +1,5 @@
 #include "thin_sheet.hpp"
 
-#include <functional>
 #include <utility>
 
 #include "coarser_with.hpp"

@@ -49,13 +49,12 @@ Points joined(Points left, const Points& right) {
     return left;
 }
 
-/// Where the side that goes on lower comes out from below the other one's end, a lip. `beside` is the hidden point next
-/// to its own end.
-ProfilePoint below_lip(const ProfilePoint& lip, const ProfilePoint& lower, const ProfilePoint& beside) {
+/// Where the other side comes out from behind a lip. `beside` is the hidden point next to its end.
+ProfilePoint behind_lip(const ProfilePoint& lip, const ProfilePoint& other, const ProfilePoint& beside) {
     constexpr double advance = 1e-3;  // mm, so that y goes on
-    const double y = lip.y + std::copysign(std::min(advance, std::abs(lower.y - lip.y) / 2), lower.y - lip.y);
-    const double share = std::clamp((y - beside.y) / (lower.y - beside.y), 0.0, 1.0);
-    return {y, beside.z + share * (lower.z - beside.z)};
+    const double y = lip.y + std::copysign(std::min(advance, std::abs(other.y - lip.y) / 2), other.y - lip.y);
+    const double share = std::clamp((y - beside.y) / (other.y - beside.y), 0.0, 1.0);
+    return {y, beside.z + share * (other.z - beside.z)};
 }
 
 }  // namespace
@@ -134,6 +133,10 @@ Visible visible_part(const Points& points, const std::vector<std::size_t>& kinks
         }
         return std::max(seen[i - 1].y - least, most - seen[i].y) > depth;
     };
+    // A rail's lip is above what it hides, a wheel's below.
+    const auto is_lip_beside = [kind](const ProfilePoint& end, const ProfilePoint& other) {
+        return kind == ProfileKind::rail ? end.z < other.z : end.z > other.z;
+    };
     Visible visible;
     const auto keep = [&](const ProfilePoint& point, std::optional<std::size_t> place, bool is_kink) {
         if (is_kink) visible.kinks.push_back(visible.points.size());
@@ -143,13 +146,13 @@ Visible visible_part(const Points& points, const std::vector<std::size_t>& kinks
     for (std::size_t i = 0; i < seen.size(); ++i) {
         if (hides_before(i)) {
             const ProfilePoint &left = seen[i - 1], &right = seen[i];
-            keep(left.z < right.z ? below_lip(left, right, points[places[i] - 1])
-                                  : below_lip(right, left, points[places[i - 1] + 1]),
+            keep(is_lip_beside(left, right) ? behind_lip(left, right, points[places[i] - 1])
+                                            : behind_lip(right, left, points[places[i - 1] + 1]),
                  std::nullopt, true);
             visible.bridged.push_back({left, right});
         }
-        const bool is_lip =
-            (hides_before(i) && seen[i].z < seen[i - 1].z) || (hides_before(i + 1) && seen[i].z < seen[i + 1].z);
+        const bool is_lip = (hides_before(i) && is_lip_beside(seen[i], seen[i - 1])) ||
+                            (hides_before(i + 1) && is_lip_beside(seen[i], seen[i + 1]));
         keep(seen[i], places[i], is_lip || std::ranges::binary_search(kinks, places[i]));
     }
     std::erase_if(visible.kinks, [&](std::size_t i) { return i == 0 || i + 1 == visible.points.size(); });

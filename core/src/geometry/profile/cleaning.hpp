@@ -38,8 +38,8 @@ struct Visible {
     std::vector<std::pair<ProfilePoint, ProfilePoint>> bridged;  ///< neighbours with much that is hidden between
 };
 
-/// Leaves out what is hidden, as below a lip. Where it is more than 2 mm, the curve falls upright from the lip to where
-/// the lower side comes out: a spline would swing out there.
+/// Leaves out what is hidden behind a lip. Where that is more than 2 mm and recedes by more than 0.1 mm, the curve goes
+/// upright from the lip to where the other side comes out: a spline would swing out there.
 Visible visible_part(const Points& points, const std::vector<std::size_t>& kinks, ProfileKind kind);
 
 /// The first chord that another one crosses or touches, and that other one; their first points' indices, or {0, 0}.

@@ -105,8 +105,7 @@ std::string bridge_warning(ProfileKind kind, const ProfilePoint& from, const Pro
         return "(" + short_text(point.y) + ", " + short_text(point.z) + ")";
     };
     return "Between " + text(from) + " and " + text(to) + " the " + std::string(name_of(kind)) +
-           " is hidden from above, as below a lip. Its outline falls upright there, and no contact is found below the "
-           "lip.";
+           " is hidden from above, behind a lip. Its outline is upright there, and no contact is found behind the lip.";
 }
 
 }  // namespace contactd::geometry

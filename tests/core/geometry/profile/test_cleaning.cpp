@@ -54,6 +54,17 @@ TEST_CASE("below a lip a rail's outline falls upright, to where the lower side c
     CHECK(other.kinks == std::vector<std::size_t>{2, 3, 4});
 }
 
+TEST_CASE("behind a wheel's lip its outline rises upright, and adds nothing to what the rail may touch", "[profile]") {
+    // The back of the flange recedes above (-70, 20), and comes out again 3 mm farther at (-73, 4).
+    const Points wheel{{-73, 4}, {-69, 6}, {-69, 15}, {-70, 20}, {-60, 28}, {-40, 15}, {0, 0}, {60, -3}};
+    const Visible visible = visible_part(wheel, {}, ProfileKind::wheel);
+    REQUIRE(visible.points.size() == 7);
+    CHECK(visible.points[1].y == Catch::Approx(-70.001));
+    CHECK(visible.points[1].z == Catch::Approx(5.4995));
+    CHECK(visible.points[2] == ProfilePoint{-70, 20});
+    CHECK(visible.kinks == std::vector<std::size_t>{1, 2});
+}
+
 TEST_CASE("what noise hides is left out without a kink", "[profile]") {
     Points upright{{0, 0}, {30, 4}};
     for (int i = 0; i < 20; ++i) upright.push_back({35 + 1e-3 * i - (i % 4 == 3 ? 0.02 : 0), 10.0 + i});
