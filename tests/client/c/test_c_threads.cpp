@@ -30,12 +30,15 @@ void keep_line(void* user, std::int32_t level, const char* text) {
     lines.all.emplace_back(level, text);
 }
 
-/// Calls contactd_step in a thread until it is ended.
+/// Calls contactd_step in a thread until it is ended. Who looks whether it has begun uses the contact, too, and is
+/// waited for.
 struct Stepping {
     explicit Stepping(contactd_contact* contact)
         : thread([this, contact] {
-              code = contactd_step(contact);
-              reason = contactd_last_reason(contact);
+              do {
+                  code = contactd_step(contact);
+                  reason = contactd_last_reason(contact);
+              } while (reason == "CONCURRENT_USE");
           }) {}
     void join() { thread.join(); }
     std::int32_t code = -1;
@@ -46,7 +49,11 @@ struct Stepping {
 /// Waits until another thread has its turn.
 void wait_until_used(contactd_contact* contact) {
     double step = 0;
-    while (contactd_get(contact, "step", &step) == CONTACTD_OK) std::this_thread::sleep_for(1ms);
+    for (int times = 0; times < 20000; ++times) {
+        if (contactd_get(contact, "step", &step) != CONTACTD_OK) return;
+        std::this_thread::sleep_for(1ms);
+    }
+    FAIL("The contact was not used within 20 s.");
 }
 
 }  // namespace
