@@ -56,7 +56,8 @@ def test_many_problems_are_low_and_others_normal_unless_they_say_so(busy):
 
 def test_a_step_overtakes_a_batch_that_runs(start):
     daemon = start(workers=1)
-    problem = {**SOLVE, "grid": {"nx": 100, "ny": 100, "dx": 0.024, "dy": 0.024}}
+    friction = {"mu": 0.3, "rolling": {"xi": 0.002, "eta": 0.001, "phi": 0.01}}
+    problem = {**SOLVE, "grid": {"nx": 100, "ny": 100, "dx": 0.024, "dy": 0.024}, "friction": friction}
     with daemon.peer() as batch, daemon.peer() as step:
         many = batch.send("contact.solve_many", {"problems": [problem] * 100})
         assert batch.message().progress["stage"] == "batch"
