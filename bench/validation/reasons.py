@@ -46,12 +46,6 @@ REASONS = (
         f"the algorithm on elements of both sizes (`{_TESTS}`)",
     ),
     Reason(
-        "falling friction",
-        "falling friction with INISLP < 0",
-        "Another solution: a law that falls steeply has several. contactd finds the one with the most adhesion",
-        {"examples/veldep_fric.inp": range(4, 54)},
-    ),
-    Reason(
         "first step",
         "a first transient step of a symmetric problem",
         "1.5 % of the creepage. contactd's division is symmetric, as it must be, the printed one is not",
@@ -65,10 +59,24 @@ REASONS = (
         "by angle goes by the rail's angle at each row in contactd",
         {
             "examples/mbench_a22_varfric.inp": (5, 7),
-            f"{_TRANSIENT}/t3_t1_conformal.inp": (1,),
-            f"{_TRANSIENT}/t3_t2_conformal.inp": (1,),
+            f"{_TRANSIENT}/t3_t1_conformal.inp": range(1, 17),
+            f"{_TRANSIENT}/t3_t2_conformal.inp": range(1, 7),
             _TESTBANK: (35,),
         },
+    ),
+    Reason(
+        "shifts on flanks",
+        "shifts (T = 1) of patches on flanks",
+        "Elements are fixed to the rail, and where the mesh of the wheel lies then is not told: on surfaces that bend by an "
+        "element's width the approach differs by 1 %, and forces of small patches with it. Not decided",
+        {f"{_TRANSIENT}/t1_npotmax.inp": (1, 2), f"{_TRANSIENT}/t1_zws.inp": range(1, 6)},
+    ),
+    Reason(
+        "moments of shifts",
+        "moments of shifts (T = 1) about where elements are counted from",
+        "The fourth digit of a moment of which most is a force of four digits times 9 mm",
+        {f"{_TRANSIENT}/m1_catt_shift.inp": range(50, 70)},
+        "forces and places of the same cases, which agree",
     ),
     Reason(
         "half-spaces that turn",

@@ -22,25 +22,32 @@ void check_vertical(double force, const std::string& field) {
                                          " N at least, for heights have no digits that less would change");
 }
 
-WheelRailState state_of_wheel(const WheelsetState& state, const RailDeviation& rail, double Fz) {
-    WheelRailState wheel{state.position, state.velocity, rail, state.roller_pitch};
-    wheel.Fz = Fz;
-    return wheel;
+WheelRailState state_of_wheel(const WheelsetState& state, const WheelDeviation& wheel, const RailDeviation& rail,
+                              double Fz) {
+    WheelRailState one{state.position, state.velocity, wheel, rail, state.roller_pitch};
+    one.Fz = Fz;
+    return one;
 }
 
 }  // namespace
 
 WheelRailState state_of_right_wheel(const WheelsetState& state) {
-    return state_of_wheel(state, state.right_rail, state.Fz_right);
+    return state_of_wheel(state, state.right_wheel, state.right_rail, state.Fz_right);
 }
 
 WheelRailState state_of_left_wheel(const WheelsetState& state) {
-    return state_of_wheel(state, state.left_rail, state.Fz_left);
+    return state_of_wheel(state, state.left_wheel, state.left_rail, state.Fz_left);
 }
 
 void validate(const WheelRailState& state) {
     if (state.Fz) check_vertical(*state.Fz, "Fz");
     check_bounds(state);
+    if (state.motion == WheelRailMotion::shift && !state.time_step)
+        throw InvalidArgument("time_step", "is missing; a shift is what the velocities bring in that time (s)");
+    if (state.motion == WheelRailMotion::steady_rolling && state.time_step)
+        throw InvalidArgument("time_step", "is " + number_text(*state.time_step) +
+                                               ", and steady rolling has no steps; leave it out, or give motion "
+                                               "transient_rolling or shift");
     if (state.Fx && state.velocity.x == 0 && state.roller_pitch == 0)
         throw InvalidArgument("Fx",
                               "is given, and velocity.x and roller_pitch are 0; a wheel that stands has no pitch "

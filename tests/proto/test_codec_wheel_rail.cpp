@@ -144,8 +144,15 @@ TEST_CASE("A wheelset arrives as it was sent", "[codec]") {
     WheelsetSetup setup{unusual_setup()};
     const bool own = GENERATE(false, true);
     if (own) setup.left = WheelRailSetup{};
-    const WheelsetState state{
-        {1, 2, 0.1, 0.2, 77}, {3, 4, 5, 6, 7, 8}, {9, 10, 0.3, 12, 13, 14}, {15, 16, 0.4, 18, 19, 20}, 21, 22, 23};
+    const WheelsetState state{{1, 2, 0.1, 0.2, 77},
+                              {3, 4, 5, 6, 7, 8},
+                              {24, 25, 26, 0.1, 0.2, 29, 30, 31, 32, 33, 34, 35},
+                              {36, 37, 38, 0.3, 0.4, 41, 42, 43, 44, 45, 46, 47},
+                              {9, 10, 0.3, 12, 13, 14},
+                              {15, 16, 0.4, 18, 19, 20},
+                              21,
+                              22,
+                              23};
     ArrayWriter arrays(encoding);
     const json params = sent(encode_wheelset_request(setup, state, {{SolutionField::pressure}, true}, arrays));
     const auto frames = arrays.take_frames();

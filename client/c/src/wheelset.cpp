@@ -36,6 +36,8 @@ void check_side(const WheelInput& wheel, Side side, const char* which) {
 
 void check_no_more(const WheelRailState& state) {
     if (state.Fx) throw InvalidArgument("state.Fx", "is given; the pitch rate of a wheelset is prescribed, not found");
+    if (state.motion != WheelRailMotion::steady_rolling)
+        throw InvalidArgument("state.motion", "is not steady_rolling; a wheelset that is free to roll knows no other");
     if (state.derivatives) throw InvalidArgument("state.derivatives", "is wanted; the answer for a wheelset has none");
 }
 
@@ -52,8 +54,9 @@ WheelsetInput put_together(const WheelInput& right, const WheelInput& left) {
     for (const WheelInput* wheel : {&right, &left}) check_no_more(wheel->state);
     check_same_motion(right.state, left.state);
     return {{right.setup, left.setup},
-            {right.state.position, right.state.velocity, left.state.rail, right.state.rail, right.state.roller_pitch,
-             vertical_force(left.state, "state.Fz_left"), vertical_force(right.state, "state.Fz_right")},
+            {right.state.position, right.state.velocity, left.state.wheel, right.state.wheel, left.state.rail,
+             right.state.rail, right.state.roller_pitch, vertical_force(left.state, "state.Fz_left"),
+             vertical_force(right.state, "state.Fz_right")},
             all_of(right.fields, left.fields),
             right.gap || left.gap};
 }

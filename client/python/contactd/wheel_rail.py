@@ -45,6 +45,7 @@ from .values.wheel_rail.places import (
     ContactRow,
     Creepages,
     OverlapRegion,
+    RailPlace,
     WheelRailGeometry,
 )
 from .values.wheel_rail.rigid_wheelset import (
@@ -73,7 +74,14 @@ from .values.wheel_rail.setup import (
     WheelSurface,
 )
 from .values.wheel_rail.solution import RailDeflection, WheelRailPatch, WheelRailSolution, WheelsetSolution
-from .values.wheel_rail.state import RailDeviation, WheelRailState, WheelsetPosition, WheelsetState, WheelsetVelocity
+from .values.wheel_rail.state import (
+    RailDeviation,
+    WheelDeviation,
+    WheelRailState,
+    WheelsetPosition,
+    WheelsetState,
+    WheelsetVelocity,
+)
 
 __all__ = [
     "S1002",
@@ -101,11 +109,13 @@ __all__ = [
     "Rail60E1",
     "RailDeflection",
     "RailDeviation",
+    "RailPlace",
     "RailSprings",
     "RigidContact",
     "RigidSlipKind",
     "Side",
     "Track",
+    "WheelDeviation",
     "WheelLandmarks",
     "WheelRailDerivatives",
     "WheelRailForces",

@@ -13,10 +13,15 @@ namespace contactd {
 /// linear: max(mu_k, mu_s - (mu_s - mu_k) v / v_c); exponential: mu_k + (mu_s - mu_k) exp(-v / v_c).
 enum class SlipLaw { linear, exponential };
 
+/// Where the iterations begin with which coefficients follow the slip. A law that falls steeply may have several
+/// solutions, and the slip of the start leads to that which has as little of it, or as much.
+enum class SlipStart { adhesion, full_slip };
+
 struct KineticFriction {
     SlipLaw law = SlipLaw::exponential;
     double mu = 0;             ///< kinetic coefficient mu_k, 0 <= mu_k <= the static one
     double slip_velocity = 0;  ///< v_c > 0 (mm/s)
+    SlipStart start = SlipStart::adhesion;
 
     bool operator==(const KineticFriction&) const = default;
 };

@@ -1,4 +1,4 @@
-// Estimates that a step of a wheel on its rail leaves to the next one.
+// What a step of a wheel on its rail leaves to the next one.
 #pragma once
 
 #include <optional>
@@ -6,6 +6,7 @@
 
 #include "contactd/contact_load.hpp"
 #include "contactd/grid.hpp"
+#include "contactd/wheel_rail_solution.hpp"
 
 namespace contactd {
 
@@ -15,12 +16,14 @@ struct HeightCorrection {
 };
 
 /// Where the searches and solvers of a step start. They change what it costs; its answer within the tolerances only.
+/// The tractions are those, too, which a step that is not steady goes on from.
 struct WheelRailEstimates {
     HeightCorrection height{};
 
     struct Patch {
         Grid grid;
         double y = 0;  ///< of the reference of a right wheel (mm)
+        RailPlace on_rail;
         SurfaceState tractions;
     };
     std::vector<Patch> patches{};    ///< of model full

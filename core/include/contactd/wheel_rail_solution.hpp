@@ -21,6 +21,13 @@ struct ContactReference {
     bool operator==(const ContactReference&) const = default;
 };
 
+/// A point of the rail: x forwards, and arc length across from the first point of its profile with y >= 0 (mm).
+struct RailPlace {
+    double along = 0, across = 0;
+
+    bool operator==(const RailPlace&) const = default;
+};
+
 /// Ends of what lies between (mm), from and to.
 struct Extent {
     double from = 0, to = 0;
@@ -39,7 +46,8 @@ struct OverlapRegion {
 };
 
 /// Velocities of the rail at the reference over those of the wheel, by the rolling velocity (mm/s), in contact
-/// coordinates. chi is the rolling direction: 0 forwards, pi backwards.
+/// coordinates. chi is the rolling direction: 0 forwards, pi backwards. Of a shift they are over 1 mm/s, so that times
+/// its time step they are the rigid shift (mm, rad).
 struct Creepages {
     double xi = 0, eta = 0;
     double phi = 0;  ///< (rad/mm)
@@ -70,6 +78,7 @@ struct ContactRow {
 /// One place where wheel and rail are in contact, and the problem that it poses to the solvers.
 struct ContactPlace {
     ContactReference reference;
+    RailPlace on_rail;                   ///< the reference; of a shift along with position.x
     std::vector<OverlapRegion> regions;  ///< from the right to the left; several have a weighted interaction
     /// Weight of region j on region k, symmetric, row by row: the share of the displacements of one that acts on the
     /// other; 1 on the diagonal.

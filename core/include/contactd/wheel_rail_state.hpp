@@ -34,9 +34,27 @@ struct RailDeviation {
     bool operator==(const RailDeviation&) const = default;
 };
 
+/// Deviation of the wheel from where a rigid wheelset has it, as of an axle that bends: of the origin of its profile
+/// along the wheelset's axes (mm), and turns about that point (rad), the yaw first. Rates are added to the motion of
+/// the wheelset (mm/s, rad/s).
+struct WheelDeviation {
+    double x = 0, y = 0, z = 0, roll = 0, yaw = 0;
+    double pitch = 0;  ///< of an out-of-round wheel
+    double x_velocity = 0, y_velocity = 0, z_velocity = 0;
+    double roll_velocity = 0, yaw_velocity = 0, pitch_velocity = 0;
+
+    bool operator==(const WheelDeviation&) const = default;
+};
+
+/// What a step is: steady rolling knows nothing of the steps before; transient rolling and a shift go on from the
+/// tractions that the last one ended with. Elements of transient rolling move with the wheelset, and those of a shift
+/// are fixed to the rail.
+enum class WheelRailMotion { steady_rolling, transient_rolling, shift };
+
 struct WheelRailState {
     WheelsetPosition position{};
     WheelsetVelocity velocity{};
+    WheelDeviation wheel{};
     RailDeviation rail{};
     double roller_pitch =
         0;  ///< pitch rate of a roller (rad/s): > 0 where the wheel on it turns as when rolling forwards
@@ -46,6 +64,10 @@ struct WheelRailState {
     /// Longitudinal force on the rail (N), along the wheelset's x axis, which velocity.pitch is found for; its value
     /// then means nothing. Needs friction.
     std::optional<double> Fx{};
+    WheelRailMotion motion = WheelRailMotion::steady_rolling;
+    /// Duration of a step that is not steady (s): a shift is that of the velocities in this time, and transient rolling
+    /// goes as far as the rolling velocity takes it. Absent, that rolls by the step of the set-up, dq.
+    std::optional<double> time_step{};
     bool derivatives = false;    ///< whether the solution has those
     bool displacements = false;  ///< whether the solutions of its patches have those
 
@@ -57,6 +79,7 @@ struct WheelRailState {
 struct WheelsetState {
     WheelsetPosition position{};
     WheelsetVelocity velocity{};
+    WheelDeviation left_wheel{}, right_wheel{};
     RailDeviation left_rail{}, right_rail{};
     double roller_pitch = 0;           ///< as in WheelRailState
     double Fz_left = 0, Fz_right = 0;  ///< on the rails (N), 1e-6 at least

@@ -189,7 +189,7 @@ Position::Position(const WheelRailSetup& setup, const Profiles& profiles, const 
     : setup_(setup),
       state_(state),
       observer_(observer),
-      wheel_(profiles.wheel, setup.wheelset, at_zero(state.position), profiles.out_of_round),
+      wheel_(profiles.wheel, setup.wheelset, at_zero(state.position), state.wheel, profiles.out_of_round),
       rail_(rail_surface(setup, profiles, state)),
       search_(search_of(setup, wheel_, rail_, observer)) {}
 
@@ -223,7 +223,8 @@ CandidatePatch Position::candidate_of(const RegionGroup& group, const WheelSurfa
     place.shares = group.shares;
     for (const OverlapRegion& region : group.regions)
         place.penetration = std::max(place.penetration, region.penetration);
-    place.grid = grid_of(group, rail_, setup_.dx, setup_.dy);
+    find_elements(found);
+    place.grid = grid_of(group, rail_, setup_.dx, setup_.dy, found.middle);
     place.radii = radii_of(wheel, rail_, place.reference);
     if (setup_.model == Model::full) {
         place.approach = place.penetration * std::abs(std::cos(place.reference.angle));
@@ -235,24 +236,47 @@ CandidatePatch Position::candidate_of(const RegionGroup& group, const WheelSurfa
     }
     place.creepages = creepages(wheel, rail_, state_, place.reference, place.approach);
     found.quality = search_->quality_flags(z, group);
-    if (setup_.conformal != Conformal::off && bend(found, wheel, 0, 0)) found.quality.bend = 0;
+    if (setup_.conformal != Conformal::off && bend(found, wheel)) found.quality.bend = 0;
     return found;
 }
 
+/// Elements of a transient contact lie at multiples of their sizes along and across the rail, so that they stay where
+/// they are while the reference moves. Those of steady rolling are not needed any more, and lie about the reference.
+void Position::find_elements(CandidatePatch& found) const {
+    const ContactReference& reference = found.place.reference;
+    RailPlace& on_rail = found.place.on_rail;
+    on_rail = {reference.x + (state_.motion == WheelRailMotion::shift ? state_.position.x : 0),
+               across_rail(rail_, reference.y)};
+    if (state_.motion == WheelRailMotion::steady_rolling) return;
+    const auto next = [](double at, double size) { return size * std::ceil(at / size) - at; };
+    found.middle = {next(on_rail.along, setup_.dx), next(on_rail.across, setup_.dy)};
+}
+
 /// Makes the place a curved one, where that is asked for; false where rail and wheel do not face each other there.
-bool Position::bend(CandidatePatch& found, const WheelSurface& wheel, int more_below, int more_above) const {
+bool Position::bend(CandidatePatch& found, const WheelSurface& wheel) const {
     ContactPlace& place = found.place;
     Extent y = place.regions.front().y;
     for (const OverlapRegion& region : place.regions)
         y = {std::min(y.from, region.y.from), std::max(y.to, region.y.to)};
-    CurvedRows curved = curved_rows(wheel, rail_, place.reference, y, setup_.dy, more_below, more_above);
+    CurvedRows curved =
+        curved_rows(wheel, rail_, place.reference, y, setup_.dy, found.middle.y, found.more_below, found.more_above);
     if (curved.rows.empty()) return false;
     place.rows = std::move(curved.rows);
     place.grid.ny = static_cast<int>(place.rows.size());
-    place.grid.y0 = (curved.first - 0.5) * setup_.dy;
+    place.grid.y0 = (curved.first - 0.5) * setup_.dy + found.middle.y;
     found.row_on_rail = curved.on_rail;
     found.row_on_wheel = curved.on_wheel;
     return true;
+}
+
+void Position::widen(CandidatePatch& found, const Grid& grid, double z) const {
+    const Grid before = found.place.grid;
+    found.place.grid = grid;
+    if (found.place.rows.empty()) return;
+    const int below = static_cast<int>(std::lround((before.y0 - grid.y0) / grid.dy));
+    found.more_below += below;
+    found.more_above += grid.ny - before.ny - below;
+    bend(found, wheel_.lowered(z));
 }
 
 bool Position::measure(CandidatePatch& found, double z) const {
@@ -260,7 +284,6 @@ bool Position::measure(CandidatePatch& found, double z) const {
     constexpr int most_rounds = 50;
     const WheelSurface wheel = wheel_.lowered(z);
     ContactPlace& place = found.place;
-    int more_below = 0, more_above = 0;
     for (int round = 0; round < most_rounds; ++round) {
         observer_.throw_if_cancelled();
         found.gap = distances(setup_, wheel, rail_, place);
@@ -269,12 +292,7 @@ bool Position::measure(CandidatePatch& found, double z) const {
         Grid grid = place.grid;
         if (round + 1 == most_rounds || !grow(grid, found.gap, place.approach)) break;
         const Grid before = place.grid;
-        place.grid = grid;
-        if (place.rows.empty()) continue;
-        const int below = static_cast<int>(std::lround((before.y0 - grid.y0) / grid.dy));
-        more_below += below;
-        more_above += grid.ny - before.ny - below;
-        bend(found, wheel, more_below, more_above);
+        widen(found, grid, z);
         if (place.grid == before) break;  // there are no more rows
     }
     place.creepages = creepages(wheel, rail_, state_, place.reference, place.approach);

@@ -14,6 +14,7 @@
 #include "contactd/wheel_rail_state.hpp"
 #include "geometry/motion/creepages.hpp"
 #include "geometry/search/overlap_search.hpp"
+#include "geometry/search/patch_grid.hpp"
 #include "geometry/search/regions.hpp"
 
 namespace contactd::geometry {
@@ -39,6 +40,8 @@ struct CandidatePatch {
     std::vector<double> gap;  ///< as in WheelRailPatch; empty until measured, and where a paraboloid stands for it
     Paraboloid paraboloid{};
     double row_on_rail = 0, row_on_wheel = 0;  ///< arc lengths of the first row along the profiles (mm)
+    ElementMiddle middle;                      ///< where elements lie
+    int more_below = 0, more_above = 0;        ///< rows of a curved contact beside those that it needs
     std::vector<RowSlip> row_slips;            ///< of rigid slip by surfaces only
     RigidSlip additional_slip;                 ///< of curved contacts: beside the creepages, of each element
     QualityFlags quality{};
@@ -61,6 +64,8 @@ class Position {
     /// Takes gap and approach at the elements, and what follows from them; of simplified models nothing is left to do.
     /// False where no element has wheel and rail along its normal: that is no place of contact.
     bool measure(CandidatePatch& found, double z) const;
+    /// Gives a candidate the elements of this grid, of which it has a part already; fewer where a curved contact ends.
+    void widen(CandidatePatch& found, const Grid& grid, double z) const;
     /// The normal force that Hertz's theory expects of the regions, in the track's z (N); `compliance` as in hertz.hpp.
     double expected_force(double z, double compliance) const;
     const RailSurface& rail() const { return rail_; }
@@ -68,8 +73,9 @@ class Position {
 
    private:
     CandidatePatch candidate_of(const RegionGroup& group, const WheelSurface& wheel, double z) const;
+    void find_elements(CandidatePatch& found) const;
     std::vector<RegionGroup> groups(double z, bool blends) const;
-    bool bend(CandidatePatch& found, const WheelSurface& wheel, int more_below, int more_above) const;
+    bool bend(CandidatePatch& found, const WheelSurface& wheel) const;
 
     const WheelRailSetup& setup_;
     const WheelRailState& state_;

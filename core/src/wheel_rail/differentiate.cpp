@@ -107,6 +107,7 @@ class Differences {
     /// Through the creepages of each contact; false where these derivatives are not known.
     bool by_creepages(WheelRailDerivatives::ByVelocity& derivatives) {
         if (!fine_.friction) return true;  // nothing feels the motion
+        if (state_.motion != WheelRailMotion::steady_rolling) return false;
         if (fine_.friction->kinetic || fine_.rigid_slip != RigidSlipKind::plane || fine_.conformal != Conformal::off)
             return false;
         wheel_.set_velocity(state_.velocity);

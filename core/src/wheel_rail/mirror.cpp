@@ -50,6 +50,10 @@ void mirror(Motion& motion) {
         flip_sign(rolling->phi);
         flip_sign(rolling->chi);
         if (rolling->chi == -std::numbers::pi) rolling->chi = std::numbers::pi;
+    } else {
+        auto& shift = std::get<Shift>(motion);
+        flip_sign(shift.rigid_shift.y);
+        flip_sign(shift.rotation);
     }
 }
 

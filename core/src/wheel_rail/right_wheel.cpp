@@ -42,16 +42,21 @@ std::string missed_force(double Fz, const HeightFound& found) {
 }  // namespace
 
 RightWheel::RightWheel(const WheelRailSetup& setup, const geometry::Profiles& profiles,
-                       const InfluenceSource& influences, const WheelRailState& state, const Observer& observer)
+                       const InfluenceSource& influences, const WheelRailState& state, const Observer& observer,
+                       std::shared_ptr<const Patches> before)
     : setup_(setup),
       profiles_(profiles),
       influences_(influences),
       observer_(observer),
       state_(state),
-      position_(setup, profiles, state_, observer) {
+      position_(setup, profiles, state_, observer),
+      before_(std::move(before)) {
     if (state_.Fx && !setup.friction)
         throw InvalidArgument("state.Fx", "is given, and there is no friction; without it there is no such force");
     check_rail_loads(setup_, state_.rail, "state.rail");
+    if (state_.motion != WheelRailMotion::steady_rolling && setup_.model != Model::full)
+        throw InvalidArgument("state.motion",
+                              "is not steady_rolling; simplified models know no other, take model full");
 }
 
 WheelRailSolution RightWheel::solve(Observer& observer) {
@@ -143,25 +148,39 @@ WheelRailSolution RightWheel::at(double z, std::vector<CandidatePatch> candidate
     solution.z = z;
     solution.pitch_rate = state_.velocity.pitch;
     solution.clearance = position_.clearance(z);
-    for (CandidatePatch& found : candidates) {
+    const TractionHistory history = history_of(candidates);
+    std::vector<WheelRailEstimates::Patch> estimates;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        CandidatePatch& found = candidates[i];
         observer.throw_if_cancelled();
+        if (before_) position_.widen(found, history.widened(i), z);
         if (!position_.measure(found, z)) {
             solution.warnings.push_back(apart_along_normal(found.place.reference, setup_.side));
             continue;
         }
-        solution.patches.push_back(solve(found, z, observer));
+        solution.patches.push_back(solve(found, history.on(i, found.place.grid), z, observer));
+        if (estimates_ && setup_.model == Model::full)
+            estimates.push_back(estimate_of(found, solution.patches.back().solution));
         const WheelRailPatch& patch = solution.patches.back();
         solution.forces = sum(solution.forces, patch.forces);
-        warn(solution, warnings_of(found, setup_.side, setup_.friction.has_value()));
+        warn(solution, warnings_of(found, setup_.side, setup_.friction && state_.motion != WheelRailMotion::shift));
         warn(solution, plausibility_warnings(patch.place.reference, setup_.side, position_.wheel(z), position_.rail()));
         warn(solution, warnings_of(patch.place.reference, setup_.side, patch.solution));
     }
-    if (estimates_) estimates_->patches = estimates_of(solution);
+    if (history.force_left_behind() > 0 && !candidates.empty())
+        solution.warnings.push_back("Tractions of the step before, " + short_text(history.force_left_behind()) +
+                                    " N, lie farther from all contacts than these are large, and are left out: take "
+                                    "shorter steps, or begin anew.");
+    if (estimates_) estimates_->patches = std::move(estimates);
     return solution;
 }
 
+TractionHistory RightWheel::history_of(const std::vector<CandidatePatch>& candidates) const {
+    return {before_ ? *before_ : Patches{}, candidates};
+}
+
 ContactProblem RightWheel::problem_of(const CandidatePatch& found) const {
-    return contactd::problem_of(setup_, found, position_.rail(), setup_.friction ? &*setup_.friction : nullptr);
+    return contactd::problem_of(setup_, state_, found, position_.rail());
 }
 
 ContactSolution RightWheel::solve(ContactProblem problem, const CandidatePatch& found, Observer& observer) const {
@@ -169,16 +188,17 @@ ContactSolution RightWheel::solve(ContactProblem problem, const CandidatePatch& 
                        influences_, observer);
 }
 
-WheelRailPatch RightWheel::solve(CandidatePatch& found, double z, Observer& observer) const {
+WheelRailPatch RightWheel::solve(CandidatePatch& found, SurfaceState previous, double z, Observer& observer) const {
     WheelRailPatch patch;
     ContactProblem problem = problem_of(found);
+    problem.previous = std::move(previous);
     problem.displacements = state_.displacements;
     if (has_tractions_) problem.initial = estimate_for(found.place, estimates_->patches);
     patch.solution = solve(std::move(problem), found, observer);
     patch.place = found.place;
     patch.gap = std::move(found.gap);
     patch.forces = resultants(patch.place, patch.solution, setup_.model != Model::full, position_.rail().frame(),
-                              position_.wheel(z).frame());
+                              position_.wheel(z).wheelset());
     return patch;
 }
 
@@ -186,7 +206,7 @@ double RightWheel::simplified_force(double z, std::vector<CandidatePatch> candid
     double force = 0;
     for (CandidatePatch& found : candidates) {
         found.place.grid = Grid::centred(1, 1, setup_.dx, setup_.dy);
-        force += solve(found, z, observer).forces.track.Fz;
+        force += solve(found, {}, z, observer).forces.track.Fz;
     }
     return force;
 }

@@ -1,20 +1,26 @@
 // A right wheel on its rail in one position, and what is asked of it.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "contactd/solve_wheel_rail.hpp"
 #include "geometry/position.hpp"
 #include "wheel_rail/position/height_search.hpp"
+#include "wheel_rail/position/traction_history.hpp"
 
 namespace contactd {
 
 class RightWheel {
    public:
-    /// All but the state must live longer. The observer ends searches, too. Throws InvalidArgument ("Fx") where there
-    /// is no friction to bring it.
+    using Patches = std::vector<WheelRailEstimates::Patch>;
+
+    /// All but the state must live longer. The observer ends searches, too. `before` is what a step that is not steady
+    /// goes on from. Throws InvalidArgument ("Fx") where there is no friction to bring it.
     RightWheel(const WheelRailSetup& setup, const geometry::Profiles& profiles, const InfluenceSource& influences,
-               const WheelRailState& state, const Observer& observer);
+               const WheelRailState& state, const Observer& observer, std::shared_ptr<const Patches> before = nullptr);
 
     WheelRailSolution solve(Observer& observer);
     /// At this height, whatever the state says of height and force.
@@ -29,7 +35,7 @@ class RightWheel {
     const WheelRailState& state() const { return state_; }
     /// Returns the same wheel elsewhere, or with other tolerances; both arguments must live longer.
     RightWheel with(const WheelRailSetup& setup, const WheelRailState& state) const {
-        return {setup, profiles_, influences_, state, observer_};
+        return {setup, profiles_, influences_, state, observer_, before_};
     }
     /// Where searches and solvers start, and those of one search from each other; after a solve, where those of the
     /// next step do. Without it each solve starts from nothing.
@@ -39,6 +45,8 @@ class RightWheel {
         estimates_ = &estimates;
         has_tractions_ = !estimates.patches.empty();
     }
+    /// Where a step that is not steady goes on from: a copy, for estimates change during a search.
+    void go_on_from(Patches before) { before_ = std::make_shared<const Patches>(std::move(before)); }
     /// Positions do not depend on it.
     void set_velocity(const WheelsetVelocity& velocity) { state_.velocity = velocity; }
     geometry::Position& position() { return position_; }
@@ -53,7 +61,8 @@ class RightWheel {
     double expected_height();
     WheelRailSolution at_height(Observer& observer);
     WheelRailSolution at(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer);
-    WheelRailPatch solve(geometry::CandidatePatch& found, double z, Observer& observer) const;
+    WheelRailPatch solve(geometry::CandidatePatch& found, SurfaceState previous, double z, Observer& observer) const;
+    TractionHistory history_of(const std::vector<geometry::CandidatePatch>& candidates) const;
     /// Returns the force by a simplified model, which does not depend on elements, and costs less than their arrays.
     double simplified_force(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer) const;
     WheelRailSolution on_flexible_rail(Observer& observer);
@@ -68,6 +77,7 @@ class RightWheel {
     geometry::Position position_;
     WheelRailEstimates* estimates_ = nullptr;
     bool has_tractions_ = false;  // of the step before
+    std::shared_ptr<const Patches> before_;
 };
 
 }  // namespace contactd

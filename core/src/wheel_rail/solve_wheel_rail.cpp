@@ -94,6 +94,8 @@ WheelRailSolution WheelRailContact::solve(const WheelRailState& state, WheelRail
                                           Observer& observer) const {
     return warned(parts_->of_right_wheel(state, observer,
                                          [&](RightWheel&& wheel) {
+                                             if (state.motion != WheelRailMotion::steady_rolling)
+                                                 wheel.go_on_from(estimates.patches);
                                              wheel.start_from(estimates);
                                              return wheel.solve(observer);
                                          }),

@@ -43,7 +43,8 @@ auto of_wheel(Side side, const Solve& solve) {
     const std::string name = side == Side::left ? "left" : "right";
     const auto rename = [&](const std::string& field) {
         if (field == "state.Fx" || field == "state.Fz") return field + "_" + name;
-        if (field.starts_with("state.rail.")) return in_place_of("state.", "state." + name + "_")(field);
+        if (field.starts_with("state.rail.") || field.starts_with("state.wheel."))
+            return in_place_of("state.", "state." + name + "_")(field);
         return field.starts_with("state.") ? field : name + "." + field;
     };
     return renaming(rename, solve);

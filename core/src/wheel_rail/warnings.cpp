@@ -57,6 +57,7 @@ std::vector<std::string> warnings_of(const WheelRailState& state) {
     std::vector<std::string> warnings;
     for (const auto& [name, angle] :
          {std::pair("position.roll", state.position.roll), std::pair("position.yaw", state.position.yaw),
+          std::pair("wheel.roll", state.wheel.roll), std::pair("wheel.yaw", state.wheel.yaw),
           std::pair("rail.roll", state.rail.roll)})
         if (std::abs(angle) > usual_angle)
             warnings.push_back(std::string(name) + " is " + short_text(angle) + " rad, " +

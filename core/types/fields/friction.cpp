@@ -9,7 +9,7 @@ namespace {
 
 // A member that the schema does not declare makes the number of these names wrong.
 [[maybe_unused]] void all_of(const KineticFriction& all) {
-    [[maybe_unused]] const auto& [law_, mu_, slip_velocity_] = all;
+    [[maybe_unused]] const auto& [law_, mu_, slip_velocity_, start_] = all;
 }
 [[maybe_unused]] void all_of(const RigidShift& all) {
     [[maybe_unused]] const auto& [x_, y_] = all;
@@ -34,6 +34,7 @@ const FieldType& type_of<KineticFriction>() {
         fields::field<&KineticFriction::slip_velocity>(
             "slip_velocity",
             {.bounds = {.least = 0, .most = 1e+12, .least_excluded = true}, .unit = "mm/s", .required = true}),
+        fields::field<&KineticFriction::start>("start"),
     });
     static const FieldType type = fields::object_type(list);
     return type;

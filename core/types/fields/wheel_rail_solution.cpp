@@ -27,8 +27,11 @@ namespace {
     [[maybe_unused]] const auto& [x_, y_, z_, angle_] = all;
 }
 [[maybe_unused]] void all_of(const ContactPlace& all) {
-    [[maybe_unused]] const auto& [reference_, regions_, shares_, grid_, approach_, penetration_, creepages_, radii_,
-                                  rows_] = all;
+    [[maybe_unused]] const auto& [reference_, on_rail_, regions_, shares_, grid_, approach_, penetration_, creepages_,
+                                  radii_, rows_] = all;
+}
+[[maybe_unused]] void all_of(const RailPlace& all) {
+    [[maybe_unused]] const auto& [along_, across_] = all;
 }
 [[maybe_unused]] void all_of(const OverlapRegion& all) {
     [[maybe_unused]] const auto& [reference_, x_, y_, z_, penetration_, size_] = all;
@@ -142,6 +145,7 @@ template <>
 const FieldType& type_of<ContactPlace>() {
     static const auto list = std::to_array<Field>({
         fields::field<&ContactPlace::reference>("reference", {.required = true}),
+        fields::field<&ContactPlace::on_rail>("on_rail", {.required = true}),
         fields::field<&ContactPlace::regions>("regions", {.required = true}),
         fields::field<&ContactPlace::shares>("shares", {.required = true}),
         fields::field<&ContactPlace::grid>("grid", {.required = true}),
@@ -150,6 +154,16 @@ const FieldType& type_of<ContactPlace>() {
         fields::field<&ContactPlace::creepages>("creepages", {.required = true}),
         fields::field<&ContactPlace::radii>("radii", {.required = true}),
         fields::field<&ContactPlace::rows>("rows"),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<RailPlace>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&RailPlace::along>("along", {.unit = "mm", .required = true}),
+        fields::field<&RailPlace::across>("across", {.unit = "mm", .parity = MirrorParity::odd, .required = true}),
     });
     static const FieldType type = fields::object_type(list);
     return type;

@@ -195,6 +195,7 @@
 #define CONTACTD_PATH_FRICTION_KINETIC_LAW "friction.kinetic.law"
 #define CONTACTD_PATH_FRICTION_KINETIC_MU "friction.kinetic.mu"
 #define CONTACTD_PATH_FRICTION_KINETIC_SLIP_VELOCITY "friction.kinetic.slip_velocity" /* mm/s */
+#define CONTACTD_PATH_FRICTION_KINETIC_START "friction.kinetic.start"
 #define CONTACTD_PATH_FRICTION_RIGID_SHIFT "friction.rigid_shift"
 #define CONTACTD_PATH_FRICTION_RIGID_SHIFT_X "friction.rigid_shift.x"
 #define CONTACTD_PATH_FRICTION_RIGID_SHIFT_Y "friction.rigid_shift.y"
@@ -569,9 +570,10 @@
 #define CONTACTD_PATH_SETUP_FRICTION_KINETIC_LAW "setup.friction.kinetic.law"
 #define CONTACTD_PATH_SETUP_FRICTION_KINETIC_MU "setup.friction.kinetic.mu"
 #define CONTACTD_PATH_SETUP_FRICTION_KINETIC_SLIP_VELOCITY "setup.friction.kinetic.slip_velocity" /* mm/s */
-#define CONTACTD_PATH_SETUP_DX "setup.dx"                                                         /* mm */
-#define CONTACTD_PATH_SETUP_DY "setup.dy"                                                         /* mm */
-#define CONTACTD_PATH_SETUP_DQ "setup.dq"                                                         /* mm */
+#define CONTACTD_PATH_SETUP_FRICTION_KINETIC_START "setup.friction.kinetic.start"
+#define CONTACTD_PATH_SETUP_DX "setup.dx" /* mm */
+#define CONTACTD_PATH_SETUP_DY "setup.dy" /* mm */
+#define CONTACTD_PATH_SETUP_DQ "setup.dq" /* mm */
 #define CONTACTD_PATH_SETUP_PATCHES "setup.patches"
 #define CONTACTD_PATH_SETUP_PATCHES_ANGLE_SEPARATE "setup.patches.angle_separate"       /* rad */
 #define CONTACTD_PATH_SETUP_PATCHES_DISTANCE_SEPARATE "setup.patches.distance_separate" /* mm */
@@ -613,6 +615,19 @@
 #define CONTACTD_PATH_STATE_VELOCITY_ROLL "state.velocity.roll"   /* rad/s */
 #define CONTACTD_PATH_STATE_VELOCITY_YAW "state.velocity.yaw"     /* rad/s */
 #define CONTACTD_PATH_STATE_VELOCITY_PITCH "state.velocity.pitch" /* rad/s */
+#define CONTACTD_PATH_STATE_WHEEL "state.wheel"
+#define CONTACTD_PATH_STATE_WHEEL_X "state.wheel.x"                           /* mm */
+#define CONTACTD_PATH_STATE_WHEEL_Y "state.wheel.y"                           /* mm */
+#define CONTACTD_PATH_STATE_WHEEL_Z "state.wheel.z"                           /* mm */
+#define CONTACTD_PATH_STATE_WHEEL_ROLL "state.wheel.roll"                     /* rad */
+#define CONTACTD_PATH_STATE_WHEEL_YAW "state.wheel.yaw"                       /* rad */
+#define CONTACTD_PATH_STATE_WHEEL_PITCH "state.wheel.pitch"                   /* rad */
+#define CONTACTD_PATH_STATE_WHEEL_X_VELOCITY "state.wheel.x_velocity"         /* mm/s */
+#define CONTACTD_PATH_STATE_WHEEL_Y_VELOCITY "state.wheel.y_velocity"         /* mm/s */
+#define CONTACTD_PATH_STATE_WHEEL_Z_VELOCITY "state.wheel.z_velocity"         /* mm/s */
+#define CONTACTD_PATH_STATE_WHEEL_ROLL_VELOCITY "state.wheel.roll_velocity"   /* rad/s */
+#define CONTACTD_PATH_STATE_WHEEL_YAW_VELOCITY "state.wheel.yaw_velocity"     /* rad/s */
+#define CONTACTD_PATH_STATE_WHEEL_PITCH_VELOCITY "state.wheel.pitch_velocity" /* rad/s */
 #define CONTACTD_PATH_STATE_RAIL "state.rail"
 #define CONTACTD_PATH_STATE_RAIL_Y "state.rail.y"                         /* mm */
 #define CONTACTD_PATH_STATE_RAIL_Z "state.rail.z"                         /* mm */
@@ -625,6 +640,8 @@
 #define CONTACTD_PATH_STATE_ROLLER_PITCH "state.roller_pitch"             /* rad/s */
 #define CONTACTD_PATH_STATE_FZ "state.Fz"                                 /* N */
 #define CONTACTD_PATH_STATE_FX "state.Fx"                                 /* N */
+#define CONTACTD_PATH_STATE_MOTION "state.motion"
+#define CONTACTD_PATH_STATE_TIME_STEP "state.time_step" /* s */
 #define CONTACTD_PATH_STATE_DERIVATIVES "state.derivatives"
 #define CONTACTD_PATH_STATE_DISPLACEMENTS "state.displacements"
 
@@ -659,6 +676,9 @@
 #define CONTACTD_PATH_PATCHES_PLACE_REFERENCE_Y "patches[%d].place.reference.y"         /* mm */
 #define CONTACTD_PATH_PATCHES_PLACE_REFERENCE_Z "patches[%d].place.reference.z"         /* mm */
 #define CONTACTD_PATH_PATCHES_PLACE_REFERENCE_ANGLE "patches[%d].place.reference.angle" /* rad */
+#define CONTACTD_PATH_PATCHES_PLACE_ON_RAIL "patches[%d].place.on_rail"
+#define CONTACTD_PATH_PATCHES_PLACE_ON_RAIL_ALONG "patches[%d].place.on_rail.along"   /* mm */
+#define CONTACTD_PATH_PATCHES_PLACE_ON_RAIL_ACROSS "patches[%d].place.on_rail.across" /* mm */
 #define CONTACTD_PATH_PATCHES_PLACE_REGIONS "patches[%d].place.regions"
 #define CONTACTD_PATH_PATCHES_PLACE_REGIONS_REFERENCE "patches[%d].place.regions[%d].reference"
 #define CONTACTD_PATH_PATCHES_PLACE_REGIONS_REFERENCE_X "patches[%d].place.regions[%d].reference.x"         /* mm */
@@ -1010,6 +1030,8 @@
 #define CONTACTD_WORD_SLICE_SPLINE_APPROXIMATING "approximating"
 #define CONTACTD_WORD_SLIP_LAW_LINEAR "linear"
 #define CONTACTD_WORD_SLIP_LAW_EXPONENTIAL "exponential"
+#define CONTACTD_WORD_SLIP_START_ADHESION "adhesion"
+#define CONTACTD_WORD_SLIP_START_FULL_SLIP "full_slip"
 #define CONTACTD_WORD_SOLVER_AUTO "auto"
 #define CONTACTD_WORD_SOLVER_AMG_PCG "amg_pcg"
 #define CONTACTD_WORD_SOLVER_DIRECT "direct"
@@ -1017,6 +1039,9 @@
 #define CONTACTD_WORD_STOPPING_CRITERION_UPDATE "update"
 #define CONTACTD_WORD_TANGENTIAL_SOLVER_NEWTON "newton"
 #define CONTACTD_WORD_TANGENTIAL_SOLVER_TANGCG "tangcg"
+#define CONTACTD_WORD_WHEEL_RAIL_MOTION_STEADY_ROLLING "steady_rolling"
+#define CONTACTD_WORD_WHEEL_RAIL_MOTION_TRANSIENT_ROLLING "transient_rolling"
+#define CONTACTD_WORD_WHEEL_RAIL_MOTION_SHIFT "shift"
 #define CONTACTD_WORD_WHEEL_SURFACE_EXACT "exact"
 #define CONTACTD_WORD_WHEEL_SURFACE_BILINEAR "bilinear"
 

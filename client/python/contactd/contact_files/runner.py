@@ -6,12 +6,15 @@ from __future__ import annotations
 import time
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 from ..errors import StatusError, TimeoutExpired
 from ..values.problem import ContactProblem, Estimate
+from ..values.result import Field
 from ..values.subsurface import StressBlock, SubsurfaceStress
+from ..values.wheel_rail.params import setup_params
 from ..values.wheel_rail.setup import WheelSurface
+from ..values.wheel_rail.solution import WheelRailSolution
 from .answers.basic_results import BasicResult
 from .answers.rail_results import RailResult
 from .answers.subsurface import Body
@@ -94,6 +97,15 @@ class Runner:
 
         Raises what says that there is nobody to ask; what is refused or goes wrong is the outcome of its case.
         """
+        chain = list(chain)
+        steps = _RailSteps(self._client) if len(chain) > 1 and chain[0].module == 1 else None
+        try:
+            yield from self._run(chain, steps)
+        finally:
+            if steps is not None:
+                steps.close()
+
+    def _run(self, chain: Iterable[Case], steps: _RailSteps | None) -> Iterator[Outcome]:
         broken: Case | None = None
         last: State | None = None
         before: State | None = None
@@ -105,16 +117,16 @@ class Runner:
                 continue
             start = before if case.digits["P"] == 3 else last
             if outcome is None:
-                outcome = self._outcome(case, start if goes_on(case) else None, began)
+                outcome = self._outcome(case, start if goes_on(case) else None, steps, began)
             if outcome.result is None:
                 broken = broken or case
             elif isinstance(outcome.result, BasicResult):
                 before, last = start if goes_on(case) else None, _state_of(outcome.result)
             yield outcome
 
-    def _outcome(self, case: Case, start: State | None, began: float) -> Outcome:
+    def _outcome(self, case: Case, start: State | None, steps: _RailSteps | None, began: float) -> Outcome:
         try:
-            result = self._on_rails(case) if case.module == 1 else self._basic(case, start)
+            result = self._on_rails(case, steps) if case.module == 1 else self._basic(case, start)
         except Missing as error:
             return Outcome(case, "refused", f"contactd does not have: {error}.")
         except (StatusError, TimeoutExpired) as error:
@@ -131,9 +143,12 @@ class Runner:
         problem = contact.problem.replace(displacements=contact.problem.model is None)
         return BasicResult.of(contact, self._client.solve(problem), self._stresses)
 
-    def _on_rails(self, case: Case) -> RailResult:
+    def _on_rails(self, case: Case, steps: _RailSteps | None) -> RailResult:
         contact = RailContact.of(case, self._profiles, self._wheel_surface)
-        solution = self._client.wheel_rail(contact.setup, replace(contact.state, displacements=True), gap=True)
+        if steps is not None:
+            solution: WheelRailSolution = steps.solve(contact, again=case.digits["P"] == 3)
+        else:
+            solution = self._client.wheel_rail(contact.setup, replace(contact.state, displacements=True), gap=True)
         return RailResult.of(contact, solution, self._stresses)
 
     def _stresses(self, problem: ContactProblem, acting: Estimate, body: Body, block: StressBlock) -> SubsurfaceStress:
@@ -141,6 +156,35 @@ class Runner:
 
     def _normal_force(self, problem: ContactProblem) -> float:
         return self._client.solve(problem, fields=[]).Fn
+
+
+class _RailSteps:
+    """The steps of one chain of cases, in a session that the first of them opens."""
+
+    def __init__(self, client: Client) -> None:
+        self._client = client
+        self._session: Any = None
+        self._opened: object = None
+
+    def solve(self, contact: RailContact, again: bool) -> WheelRailSolution:
+        """Solves the next step, or with `again` the last one anew. Raises Missing where profiles, track or elements are
+        others than those of the step before."""
+        common = setup_params(contact.setup.replace(friction=None))
+        if self._session is None:
+            self._session = self._client.wheel_rail_session(contact.setup, accept_unconverged=True)
+            self._opened, again = common, False
+        elif common != self._opened:
+            raise Missing("a step that goes on with other profiles, track, materials or elements")
+        state = replace(contact.state, displacements=True)
+        friction, fields = contact.setup.friction, get_args(Field)
+        solution: WheelRailSolution = self._session.step(state, friction=friction, fields=fields, gap=True, again=again)
+        return solution
+
+    def close(self) -> None:
+        """Ends the session."""
+        if self._session is not None:
+            self._session.close()
+            self._session = None
 
 
 def _state_of(result: BasicResult) -> State:

@@ -8,10 +8,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-__all__ = ["KineticFriction", "Rolling", "RollingKind", "Shift", "SlipLaw"]
+__all__ = ["KineticFriction", "Rolling", "RollingKind", "Shift", "SlipLaw", "SlipStart"]
 
 RollingKind = Literal["steady", "transient"]
 SlipLaw = Literal["linear", "exponential"]
+SlipStart = Literal["adhesion", "full_slip"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,8 +76,12 @@ class KineticFriction:
         mu: Kinetic coefficient mu_k, at most the static one (>= 0).
         slip_velocity: Slip velocity v_c of the fall (mm/s), > 0.
         law: Shape of the fall from the static coefficient friction.mu to this one. Default "exponential".
+        start: Where the iterations begin with which coefficients follow the slip: in adhesion, with the static
+            coefficient, or in full slip, with the kinetic one. A law that falls steeply may have several solutions;
+            this tells which one is found. Default "adhesion".
     """
 
     mu: float
     slip_velocity: float
     law: SlipLaw | None = None
+    start: SlipStart | None = None

@@ -13,6 +13,11 @@ static_assert(static_cast<int>(SlipLaw::linear) == 0);
 static_assert(static_cast<int>(SlipLaw::exponential) == 1);
 
 template <>
+inline constexpr auto enum_words<SlipStart> = std::to_array<std::string_view>({"adhesion", "full_slip"});
+static_assert(static_cast<int>(SlipStart::adhesion) == 0);
+static_assert(static_cast<int>(SlipStart::full_slip) == 1);
+
+template <>
 inline constexpr auto enum_words<RollingKind> = std::to_array<std::string_view>({"steady", "transient"});
 static_assert(static_cast<int>(RollingKind::steady) == 0);
 static_assert(static_cast<int>(RollingKind::transient) == 1);

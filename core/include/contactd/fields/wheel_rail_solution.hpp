@@ -24,6 +24,8 @@ const FieldType& type_of<ContactReference>();
 template <>
 const FieldType& type_of<ContactPlace>();
 template <>
+const FieldType& type_of<RailPlace>();
+template <>
 const FieldType& type_of<OverlapRegion>();
 template <>
 const FieldType& type_of<Extent>();

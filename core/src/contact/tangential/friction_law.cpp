@@ -19,6 +19,7 @@ SlipLawIteration::SlipLawIteration(const KineticFriction& kinetic, std::span<con
       last_mu_(static_.size()),
       last_error_(static_.size()) {
     validate(kinetic, mu_static);
+    if (kinetic.start == SlipStart::full_slip) std::ranges::fill(mu_, kinetic.mu);
 }
 
 double SlipLawIteration::follow(std::span<const double> slip_velocity, std::span<const double> pressure) {

@@ -12,7 +12,7 @@ namespace contactd {
 /// because falling friction would overshoot: less friction, more slip, less friction.
 class SlipLawIteration {
    public:
-    /// One static coefficient per element; starts with these.
+    /// One static coefficient per element; starts with these, or with the kinetic one (KineticFriction::start).
     SlipLawIteration(const KineticFriction& kinetic, std::span<const double> mu_static);
 
     /// For the next solve, per element.

@@ -66,10 +66,10 @@ class WheelSection {
         const double s = wheel_.profile().s_at_arc_length(arc);
         const Frame& frame = wheel_.frame();
         double x = frame.inside({x_, 0, frame.origin.z + wheel_.nominal_radius()}).x;
-        Vector3 at = frame.outside(wheel_.in_wheelset(x, s));
+        Vector3 at = frame.outside(wheel_.in_wheel(x, s));
         for (int iteration = 0; iteration < iterations; ++iteration) {
             x += (x_ - at.x) / frame.axes.x.x;
-            at = frame.outside(wheel_.in_wheelset(x, s));
+            at = frame.outside(wheel_.in_wheel(x, s));
         }
         return at;
     }
@@ -101,19 +101,20 @@ std::vector<double> CurvedRows::in_plane(const ContactReference& reference) cons
 }
 
 CurvedRows curved_rows(const WheelSurface& wheel, const RailSurface& rail, const ContactReference& reference,
-                       const Extent& y, double step, int more_below, int more_above) {
+                       const Extent& y, double step, double middle, int more_below, int more_above) {
     const RailSection on_rail(rail, reference);
     const WheelSection on_wheel(wheel, reference);
     const auto row = [&](int i) -> std::optional<ContactRow> {
-        const std::optional<ContactRow> between = row_between(on_rail.at(i * step), on_wheel.at(i * step));
+        const double at = i * step + middle;
+        const std::optional<ContactRow> between = row_between(on_rail.at(at), on_wheel.at(at));
         // Beyond, rows would stand upright on the plane of the reference.
         if (between && std::cos(between->angle - reference.angle) < least_cosine) return std::nullopt;
         return between;
     };
     CurvedRows found;
-    const std::optional<ContactRow> middle = row(0);
-    if (!middle) return found;
-    found.rows.push_back(*middle);
+    const std::optional<ContactRow> start = row(0);
+    if (!start) return found;
+    found.rows.push_back(*start);
     // From the reference to both sides, as long as rows lie within, and some more.
     const auto extend = [&](int direction, int more, const auto& is_within, const auto& add) {
         int left = beside + more;
@@ -133,8 +134,8 @@ CurvedRows curved_rows(const WheelSurface& wheel, const RailSurface& rail, const
     extend(
         1, more_above, [&](const ContactRow& at) { return at.y <= y.to; },
         [&](const ContactRow& at) { found.rows.push_back(at); });
-    found.on_rail = on_rail.start() + found.first * step;
-    found.on_wheel = on_wheel.start() + found.first * step;
+    found.on_rail = on_rail.start() + found.first * step + middle;
+    found.on_wheel = on_wheel.start() + found.first * step + middle;
     return found;
 }
 

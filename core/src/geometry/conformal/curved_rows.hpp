@@ -10,7 +10,7 @@
 
 namespace contactd::geometry {
 
-/// Rows lie at multiples of a step along the surfaces, counted from the reference: the first at first times the step.
+/// Rows lie at multiples of a step along the surfaces, counted from one at or beside the reference.
 struct CurvedRows {
     int first = 0;
     std::vector<ContactRow> rows;
@@ -22,8 +22,9 @@ struct CurvedRows {
 };
 
 /// Those whose middle lies between `y`, where both surfaces face each other, with two more on both sides, and so many
-/// more still. Points of rail and wheel are at equal arc lengths from the reference.
+/// more still. Points of rail and wheel are at equal arc lengths from the reference, and the row that is counted from
+/// is at `middle`.
 CurvedRows curved_rows(const WheelSurface& wheel, const RailSurface& rail, const ContactReference& reference,
-                       const Extent& y, double step, int more_below = 0, int more_above = 0);
+                       const Extent& y, double step, double middle = 0, int more_below = 0, int more_above = 0);
 
 }  // namespace contactd::geometry

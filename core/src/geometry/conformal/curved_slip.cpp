@@ -76,7 +76,8 @@ CurvedSlip curved_slip(const WheelSurface& wheel, const RailSurface& rail, const
     const Grid& grid = place.grid;
     CurvedSlip result{from, {std::vector<double>(grid.size()), std::vector<double>(grid.size())}};
     if (!(from.velocity > 0)) return result;
-    if (!rail.axle() && state.velocity.x != 0) result.creepages.velocity = std::abs(state.velocity.x);
+    const bool rolls = state.motion != WheelRailMotion::shift;
+    if (rolls && !rail.axle() && state.velocity.x != 0) result.creepages.velocity = std::abs(state.velocity.x);
     const PlanePoints points(grid, CurvedRows{.rows = place.rows}.in_plane(place.reference));
     const std::vector<double> of_rail_surface = rail_heights(rail, place.reference, points);
     const std::vector<double> of_wheel_surface = wheel_heights(wheel, place.reference, points);

@@ -27,7 +27,7 @@ class Mesh {
         for (int j = -j_most_; j <= j_most_; ++j) {
             const double at = profile.s_at_arc_length(s + j * grid.dy);
             for (int i = -i_most_; i <= i_most_; ++i)
-                nodes_.push_back(contact.inside(wheel.frame().outside(wheel.in_wheelset(centre.x + i * grid.dx, at))));
+                nodes_.push_back(contact.inside(wheel.frame().outside(wheel.in_wheel(centre.x + i * grid.dx, at))));
         }
     }
 

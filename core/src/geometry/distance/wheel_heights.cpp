@@ -78,7 +78,7 @@ class WheelAbovePlane {
     }
 
     const WheelSurface& wheel_;
-    Vector3 along_, across_, normal_, centre_;  // of the contact, in the wheelset's coordinates
+    Vector3 along_, across_, normal_, centre_;  // of the contact, in the wheel's coordinates
     Span span_;
     double start_ = 0;
 };

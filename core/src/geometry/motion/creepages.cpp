@@ -11,6 +11,7 @@ namespace contactd::geometry {
 namespace {
 
 constexpr double least_velocity = 1e-30;  // mm/s: as contact problems have it
+constexpr double shift_velocity = 1;      // mm/s, over which the velocities of a shift are given
 constexpr double largest_creepage = 1e9;  // (1, rad/mm): what moves faster than that beside its rolling does not roll
 
 /// Speeds along x of the wheel over the rail and of its rim about its axle, whose mean is the rolling velocity.
@@ -34,14 +35,18 @@ Creepages creepages(const WheelSurface& wheel, const RailSurface& rail, const Wh
     const Frame contact = contact_frame(reference);
     const Vector3 on_wheel = contact.origin + approach * contact.axes.z;
     const SurfaceMotion rim = of_wheel(wheel, state, on_wheel), ground = of_rail(rail, state, contact.origin);
-    const Vector3 pitching = wheel.frame().axes * Vector3{0, state.velocity.pitch, 0};
-    const double of_rim = cross(pitching, on_wheel - wheel.frame().origin).x;
+    const Vector3 pitching = wheel.wheelset().axes * Vector3{0, state.velocity.pitch, 0};
+    const double of_rim = cross(pitching, on_wheel - wheel.wheelset().origin).x;
     RollingSpeeds speeds{rim.velocity.x - ground.velocity.x - of_rim, of_rim};
     if (rail.axle()) speeds = {-ground.velocity.x, rim.velocity.x};
 
     Creepages result;
     result.velocity = rail.axle() ? 0.5 * std::abs(ground.velocity.x + rim.velocity.x) : speeds.mean();
     result.chi = speeds.forwards() ? 0 : std::numbers::pi;
+    if (state.motion == WheelRailMotion::shift) {
+        result.velocity = shift_velocity;
+        result.chi = 0;
+    }
     if (!(result.velocity >= least_velocity)) return {};
     const Vector3 over = ground.velocity - rim.velocity;
     result.xi = dot(over, contact.axes.x) / result.velocity;

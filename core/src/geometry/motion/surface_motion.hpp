@@ -14,8 +14,17 @@ struct SurfaceMotion {
 
 inline SurfaceMotion of_wheel(const WheelSurface& wheel, const WheelRailState& state, const Vector3& at) {
     const WheelsetVelocity& v = state.velocity;
-    const Vector3 angular_velocity = wheel.frame().axes * Vector3{v.roll, v.pitch, v.yaw};
-    return {Vector3{v.x, v.y, v.z} + cross(angular_velocity, at - wheel.frame().origin), angular_velocity};
+    const Frame& wheelset = wheel.wheelset();
+    const Vector3 angular_velocity = wheelset.axes * Vector3{v.roll, v.pitch, v.yaw};
+    SurfaceMotion motion{Vector3{v.x, v.y, v.z} + cross(angular_velocity, at - wheelset.origin), angular_velocity};
+    const WheelDeviation& by = state.wheel;
+    const Vector3 velocities{by.x_velocity, by.y_velocity, by.z_velocity};
+    const Vector3 rates{by.roll_velocity, by.pitch_velocity, by.yaw_velocity};
+    if (dot(velocities, velocities) + dot(rates, rates) == 0) return motion;
+    const Vector3 more = wheelset.axes * rates;
+    motion.velocity = motion.velocity + wheelset.axes * velocities + cross(more, at - wheel.profile_origin());
+    motion.angular_velocity = motion.angular_velocity + more;
+    return motion;
 }
 
 inline SurfaceMotion of_rail(const RailSurface& rail, const WheelRailState& state, const Vector3& at) {

@@ -26,6 +26,7 @@ struct Rotation {
     Vector3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
 
     Vector3 operator*(const Vector3& a) const { return a.x * x + a.y * y + a.z * z; }
+    Rotation operator*(const Rotation& inner) const { return {*this * inner.x, *this * inner.y, *this * inner.z}; }
     Vector3 turned_back(const Vector3& a) const { return {dot(x, a), dot(y, a), dot(z, a)}; }
 
     /// About x, from y to z.

@@ -5,15 +5,27 @@
 #include <utility>
 
 namespace contactd::geometry {
+namespace {
+
+/// The frame in which a profile is where a rigid wheelset would have it in that of the wheelset.
+Frame deviating(const Frame& wheelset, const Vector3& profile_origin, const WheelDeviation& by) {
+    const Vector3 moved{by.x, by.y, by.z};
+    if (by.roll == 0 && by.yaw == 0) return {wheelset.origin + wheelset.axes * moved, wheelset.axes};
+    const Rotation axes = wheelset.axes * Rotation::yaw_then_roll(by.yaw, by.roll);
+    return {wheelset.outside(profile_origin + moved) - axes * profile_origin, axes};
+}
+
+}  // namespace
 
 WheelSurface::WheelSurface(ProfileCurve profile, const Wheelset& wheelset, const WheelsetPosition& position,
-                           std::shared_ptr<const OutOfRound> out_of_round)
+                           const WheelDeviation& deviation, std::shared_ptr<const OutOfRound> out_of_round)
     : profile_(std::move(profile)),
-      frame_{{0, position.y, position.z - wheelset.nominal_radius},
-             Rotation::yaw_then_roll(position.yaw, position.roll)},
       base_y_(wheelset.flange_back_distance / 2 - wheelset.flange_back_position),
       radius_(wheelset.nominal_radius),
-      pitch_(position.pitch),
+      pitch_(position.pitch + deviation.pitch),
+      wheelset_{{0, position.y, position.z - wheelset.nominal_radius},
+                Rotation::yaw_then_roll(position.yaw, position.roll)},
+      frame_(deviating(wheelset_, {0, base_y_, radius_}, deviation)),
       out_of_round_(std::move(out_of_round)) {
     const double cosine = frame_.axes.y.y, sine = -frame_.axes.z.y;  // of the profile's plane, seen along x
     visible_ = visible_span(profile_, [&](const ProfilePoint& point) {
@@ -23,6 +35,7 @@ WheelSurface::WheelSurface(ProfileCurve profile, const Wheelset& wheelset, const
 
 WheelSurface WheelSurface::lowered(double dz) const {
     WheelSurface wheel = *this;
+    wheel.wheelset_.origin.z += dz;
     wheel.frame_.origin.z += dz;
     return wheel;
 }
@@ -55,7 +68,7 @@ double WheelSurface::radius_along(double x, double s) const {
     return std::pow(1 + incline * incline, 1.5) / bulge;
 }
 
-Vector3 WheelSurface::in_wheelset(double x, double s) const {
+Vector3 WheelSurface::in_wheel(double x, double s) const {
     if (out_of_round_) {
         const ProfileCurve::Place here = profile_.place(s);
         return {x, base_y_ + here.at.y, below_axle(x, here, s).z};
@@ -65,7 +78,7 @@ Vector3 WheelSurface::in_wheelset(double x, double s) const {
     return {x, base_y_ + point.y, std::sqrt(std::max(rho * rho - x * x, 0.0))};
 }
 
-// With F = z - sqrt(rho^2 - x^2), grad F is (x, -rho dz/dy, Z)/Z in the wheelset's coordinates, Z the square root. The
+// With F = z - sqrt(rho^2 - x^2), grad F is (x, -rho dz/dy, Z)/Z in the wheel's coordinates, Z the square root. The
 // distance to a body with slope p along x is least along x where (R grad F)_x + p (R grad F)_z = 0.
 LocusPoint WheelSurface::locus(double s, double other) const {
     const ProfileCurve::Place here = profile_.place(s);

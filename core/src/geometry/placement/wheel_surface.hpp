@@ -1,5 +1,5 @@
-// A right wheel in track coordinates: a surface of revolution about the wheelset's axle, or an out-of-round one,
-// rolled and yawed.
+// A right wheel in track coordinates: a surface of revolution, or an out-of-round one, about the wheelset's axle, or
+// about where that of a flexible wheelset has bent to.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ struct LocusPoint {
     Vector3 slope;  ///< of `at`, by s; on a rail that varies along the track as if x were the same for all s nearby
 };
 
-/// A point of the lower half, at an x along the wheelset's axis and an s of the profile: its distance below the axle
+/// A point of the lower half, at an x of the wheel's own axes and an s of the profile: its distance below the axle
 /// (mm), and how this changes, by x as by_x / over and by s as by_s / over.
 struct BelowAxle {
     double z = 0;
@@ -31,7 +31,7 @@ class WheelSurface {
    public:
     /// `out_of_round` is the deviation of an out-of-round wheel from its profile.
     WheelSurface(ProfileCurve profile, const Wheelset& wheelset, const WheelsetPosition& position,
-                 std::shared_ptr<const OutOfRound> out_of_round = nullptr);
+                 const WheelDeviation& deviation = {}, std::shared_ptr<const OutOfRound> out_of_round = nullptr);
 
     bool is_round() const { return !out_of_round_; }
     /// Returns the largest growth of an out-of-round wheel's radius with the angle, over the radius.
@@ -41,9 +41,8 @@ class WheelSurface {
     /// Returns the radius of curvature along x (mm), infinite on a flat.
     double radius_along(double x, double s) const;
 
-    /// Returns a point of the lower half, x along the wheelset's axis (mm) and s of the profile, in the wheelset's
-    /// coordinates.
-    Vector3 in_wheelset(double x, double s) const;
+    /// Returns a point of the lower half in the wheel's coordinates, of which x is given (mm), and s of the profile.
+    Vector3 in_wheel(double x, double s) const;
     /// Returns the locus point of a round wheel: of the profile's point s where the surface of the other body has the
     /// curvature `other` along x (1/mm), or a slope that is known at each x.
     LocusPoint locus(double s, double other = 0) const;
@@ -52,8 +51,11 @@ class WheelSurface {
     /// Returns the wheel with the wheelset's centre lower by dz.
     WheelSurface lowered(double dz) const;
 
-    /// Wheelset in the track.
+    /// The wheel in the track: the wheelset's frame where the wheelset is rigid.
     const Frame& frame() const { return frame_; }
+    const Frame& wheelset() const { return wheelset_; }
+    /// Of the profile, in the track.
+    Vector3 profile_origin() const { return frame_.outside({0, base_y_, radius_}); }
     double base_y() const { return base_y_; }  ///< of the profile's origin along the axle (mm)
     double nominal_radius() const { return radius_; }
     const ProfileCurve& profile() const { return profile_; }
@@ -62,8 +64,8 @@ class WheelSurface {
     LocusPoint locus_point(const ProfileCurve::Place& here, double x, double x_slope) const;
 
     ProfileCurve profile_;
-    Frame frame_;
     double base_y_, radius_, pitch_;
+    Frame wheelset_, frame_;
     std::shared_ptr<const OutOfRound> out_of_round_;
     Span visible_;
 };

@@ -37,14 +37,30 @@ double along_rail(const RailSurface& rail, double y) {
 
 }  // namespace
 
-Grid grid_of(const RegionGroup& group, const RailSurface& rail, double dx, double dy) {
+// Elements then lie where the established program has them.
+double across_rail(const RailSurface& rail, double y) {
+    const ProfileCurve& profile = rail.profile();
+    const auto& points = profile.points();
+    const auto from =
+        std::find_if(points.begin(), points.end(), [](const ProfilePoint& point) { return point.y >= 0; });
+    const auto at = static_cast<std::size_t>(from == points.end() ? 0 : from - points.begin());
+    return along_rail(rail, y) - profile.arc_length(profile.knots()[at]);
+}
+
+Grid grid_of(const RegionGroup& group, const RailSurface& rail, double dx, double dy, const ElementMiddle& middle) {
     const double here = along_rail(rail, group.reference.y);
     const double x_from = group.x.from - group.reference.x, x_to = group.x.to - group.reference.x;
     const double y_from = along_rail(rail, group.y.from) - here, y_to = along_rail(rail, group.y.to) - here;
     const double elements = ((x_to - x_from) / dx + 4) * ((y_to - y_from) / dy + 4);
     check_elements(elements, dx, dy, x_to - x_from, y_to - y_from, most_elements);
-    const Range columns = range_of(x_from, x_to, dx), rows = range_of(y_from, y_to, dy);
-    return {columns.count(), rows.count(), dx, dy, (columns.first - 0.5) * dx, (rows.first - 0.5) * dy};
+    const Range columns = range_of(x_from - middle.x, x_to - middle.x, dx);
+    const Range rows = range_of(y_from - middle.y, y_to - middle.y, dy);
+    return {columns.count(),
+            rows.count(),
+            dx,
+            dy,
+            (columns.first - 0.5) * dx + middle.x,
+            (rows.first - 0.5) * dy + middle.y};
 }
 
 bool grow(Grid& grid, const std::vector<double>& gap, double approach) {

@@ -12,6 +12,7 @@
 namespace contactd {
 namespace {
 
+using geometry::CandidatePatch;
 using Values = std::vector<double>;
 
 constexpr double spin_offset = 1.0 / 6;  // errs least on grids as they are used (docs/contact.md)
@@ -52,7 +53,7 @@ FrictionLaw friction_law(const WheelRailFriction& friction, const ContactPlace& 
     return law;
 }
 
-Rolling rolling_of(const Creepages& creepages, double dq) {
+Rolling rolling_of(const Creepages& creepages, const WheelRailState& state, double dq) {
     Rolling rolling;
     rolling.xi = creepages.xi;
     rolling.eta = creepages.eta;
@@ -61,7 +62,21 @@ Rolling rolling_of(const Creepages& creepages, double dq) {
     rolling.velocity = creepages.velocity;
     rolling.dq = dq;
     rolling.spin_offset = spin_offset;
+    if (state.motion == WheelRailMotion::transient_rolling) {
+        rolling.kind = RollingKind::transient;
+        if (state.time_step) rolling.dq = creepages.velocity * *state.time_step;
+    }
     return rolling;
+}
+
+/// Of a wheel that does not move, too: then nothing slips.
+Shift shift_of(const Creepages& creepages, double seconds) {
+    const double length = creepages.velocity * seconds;
+    Shift shift;
+    shift.rigid_shift = {length * creepages.xi, length * creepages.eta};
+    shift.rotation = length * creepages.phi;
+    shift.duration = seconds;
+    return shift;
 }
 
 RigidSlip rigid_slip_of(const std::vector<geometry::RowSlip>& rows, const Grid& grid, double ahead) {
@@ -180,10 +195,36 @@ void blend(ContactProblem& problem, const ContactPlace& place, const PatchRules&
     problem.initial.pressure = std::move(normal.initial.pressure);
 }
 
+void scale(RigidSlip& slip, double length) {
+    for (auto* values : {&slip.x, &slip.y})
+        for (double& value : *values) value *= length;
+}
+
+/// What each element slips beside a plane motion, which is all of it where surfaces slip row by row.
+void set_motion(ContactProblem& problem, const WheelRailSetup& setup, const WheelRailState& state,
+                const CandidatePatch& found) {
+    Creepages creepages = found.place.creepages;
+    if (!found.row_slips.empty()) creepages.xi = creepages.eta = creepages.phi = 0;
+    Rolling rolling = rolling_of(creepages, state, setup.dq > 0 ? setup.dq : setup.dx);
+    if (setup.model == Model::hertz && is_next_to_nothing(rolling.phi, problem.grid)) rolling.phi = 0;
+    const bool rolls = state.motion != WheelRailMotion::shift && creepages.velocity > 0;
+    if (!found.row_slips.empty())
+        problem.rigid_slip =
+            rigid_slip_of(found.row_slips, problem.grid, rolls ? spin_offset * rolling.dq * std::cos(rolling.chi) : 0);
+    if (!found.additional_slip.empty()) problem.rigid_slip = found.additional_slip;
+    if (rolls) {
+        problem.motion = rolling;
+        return;
+    }
+    const double seconds = state.time_step.value_or(1);
+    problem.motion = shift_of(creepages, seconds);
+    scale(problem.rigid_slip, creepages.velocity * seconds);
+}
+
 }  // namespace
 
-ContactProblem problem_of(const WheelRailSetup& setup, const geometry::CandidatePatch& found,
-                          const geometry::RailSurface& rail, const WheelRailFriction* friction) {
+ContactProblem problem_of(const WheelRailSetup& setup, const WheelRailState& state, const CandidatePatch& found,
+                          const geometry::RailSurface& rail) {
     ContactProblem problem;
     problem.grid = found.place.grid;
     problem.bodies = setup.bodies;
@@ -195,18 +236,10 @@ ContactProblem problem_of(const WheelRailSetup& setup, const geometry::Candidate
     else
         problem.gap = found.paraboloid;
     problem.approach = found.place.approach;
-    if (friction != nullptr && found.place.creepages.velocity > 0) {
-        problem.friction = friction_law(*friction, found.place, rail);
-        Rolling rolling = rolling_of(found.place.creepages, setup.dq > 0 ? setup.dq : setup.dx);
-        if (!found.row_slips.empty()) {
-            rolling.xi = rolling.eta = rolling.phi = 0;
-            problem.rigid_slip =
-                rigid_slip_of(found.row_slips, problem.grid, spin_offset * rolling.dq * std::cos(rolling.chi));
-        }
-        if (setup.model == Model::hertz && is_next_to_nothing(rolling.phi, problem.grid)) rolling.phi = 0;
-        if (!found.additional_slip.empty()) problem.rigid_slip = found.additional_slip;
-        problem.motion = rolling;
-    }
+    const bool is_steady = state.motion == WheelRailMotion::steady_rolling;
+    if (!setup.friction || (is_steady && !(found.place.creepages.velocity > 0))) return problem;
+    problem.friction = friction_law(*setup.friction, found.place, rail);
+    set_motion(problem, setup, state, found);
     return problem;
 }
 

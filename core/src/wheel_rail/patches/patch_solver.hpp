@@ -8,9 +8,9 @@
 
 namespace contactd {
 
-/// Returns the contact problem of a candidate patch, without friction where `friction` is null.
-ContactProblem problem_of(const WheelRailSetup& setup, const geometry::CandidatePatch& found,
-                          const geometry::RailSurface& rail, const WheelRailFriction* friction);
+/// Returns the contact problem of a candidate patch, without what a step that is not steady goes on from.
+ContactProblem problem_of(const WheelRailSetup& setup, const WheelRailState& state,
+                          const geometry::CandidatePatch& found, const geometry::RailSurface& rail);
 
 /// Solves it, on the strips of its patch. Regions with a weighted interaction are solved in outer iterations: the
 /// share of the displacements of the others that does not act on them is taken out of the gap.

@@ -49,13 +49,11 @@ SurfaceState estimate_for(const ContactPlace& place, const std::vector<Patch>& b
     return {of(patch->tractions.pressure), of(patch->tractions.traction_x), of(patch->tractions.traction_y)};
 }
 
-std::vector<Patch> estimates_of(const WheelRailSolution& solution) {
-    std::vector<Patch> estimates;
-    for (const auto& [place, gap, solved, forces] : solution.patches)
-        if (!gap.empty())
-            estimates.push_back(
-                {place.grid, place.reference.y, {solved.pressure, solved.traction_x, solved.traction_y}});
-    return estimates;
+Patch estimate_of(const geometry::CandidatePatch& found, const ContactSolution& solution) {
+    return {found.place.grid,
+            found.place.reference.y,
+            found.place.on_rail,
+            {solution.pressure, solution.traction_x, solution.traction_y}};
 }
 
 }  // namespace contactd

@@ -5,6 +5,7 @@
 
 #include "contactd/wheel_rail_estimates.hpp"
 #include "contactd/wheel_rail_solution.hpp"
+#include "geometry/position.hpp"
 
 namespace contactd {
 
@@ -12,7 +13,7 @@ namespace contactd {
 /// same elements.
 SurfaceState estimate_for(const ContactPlace& place, const std::vector<WheelRailEstimates::Patch>& before);
 
-/// Returns the estimates of patches of model full.
-std::vector<WheelRailEstimates::Patch> estimates_of(const WheelRailSolution& solution);
+/// Returns that of a patch of model full.
+WheelRailEstimates::Patch estimate_of(const geometry::CandidatePatch& found, const ContactSolution& solution);
 
 }  // namespace contactd

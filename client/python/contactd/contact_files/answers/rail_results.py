@@ -82,9 +82,9 @@ class RailResult:
         has_friction, counts = self._rolls(patch), solution.elements
         return {
             "XCP(TR)": reference.x, "YCP(TR)": reference.y, "ZCP(TR)": reference.z, "DELTCP(TR)": reference.angle,
-            "CKSI": motion.xi, "CETA": motion.eta, "CPHI": motion.phi, **_forces(patch),
+            "CKSI": motion.xi, "CETA": motion.eta, "CPHI": motion.phi, **self._forces(patch),
             "ELAST.EN.": (solution.elastic_energy or 0.0) * _PER_THOUSAND,
-            "FRIC": -(solution.frictional_power or 0.0) * _PER_THOUSAND,
+            "FRIC": -(solution.frictional_power or solution.frictional_work or 0.0) * _PER_THOUSAND,
             "APPROACH": solution.approach, "PMAX": solution.pmax, "NPOT": patch.place.grid.nx * patch.place.grid.ny,
             "NCON": counts.contact, "NADH": counts.adhesion if has_friction else counts.contact,
             "NSLIP": counts.slip if has_friction else 0,
@@ -127,7 +127,8 @@ class RailResult:
         """The elements of a patch."""
         place, solution, motion = patch.place, patch.solution, patch.place.creepages
         none = np.zeros(place.grid.shape)
-        offset = ahead(self.contact.case.values["DX"], motion.chi, _SPIN_OFFSET)
+        step = 0.0 if self.contact.is_shift else self.contact.setup.dq or self.contact.setup.dx or 0.0
+        offset = ahead(step, motion.chi, _SPIN_OFFSET)
         arrays = [none if array is None else array for array in (solution.slip_x, solution.slip_y, patch.gap)]
         slip_x, slip_y, gap = arrays
         traction_x, traction_y, pressure = _tractions(patch)
@@ -141,6 +142,28 @@ class RailResult:
             slip=(slip_x, slip_y), displacement=displacement_of(solution),
             rigid_slip=rigid_slip_on(place.grid, (motion.xi, motion.eta), motion.phi, (-offset[0], -offset[1])),
         )  # fmt: skip
+
+    def _forces(self, patch: WheelRailPatch) -> dict[str, float]:
+        """In the axes of the patch. Of one that is curved they are those of the vectors of all rows together. Moments of a
+        transient contact are about where its elements are counted from, which are those of the rows in one that is curved."""
+        solution, track, reference = patch.solution, patch.forces.track, patch.place.reference
+        x, y = self.spin_centre(patch)
+        if not patch.place.rows:
+            moment = solution.Mz + x * solution.Fy - y * solution.Fx
+            return {"FN": solution.Fn, "FX": solution.Fx, "FS": solution.Fy, "MN": moment}
+        cos, sin = math.cos(reference.angle), math.sin(reference.angle)
+        lateral = track.Fy * cos + track.Fz * sin
+        return {
+            "BAR_FN": track.Fz * cos - track.Fy * sin, "BAR_FX": track.Fx, "BAR_FS": lateral,
+            "MN": moment_about_normal(track, reference) + x * lateral,
+        }  # fmt: skip
+
+    def spin_centre(self, patch: WheelRailPatch) -> tuple[float, float]:
+        """The reference from where the elements of a transient contact are counted."""
+        if self.contact.case.digits["T"] not in (1, 2):
+            return 0.0, 0.0
+        on_rail = patch.place.on_rail
+        return on_rail.along, on_rail.across
 
     def stresses_of(self, patch: WheelRailPatch) -> list[StressField]:
         """Below the surface of a patch."""
@@ -158,15 +181,3 @@ def _tractions(patch: WheelRailPatch) -> Floats:
     none = np.zeros(patch.place.grid.shape)
     arrays = (patch.solution.traction_x, patch.solution.traction_y, patch.solution.pressure)
     return np.stack([none if array is None else array for array in arrays])
-
-
-def _forces(patch: WheelRailPatch) -> dict[str, float]:
-    """In the axes of the patch. Of one that is curved they are those of the vectors of all rows together."""
-    solution, track, reference = patch.solution, patch.forces.track, patch.place.reference
-    if not patch.place.rows:
-        return {"FN": solution.Fn, "FX": solution.Fx, "FS": solution.Fy, "MN": solution.Mz}
-    cos, sin = math.cos(reference.angle), math.sin(reference.angle)
-    return {
-        "BAR_FN": track.Fz * cos - track.Fy * sin, "BAR_FX": track.Fx, "BAR_FS": track.Fy * cos + track.Fz * sin,
-        "MN": moment_about_normal(track, reference),
-    }  # fmt: skip

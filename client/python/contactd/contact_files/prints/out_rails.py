@@ -13,6 +13,15 @@ from .out_text import case_head, digits, g_row, row
 
 __all__ = ["rail_lines"]
 
+_KINDS = {
+    1: ("SHIFT TRANSIENT", "SHIFT"),
+    2: ("TRANSIENT ROLLING", "CREEPAGE"),
+    3: ("STEADY STATE ROLLING", "CREEPAGE"),
+}
+_FLEXIBLE = (
+    ("DXWHL", "DYWHL", "DZWHL", "DROLLW", "DYAWW", "DPITCHW"),
+    ("VXWHL", "VYWHL", "VZWHL", "VROLLW", "VYAWW", "VPITCHW"),
+)
 _DEVIATIONS = ("DYRAIL", "DZRAIL", "DROLLR", "VYRAIL", "VZRAIL", "VROLLR")
 
 
@@ -52,7 +61,8 @@ def _sentences(result: RailResult) -> Iterator[str]:
     yield f" VERTICAL PROBLEM WITH PRESCRIBED {'VERTICAL FORCE' if digit['N'] == 1 else 'POSITION'}, FULL SOLUTION"
     if digit["T"] == 0:
         return
-    yield f" STEADY STATE ROLLING, {'X-FORCE' if digit['F'] == 1 else 'CREEPAGE'} PRESCRIBED"
+    kind, motion = _KINDS[digit["T"]]
+    yield f" {kind}, {'X-FORCE' if digit['F'] == 1 else motion} PRESCRIBED"
     if pair_of(values).is_quasi_identical or values["MAXOUT"] == 1:
         yield ' JOHNSON"S METHOD IS USED FOR THE FRICTIONAL STRESS'
     else:
@@ -159,6 +169,11 @@ def _wheelset(result: RailResult) -> Iterator[str]:
     forwards = fixed(values["RPITCH"], 12, 7) if roller else general(values["VS"])
     others = [general(values[name]) for name in ("VY", "VZ", "VROLL", "VYAW")]
     yield row([forwards, *others, fixed(result.solution.pitch_rate, 12, 7)])
+    for labels in _FLEXIBLE if any(values.get(name, 0) != 0 for row_of in _FLEXIBLE for name in row_of) else ():
+        if labels is _FLEXIBLE[0]:
+            yield from ("", " FLEXIBLE WHEEL-SET DEVIATIONS")
+        yield f"     {''.join(f'{label:<12}' for label in labels)}".rstrip()
+        yield row([general(values.get(name, 0.0)) for name in labels])
 
 
 def _forces(result: RailResult) -> Iterator[str]:

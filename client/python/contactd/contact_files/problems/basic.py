@@ -149,7 +149,7 @@ def _normal_force(problem: ContactProblem, case: Case, pair: Pair, normal_force:
 
 def _friction(case: Case, grid: Grid, chi: float, dq: float, force: Any) -> Friction:
     values, digits = case.values, case.digits
-    mu, kinetic = coefficients(values["FRCLAW"], case.friction, grid)
+    mu, kinetic = coefficients(values, case.friction, grid)
     phi, rolls = values["CPHI"], digits["T"] != _SHIFT
     xi = values.get("CKSI", 0.0) + phi * values["SPINYO"]
     eta = values.get("CETA", 0.0) - phi * values["SPINXO"]

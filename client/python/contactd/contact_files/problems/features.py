@@ -82,10 +82,7 @@ _BASIC = (
              lambda case: case.values.get("IPOTCN", 0) > 0 and case.values.get("IPLAN") == 4),
 )  # fmt: skip
 
-_FLEXIBLE = ("DXWHL", "DYWHL", "DZWHL", "DROLLW", "DYAWW", "VXWHL", "VYWHL", "VZWHL", "VROLLW", "VYAWW", "VPITCHW")
-
 _ON_RAILS = (
-    _digit("transient contact on rails", "T", 1, 2),
     _digit("elliptic or parabolic traction bound", "B", 2, 3, 4),
     _digit("KPEC", "B", 5),
     _digit("ANALYN", "B", 6),
@@ -98,6 +95,4 @@ _ON_RAILS = (
              lambda case: case.digits["C1"] >= 4 and case.values.get("DROLLR", 0) != 0),
     _Feature("a roller placed by its gauge that deviates with its axle (DZRAIL)",
              lambda case: case.digits["C1"] >= 4 and case.values.get("DZRAIL", 0) != 0 and case.values["GAUGHT"] > 0),
-    # Deviations of an earlier case stay in force, whatever E says.
-    _Feature("flexible wheelset (E = 4, 5)", lambda case: any(case.values.get(name, 0) != 0 for name in _FLEXIBLE)),
 )  # fmt: skip

@@ -10,7 +10,7 @@ import numpy as np
 
 from ...values.friction_methods import Force
 from ...values.grid import Grid
-from ...values.motion import KineticFriction, SlipLaw
+from ...values.motion import KineticFriction, SlipLaw, SlipStart
 from .features import Missing
 
 __all__ = ["Coefficients", "coefficients", "coefficients_of_sets", "shares", "static"]
@@ -32,30 +32,36 @@ def static(law: int, one: Set) -> float:
     return one["FREF"] if law == _BY_TEMPERATURE else one["FKIN"] + one["F1"] + one["F2"]
 
 
-def coefficients(law: int, sets: Sequence[Set], grid: Grid) -> Coefficients:
+def coefficients(values: Mapping[str, Any], sets: Sequence[Set], grid: Grid) -> Coefficients:
     """The coefficients of one set, or of one a row of the grid."""
-    rows, fall = coefficients_of_sets(law, sets)
+    rows, fall = coefficients_of_sets(values, sets)
     if len(rows) == 1:
         return rows[0], fall
     return np.repeat(np.array(rows)[:, None], grid.nx, axis=1), fall
 
 
-def coefficients_of_sets(law: int, sets: Sequence[Set]) -> tuple[list[float], KineticFriction | None]:
-    """Coefficients at rest, and the fall that all sets have. Raises Missing where they do not all fall alike."""
-    falls = [_fall(law, one) for one in sets]
+def coefficients_of_sets(
+    values: Mapping[str, Any], sets: Sequence[Set]
+) -> tuple[list[float], KineticFriction | None]:
+    """Coefficients at rest, and the fall that all sets have. Raises Missing where they do not all fall alike.
+
+    INISLP < 0 lets the slip start at VELOC, which finds another solution where there are several."""
+    law = values["FRCLAW"]
+    start: SlipStart | None = "full_slip" if values.get("INISLP", 0) < 0 else None
+    falls = [_fall(law, one, start) for one in sets]
     if any(fall != falls[0] for fall in falls):
         raise Missing("falling friction that is another one from place to place (V)")
     return [static(law, one) for one in sets], falls[0]
 
 
-def _fall(law: int, one: Set) -> KineticFriction | None:
+def _fall(law: int, one: Set, start: SlipStart | None) -> KineticFriction | None:
     if law not in _LAWS:
         return None
     name, factor = _LAWS[law]
     term = "1" if one["F1"] > _NO_TERM else "2"
     if one[f"F{term}"] <= _NO_TERM:
         return None
-    return KineticFriction(one["FKIN"], factor * one[f"SABSH{term}"], name)
+    return KineticFriction(one["FKIN"], factor * one[f"SABSH{term}"], name, start)
 
 
 def shares(case_values: Mapping[str, Any], prescribed: int, unit: float) -> Force | None:

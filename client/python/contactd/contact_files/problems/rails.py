@@ -20,7 +20,7 @@ from ...values.wheel_rail.setup import (
     Wheelset,
     WheelSurface,
 )
-from ...values.wheel_rail.state import RailDeviation, WheelRailState, WheelsetPosition, WheelsetVelocity
+from ...values.wheel_rail.state import RailDeviation, WheelDeviation, WheelRailState, WheelsetPosition, WheelsetVelocity
 from .bodies import pair_of, sheet_of
 from .features import Missing, missing
 from .frictions import coefficients_of_sets
@@ -35,8 +35,14 @@ Slices = Sequence[tuple[Any, ...]]
 Profiles = Callable[["Case", str], "Profile | tuple[Slices, str]"]
 
 _ROLLER, _RIGHT = 4, 1
+_SHIFT, _TRANSIENT = 1, 2
 _HALF_PLANE = 4  #: D: contact that follows the surfaces
 _NEAR = 1e-6  #: by how much distances that are the same to the program are apart here (mm)
+_OF_DEVIATION = {
+    "x": "DXWHL", "y": "DYWHL", "z": "DZWHL", "roll": "DROLLW", "yaw": "DYAWW",
+    "x_velocity": "VXWHL", "y_velocity": "VYWHL", "z_velocity": "VZWHL",
+    "roll_velocity": "VROLLW", "yaw_velocity": "VYAWW", "pitch_velocity": "VPITCHW",
+}  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,11 +73,22 @@ class RailContact:
             side="right" if case.digits["C1"] % _ROLLER == _RIGHT else "left",
             upper=pair.upper, lower=pair.lower, track=_track(case), wheelset=_wheelset(values), friction=friction,
             dx=values["DX"], dy=values["DS"], patches=_patches(values), wheel_surface=wheel_surface,
-            rigid_slip="surfaces" if values["DISCNS"] == 3 else None, conformal=_conformal(values),
+            dq=_step(case), rigid_slip="surfaces" if values["DISCNS"] == 3 else None, conformal=_conformal(values),
             **_surfaces(case, profiles), **_settings(values), sheet_flexibility=sheet_of(case),
         )  # fmt: skip
         unit = friction.mu if friction is not None and isinstance(friction.mu, float) else None
         return cls(case, setup, _state(case), unit)
+
+    @property
+    def is_shift(self) -> bool:
+        """Tells whether the step is one."""
+        return self.state.motion == "shift"
+
+
+def _step(case: Case) -> float | None:
+    """What is rolled in a step (mm), where that is not an element, as of steady rolling."""
+    share = case.values["DQREL"]
+    return share * case.values["DX"] if case.digits["T"] == _TRANSIENT and share != 1 else None
 
 
 def _surfaces(case: Case, profiles: Profiles) -> dict[str, Any]:
@@ -137,12 +154,12 @@ def _settings(values: Any) -> dict[str, Any]:
 
 
 def _friction(case: Case) -> WheelRailFriction:
-    values, law = case.values, case.values["FRCLAW"]
+    values = case.values
     if values["VARFRC"] != 1:
         sets = [_at_place(case.friction, values["S_WS"])] if values["VARFRC"] == 2 else case.friction[:1]
-        (mu,), kinetic = coefficients_of_sets(law, sets)
+        (mu,), kinetic = coefficients_of_sets(values, sets)
         return WheelRailFriction(float(mu), kinetic=kinetic)
-    mus, kinetic = coefficients_of_sets(law, case.friction)
+    mus, kinetic = coefficients_of_sets(values, case.friction)
     by_angle = [(one["ALPHVF"] + _angle_offset(case), mu) for one, mu in zip(case.friction, mus)]
     return WheelRailFriction(by_angle, along_profile=values["DISCNS"] == _HALF_PLANE or None, kinetic=kinetic)
 
@@ -179,9 +196,21 @@ def _state(case: Case) -> WheelRailState:
         z_velocity=values["VZRAIL"], roll_velocity=values["VROLLR"], **others,
     )  # fmt: skip
     return WheelRailState(
-        position=position, velocity=velocity, rail=rail, roller_pitch=values["RPITCH"] if is_roller else 0.0,
-        Fz=values.get("FZ"), Fx=values.get("FX") if case.digits["F"] == 1 else None,
+        position=position, velocity=velocity, wheel=_deviation(values), rail=rail, roller_pitch=values["RPITCH"] if is_roller else 0.0,
+        Fz=values.get("FZ"), Fx=values.get("FX") if case.digits["F"] == 1 else None, **_motion(case.digits["T"]),
     )  # fmt: skip
+
+
+def _motion(tangential: int) -> dict[str, Any]:
+    """Velocities of a shift are increments, those of a second."""
+    if tangential == _SHIFT:
+        return {"motion": "shift", "time_step": 1.0}
+    return {"motion": "transient_rolling"} if tangential == _TRANSIENT else {}
+
+
+def _deviation(values: Any) -> WheelDeviation:
+    """That of a flexible wheelset. Those of an earlier case stay in force, whatever E says; DPITCHW has no effect."""
+    return WheelDeviation(**{field: values.get(name, 0.0) for field, name in _OF_DEVIATION.items()})
 
 
 def _free_pitch_rate(values: Any, forwards: float, is_roller: bool) -> float:

@@ -16,6 +16,7 @@ __all__ = [
     "ContactRow",
     "Creepages",
     "OverlapRegion",
+    "RailPlace",
     "WheelRailGeometry",
 ]
 
@@ -35,6 +36,21 @@ class ContactReference:
     y: float
     z: float
     angle: float
+
+
+@dataclass(frozen=True)
+class RailPlace:
+    """The reference along and across the rail: elements of transient contact lie at multiples of dx and dy from where
+    both are 0.
+
+    Attributes:
+        along: x forwards, of a shift with position.x of the state (mm).
+        across: Arc length to the right, from the first point of the rail's profile with y at or beyond 0 on the field
+            side (mm).
+    """
+
+    along: float
+    across: float
 
 
 @dataclass(frozen=True)
@@ -116,6 +132,8 @@ class ContactPlace:
 
     Attributes:
         reference: Its origin and plane, on the rail.
+        on_rail: The reference along and across the rail: elements of transient contact lie at multiples of dx and dy
+            from where both are 0.
         regions: Regions where the undeformed profiles overlap, from the right to the left; more than one interact with
             a weight.
         shares: Weights of the interaction of regions: the share of the displacements of each region that acts on each,
@@ -129,6 +147,7 @@ class ContactPlace:
     """
 
     reference: ContactReference
+    on_rail: RailPlace
     regions: tuple[OverlapRegion, ...]
     shares: tuple[float, ...]
     grid: Grid

@@ -6,10 +6,21 @@ Written by ./dev generate from proto/schema: edit it there.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 from ..dictionaries import Saved
 
-__all__ = ["RailDeviation", "WheelRailState", "WheelsetPosition", "WheelsetState", "WheelsetVelocity"]
+__all__ = [
+    "RailDeviation",
+    "WheelDeviation",
+    "WheelRailMotion",
+    "WheelRailState",
+    "WheelsetPosition",
+    "WheelsetState",
+    "WheelsetVelocity",
+]
+
+WheelRailMotion = Literal["steady_rolling", "transient_rolling", "shift"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,6 +68,40 @@ class WheelsetVelocity:
 
 
 @dataclass(frozen=True, kw_only=True)
+class WheelDeviation:
+    """Deviation of the wheel from where a rigid wheelset has it, as of an axle that bends: of the origin of its profile
+    along the wheelset's axes, and turns about that point, the yaw first. Rates are added to the motion of the wheelset.
+
+    Attributes:
+        x: Deviation of the wheel along the wheelset's x axis (mm).
+        y: Deviation of the wheel along the wheelset's y axis (mm): of a right wheel outwards.
+        z: Deviation of the wheel along the wheelset's z axis (mm): down.
+        roll: Roll of the wheel beside that of the wheelset, from y to z (rad), -0.5 to 0.5.
+        yaw: Yaw of the wheel beside that of the wheelset, from x to y (rad), -0.5 to 0.5.
+        pitch: Rotation of an out-of-round wheel about its axle, beside that of the wheelset (rad).
+        x_velocity: Velocity of the wheel's deviation along x (mm/s).
+        y_velocity: Velocity of the wheel's deviation along y (mm/s).
+        z_velocity: Velocity of the wheel's deviation along z (mm/s).
+        roll_velocity: Velocity of the wheel's roll beside that of the wheelset (rad/s).
+        yaw_velocity: Velocity of the wheel's yaw beside that of the wheelset (rad/s).
+        pitch_velocity: Velocity of the wheel's pitch beside that of the wheelset (rad/s).
+    """
+
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 0.0
+    roll: float = 0.0
+    yaw: float = 0.0
+    pitch: float = 0.0
+    x_velocity: float = 0.0
+    y_velocity: float = 0.0
+    z_velocity: float = 0.0
+    roll_velocity: float = 0.0
+    yaw_velocity: float = 0.0
+    pitch_velocity: float = 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
 class RailDeviation:
     """Deviation of the rail from where track and gauge have it, in track coordinates also for a left one.
 
@@ -89,22 +134,34 @@ class WheelRailState(Saved):
         position: Position of the wheelset's centre, from where it stands in the middle with its tape circles on the
             plane of the track.
         velocity: Velocity of the wheelset's centre in track coordinates, and about its own axes.
+        wheel: Deviation of the wheel from where a rigid wheelset has it, as of an axle that bends: of the origin of its
+            profile along the wheelset's axes, and turns about that point, the yaw first. Rates are added to the motion
+            of the wheelset.
         rail: Deviation of the rail from where track and gauge have it, in track coordinates also for a left one.
         roller_pitch: Pitch rate of a roller (rad/s): positive where the wheel on it turns as when rolling forwards.
         Fz: Vertical force of this wheel on the rail, which position.z is found for (N), >= 1e-06. None: position.z is
             prescribed.
         Fx: Longitudinal force on the rail along the wheelset's x axis, which velocity.pitch is found for (N); needs
             friction. None: velocity.pitch is prescribed.
+        motion: What a step is: steady rolling knows nothing of the steps before; transient rolling and a shift go on
+            from the tractions that the step before of a session ended with, and from none where there was none.
+            Elements of transient rolling move with the wheelset, and those of a shift are fixed to the rail.
+        time_step: Duration of a step that is not steady (s), > 0: a shift, which needs it, is that of the velocities in
+            this time, and transient rolling goes as far as the rolling velocity takes it. None, that rolls by dq of the
+            set-up.
         derivatives: Whether the solution has derivatives of the forces by position and velocity.
         displacements: Whether the solutions of patches have displacements, and elastic energies, as in contact.solve.
     """
 
     position: WheelsetPosition = WheelsetPosition()
     velocity: WheelsetVelocity = WheelsetVelocity()
+    wheel: WheelDeviation = WheelDeviation()
     rail: RailDeviation = RailDeviation()
     roller_pitch: float = 0.0
     Fz: float | None = None
     Fx: float | None = None
+    motion: WheelRailMotion = "steady_rolling"
+    time_step: float | None = None
     derivatives: bool = False
     displacements: bool = False
 
@@ -118,6 +175,8 @@ class WheelsetState(Saved):
         Fz_right: Vertical force of the right wheel on its rail (N), >= 1e-06.
         position: Position of the wheelset's centre; z and roll, which are found, only tell where to start.
         velocity: Velocity of the wheelset's centre in track coordinates, and about its own axes.
+        left_wheel: Deviation of the left wheel, along the wheelset's axes: y to the right.
+        right_wheel: Deviation of the right wheel, along the wheelset's axes.
         left_rail: Deviation of the left rail, in track coordinates: y to the right.
         right_rail: Deviation of the right rail, in track coordinates.
         roller_pitch: Pitch rate of a roller (rad/s): positive where the wheel on it turns as when rolling forwards.
@@ -127,6 +186,8 @@ class WheelsetState(Saved):
     Fz_right: float
     position: WheelsetPosition = WheelsetPosition()
     velocity: WheelsetVelocity = WheelsetVelocity()
+    left_wheel: WheelDeviation = WheelDeviation()
+    right_wheel: WheelDeviation = WheelDeviation()
     left_rail: RailDeviation = RailDeviation()
     right_rail: RailDeviation = RailDeviation()
     roller_pitch: float = 0.0

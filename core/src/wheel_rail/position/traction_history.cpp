@@ -1,0 +1,101 @@
+#include "traction_history.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace contactd {
+namespace {
+
+/// Zero where there are none.
+double value_at(const std::vector<double>& values, std::size_t i) {
+    return values.empty() ? 0 : values[i];
+}
+
+}  // namespace
+
+TractionHistory::TractionHistory(const std::vector<WheelRailEstimates::Patch>& before,
+                                 const std::vector<geometry::CandidatePatch>& now) {
+    for (const geometry::CandidatePatch& found : now) {
+        const Grid& grid = found.place.grid;
+        const RailPlace& on_rail = found.place.on_rail;
+        patches_.push_back({grid, on_rail, elements_of(grid, on_rail)});
+    }
+    for (const WheelRailEstimates::Patch& patch : before) {
+        if (patches_.empty() || patch.grid.dx != patches_[0].grid.dx || patch.grid.dy != patches_[0].grid.dy) continue;
+        const Elements elements = elements_of(patch.grid, patch.on_rail);
+        const SurfaceState& state = patch.tractions;
+        for (std::size_t i = 0; i < patch.grid.size(); ++i) {
+            const double pressure = value_at(state.pressure, i), along = value_at(state.traction_x, i);
+            const double across = value_at(state.traction_y, i);
+            if (pressure == 0 && along == 0 && across == 0) continue;
+            const long long ix = elements.x + static_cast<int>(i) % elements.nx;
+            const long long iy = elements.y + static_cast<int>(i) / elements.nx;
+            if (Patch* owner = nearest(ix, iy))
+                owner->tractions.push_back({ix, iy, pressure, along, across});
+            else
+                left_behind_ += std::hypot(along, across) * patch.grid.element_area();
+        }
+    }
+}
+
+long long TractionHistory::Elements::beside(long long ix, long long iy) const {
+    return std::max({0LL, x - ix, ix - (x + nx - 1), y - iy, iy - (y + ny - 1)});
+}
+
+// The first element is rounded, and the others follow it: those of steady rolling lie about their reference.
+TractionHistory::Elements TractionHistory::elements_of(const Grid& grid, const RailPlace& on_rail) {
+    return {std::llround((on_rail.along + grid.x(0)) / grid.dx), std::llround((on_rail.across + grid.y(0)) / grid.dy),
+            grid.nx, grid.ny};
+}
+
+TractionHistory::Patch* TractionHistory::nearest(long long ix, long long iy) {
+    Patch* best = nullptr;
+    long long least = 0;
+    for (Patch& patch : patches_) {
+        const long long away = patch.elements.beside(ix, iy);
+        const auto& [x, y, nx, ny] = patch.elements;
+        if (away > std::max(nx, ny) || (best != nullptr && away >= least)) continue;
+        best = &patch;
+        least = away;
+    }
+    return best;
+}
+
+Grid TractionHistory::widened(std::size_t patch) const {
+    const Patch& now = patches_[patch];
+    const auto& [x, y, nx, ny] = now.elements;
+    long long left = 0, right = 0, below = 0, above = 0;
+    for (const Traction& traction : now.tractions) {
+        left = std::max(left, x - traction.x);
+        right = std::max(right, traction.x - (x + nx - 1));
+        below = std::max(below, y - traction.y);
+        above = std::max(above, traction.y - (y + ny - 1));
+    }
+    Grid grid = now.grid;
+    grid.x0 -= static_cast<double>(left) * grid.dx;
+    grid.y0 -= static_cast<double>(below) * grid.dy;
+    grid.nx += static_cast<int>(left + right);
+    grid.ny += static_cast<int>(below + above);
+    return grid;
+}
+
+SurfaceState TractionHistory::on(std::size_t patch, const Grid& grid) const {
+    const Patch& now = patches_[patch];
+    if (now.tractions.empty()) return {};
+    const Elements elements = elements_of(grid, now.on_rail);
+    SurfaceState state;
+    for (auto* values : {&state.pressure, &state.traction_x, &state.traction_y}) values->resize(grid.size());
+    for (const Traction& traction : now.tractions) {
+        if (elements.beside(traction.x, traction.y) > 0) continue;
+        const std::size_t i =
+            static_cast<std::size_t>(traction.y - elements.y) * static_cast<std::size_t>(elements.nx) +
+            static_cast<std::size_t>(traction.x - elements.x);
+        state.pressure[i] = traction.pressure;
+        state.traction_x[i] = traction.along;
+        state.traction_y[i] = traction.across;
+    }
+    return state;
+}
+
+}  // namespace contactd

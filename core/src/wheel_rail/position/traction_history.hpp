@@ -1,0 +1,53 @@
+// Tractions that a step which is not steady goes on from.
+#pragma once
+
+#include <vector>
+
+#include "contactd/contact_load.hpp"
+#include "contactd/wheel_rail_estimates.hpp"
+#include "geometry/position.hpp"
+
+namespace contactd {
+
+/// Tractions of the patches before on the elements of those that are now, which move, grow, merge and split: each
+/// element's go to the patch that is nearest. None is lost but what lies farther from it than that is large.
+class TractionHistory {
+   public:
+    /// The elements of the patches are those that they touch by, before they are widened.
+    TractionHistory(const std::vector<WheelRailEstimates::Patch>& before,
+                    const std::vector<geometry::CandidatePatch>& now);
+
+    /// Returns the grid of a patch with the elements that its tractions lie on.
+    Grid widened(std::size_t patch) const;
+    /// On the elements of a patch, whose grid is `grid` now; empty where there are none.
+    SurfaceState on(std::size_t patch, const Grid& grid) const;
+    /// How large a force (N) is left behind, on elements too far away.
+    double force_left_behind() const { return left_behind_; }
+
+   private:
+    /// Of elements on the rail, by multiples of their sizes.
+    struct Elements {
+        long long x = 0, y = 0;
+        int nx = 0, ny = 0;
+
+        long long beside(long long ix, long long iy) const;  ///< how many elements away the farther coordinate is
+    };
+    struct Traction {
+        long long x, y;
+        double pressure, along, across;
+    };
+    struct Patch {
+        Grid grid;
+        RailPlace on_rail;
+        Elements elements;
+        std::vector<Traction> tractions{};
+    };
+
+    static Elements elements_of(const Grid& grid, const RailPlace& on_rail);
+    Patch* nearest(long long ix, long long iy);
+
+    std::vector<Patch> patches_;
+    double left_behind_ = 0;
+};
+
+}  // namespace contactd

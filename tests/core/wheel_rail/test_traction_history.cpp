@@ -1,0 +1,79 @@
+// Tractions of patches that move, grow, merge and split.
+#include "wheel_rail/position/traction_history.hpp"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <numeric>
+
+using namespace contactd;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+WheelRailEstimates::Patch patch_at(double along, double across, int nx, int ny) {
+    const Grid grid = Grid::centred(nx, ny, 0.5, 0.25);
+    WheelRailEstimates::Patch patch{grid, 0, {along, across}, {}};
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        patch.tractions.pressure.push_back(1 + static_cast<double>(i));
+        patch.tractions.traction_x.push_back(0.3 + static_cast<double>(i));
+        patch.tractions.traction_y.push_back(-0.2);
+    }
+    return patch;
+}
+
+geometry::CandidatePatch candidate_at(double along, double across, int nx, int ny) {
+    geometry::CandidatePatch found;
+    found.place.grid = Grid::centred(nx, ny, 0.5, 0.25);
+    found.place.on_rail = {along, across};
+    return found;
+}
+
+double sum(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+}  // namespace
+
+TEST_CASE("Tractions move by whole elements, and the grid grows for them") {
+    const TractionHistory history({patch_at(0, 0, 5, 3)}, {candidate_at(1, 0.25, 5, 3)});
+    const Grid grid = history.widened(0);
+    CHECK(grid.nx == 7);
+    CHECK(grid.ny == 4);
+    const SurfaceState state = history.on(0, grid);
+    REQUIRE(state.pressure.size() == 28);
+    CHECK(state.pressure[0] == 1);
+    CHECK(state.pressure[7] == 6);
+    CHECK(state.pressure[5] == 0);
+    CHECK(sum(state.pressure) == 120);
+    CHECK(history.force_left_behind() == 0);
+}
+
+TEST_CASE("Tractions of patches that merge and split are kept") {
+    const auto right = patch_at(0, 0, 5, 5), left = patch_at(0.5, 2, 5, 5);
+    const double total = sum(right.tractions.traction_x) + sum(left.tractions.traction_x);
+    const TractionHistory merged({right, left}, {candidate_at(0, 1, 7, 9)});
+    CHECK_THAT(sum(merged.on(0, merged.widened(0)).traction_x), WithinRel(total, 1e-12));
+
+    const auto whole = patch_at(0, 1, 5, 13);
+    const TractionHistory split({whole}, {candidate_at(0, 0, 5, 5), candidate_at(0, 2, 5, 5)});
+    double kept = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double part = sum(split.on(i, split.widened(i)).traction_x);
+        CHECK(part > 0);
+        kept += part;
+    }
+    CHECK_THAT(kept, WithinRel(sum(whole.tractions.traction_x), 1e-12));
+}
+
+TEST_CASE("Tractions too far away are counted, and left behind") {
+    const TractionHistory history({patch_at(0, 0, 5, 3)}, {candidate_at(100, 0, 5, 3)});
+    CHECK(history.widened(0) == candidate_at(100, 0, 5, 3).place.grid);
+    CHECK(history.on(0, history.widened(0)).empty());
+    CHECK(history.force_left_behind() > 0);
+}
+
+TEST_CASE("Elements of steady rolling are taken for those next to them") {
+    const auto before = patch_at(0.2, 0.1, 5, 3);
+    const TractionHistory history({before}, {candidate_at(0, 0, 5, 3)});
+    CHECK(history.on(0, history.widened(0)).pressure == before.tractions.pressure);
+}
