@@ -25,13 +25,14 @@ OverlapRegion MeshSearch::region_of(const std::vector<Node>& nodes, double z) co
     OverlapRegion region;
     ContactReference mean;
     double sum = 0;
-    Node first = nodes.front(), last = first;
+    Node first = nodes.front(), last = first, deepest = first;
     for (const Node& node : nodes) {
         const double depth = z - mesh_.gap(node), weight = depth * depth;
         sum += weight;
         mean.x += weight * mesh_.x(node.column);
         mean.y += weight * mesh_.y(node.row);
         mean.angle += weight * mesh_.rows()[node.row].angle;
+        if (depth > region.penetration) deepest = node;
         region.penetration = std::max(region.penetration, depth);
         first = {std::min(first.column, node.column), std::min(first.row, node.row)};
         last = {std::max(last.column, node.column), std::max(last.row, node.row)};
@@ -43,9 +44,19 @@ OverlapRegion MeshSearch::region_of(const std::vector<Node>& nodes, double z) co
         return rail_.height(region.reference.x, y, 0.5 * (rail_.visible().from + rail_.visible().to));
     };
     region.reference.z = height(region.reference.y);
+    // The mean of a region around a place where a part of the rail ends may have no rail below it.
+    if (!std::isfinite(region.reference.z)) {
+        region.reference.x = mesh_.x(deepest.column);
+        region.reference.y = mesh_.y(deepest.row);
+        region.reference.z = height(region.reference.y);
+    }
     region.x = {mesh_.x(first.column), mesh_.x(last.column)};
     region.y = {mesh_.y(first.row), mesh_.y(last.row)};
-    region.z = {height(region.y.from), height(region.y.to)};
+    const auto height_or = [](double z_there, double otherwise) {
+        return std::isfinite(z_there) ? z_there : otherwise;
+    };
+    region.z = {height_or(height(region.y.from), region.reference.z),
+                height_or(height(region.y.to), region.reference.z)};
     region.size = mesh_.step_x() * mesh_.step_y() * sum;
     return region;
 }

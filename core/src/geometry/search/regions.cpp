@@ -108,10 +108,18 @@ std::vector<RegionGroup> group_regions(const std::vector<OverlapRegion>& regions
         parts.push_back({region.reference, {region}, {}, region.x, region.y, region.z, region.size});
     parts = joined(parts, rules.distance_combine, rules.angle_separate);
     const double middle = 0.5 * (rail.visible().from + rail.visible().to);
-    const auto put_on_rail = [&](ContactReference& at) { at.z = rail.height(at.x, at.y, middle); };
+    // The mean of regions beside a gap in the rail may have no rail below it, and is that of the largest one then.
+    const auto put_on_rail = [&](RegionGroup& group) {
+        ContactReference& at = group.reference;
+        at.z = rail.height(at.x, at.y, middle);
+        if (std::isfinite(at.z)) return;
+        const auto& largest = *std::max_element(group.regions.begin(), group.regions.end(),
+                                                [](const auto& a, const auto& b) { return a.size < b.size; });
+        at = {largest.reference.x, largest.reference.y, largest.reference.z, at.angle};
+    };
     for (RegionGroup& part : parts) {
         if (part.regions.size() < 2) continue;
-        put_on_rail(part.reference);
+        put_on_rail(part);
         part.regions.assign(1, merged(part));
     }
     std::vector<RegionGroup> groups = parts;
@@ -122,7 +130,7 @@ std::vector<RegionGroup> group_regions(const std::vector<OverlapRegion>& regions
     for (RegionGroup& group : groups) {
         group.shares = shares_of(group.regions, rules);
         group.reference.angle = away_from_upright(group.reference.angle);
-        put_on_rail(group.reference);
+        put_on_rail(group);
     }
     return groups;
 }
