@@ -69,7 +69,14 @@ REASONS = (
         "shifts (T = 1) of patches on flanks",
         "Elements are fixed to the rail, and where the mesh of the wheel lies then is not told: on surfaces that bend by an "
         "element's width the approach differs by 1 %, and forces of small patches with it. Not decided",
-        {f"{_TRANSIENT}/t1_npotmax.inp": (1, 2), f"{_TRANSIENT}/t1_zws.inp": range(1, 6)},
+        {f"{_TRANSIENT}/t1_npotmax.inp": (1, 2), f"{_TRANSIENT}/t1_zws.inp": range(1, 6), _TESTBANK: (38,)},
+    ),
+    Reason(
+        "patch that splits",
+        "a patch that splits in a shift",
+        "Up to 3 % of a force. In contactd the displacements that the parts brought each other are left out before the step as they "
+        "are behind it, so that the split alone brings no slip. Not decided",
+        {_TESTBANK: (39,)},
     ),
     Reason(
         "moments of shifts",

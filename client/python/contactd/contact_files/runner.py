@@ -14,10 +14,9 @@ from ..values.result import Field
 from ..values.subsurface import StressBlock, SubsurfaceStress
 from ..values.wheel_rail.params import setup_params
 from ..values.wheel_rail.setup import WheelSurface
-from ..values.wheel_rail.solution import WheelRailSolution
 from .answers.basic_results import BasicResult
 from .answers.rail_results import RailResult
-from .answers.subsurface import Body
+from .answers.subsurface import Body, Stresses
 from .problems.basic import BasicContact, State, goes_on
 from .problems.features import Missing, missing
 from .problems.rails import Profiles, RailContact
@@ -146,9 +145,8 @@ class Runner:
     def _on_rails(self, case: Case, steps: _RailSteps | None) -> RailResult:
         contact = RailContact.of(case, self._profiles, self._wheel_surface)
         if steps is not None:
-            solution: WheelRailSolution = steps.solve(contact, again=case.digits["P"] == 3)
-        else:
-            solution = self._client.wheel_rail(contact.setup, replace(contact.state, displacements=True), gap=True)
+            return steps.solve(contact, self._stresses)
+        solution = self._client.wheel_rail(contact.setup, replace(contact.state, displacements=True), gap=True)
         return RailResult.of(contact, solution, self._stresses)
 
     def _stresses(self, problem: ContactProblem, acting: Estimate, body: Body, block: StressBlock) -> SubsurfaceStress:
@@ -165,20 +163,26 @@ class _RailSteps:
         self._client = client
         self._session: Any = None
         self._opened: object = None
+        self._last: RailResult | None = None
 
-    def solve(self, contact: RailContact, again: bool) -> WheelRailSolution:
-        """Solves the next step, or with `again` the last one anew. Raises Missing where profiles, track or elements are
-        others than those of the step before."""
+    def solve(self, contact: RailContact, stresses: Stresses) -> RailResult:
+        """Solves the next step, or where the case says so (P = 3) the last one anew. Raises Missing where profiles, track or
+        elements are others than those of the step before."""
         common = setup_params(contact.setup.replace(friction=None))
+        again = contact.case.digits["P"] == 3 and self._last is not None
         if self._session is None:
             self._session = self._client.wheel_rail_session(contact.setup, accept_unconverged=True)
-            self._opened, again = common, False
+            self._opened = common
         elif common != self._opened:
             raise Missing("a step that goes on with other profiles, track, materials or elements")
         state = replace(contact.state, displacements=True)
         friction, fields = contact.setup.friction, get_args(Field)
-        solution: WheelRailSolution = self._session.step(state, friction=friction, fields=fields, gap=True, again=again)
-        return solution
+        solution = self._session.step(state, friction=friction, fields=fields, gap=True, again=again)
+        before = None
+        if self._last is not None and goes_on(contact.case):
+            before = self._last.before if again else self._last.patches
+        self._last = RailResult.of(contact, solution, stresses, before)
+        return self._last
 
     def close(self) -> None:
         """Ends the session."""

@@ -21,10 +21,8 @@ _SLIGHTLY = 1e-9  #: weight of what is only likely
 
 def on_wheel(contact: RailContact, z: float, reference: ContactReference) -> Vector:
     """x, y and z in the axes of the wheel's profile, of left wheels with y to the right, too."""
-    position = contact.state.position
-    radius, along_axle = _on_axle(contact)
-    from_centre = _place(reference) - np.array([0.0, position.y, z - radius])
-    return np.asarray(_axes(position.yaw, position.roll) @ from_centre - np.array([0.0, along_axle, radius]))
+    origin, axes = _wheel(contact, z)
+    return np.asarray(axes @ (_place(reference) - origin))
 
 
 def on_rail(contact: RailContact, solution: WheelRailSolution, reference: ContactReference) -> tuple[float, float]:
@@ -42,10 +40,9 @@ def rail_frame(contact: RailContact, solution: WheelRailSolution) -> tuple[float
 
 def wheel_frame(contact: RailContact, z: float) -> tuple[list[float], float]:
     """x, y, z, roll and yaw of the wheel's profile in the track's axes, and its y along the axle."""
-    position = contact.state.position
-    radius, along_axle = _on_axle(contact)
-    origin = np.array([0.0, position.y, z - radius]) + _axes(position.yaw, position.roll).T @ [0.0, along_axle, radius]
-    return [*map(float, origin), position.roll, position.yaw], along_axle
+    origin, axes = _wheel(contact, z)
+    roll, yaw = math.atan2(axes[1, 2], axes[2, 2]), math.atan2(axes[0, 1], axes[0, 0])
+    return [*map(float, origin), roll, yaw], _on_axle(contact)[1]
 
 
 def moment_about_normal(force: Wrench, reference: ContactReference) -> float:
@@ -53,6 +50,17 @@ def moment_about_normal(force: Wrench, reference: ContactReference) -> float:
     origin."""
     moment = np.array([force.Mx, force.My, force.Mz]) - np.cross(_place(reference), [force.Fx, force.Fy, force.Fz])
     return float(moment[2] * math.cos(reference.angle) - moment[1] * math.sin(reference.angle))
+
+
+def _wheel(contact: RailContact, z: float) -> tuple[Vector, Vector]:
+    """The origin of the wheel's profile in the track's axes, and as rows its axes, with the deviations of a flexible
+    wheelset."""
+    position, by = contact.state.position, contact.state.wheel
+    radius, along_axle = _on_axle(contact)
+    wheelset = _axes(position.yaw, position.roll)
+    in_wheelset = np.array([by.x, along_axle + by.y, radius + by.z])
+    origin = np.array([0.0, position.y, z - radius]) + wheelset.T @ in_wheelset
+    return origin, np.asarray(_axes(by.yaw, by.roll) @ wheelset)
 
 
 def _outwards(contact: RailContact) -> int:

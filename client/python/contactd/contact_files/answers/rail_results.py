@@ -37,14 +37,22 @@ class RailResult:
         solution: Its solution, with all arrays and gaps.
         stresses: Those of each patch, from the right to the left as in the solution, at the points below the surface that
             the case names, in the axes of the patch.
+        before: Patches of the step that this one goes on from; None: it goes on from none.
     """
 
     contact: RailContact
     solution: WheelRailSolution
     stresses: list[list[StressField]] = field(default_factory=list)
+    before: tuple[WheelRailPatch, ...] | None = None
 
     @classmethod
-    def of(cls, contact: RailContact, solution: WheelRailSolution, stresses: Stresses) -> RailResult:
+    def of(
+        cls,
+        contact: RailContact,
+        solution: WheelRailSolution,
+        stresses: Stresses,
+        before: tuple[WheelRailPatch, ...] | None = None,
+    ) -> RailResult:
         """The solution has displacements. `stresses` makes those below the surface."""
         pair = pair_of(contact.case.values)
         below = []
@@ -52,7 +60,7 @@ class RailResult:
         for patch in solution.patches:
             tractions = _tractions(patch)
             below.append([stress_field(block, patch.place.grid, tractions, pair, stresses) for block in blocks])
-        return cls(contact, solution, below)
+        return cls(contact, solution, below, before)
 
     @property
     def patches(self) -> tuple[WheelRailPatch, ...]:
@@ -158,6 +166,15 @@ class RailResult:
             "MN": moment_about_normal(track, reference) + x * lateral,
         }  # fmt: skip
 
+    def goes_on_from(self, patch: WheelRailPatch) -> list[int] | None:
+        """Numbers of the patches of the step before, from 1, that a patch has in common with its elements across the rail;
+        None where steps do not go on from each other."""
+        if self.before is None:
+            return None
+        from_y, to_y = _across(patch)
+        ends = [_across(one) for one in self.before]
+        return [number for number, (first, last) in enumerate(ends, 1) if first < to_y and last > from_y]
+
     def spin_centre(self, patch: WheelRailPatch) -> tuple[float, float]:
         """The reference from where the elements of a transient contact are counted."""
         if self.contact.case.digits["T"] not in (1, 2):
@@ -181,3 +198,10 @@ def _tractions(patch: WheelRailPatch) -> Floats:
     none = np.zeros(patch.place.grid.shape)
     arrays = (patch.solution.traction_x, patch.solution.traction_y, patch.solution.pressure)
     return np.stack([none if array is None else array for array in arrays])
+
+
+def _across(patch: WheelRailPatch) -> tuple[float, float]:
+    """Ends of the elements of a patch by arc length across the rail (mm)."""
+    across, half = patch.place.on_rail.across, 0.5 * patch.place.grid.dy
+    rows = patch.place.grid.y
+    return across + float(rows[0]) - half, across + float(rows[-1]) + half

@@ -20,7 +20,7 @@ def patch_lines(result: RailResult, patch: WheelRailPatch, number: int) -> list[
     """All lines of a patch, by the digit O."""
     case = result.contact.case
     level = case.digits["O"]
-    lines = [f" ----- DATA FOR CONTACT PATCH {number:2d} -----"]
+    lines = [f" ----- DATA FOR CONTACT PATCH {number:2d}{_history(result, patch)} -----"]
     if level <= 1:
         return [*lines, *_totals(result, patch)]
     lines += ["", *_reference(result, patch)]
@@ -41,6 +41,13 @@ def patch_lines(result: RailResult, patch: WheelRailPatch, number: int) -> list[
         for block, below in enumerate(result.stresses_of(patch), 1):
             lines += ["", *extremes(below, block)]
     return lines
+
+
+def _history(result: RailResult, patch: WheelRailPatch) -> str:
+    numbers = result.goes_on_from(patch)
+    if numbers is None:
+        return ""
+    return f" (PREV {', '.join(f'{one:2d}' for one in numbers)})" if numbers else " (NEW PATCH)"
 
 
 def _reference(result: RailResult, patch: WheelRailPatch) -> Iterator[str]:
