@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "contactd/error.hpp"
 #include "results.hpp"
 #include "wheel_fields.hpp"
 
@@ -13,6 +14,14 @@ namespace {
 Roots input_roots() {
     static const std::array roots{&type_of_wheel_input()};
     return roots;
+}
+
+/// A solve that began anew each time would not be what was asked for.
+void check_steady(const WheelRailState& state) {
+    if (state.motion != WheelRailMotion::steady_rolling)
+        throw InvalidArgument("state.motion",
+                              "is not steady_rolling; a wheel of this interface carries no tractions from solve to "
+                              "solve. Steps that go on from each other are those of sessions, in C++ and Python");
 }
 
 StatusError not_brought() {
@@ -25,6 +34,7 @@ StatusError not_brought() {
 Wheel::Wheel(const Connection& connection) : CancellableHandle(connection, input_roots(), results_of_wheels()) {}
 
 void Wheel::solve() {
+    check_steady(inputs.state);
     if (!open_) open_ = backend_->open_wheel(settings_);
     Result result{{}, inputs.fields, inputs.gap, inputs.state.position.roll};
     result.solution = controlled([&](Control& control) {
