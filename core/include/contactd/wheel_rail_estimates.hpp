@@ -24,6 +24,7 @@ struct WheelRailEstimates {
         Grid grid;
         double y = 0;  ///< of the reference of a right wheel (mm)
         RailPlace on_rail;
+        double x = 0;  ///< position.x then (mm)
         SurfaceState tractions;
     };
     std::vector<Patch> patches{};    ///< of model full

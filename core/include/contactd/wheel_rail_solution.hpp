@@ -21,7 +21,7 @@ struct ContactReference {
     bool operator==(const ContactReference&) const = default;
 };
 
-/// A point of the rail: x forwards, and arc length across from the first point of its profile with y >= 0 (mm).
+/// A point of the rail: along the track, and arc length across from the first point of its profile with y >= 0 (mm).
 struct RailPlace {
     double along = 0, across = 0;
 
@@ -78,7 +78,7 @@ struct ContactRow {
 /// One place where wheel and rail are in contact, and the problem that it poses to the solvers.
 struct ContactPlace {
     ContactReference reference;
-    RailPlace on_rail;                   ///< the reference; of a shift along with position.x
+    RailPlace on_rail;                   ///< the reference
     std::vector<OverlapRegion> regions;  ///< from the right to the left; several have a weighted interaction
     /// Weight of region j on region k, symmetric, row by row: the share of the displacements of one that acts on the
     /// other; 1 on the diagonal.

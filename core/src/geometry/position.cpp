@@ -245,11 +245,11 @@ CandidatePatch Position::candidate_of(const RegionGroup& group, const WheelSurfa
 void Position::find_elements(CandidatePatch& found) const {
     const ContactReference& reference = found.place.reference;
     RailPlace& on_rail = found.place.on_rail;
-    on_rail = {reference.x + (state_.motion == WheelRailMotion::shift ? state_.position.x : 0),
-               across_rail(rail_, reference.y)};
+    on_rail = {state_.position.x + reference.x, across_rail(rail_, reference.y)};
     if (state_.motion == WheelRailMotion::steady_rolling) return;
     const auto next = [](double at, double size) { return size * std::ceil(at / size) - at; };
-    found.middle = {next(on_rail.along, setup_.dx), next(on_rail.across, setup_.dy)};
+    found.middle = {next(state_.motion == WheelRailMotion::shift ? on_rail.along : reference.x, setup_.dx),
+                    next(on_rail.across, setup_.dy)};
 }
 
 /// Makes the place a curved one, where that is asked for; false where rail and wheel do not face each other there.

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "contactd/below.hpp"
 #include "contactd/error.hpp"
 #include "types/number_text.hpp"
 #include "wheel_rail/differentiate.hpp"
@@ -33,6 +34,17 @@ void warn(Answer& answer, std::vector<std::string> warnings) {
     for (std::string& warning : warnings) answer.warnings.push_back(std::move(warning));
 }
 
+/// A wheel that rolls by next to nothing in a step, as one that starts, slips as in a shift.
+WheelRailState shifted_if_slow(const WheelRailSetup& setup, WheelRailState state) {
+    constexpr double least_step = 1e-5;  // of rolling, over an element's size
+    if (state.motion != WheelRailMotion::transient_rolling || !state.time_step) return state;
+    const double of_rim = std::abs(state.velocity.pitch) * setup.wheelset.nominal_radius;
+    const double of_roller = std::abs(state.roller_pitch) * setup.track.roller_radius.value_or(0);
+    const double speed = std::max({std::abs(state.velocity.x), of_rim, of_roller});
+    if (speed * *state.time_step < least_step * setup.dx) state.motion = WheelRailMotion::shift;
+    return state;
+}
+
 std::string missed_force(double Fz, const HeightFound& found) {
     return "No height brings Fz = " + number_text(Fz) + " N: at z = " + number_text(found.z) +
            " mm the force is off by " + short_text(found.evidence.residual) + " of it after " +
@@ -48,7 +60,7 @@ RightWheel::RightWheel(const WheelRailSetup& setup, const geometry::Profiles& pr
       profiles_(profiles),
       influences_(influences),
       observer_(observer),
-      state_(state),
+      state_(shifted_if_slow(setup, state)),
       position_(setup, profiles, state_, observer),
       before_(std::move(before)) {
     if (state_.Fx && !setup.friction)
@@ -160,7 +172,7 @@ WheelRailSolution RightWheel::at(double z, std::vector<CandidatePatch> candidate
         }
         solution.patches.push_back(solve(found, history.on(i, found.place.grid), z, observer));
         if (estimates_ && setup_.model == Model::full)
-            estimates.push_back(estimate_of(found, solution.patches.back().solution));
+            estimates.push_back(estimate_of(found, state_.position.x, solution.patches.back().solution));
         const WheelRailPatch& patch = solution.patches.back();
         solution.forces = sum(solution.forces, patch.forces);
         warn(solution, warnings_of(found, setup_.side, setup_.friction && state_.motion != WheelRailMotion::shift));
@@ -176,7 +188,7 @@ WheelRailSolution RightWheel::at(double z, std::vector<CandidatePatch> candidate
 }
 
 TractionHistory RightWheel::history_of(const std::vector<CandidatePatch>& candidates) const {
-    return {before_ ? *before_ : Patches{}, candidates};
+    return {before_ ? *before_ : Patches{}, candidates, state_};
 }
 
 ContactProblem RightWheel::problem_of(const CandidatePatch& found) const {
@@ -184,8 +196,14 @@ ContactProblem RightWheel::problem_of(const CandidatePatch& found) const {
 }
 
 ContactSolution RightWheel::solve(ContactProblem problem, const CandidatePatch& found, Observer& observer) const {
-    return solve_patch(std::move(problem), found.place, strips_of(setup_, profiles_, found), setup_.patches,
-                       influences_, observer);
+    // The step of rolling is that of the set-up, or what the wheel rolls in the time of the state.
+    const auto rename = [this](const std::string& field) {
+        return field == "dq" && state_.time_step ? std::string("state.time_step") : field;
+    };
+    return renaming(rename, [&] {
+        return solve_patch(std::move(problem), found.place, strips_of(setup_, profiles_, found), setup_.patches,
+                           influences_, observer);
+    });
 }
 
 WheelRailPatch RightWheel::solve(CandidatePatch& found, SurfaceState previous, double z, Observer& observer) const {

@@ -44,8 +44,8 @@ const FieldType& type_of<WheelRailState>() {
         fields::field<&WheelRailState::Fz>("Fz", {.bounds = {.least = 1e-06, .most = 1e+18}, .unit = "N"}),
         fields::field<&WheelRailState::Fx>("Fx", {.bounds = {.least = -1e+18, .most = 1e+18}, .unit = "N"}),
         fields::field<&WheelRailState::motion>("motion"),
-        fields::field<&WheelRailState::time_step>(
-            "time_step", {.bounds = {.least = 0, .most = 1e+09, .least_excluded = true}, .unit = "s"}),
+        fields::field<&WheelRailState::time_step>("time_step",
+                                                  {.bounds = {.least = 1e-30, .most = 1e+09}, .unit = "s"}),
         fields::field<&WheelRailState::derivatives>("derivatives"),
         fields::field<&WheelRailState::displacements>("displacements"),
     });

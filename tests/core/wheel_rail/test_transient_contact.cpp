@@ -126,6 +126,19 @@ TEST_CASE("A step without motion changes nothing") {
     CHECK(largest_change(shifted, contact.solve(standing, left, observer)) < 1e-6);
 }
 
+TEST_CASE("A wheel that starts slips by what its velocities bring in the time of the step") {
+    const WheelRailContact contact(coarse_setup());
+    Observer observer;
+    WheelRailEstimates one, other;
+    WheelRailState start = shift_by(1e-7, 1);
+    start.time_step = 0.02;
+    const WheelRailSolution shifted = contact.solve(start, one, observer);
+    start.motion = WheelRailMotion::transient_rolling;
+    const WheelRailSolution started = contact.solve(start, other, observer);
+    CHECK(std::abs(shifted.forces.track.Fy) > 100);
+    CHECK(largest_change(shifted, started) < 1e-3);
+}
+
 TEST_CASE("A shift and its reverse leave tractions behind") {
     const WheelRailContact contact(coarse_setup());
     Observer observer;
@@ -184,6 +197,9 @@ TEST_CASE("Steps that make no sense are refused by name") {
     CHECK(refused(state, contact) == "state.time_step");
     state = state_with(WheelRailMotion::steady_rolling);
     state.time_step = 0.1;
+    CHECK(refused(state, contact) == "state.time_step");
+    state = state_with(WheelRailMotion::transient_rolling);
+    state.time_step = 1e9;
     CHECK(refused(state, contact) == "state.time_step");
     WheelRailSetup simplified = coarse_setup();
     simplified.model = Model::fastsim;

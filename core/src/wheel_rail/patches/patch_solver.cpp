@@ -162,9 +162,11 @@ bool is_next_to_nothing(double phi, const Grid& grid) {
         throw InvalidArgument("model",
                               "is hertz, whose closed form of friction has no spin, which a wheel has nearly "
                               "everywhere; take fastsim or full, or no friction (friction null)");
-    if (field == "friction.rolling.dq")
+    if (field == "friction.rolling.dq" || field == "shift_x" || field == "shift_y")
         throw InvalidArgument(rolling && rolling->dq == problem.grid.dx ? "dx" : "dq",
                               "as the step of rolling " + error.problem());
+    if (field == "friction.duration" || field.starts_with("friction.rigid_shift") || field == "friction.rotation")
+        throw InvalidArgument("state.time_step", "as the shift that it makes, " + field + ", " + error.problem());
     if (field == "derivatives" || field == "displacements") throw InvalidArgument("state." + field, error.problem());
     throw;
 }

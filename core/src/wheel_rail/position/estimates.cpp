@@ -49,10 +49,11 @@ SurfaceState estimate_for(const ContactPlace& place, const std::vector<Patch>& b
     return {of(patch->tractions.pressure), of(patch->tractions.traction_x), of(patch->tractions.traction_y)};
 }
 
-Patch estimate_of(const geometry::CandidatePatch& found, const ContactSolution& solution) {
+Patch estimate_of(const geometry::CandidatePatch& found, double x, const ContactSolution& solution) {
     return {found.place.grid,
             found.place.reference.y,
             found.place.on_rail,
+            x,
             {solution.pressure, solution.traction_x, solution.traction_y}};
 }
 

@@ -13,7 +13,7 @@ namespace contactd {
 /// same elements.
 SurfaceState estimate_for(const ContactPlace& place, const std::vector<WheelRailEstimates::Patch>& before);
 
-/// Returns that of a patch of model full.
-WheelRailEstimates::Patch estimate_of(const geometry::CandidatePatch& found, const ContactSolution& solution);
+/// Returns that of a patch of model full, of a step with this position.x.
+WheelRailEstimates::Patch estimate_of(const geometry::CandidatePatch& found, double x, const ContactSolution& solution);
 
 }  // namespace contactd

@@ -15,15 +15,20 @@ double value_at(const std::vector<double>& values, std::size_t i) {
 }  // namespace
 
 TractionHistory::TractionHistory(const std::vector<WheelRailEstimates::Patch>& before,
-                                 const std::vector<geometry::CandidatePatch>& now) {
+                                 const std::vector<geometry::CandidatePatch>& now, const WheelRailState& state) {
+    const bool moves = state.motion != WheelRailMotion::shift;
+    const auto seen = [moves](RailPlace place, double x) {
+        if (moves) place.along -= x;
+        return place;
+    };
     for (const geometry::CandidatePatch& found : now) {
         const Grid& grid = found.place.grid;
-        const RailPlace& on_rail = found.place.on_rail;
+        const RailPlace on_rail = seen(found.place.on_rail, state.position.x);
         patches_.push_back({grid, on_rail, elements_of(grid, on_rail)});
     }
     for (const WheelRailEstimates::Patch& patch : before) {
         if (patches_.empty() || patch.grid.dx != patches_[0].grid.dx || patch.grid.dy != patches_[0].grid.dy) continue;
-        const Elements elements = elements_of(patch.grid, patch.on_rail);
+        const Elements elements = elements_of(patch.grid, seen(patch.on_rail, patch.x));
         const SurfaceState& state = patch.tractions;
         for (std::size_t i = 0; i < patch.grid.size(); ++i) {
             const double pressure = value_at(state.pressure, i), along = value_at(state.traction_x, i);

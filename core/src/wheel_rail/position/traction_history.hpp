@@ -5,6 +5,7 @@
 
 #include "contactd/contact_load.hpp"
 #include "contactd/wheel_rail_estimates.hpp"
+#include "contactd/wheel_rail_state.hpp"
 #include "geometry/position.hpp"
 
 namespace contactd {
@@ -13,9 +14,10 @@ namespace contactd {
 /// element's go to the patch that is nearest. None is lost but what lies farther from it than that is large.
 class TractionHistory {
    public:
-    /// The elements of the patches are those that they touch by, before they are widened.
+    /// The elements of the patches are those that they touch by, before they are widened. By the motion of the state
+    /// elements move with the wheelset, or are fixed to the rail.
     TractionHistory(const std::vector<WheelRailEstimates::Patch>& before,
-                    const std::vector<geometry::CandidatePatch>& now);
+                    const std::vector<geometry::CandidatePatch>& now, const WheelRailState& state);
 
     /// Returns the grid of a patch with the elements that its tractions lie on.
     Grid widened(std::size_t patch) const;

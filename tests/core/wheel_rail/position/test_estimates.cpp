@@ -16,7 +16,7 @@ using Patch = WheelRailEstimates::Patch;
 
 /// Pressures that tell where they are.
 Patch patch_on(const Grid& grid, double y) {
-    Patch patch{grid, y, {}, {}};
+    Patch patch{grid, y, {}, 0, {}};
     for (int iy = 0; iy < grid.ny; ++iy)
         for (int ix = 0; ix < grid.nx; ++ix) patch.tractions.pressure.push_back(100 * grid.x(ix) + grid.y(iy));
     return patch;

@@ -12,7 +12,7 @@ namespace {
 
 WheelRailEstimates::Patch patch_at(double along, double across, int nx, int ny) {
     const Grid grid = Grid::centred(nx, ny, 0.5, 0.25);
-    WheelRailEstimates::Patch patch{grid, 0, {along, across}, {}};
+    WheelRailEstimates::Patch patch{grid, 0, {along, across}, 0, {}};
     for (std::size_t i = 0; i < grid.size(); ++i) {
         patch.tractions.pressure.push_back(1 + static_cast<double>(i));
         patch.tractions.traction_x.push_back(0.3 + static_cast<double>(i));
@@ -28,6 +28,12 @@ geometry::CandidatePatch candidate_at(double along, double across, int nx, int n
     return found;
 }
 
+WheelRailState shift() {
+    WheelRailState state;
+    state.motion = WheelRailMotion::shift;
+    return state;
+}
+
 double sum(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
 }
@@ -35,7 +41,7 @@ double sum(const std::vector<double>& values) {
 }  // namespace
 
 TEST_CASE("Tractions move by whole elements, and the grid grows for them") {
-    const TractionHistory history({patch_at(0, 0, 5, 3)}, {candidate_at(1, 0.25, 5, 3)});
+    const TractionHistory history({patch_at(0, 0, 5, 3)}, {candidate_at(1, 0.25, 5, 3)}, shift());
     const Grid grid = history.widened(0);
     CHECK(grid.nx == 7);
     CHECK(grid.ny == 4);
@@ -51,11 +57,11 @@ TEST_CASE("Tractions move by whole elements, and the grid grows for them") {
 TEST_CASE("Tractions of patches that merge and split are kept") {
     const auto right = patch_at(0, 0, 5, 5), left = patch_at(0.5, 2, 5, 5);
     const double total = sum(right.tractions.traction_x) + sum(left.tractions.traction_x);
-    const TractionHistory merged({right, left}, {candidate_at(0, 1, 7, 9)});
+    const TractionHistory merged({right, left}, {candidate_at(0, 1, 7, 9)}, shift());
     CHECK_THAT(sum(merged.on(0, merged.widened(0)).traction_x), WithinRel(total, 1e-12));
 
     const auto whole = patch_at(0, 1, 5, 13);
-    const TractionHistory split({whole}, {candidate_at(0, 0, 5, 5), candidate_at(0, 2, 5, 5)});
+    const TractionHistory split({whole}, {candidate_at(0, 0, 5, 5), candidate_at(0, 2, 5, 5)}, shift());
     double kept = 0;
     for (std::size_t i = 0; i < 2; ++i) {
         const double part = sum(split.on(i, split.widened(i)).traction_x);
@@ -66,7 +72,7 @@ TEST_CASE("Tractions of patches that merge and split are kept") {
 }
 
 TEST_CASE("Tractions too far away are counted, and left behind") {
-    const TractionHistory history({patch_at(0, 0, 5, 3)}, {candidate_at(100, 0, 5, 3)});
+    const TractionHistory history({patch_at(0, 0, 5, 3)}, {candidate_at(100, 0, 5, 3)}, shift());
     CHECK(history.widened(0) == candidate_at(100, 0, 5, 3).place.grid);
     CHECK(history.on(0, history.widened(0)).empty());
     CHECK(history.force_left_behind() > 0);
@@ -74,6 +80,19 @@ TEST_CASE("Tractions too far away are counted, and left behind") {
 
 TEST_CASE("Elements of steady rolling are taken for those next to them") {
     const auto before = patch_at(0.2, 0.1, 5, 3);
-    const TractionHistory history({before}, {candidate_at(0, 0, 5, 3)});
+    const TractionHistory history({before}, {candidate_at(0, 0, 5, 3)}, shift());
     CHECK(history.on(0, history.widened(0)).pressure == before.tractions.pressure);
+}
+
+TEST_CASE("Elements of transient rolling move with the wheelset, and those of a shift stay on the rail") {
+    auto before = patch_at(10, 0, 5, 3);
+    before.x = 10;
+    WheelRailState state;
+    state.position.x = 30;
+    const auto now = candidate_at(30, 0, 5, 3);
+    state.motion = WheelRailMotion::transient_rolling;
+    const TractionHistory rolls({before}, {now}, state);
+    CHECK(rolls.on(0, rolls.widened(0)).pressure == before.tractions.pressure);
+    state.motion = WheelRailMotion::shift;
+    CHECK(TractionHistory({before}, {now}, state).force_left_behind() > 0);
 }

@@ -177,10 +177,10 @@ class RailResult:
 
     def spin_centre(self, patch: WheelRailPatch) -> tuple[float, float]:
         """The reference from where the elements of a transient contact are counted."""
-        if self.contact.case.digits["T"] not in (1, 2):
+        if self.contact.state.motion == "steady_rolling":
             return 0.0, 0.0
-        on_rail = patch.place.on_rail
-        return on_rail.along, on_rail.across
+        along = patch.place.on_rail.along if self.contact.is_shift else patch.place.reference.x
+        return along, patch.place.on_rail.across
 
     def stresses_of(self, patch: WheelRailPatch) -> list[StressField]:
         """Below the surface of a patch."""

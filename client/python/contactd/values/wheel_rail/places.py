@@ -40,11 +40,11 @@ class ContactReference:
 
 @dataclass(frozen=True)
 class RailPlace:
-    """The reference along and across the rail: elements of transient contact lie at multiples of dx and dy from where
-    both are 0.
+    """The reference along and across the rail: elements of a shift lie at multiples of dx and dy from where both are 0,
+    those of transient rolling from position.x on.
 
     Attributes:
-        along: x forwards, of a shift with position.x of the state (mm).
+        along: x forwards, with position.x of the state (mm).
         across: Arc length to the right, from the first point of the rail's profile with y at or beyond 0 on the field
             side (mm).
     """
@@ -132,8 +132,8 @@ class ContactPlace:
 
     Attributes:
         reference: Its origin and plane, on the rail.
-        on_rail: The reference along and across the rail: elements of transient contact lie at multiples of dx and dy
-            from where both are 0.
+        on_rail: The reference along and across the rail: elements of a shift lie at multiples of dx and dy from where
+            both are 0, those of transient rolling from position.x on.
         regions: Regions where the undeformed profiles overlap, from the right to the left; more than one interact with
             a weight.
         shares: Weights of the interaction of regions: the share of the displacements of each region that acts on each,

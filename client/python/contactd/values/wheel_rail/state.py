@@ -146,9 +146,9 @@ class WheelRailState(Saved):
         motion: What a step is: steady rolling knows nothing of the steps before; transient rolling and a shift go on
             from the tractions that the step before of a session ended with, and from none where there was none.
             Elements of transient rolling move with the wheelset, and those of a shift are fixed to the rail.
-        time_step: Duration of a step that is not steady (s), > 0: a shift, which needs it, is that of the velocities in
-            this time, and transient rolling goes as far as the rolling velocity takes it. None, that rolls by dq of the
-            set-up.
+        time_step: Duration of a step that is not steady (s), >= 1e-30: a shift, which needs it, is that of the
+            velocities in this time, and transient rolling goes as far as the rolling velocity takes it. None, that
+            rolls by dq of the set-up.
         derivatives: Whether the solution has derivatives of the forces by position and velocity.
         displacements: Whether the solutions of patches have displacements, and elastic energies, as in contact.solve.
     """
