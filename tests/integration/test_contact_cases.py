@@ -14,6 +14,7 @@ from contactd import ContactProblem, Friction, Grid, Material, Rolling, SemiAxes
 from contactd.contact_files.comparison import case_differences, differences
 from contactd.contact_files.out_file import lines_of, out_text
 from contactd.contact_files.out_reader import printed_cases
+from contactd.contact_files.prints.mat_file import mat_texts
 from contactd.contact_files.problems.rails import RailContact
 from contactd.contact_files.profile_files import ProfileFiles
 from contactd.contact_files.runner import Runner, chains_of
@@ -331,6 +332,28 @@ def test_given_steps_have_the_lines_that_are_printed(shared, given):
             for mine, printed in zip(from_digits(lines_of(outcome)), theirs):
                 # Their grid may have a column more.
                 assert ITERATIONS.match(printed) or not mine.strip(" 0123456789") or is_met(mine, printed), f"{printed}\n{mine}"
+
+
+def test_elements_of_a_shift_are_counted_from_one_place_on_the_rail(shared):
+    """Corners of grids in .mat files are whole elements apart, wherever the wheel stands, and moments are about there."""
+    corners = []
+    for place in (0.0, 0.6, 1.13):
+        case = rail_case(T=1, A=2, S_WS=place, VS=0.01, VPITCH=0.0)
+        (outcome,) = computed(shared, [case], ready_made)
+        result = outcome.result
+        (patch,) = result.patches
+        ((_, text),) = mat_texts(result)
+        centre = result.spin_centre(patch)
+        numbers = [line.split() for line in text.splitlines()]
+        assert [float(word) for word in numbers[5][9:11]] == pytest.approx(centre, rel=1e-5)
+        corners.append(np.array([float(word) for word in numbers[7][2:4]]))
+        solution = patch.solution
+        moment = solution.Mz + centre[0] * solution.Fy - centre[1] * solution.Fx
+        assert result.numbers_of(patch)["MN"] == pytest.approx(moment, rel=1e-9)
+    size = np.array([patch.place.grid.dx, patch.place.grid.dy])
+    for corner in corners:
+        apart = (corner - corners[0]) / size
+        assert apart == pytest.approx(np.round(apart), abs=1e-3)
 
 
 @pytest.mark.parametrize("x", [50.0, 57.0, 60.0])

@@ -34,7 +34,7 @@ def mat_texts(result: BasicResult | RailResult) -> Iterator[tuple[str, str]]:
         return
     for index, patch in enumerate(result.patches):
         creepages = patch.place.creepages
-        motion = (creepages.chi, case.values["DX"], creepages.velocity)
+        motion = (creepages.chi, result.contact.step, creepages.velocity)
         yield LETTERS[index % len(LETTERS)], _text(case, patch_places(result, patch, index + 1), motion, result.elements_of(patch))
 
 
@@ -53,7 +53,7 @@ def _text(case: Any, places: PatchPlaces, motion: tuple[float, float, float], el
         "% xcp_r, ycp_r, zcp_r, deltcp_r, xcp_w, ycp_w, zcp_w, npatch, ipatch, spinxo, spinyo",
         _header(places.reference),
         "% mx, my, xl, yl, dx, dy, chi, dq, config, d_digit, y_nom_w",
-        _header([grid.nx, grid.ny, *_corner(grid), grid.dx, grid.dy, chi, dq, digits.get("C1", 0), values["DISCNS"] if
+        _header([grid.nx, grid.ny, *_corner(grid, places), grid.dx, grid.dy, chi, dq, digits.get("C1", 0), values["DISCNS"] if
                  case.module == 1 else digits["D"], places.nominal]),
         "% tang, mater, gg1, gg2, poiss1, poiss2",
         _header([digits["T"], digits["M"], *(values[name] for name in ("GG1", "GG2", "POISS1", "POISS2"))]),
@@ -66,8 +66,9 @@ def _text(case: Any, places: PatchPlaces, motion: tuple[float, float, float], el
     return "\n".join([*lines, ""])
 
 
-def _corner(grid: Grid) -> tuple[float, float]:
-    return float(grid.x[0] - grid.dx / 2), float(grid.y[0] - grid.dy / 2)
+def _corner(grid: Grid, places: PatchPlaces) -> tuple[float, float]:
+    x, y = places.counted_from
+    return float(grid.x[0] - grid.dx / 2) + x, float(grid.y[0] - grid.dy / 2) + y
 
 
 def _header(cells: Sequence[Cell]) -> str:

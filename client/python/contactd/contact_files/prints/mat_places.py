@@ -25,12 +25,14 @@ class PatchPlaces:
         reference: Of the patch on the rail (x, y, z, angle) and on the wheel (x, y, z), the number of patches and its own,
             and the centre of spin.
         nominal: y of the wheel's profile on its axle.
+        counted_from: The reference of the patch from where elements are counted, in the axes of the patch.
     """
 
     rail: list[float]
     wheel: list[float]
     reference: list[float | int]
     nominal: float
+    counted_from: tuple[float, float] = (0.0, 0.0)
 
     @classmethod
     def none(cls, case: Case) -> PatchPlaces:
@@ -49,6 +51,7 @@ def patch_places(result: RailResult, patch: WheelRailPatch, number: int) -> Patc
     return PatchPlaces(
         [0.0, along, values["PITCH"], y_rail, z_rail, roll_rail, values.get("NOMRADR", 0.0)],
         [*wheel, values["NOMRADW"]],
-        [*place, len(result.patches), number, 0.0, 0.0],
+        [*place, len(result.patches), number, *result.spin_centre(patch)],
         nominal,
+        result.spin_centre(patch),
     )

@@ -80,12 +80,10 @@ def _friction(result: RailResult, patch: WheelRailPatch) -> Iterator[str]:
 
 def _motion(result: RailResult, patch: WheelRailPatch) -> Iterator[str]:
     motion = patch.place.creepages
-    is_shift, setup = result.contact.is_shift, result.contact.setup
     yield " KINEMATIC CONSTANTS"
     yield "     CHI         DQ          VELOC       CKSI        CETA        CPHI"
     given = [general(value) for value in (motion.velocity, motion.xi, motion.eta, motion.phi)]
-    step = 1.0 if is_shift else setup.dq or setup.dx or 0.0
-    yield row([fortran_g(motion.chi), fortran_g(step), *given])
+    yield row([fortran_g(motion.chi), fortran_g(result.contact.step), *given])
     centre = result.spin_centre(patch)
     if any(centre):
         yield from ("", "     SPINXO      SPINYO", row([fortran_g(number) for number in centre]))

@@ -84,6 +84,13 @@ class RailContact:
         """Tells whether the step is one."""
         return self.state.motion == "shift"
 
+    @property
+    def step(self) -> float:
+        """What is rolled in a step (mm), or 1 of a shift, as the program prints DQ."""
+        if self.is_shift:
+            return 1.0
+        return float(self.case.values["DX"] if self.setup.dq is None else self.setup.dq)
+
 
 def _step(case: Case) -> float | None:
     """What is rolled in a step (mm), where that is not an element, as of steady rolling."""
