@@ -1,11 +1,13 @@
 /* Contact problems by the functions of the CONTACT program's C library, solved by contactd in process.
  *
- * A program that calls that library for basic contact ("module 3") links this one instead. docs/cntc.md says of each
- * function what is covered, and in which signs.
+ * A program that calls that library for basic contact ("module 3") or for a wheel on a rail ("module 1") links this one
+ * instead. docs/cntc.md says of each function what is covered, and in which signs.
  *
  * Every argument is a pointer; nothing is returned. `ire` numbers a result element, `icp` a contact problem of it, from
  * 1 on; -1 as `icp` of what sets something, or of cntc_calculate, stands for all of them. Arrays and strings come with
- * their length. Arrays of elements have the index iy*mx + ix: x is fastest. Units are those of the flag 1933:
+ * their length. A wheel on a rail is set and solved as a whole, with -1; its patches are the contact problems 1, 2, ...
+ * of the solution. Body 1 is the rail there. Arrays of elements have the index iy*mx + ix: x is fastest. Units are
+ * those of the flag 1933:
  *
  *     1934   mm, mm/s, N, N/mm^2     forces and tractions on body 1, the upper one (default)
  *     1935   m, m/s, N, N/m^2        on body 2
@@ -42,11 +44,16 @@ void cntc_initializefirst(int* ifcver, int* ierror, int* ioutput, const char* wr
                           const char* expnam, int* len_wrkdir, int* len_outdir, int* len_expnam);
 void cntc_initializefirst_new(int* ifcver, int* ierror, int* ioutput, const char* wrkdir, const char* outdir,
                               const char* expnam, int* len_wrkdir, int* len_outdir, int* len_expnam);
-/* `*imodul` is 3, basic contact. A result element that was not initialized is when something of it is first set. */
+/* `*imodul` is 3, basic contact, or 1, a wheel on a rail (11, too). A result element that was not initialized is basic
+ * contact when something of it is first set. */
 void cntc_initialize(int* ire, int* imodul, int* ifcver, int* ierror, const char* outdir, int* len_outdir);
 /* Forgets a result element, or all of them. */
 void cntc_finalize(int* ire);
 void cntc_finalizelast(void);
+/* No effect: no file is opened. */
+void cntc_setfileunits(int* nunits, int* iunits);
+/* 1: each solve runs in the thread that calls. */
+void cntc_getmaxnumthreads(int* mxthrd);
 
 /* --- flags: pairs of code and value --------------------------------------------------------------------------- */
 
@@ -65,15 +72,17 @@ void cntc_readinpfile(int* ire, int* itype, const char* name, int* len_name, int
 
 /* With imeth 0 rparam is [nu1, nu2, G1, G2]. */
 void cntc_setmaterialparameters(int* ire, int* icp, int* imeth, int* nparam, double* rparam);
-/* imeth 0: [fstat, fkin], which must be equal; 2 and 4: [fkin, f1, s1, f2, s2, memdst, mem_s0], f2 = memdst = 0. */
+/* imeth 0: [fstat, fkin], which must be equal; 2 and 4: [fkin, f1, s1, f2, s2, memdst, mem_s0], f2 = memdst = 0. Of a
+ * wheel on a rail 10 more: [number, and for each the rail's angle and these]; 20 more: places along the track. */
 void cntc_setfrictionmethod(int* ire, int* icp, int* imeth, int* nparam, double* params);
 /* itask 2 answers the material that was set, 3 the friction. */
 void cntc_getparameters(int* ire, int* icp, int* itask, int* lenarr, double* values);
 
 /* --- potential contact area and undeformed distance ----------------------------------------------------------- */
 
-void cntc_sethertzcontact(int* ire, int* icp, int* ipotcn, int* nparam, double* rparam);
+/* Of a wheel on a rail 0: [dx, ds, -]; -1: [dx, ds, a_sep, d_sep, d_comb, d_turn], the last may be missing. */
 void cntc_setpotcontact(int* ire, int* icp, int* ipotcn, int* nparam, double* rparam);
+void cntc_sethertzcontact(int* ire, int* icp, int* ipotcn, int* nparam, double* rparam);
 void cntc_setundeformeddistc(int* ire, int* icp, int* ibase, int* nparam, double* prmudf);
 void cntc_gethertzcontact(int* ire, int* icp, int* lenarr, double* values);
 void cntc_getpotcontact(int* ire, int* icp, int* lenarr, double* values);
@@ -86,8 +95,10 @@ void cntc_setpenetration(int* ire, int* icp, double* pen);
 void cntc_setnormalforce(int* ire, int* icp, double* fn);
 void cntc_settimestep(int* ire, int* icp, double* dt);
 void cntc_setreferencevelocity(int* ire, int* icp, double* veloc);
+/* Of a wheel on a rail dq is over dx, and chi means nothing. */
 void cntc_setrollingstepsize(int* ire, int* icp, double* chi, double* dq);
 void cntc_setcreepages(int* ire, int* icp, double* vx, double* vy, double* phi);
+/* Over fstat fn. Of a wheel on a rail fx is the longitudinal force on the rail (N), along the wheelset's axes. */
 void cntc_settangentialforces(int* ire, int* icp, double* fx, double* fy);
 void cntc_setextrarigidslip(int* ire, int* icp, int* lenarr, double* wx, double* wy);
 void cntc_getpenetration(int* ire, int* icp, double* pen);
@@ -99,11 +110,16 @@ void cntc_getreferencevelocity(int* ire, int* icp, double* veloc);
 /* `*ierror` is 0, the number of elements in contact at the border of the potential contact area, or negative:
  * -27, -28  the normal, the tangential solver did not converge; -29 it stopped above the tolerance (the best that was
  *           found can be read then);
+ * -25       wheel and rail do not touch; -26 no height or pitch rate brings the force;
  * -31       no such result element or contact problem;
+ * -32       a profile cannot be used;
  * -33, -34  friction, or the elements and steps, cannot be used;
  * -39       another input cannot be used or was not set;
  * -99       anything else. */
 void cntc_calculate(int* ire, int* icp, int* ierror);
+/* The same of a wheel on a rail, and of basic contact. */
+void cntc_calculate1(int* ire, int* ierror);
+void cntc_calculate3(int* ire, int* icp, int* ierror);
 void cntc_getcontactforces(int* ire, int* icp, double* fn, double* fx, double* fy, double* mz);
 void cntc_getcontactpatchareas(int* ire, int* icp, double* contact, double* adhesion, double* slip);
 void cntc_getmaximumpressure(int* ire, int* icp, double* pnmax);
@@ -127,29 +143,45 @@ void subs_getblocksize(int* ire, int* icp, int* iblk, int* nx, int* ny, int* nz)
 /* values[point + lenarr * column], the columns named by icol. */
 void subs_getresults(int* ire, int* icp, int* iblk, int* lenarr, int* ncol, int* icol, double* values);
 
-/* --- not covered: an error, always ---------------------------------------------------------------------------- */
+/* --- a wheel on a rail ---------------------------------------------------------------------------------------- */
 
-void cntc_settemperaturedata(int* ire, int* icp, int* imeth, int* nparam, double* rparam);
-void cntc_getmaximumtemperature(int* ire, int* icp, double* t1max, double* t2max);
-/* Wheel on rail ("module 1"). */
-void cntc_setverticalforce(int* ire, double* fz);
+/* iparam: [0 rail or 1 wheel, -, 1 mirrors y, 1 mirrors z, -, smoothing 0 to 2]; rparam: [mm of a unit, smoothing, -,
+ * -, kink angle, rest beside kinks, width of kinks]. Both may end earlier. Without a type the ending of the name tells.
+ * Values are y and z in turns. */
 void cntc_setprofileinputfname(int* ire, const char* name, int* len_name, int* nints, int* iparam, int* nreals,
                                double* rparam);
 void cntc_setprofileinputvalues(int* ire, int* npoint, double* values, int* nints, int* iparam, int* nreals,
                                 double* rparam);
+/* ztrack 1: [gaught, -, gaugwd, cant, nomrad, curv], or with gaught <= 0 [gaught, raily0, railz0, cant, nomrad, curv];
+ * 2: [dyrail, dzrail, drollr, vyrail, vzrail, vrollr]; 3: both; 32, 33: [kyrail, fyrail, kzrail, fzrail]; 0: none. */
 void cntc_settrackdimensions(int* ire, int* ztrack, int* nparam, double* rparam);
+/* [fbdist, fbpos, nomrad] */
 void cntc_setwheelsetdimensions(int* ire, int* ewheel, int* nparam, double* rparam);
+/* [s, y, z, roll, yaw, pitch] */
 void cntc_setwheelsetposition(int* ire, int* ewheel, int* nparam, double* rparam);
+/* [vs, or of a roller its pitch rate, vy, vz, vroll, vyaw, vpitch] */
 void cntc_setwheelsetvelocity(int* ire, int* ewheel, int* nparam, double* rparam);
+/* [dx, dy, dz, droll, dyaw, dpitch, vx, vy, vz, vroll, vyaw, vpitch] of the wheel */
 void cntc_setwheelsetflexibility(int* ire, int* ewheel, int* nparam, double* rparam);
+/* Also sets N. */
+void cntc_setverticalforce(int* ire, double* fz);
 void cntc_getnumcontactpatches(int* ire, int* npatch);
+/* 38 numbers, as many as there is room for; docs/cntc.md lists them. */
 void cntc_getcontactlocation(int* ire, int* icp, int* lenarr, double* values);
+/* Force and moment in the axes of track, wheelset, rail and wheel; icp = -1: of all patches. */
 void cntc_getglobalforces(int* ire, int* icp, int* lenarr, double* values);
 void cntc_getwheelsetposition(int* ire, int* lenarr, double* values);
 void cntc_getwheelsetvelocity(int* ire, int* lenarr, double* values);
+/* itask -1: whether there is one; 0: number of points; 1: y, then z; 2: the same in the track; 3: gauge; 4: lengths;
+ * 5: inclinations. iparam: [0 rail or 1 wheel, sampling], rparam: [step]. */
 void cntc_getprofilevalues(int* ire, int* itask, int* nints, int* iparam, int* lenarr, double* values);
 void cntc_getprofilevalues_new(int* ire, int* itask, int* nints, int* iparam, int* nreals, double* rparam, int* lenarr,
                                double* values);
+
+/* --- not covered: an error, always ---------------------------------------------------------------------------- */
+
+void cntc_settemperaturedata(int* ire, int* icp, int* imeth, int* nparam, double* rparam);
+void cntc_getmaximumtemperature(int* ire, int* icp, double* t1max, double* t2max);
 
 #ifdef __cplusplus
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "client/cntc/calls.hpp"
+#include "client/cntc/rail_calls.hpp"
 
 using namespace contactd::cntc::test;
 
@@ -123,12 +124,16 @@ const std::vector<Function> functions{ENTRY(cntc_initializefirst),
                                       ENTRY(cntc_getwheelsetposition),
                                       ENTRY(cntc_getwheelsetvelocity),
                                       ENTRY(cntc_getprofilevalues),
-                                      ENTRY(cntc_getprofilevalues_new)};
+                                      ENTRY(cntc_getprofilevalues_new),
+                                      ENTRY(cntc_setfileunits),
+                                      ENTRY(cntc_getmaxnumthreads),
+                                      ENTRY(cntc_calculate1),
+                                      ENTRY(cntc_calculate3)};
 
 }  // namespace
 
 TEST_CASE("every function takes every choice of null pointers, before a solve and after one") {
-    REQUIRE(functions.size() == 65);  // and cntc_finalizelast, which has no arguments
+    REQUIRE(functions.size() == 69);  // and cntc_finalizelast, which has no arguments
     const bool solved = GENERATE(false, true);
     for (const Function& function : functions) {
         CAPTURE(function.name, solved);
@@ -142,5 +147,19 @@ TEST_CASE("every function takes every choice of null pointers, before a solve an
         CHECK(refused >= function.choices / 2);
         Case other = wheel(2);
         CHECK(other.calculate() == 0);
+    }
+}
+
+TEST_CASE("every function takes every choice of null pointers of a wheel on a rail") {
+    const bool solved = GENERATE(false, true);
+    for (const Function& function : functions) {
+        CAPTURE(function.name, solved);
+        cntc_finalizelast();
+        RailCase rail = manchester_wheel(1, contactd::Side::right);
+        rail.whole.potential(0, {1, 1, 0});
+        place(rail, contactd::test::manchester_cases[11]);
+        if (solved) REQUIRE(rail.whole.calculate() == 0);
+
+        CHECK(function.refused() >= function.choices / 2);
     }
 }

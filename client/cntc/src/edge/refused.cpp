@@ -10,6 +10,8 @@ namespace {
 int code_of(std::string_view field) {
     if (field.starts_with("friction.mu") || field.starts_with("friction.kinetic")) return error_code::friction;
     if (field.starts_with("grid") || field == "friction.rolling.dq") return error_code::discretisation;
+    for (const std::string_view part : {"profile", "rail.", "wheel.", "rail_slices", "wheel_slices"})
+        if (field.starts_with(part)) return error_code::profile;
     return error_code::input;
 }
 

@@ -53,13 +53,43 @@ std::vector<double> in_mm(int law, std::vector<double> parameters, double length
     return parameters;
 }
 
-GivenFriction friction_of(int method, const double* params, const int* nparam, const Units& units) {
-    if (method != coulomb && method != linear && method != exponential)
-        refuse_friction("Method " + std::to_string(method) +
-                        " is asked for; contactd has 0, 2 and 4, the same over the contact.");
-    const int count = method == coulomb ? 2 : 7;
-    const auto given = in_mm(method, list(params, nparam, count, "params"), units.length);
+GivenFriction same_friction(int method, const std::vector<double>& parameters, const Units& units) {
+    const auto given = in_mm(method, parameters, units.length);
     return {method, given, method == coulomb ? coulomb_of(given) : falling_of(method, given)};
+}
+
+enum Varies { by_angle = 1, along_track = 2 };
+
+/// [number, and of each its angle or place, and the parameters of the law there].
+GivenFriction varying_friction(int method, const std::vector<double>& given, const Units& units) {
+    const int law = method % 10, varies = method / 10, size = 1 + (law == coulomb ? 2 : 7);
+    const int count = given.empty() ? 0 : whole(given[0], "the number of places of friction");
+    if (count < 1 || given.size() != 1 + static_cast<std::size_t>(count) * static_cast<std::size_t>(size))
+        refuse_friction("Friction that varies has " + std::to_string(given.size()) + " values, which " +
+                        std::to_string(count) + " places with " + std::to_string(size) + " values each are not.");
+    GivenFriction friction;
+    for (int k = 0; k < count; ++k) {
+        const auto first = given.begin() + 1 + k * size;
+        const GivenFriction here = same_friction(law, {first + 1, first + size}, units);
+        const double place = *first * (varies == along_track ? units.length : 1);
+        if (!friction.varying.empty() && place <= friction.varying.back().place)
+            refuse_friction("Angles or places of friction must ascend.");
+        if (k == 0) friction = here;
+        friction.varying.push_back({place, here.law});
+    }
+    friction.method = method;
+    return friction;
+}
+
+GivenFriction friction_of(const Settings& settings, int method, const double* params, const int* nparam) {
+    const bool on_rails = settings.module == module_number::wheel_rail;
+    const int law = method % 10, varies = method / 10;
+    const bool has_law = law == coulomb || law == linear || law == exponential;
+    if (!has_law || varies < 0 || varies > along_track || (varies > 0 && !on_rails))
+        refuse_friction("Method " + std::to_string(method) + " is asked for; contactd has 0, 2 and 4, " +
+                        (on_rails ? "and these plus 10 or 20." : "the same over the contact."));
+    if (varies > 0) return varying_friction(method, numbers(params, nparam, 1, "params"), settings.units);
+    return same_friction(method, list(params, nparam, law == coulomb ? 2 : 7, "params"), settings.units);
 }
 
 std::vector<double> material_back(const Settings& settings) {
@@ -71,7 +101,7 @@ std::vector<double> material_back(const Settings& settings) {
 
 std::vector<double> friction_back(const Settings& settings) {
     if (!settings.friction) throw Refused(error_code::input, "No friction was set.");
-    return in_mm(settings.friction->method, settings.friction->parameters, 1 / settings.units.length);
+    return in_mm(settings.friction->method % 10, settings.friction->parameters, 1 / settings.units.length);
 }
 
 }  // namespace
@@ -91,8 +121,8 @@ extern "C" void cntc_setfrictionmethod(int* ire, int* icp, int* imeth, int* npar
     set("cntc_setfrictionmethod", ire, icp, "friction", [&](Settings& settings) {
         const int method = integer(imeth, "imeth");
         if (method == keep && settings.friction) return;
-        settings.friction = friction_of(method, params, nparam, settings.units);
-        settings.digits.set(flag::friction_law, method);
+        settings.friction = friction_of(settings, method, params, nparam);
+        settings.digits.set(flag::friction_law, method % 10);
         settings.refused.erase("flag " + std::to_string(flag::friction_law));
     });
 }

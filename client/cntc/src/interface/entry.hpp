@@ -30,8 +30,8 @@ inline int number_of(const int* handle) {
 
 /// Sets something of one contact problem or of all, by `change(settings)`, which throws and leaves them as they were
 /// where it cannot be. Then `part` of the problem is refused, until it is set well.
-template <class Change>
-void set_part(Settings& settings, const std::string& part, const Change& change) {
+template <class Given, class Change>
+void set_part(Given& settings, const std::string& part, const Change& change) {
     try {
         change(settings);
         settings.refused.erase(part);
@@ -63,6 +63,19 @@ void set(const char* function, const int* ire, const int* icp, const char* part,
            [&] { for_each_settings(ire, icp, [&](Settings& settings) { set_part(settings, part, change); }); });
 }
 
+/// A function of basic contact that sets one part, which a wheel on a rail has itself.
+template <class Change>
+void set_basic(const char* function, const int* ire, const int* icp, const char* part, const Change& change) noexcept {
+    answer(function, [&] {
+        const int element = number_of(ire);
+        if (Registry::of_process().is_wheel_rail(element))
+            throw Refused(error_code::handle, "Result element " + std::to_string(element) +
+                                                  " is a wheel on a rail, of which this follows from its profiles, "
+                                                  "position and motion.");
+        for_each_settings(ire, icp, [&](Settings& settings) { set_part(settings, part, change); });
+    });
+}
+
 /// Reads something of one contact problem, by `read(problem)`.
 template <class Read>
 int get(const char* function, const int* ire, const int* icp, const Read& read) noexcept {
@@ -70,6 +83,42 @@ int get(const char* function, const int* ire, const int* icp, const Read& read) 
         const CasePtr problem = Registry::of_process().at(number_of(ire), number_of(icp));
         const std::scoped_lock lock(problem->mutex);
         read(*problem);
+    });
+}
+
+/// Reads what a wheel on a rail has as a whole by -1 as well, and what was set before there is a problem.
+template <class Read>
+int get_whole(const char* function, const int* ire, const int* icp, const Read& read) noexcept {
+    return answer(function, [&] {
+        auto& registry = Registry::of_process();
+        const int element = number_of(ire), number = number_of(icp);
+        const CasePtr problem = registry.is_wheel_rail(element) ? registry.existing_or_pattern(element, number)
+                                                                : registry.at(element, number);
+        const std::scoped_lock lock(problem->mutex);
+        read(*problem);
+    });
+}
+
+/// Whether a function of both modules is called for a wheel on a rail.
+inline bool of_rail(const int* ire) {
+    return ire != nullptr && Registry::of_process().is_wheel_rail(*ire);
+}
+
+/// Runs `work(rail, common)` of a wheel on a rail, with both locked.
+template <class Work>
+int with_rail(const char* function, const int* ire, const Work& work) noexcept {
+    return answer(function, [&] {
+        const auto [rail, common] = Registry::of_process().rail(number_of(ire));
+        const std::scoped_lock lock(rail->mutex, common->mutex);
+        work(*rail, common->settings);
+    });
+}
+
+/// A function that sets one part of a wheel on a rail, by `change(settings, units)`.
+template <class Change>
+void set_rail(const char* function, const int* ire, const std::string& part, const Change& change) noexcept {
+    with_rail(function, ire, [&](RailCase& rail, const Settings& common) {
+        set_part(rail.settings, part, [&](RailSettings& settings) { change(settings, common.units); });
     });
 }
 

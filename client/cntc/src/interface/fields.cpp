@@ -77,7 +77,11 @@ Field field_of(int code, ContactCase& problem) {
     const Solved& solved = solution_of(problem);
     const ContactSolution& solution = solved.solution;
     const Units& units = problem.settings.units;
-    const auto displacements = [&] { return problem.solver.displacements(solved.problem, solution); };
+    const bool on_rails = problem.settings.module == module_number::wheel_rail;  // whose solutions have them
+    const auto displacements = [&] {
+        if (on_rails) return Displacements{solution.displacement_x, solution.displacement_y, solution.displacement_z};
+        return problem.solver.displacements(solved.problem, solution);
+    };
     switch (code) {
         case 1:
             return {undeformed_distance(solved.problem), units.length};

@@ -81,6 +81,43 @@ Distance distance_of(int base, const double* prmudf, const int* nparam, const Un
     return h;
 }
 
+/// [dx, ds, not used] or [dx, ds, a_sep, d_sep, d_comb, d_turn], of which the last may be missing; what comes behind is
+/// not read.
+GivenElements rail_elements(int option, const std::vector<double>& given, const Units& units) {
+    const double mm = units.length;
+    GivenElements elements;
+    elements.dx = positive(given[0], "dx") * mm;
+    elements.ds = positive(given[1], "ds") * mm;
+    if (option == 0) return elements;
+    elements.angle_separate = positive(given[2], "a_sep");
+    elements.separate = positive(given[3], "d_sep") * mm;
+    elements.combine = positive(given[4], "d_comb") * mm;
+    elements.turn = given.size() > 5 ? given[5] * mm : 2 * elements.separate - elements.combine;
+    return elements;
+}
+
+/// Elements are those of all patches, which nobody numbers before they are found.
+void set_rail_elements(const int* ire, const int* icp, const int* ipotcn, const int* nparam, const double* rparam) {
+    set_rail("cntc_setpotcontact", ire, "potential contact", [&](RailSettings& rail, const Units& units) {
+        if (number_of(icp) > 0)
+            throw Refused(error_code::handle, "Elements of a wheel on a rail are set for all patches; icp must be -1.");
+        const int option = integer(ipotcn, "ipotcn");
+        if (option != 0 && option != -1) refuse_option("ipotcn", option, "0 and -1 for a wheel on a rail");
+        rail.elements = rail_elements(option, numbers(rparam, nparam, option == 0 ? 2 : 5, "rparam"), units);
+    });
+}
+
+void get_rail_elements(const int* ire, double* dx, double* dy) {
+    with_rail("cntc_getgriddiscretization", ire, [&](const RailCase& rail, const Settings& common) {
+        require(dx, "dx");
+        require(dy, "dy");
+        if (!rail.settings.elements)
+            throw Refused(error_code::discretisation, "No sizes of elements were set; call cntc_setpotcontact.");
+        *dx = rail.settings.elements->dx / common.units.length;
+        *dy = rail.settings.elements->ds / common.units.length;
+    });
+}
+
 /// Copies as many of the numbers as the caller has room for.
 template <std::size_t count>
 void fill(const std::array<double, count>& found, double* values, const int* lenarr) {
@@ -91,7 +128,7 @@ void fill(const std::array<double, count>& found, double* values, const int* len
 }  // namespace
 
 extern "C" void cntc_sethertzcontact(int* ire, int* icp, int* ipotcn, int* nparam, double* rparam) {
-    set("cntc_sethertzcontact", ire, icp, "potential contact", [&](Settings& settings) {
+    set_basic("cntc_sethertzcontact", ire, icp, "potential contact", [&](Settings& settings) {
         const int option = integer(ipotcn, "ipotcn");
         if (option < -5 || option > -1) refuse_option("ipotcn", option, "the Hertz contacts -1 to -5");
         settings.area = hertz_area(option, list(rparam, nparam, 5, "rparam"), settings.units);
@@ -100,6 +137,7 @@ extern "C" void cntc_sethertzcontact(int* ire, int* icp, int* ipotcn, int* npara
 CONTACTD_FORTRAN_NAME(cntc_sethertzcontact)
 
 extern "C" void cntc_setpotcontact(int* ire, int* icp, int* ipotcn, int* nparam, double* rparam) {
+    if (of_rail(ire)) return set_rail_elements(ire, icp, ipotcn, nparam, rparam);
     set("cntc_setpotcontact", ire, icp, "potential contact", [&](Settings& settings) {
         const int option = integer(ipotcn, "ipotcn");
         if (option < 1 || option > 4) refuse_option("ipotcn", option, "the potential contacts 1 to 4");
@@ -109,7 +147,7 @@ extern "C" void cntc_setpotcontact(int* ire, int* icp, int* ipotcn, int* nparam,
 CONTACTD_FORTRAN_NAME(cntc_setpotcontact)
 
 extern "C" void cntc_setundeformeddistc(int* ire, int* icp, int* ibase, int* nparam, double* prmudf) {
-    set("cntc_setundeformeddistc", ire, icp, "undeformed distance", [&](Settings& settings) {
+    set_basic("cntc_setundeformeddistc", ire, icp, "undeformed distance", [&](Settings& settings) {
         settings.distance = distance_of(integer(ibase, "ibase"), prmudf, nparam, settings.units);
     });
 }
@@ -159,6 +197,7 @@ CONTACTD_FORTRAN_NAME(cntc_getnumelements)
 extern "C" void cntc_getgriddiscretization(int* ire, int* icp, double* dx, double* dy) {
     clear(dx);
     clear(dy);
+    if (of_rail(ire) && icp != nullptr && *icp == all_problems) return get_rail_elements(ire, dx, dy);
     get("cntc_getgriddiscretization", ire, icp, [&](const ContactCase& problem) {
         require(dx, "dx");
         require(dy, "dy");

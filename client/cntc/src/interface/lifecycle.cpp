@@ -29,17 +29,32 @@ CONTACTD_FORTRAN_NAME(cntc_initializefirst_new)
 extern "C" void cntc_initialize(int* ire, int* imodul, int* ifcver, int* ierror, const char*, int*) {
     const int code = answer("cntc_initialize", [&] {
         require(ierror, "ierror");
-        constexpr int basic_contact = 3;
         const int module = integer(imodul, "imodul");
-        Registry::of_process().initialize(number_of(ire), module == basic_contact);
-        if (module != basic_contact)
-            throw Refused(error_code::other,
-                          "Module " + std::to_string(module) + " was asked for; contactd has basic contact, module 3.");
+        Registry::of_process().initialize(number_of(ire), module);
+        if (module != module_number::basic_contact && module != module_number::wheel_rail &&
+            module != module_number::wheel_rail_inputs)
+            throw Refused(error_code::other, "Module " + std::to_string(module) +
+                                                 " was asked for; contactd has wheel on rail, modules 1 and 11, and "
+                                                 "basic contact, module 3.");
     });
     if (ifcver != nullptr) *ifcver = interface_version;
     if (ierror != nullptr) *ierror = code;
 }
 CONTACTD_FORTRAN_NAME(cntc_initialize)
+
+// Neither files nor threads are the library's affair: it opens none, and solves in the thread that calls.
+extern "C" void cntc_setfileunits(int* nunits, int* iunits) {
+    answer("cntc_setfileunits", [&] { integers(iunits, nunits, 0, "iunits"); });
+}
+CONTACTD_FORTRAN_NAME(cntc_setfileunits)
+
+extern "C" void cntc_getmaxnumthreads(int* mxthrd) {
+    answer("cntc_getmaxnumthreads", [&] {
+        require(mxthrd, "mxthrd");
+        *mxthrd = 1;
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_getmaxnumthreads)
 
 extern "C" void cntc_finalize(int* ire) {
     answer("cntc_finalize", [&] { Registry::of_process().finalize(number_of(ire)); });

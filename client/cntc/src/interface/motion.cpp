@@ -37,7 +37,7 @@ GivenMotion in_units(GivenMotion motion, double length, bool rolls) {
 }  // namespace
 
 extern "C" void cntc_setpenetration(int* ire, int* icp, double* pen) {
-    set("cntc_setpenetration", ire, icp, "load", [&](Settings& settings) {
+    set_basic("cntc_setpenetration", ire, icp, "load", [&](Settings& settings) {
         settings.pen = number(pen, "pen") * settings.units.length;
         settings.digits.set(flag::normal, 0);
     });
@@ -45,7 +45,7 @@ extern "C" void cntc_setpenetration(int* ire, int* icp, double* pen) {
 CONTACTD_FORTRAN_NAME(cntc_setpenetration)
 
 extern "C" void cntc_setnormalforce(int* ire, int* icp, double* fn) {
-    set("cntc_setnormalforce", ire, icp, "load", [&](Settings& settings) {
+    set_basic("cntc_setnormalforce", ire, icp, "load", [&](Settings& settings) {
         const double force = number(fn, "fn");
         if (force < 0) throw Refused(error_code::input, "fn is negative; bodies do not pull at each other.");
         settings.fn = force;
@@ -61,13 +61,17 @@ extern "C" void cntc_settimestep(int* ire, int* icp, double* dt) {
 CONTACTD_FORTRAN_NAME(cntc_settimestep)
 
 extern "C" void cntc_setreferencevelocity(int* ire, int* icp, double* veloc) {
-    set("cntc_setreferencevelocity", ire, icp, "velocity", [&](Settings& settings) {
+    set_basic("cntc_setreferencevelocity", ire, icp, "velocity", [&](Settings& settings) {
         settings.velocity = positive(number(veloc, "veloc"), "veloc") * settings.units.length;
     });
 }
 CONTACTD_FORTRAN_NAME(cntc_setreferencevelocity)
 
 extern "C" void cntc_setrollingstepsize(int* ire, int* icp, double* chi, double* dq) {
+    // Of a wheel on a rail the direction follows from its motion, and the step counts elements.
+    if (of_rail(ire))
+        return set_rail("cntc_setrollingstepsize", ire, "rolling step",
+                        [&](RailSettings& rail, const Units&) { rail.dq = positive(number(dq, "dq"), "dq"); });
     set("cntc_setrollingstepsize", ire, icp, "rolling step", [&](Settings& settings) {
         const double angle = number(chi, "chi"), step = positive(number(dq, "dq"), "dq") * settings.units.length;
         settings.chi = angle;
@@ -77,13 +81,17 @@ extern "C" void cntc_setrollingstepsize(int* ire, int* icp, double* chi, double*
 CONTACTD_FORTRAN_NAME(cntc_setrollingstepsize)
 
 extern "C" void cntc_setcreepages(int* ire, int* icp, double* vx, double* vy, double* phi) {
-    set("cntc_setcreepages", ire, icp, "creepages", [&](Settings& settings) {
+    set_basic("cntc_setcreepages", ire, icp, "creepages", [&](Settings& settings) {
         settings.motion = GivenMotion{number(vx, "vx"), number(vy, "vy"), number(phi, "phi"), settings.units.length};
     });
 }
 CONTACTD_FORTRAN_NAME(cntc_setcreepages)
 
 extern "C" void cntc_settangentialforces(int* ire, int* icp, double* fx, double* fy) {
+    // Of a wheel on a rail it is the longitudinal force itself, on the rail along the wheelset's axes.
+    if (of_rail(ire))
+        return set_rail("cntc_settangentialforces", ire, "longitudinal force",
+                        [&](RailSettings& rail, const Units&) { rail.Fx = number(fx, "fx"); });
     set("cntc_settangentialforces", ire, icp, "tangential forces", [&](Settings& settings) {
         const double body = settings.units.body;
         settings.force = RelativeForce{body * number(fx, "fx"), body * number(fy, "fy")};
@@ -92,7 +100,7 @@ extern "C" void cntc_settangentialforces(int* ire, int* icp, double* fx, double*
 CONTACTD_FORTRAN_NAME(cntc_settangentialforces)
 
 extern "C" void cntc_setextrarigidslip(int* ire, int* icp, int* lenarr, double* wx, double* wy) {
-    set("cntc_setextrarigidslip", ire, icp, "rigid slip", [&](Settings& settings) {
+    set_basic("cntc_setextrarigidslip", ire, icp, "rigid slip", [&](Settings& settings) {
         auto x = numbers(wx, lenarr, 1, "wx"), y = numbers(wy, lenarr, 1, "wy");
         settings.extra_slip = GivenSlip{std::move(x), std::move(y), settings.units.length};
         settings.digits.set(flag::extra_slip, 9);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "interface/entry.hpp"
+#include "problem/stopwatch.hpp"
 
 using namespace contactd;
 using namespace contactd::cntc;
@@ -24,17 +25,85 @@ int calculate_all(int ire, int icp) {
     return border;
 }
 
-}  // namespace
-
-extern "C" void cntc_calculate(int* ire, int* icp, int* ierror) {
+/// Makes contact problems of the patches, until the next solve.
+int show_patches(const RailCase& rail, int ire, const Settings& settings, const CalculationTime& time) {
+    const auto found = rail.current ? ordered_patches(rail) : std::vector<const WheelRailPatch*>();
+    const auto problems = Registry::of_process().patches(ire, found.size(), settings);
     int border = 0;
-    const int code = answer("cntc_calculate", [&] {
-        border = calculate_all(number_of(ire), number_of(icp));
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+        const std::scoped_lock lock(problems[i]->mutex);
+        problems[i]->current = false;
+        if (i >= found.size()) continue;
+        show(*found[i], rail, settings, *problems[i]);
+        problems[i]->time = time;
+        border = std::max(border, found[i]->solution.elements.border);
+    }
+    return border;
+}
+
+int calculate_rail(int ire) {
+    const auto [rail, common] = Registry::of_process().rail(ire);
+    const std::scoped_lock lock(rail->mutex);
+    const auto as_set = [&] {
+        const std::scoped_lock common_lock(common->mutex);
+        return std::pair(common->settings, common->time);
+    };
+    auto [settings, time] = as_set();
+    std::exception_ptr failed;
+    try {
+        const Stopwatch stopwatch(time);
+        calculate(*rail, settings);
+    } catch (...) {
+        failed = std::current_exception();
+    }
+    const int border = show_patches(*rail, ire, settings, time);
+    {
+        const std::scoped_lock common_lock(common->mutex);
+        common->time = time;
+    }
+    if (failed) std::rethrow_exception(failed);
+    return border;
+}
+
+/// A wheel on a rail is solved as a whole, whose number is that of all problems.
+int calculate_element(int ire, int icp) {
+    if (!Registry::of_process().is_wheel_rail(ire)) return calculate_all(ire, icp);
+    if (icp > 0) throw Refused(error_code::handle, "Patches of a wheel on a rail are solved together; icp must be -1.");
+    return calculate_rail(ire);
+}
+
+template <class Solve>
+void run(const char* function, int* ierror, const Solve& solve) {
+    int border = 0;
+    const int code = answer(function, [&] {
+        border = solve();
         require(ierror, "ierror");
     });
     if (ierror != nullptr) *ierror = code < 0 ? code : border;
 }
+
+}  // namespace
+
+extern "C" void cntc_calculate(int* ire, int* icp, int* ierror) {
+    run("cntc_calculate", ierror, [&] { return calculate_element(number_of(ire), number_of(icp)); });
+}
 CONTACTD_FORTRAN_NAME(cntc_calculate)
+
+extern "C" void cntc_calculate1(int* ire, int* ierror) {
+    run("cntc_calculate1", ierror, [&] { return calculate_rail(number_of(ire)); });
+}
+CONTACTD_FORTRAN_NAME(cntc_calculate1)
+
+extern "C" void cntc_calculate3(int* ire, int* icp, int* ierror) {
+    run("cntc_calculate3", ierror, [&] {
+        const int element = number_of(ire);
+        if (Registry::of_process().is_wheel_rail(element))
+            throw Refused(error_code::handle,
+                          "Result element " + std::to_string(element) + " is a wheel on a rail; call cntc_calculate1.");
+        return calculate_all(element, number_of(icp));
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_calculate3)
 
 extern "C" void cntc_getcontactforces(int* ire, int* icp, double* fn, double* fx, double* fy, double* mz) {
     for (double* out : {fn, fx, fy, mz}) clear(out);
@@ -112,7 +181,7 @@ CONTACTD_FORTRAN_NAME(cntc_getsensitivities)
 extern "C" void cntc_getcalculationtime(int* ire, int* icp, double* cpu, double* wall) {
     clear(cpu);
     clear(wall);
-    get("cntc_getcalculationtime", ire, icp, [&](const ContactCase& problem) {
+    get_whole("cntc_getcalculationtime", ire, icp, [&](const ContactCase& problem) {
         require(cpu, "cpu");
         require(wall, "wall");
         *cpu = problem.time.cpu;
@@ -123,7 +192,15 @@ CONTACTD_FORTRAN_NAME(cntc_getcalculationtime)
 
 extern "C" void cntc_resetcalculationtime(int* ire, int* icp) {
     answer("cntc_resetcalculationtime", [&] {
-        for (const CasePtr& problem : Registry::of_process().existing(number_of(ire), number_of(icp))) {
+        const int element = number_of(ire), number = number_of(icp);
+        auto& registry = Registry::of_process();
+        if (registry.is_wheel_rail(element)) {
+            const CasePtr whole = registry.rail(element).common;
+            const std::scoped_lock lock(whole->mutex);
+            whole->time = {};
+            if (number == all_problems) return;
+        }
+        for (const CasePtr& problem : registry.existing(element, number)) {
             const std::scoped_lock lock(problem->mutex);
             problem->time = {};
         }

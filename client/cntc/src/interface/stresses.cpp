@@ -54,8 +54,10 @@ CONTACTD_FORTRAN_NAME(subs_addblock)
 
 extern "C" void subs_calculate(int* ire, int* icp, int* ierror) {
     const int code = answer("subs_calculate", [&] {
+        const bool all_patches = of_rail(ire) && number_of(icp) == all_problems;
         for (const CasePtr& problem : Registry::of_process().existing(number_of(ire), number_of(icp))) {
             const std::scoped_lock lock(problem->mutex);
+            if (all_patches && !problem->current) continue;  // there were more patches before
             calculate_blocks(*problem);
         }
         require(ierror, "ierror");

@@ -1,37 +1,11 @@
 #include "contact_case.hpp"
 
-#include <chrono>
-#include <ctime>
-
 #include "edge/codes.hpp"
 #include "problem/problem.hpp"
 #include "problem/sensitivities.hpp"
+#include "problem/stopwatch.hpp"
 
 namespace contactd::cntc {
-namespace {
-
-double processor_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// Adds to a time what passes while it lives.
-class Stopwatch {
-   public:
-    explicit Stopwatch(CalculationTime& time) : time_(time) {}
-    ~Stopwatch() {
-        time_.cpu += processor_seconds() - cpu_;
-        time_.wall += std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count();
-    }
-    Stopwatch(const Stopwatch&) = delete;
-    Stopwatch& operator=(const Stopwatch&) = delete;
-
-   private:
-    CalculationTime& time_;
-    double cpu_ = processor_seconds();
-    std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
-};
 
 void require_converged(const ContactEvidence& evidence) {
     const char* const found = " The best that was found is kept; allow more iterations.";
@@ -46,8 +20,6 @@ void require_converged(const ContactEvidence& evidence) {
             std::string("The outer iterations between pressures, tractions and friction stopped above the tolerance.") +
                 found);
 }
-
-}  // namespace
 
 const Solved& solution_of(const ContactCase& problem) {
     if (!problem.current)

@@ -48,6 +48,9 @@ struct ContactCase {
 /// Throws Refused where the last case was not solved.
 const Solved& solution_of(const ContactCase& problem);
 
+/// Throws Refused where a solver missed its tolerance.
+void require_converged(const ContactEvidence& evidence);
+
 /// Solves what is set, and keeps it. Returns what cntc_calculate answers where it is not negative. Throws Refused,
 /// where solvers missed their tolerances with what they found kept.
 int calculate(ContactCase& problem);

@@ -25,11 +25,19 @@ Registry& Registry::of_process() {
     return registry;
 }
 
-void Registry::initialize(int ire, bool basic_contact) {
+Registry::ResultElement::ResultElement(int module_)
+    : module(module_ == module_number::wheel_rail_inputs ? module_number::wheel_rail : module_),
+      pattern(std::make_shared<ContactCase>()) {
+    if (module != module_number::wheel_rail) return;
+    pattern->settings.module = module;
+    pattern->settings.digits = ControlDigits(module);
+    rail = std::make_shared<RailCase>();
+}
+
+void Registry::initialize(int ire, int module) {
     require_number(ire);
     const std::scoped_lock lock(mutex_);
-    elements_[ire] = ResultElement{};
-    elements_[ire].basic_contact = basic_contact;
+    elements_.insert_or_assign(ire, ResultElement(module));
 }
 
 void Registry::finalize(int ire) {
@@ -43,14 +51,29 @@ void Registry::finalize_all() {
     elements_.clear();
 }
 
-Registry::ResultElement& Registry::element(int ire) {
+Registry::ResultElement& Registry::element(int ire, int module) {
     require_number(ire);
-    ResultElement& element = elements_[ire];
-    if (!element.basic_contact)
+    ResultElement& element = elements_.try_emplace(ire, module).first->second;
+    if (element.module != module_number::basic_contact && element.module != module_number::wheel_rail)
         throw Refused(error_code::handle, "Result element " + std::to_string(ire) +
-                                              " was initialized for another module than 3, which contactd does not "
-                                              "have.");
+                                              " was initialized for another module than 1 and 3, which contactd does "
+                                              "not have.");
     return element;
+}
+
+Registry::ResultElement& Registry::existing_element(int ire) {
+    if (!elements_.contains(ire))
+        throw Refused(error_code::handle, "There is no result element " + std::to_string(ire) + ".");
+    return element(ire);
+}
+
+CasePtr& Registry::problem(ResultElement& element, int icp) {
+    CasePtr& problem = element.problems[icp];
+    if (problem) return problem;
+    problem = std::make_shared<ContactCase>();
+    const std::scoped_lock pattern_lock(element.pattern->mutex);
+    problem->settings = element.pattern->settings;
+    return problem;
 }
 
 std::vector<CasePtr> Registry::to_set(int ire, int icp) {
@@ -66,26 +89,57 @@ std::vector<CasePtr> Registry::to_set(int ire, int icp) {
         for (const auto& [number, problem] : found.problems) all.push_back(problem);
         return all;
     }
-    CasePtr& problem = found.problems[icp];
-    if (!problem) {
-        problem = std::make_shared<ContactCase>();
-        const std::scoped_lock pattern_lock(found.pattern->mutex);
-        problem->settings = found.pattern->settings;
-    }
-    return {problem};
+    return {problem(found, icp)};
 }
 
 std::vector<CasePtr> Registry::existing(int ire, int icp) {
     const std::scoped_lock lock(mutex_);
-    const auto found = elements_.find(ire);
-    if (found == elements_.end())
-        throw Refused(error_code::handle, "There is no result element " + std::to_string(ire) + ".");
-    const auto& problems = element(ire).problems;
+    const auto& problems = existing_element(ire).problems;
     std::vector<CasePtr> result;
     for (const auto& [number, problem] : problems)
         if (icp == all_problems || icp == number) result.push_back(problem);
     if (result.empty()) throw Refused(error_code::handle, "There is no " + name_of(ire, icp) + ".");
     return result;
+}
+
+CasePtr Registry::existing_or_pattern(int ire, int icp) {
+    const std::scoped_lock lock(mutex_);
+    const ResultElement& found = existing_element(ire);
+    const auto problem = found.problems.find(icp);
+    return problem == found.problems.end() ? found.pattern : problem->second;
+}
+
+bool Registry::is_wheel_rail(int ire) {
+    const std::scoped_lock lock(mutex_);
+    const auto found = elements_.find(ire);
+    return found != elements_.end() && found->second.rail != nullptr;
+}
+
+RailPtrs Registry::rail(int ire) {
+    const std::scoped_lock lock(mutex_);
+    const ResultElement& found = element(ire, module_number::wheel_rail);
+    if (!found.rail)
+        throw Refused(error_code::handle, "Result element " + std::to_string(ire) +
+                                              " was initialized for basic contact, module 3; a wheel on a rail is "
+                                              "module 1.");
+    return {found.rail, found.pattern};
+}
+
+std::vector<CasePtr> Registry::patches(int ire, std::size_t count, const Settings& common) {
+    const std::scoped_lock lock(mutex_);
+    ResultElement& found = element(ire);
+    std::vector<CasePtr> patches;
+    for (std::size_t i = 0; i < count; ++i) {
+        CasePtr& problem = found.problems[static_cast<int>(i) + 1];
+        if (!problem) {
+            problem = std::make_shared<ContactCase>();
+            problem->settings = common;
+        }
+        patches.push_back(problem);
+    }
+    for (const auto& [number, problem] : found.problems)
+        if (number > static_cast<int>(count)) patches.push_back(problem);
+    return patches;
 }
 
 CasePtr Registry::at(int ire, int icp) {

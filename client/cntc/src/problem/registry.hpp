@@ -8,10 +8,17 @@
 #include <vector>
 
 #include "problem/contact_case.hpp"
+#include "problem/rail_case.hpp"
 
 namespace contactd::cntc {
 
 using CasePtr = std::shared_ptr<ContactCase>;
+
+/// A wheel on a rail, and what it has in common with basic contact.
+struct RailPtrs {
+    std::shared_ptr<RailCase> rail;
+    CasePtr common;
+};
 
 /// Finds contact problems by their numbers. Safe to be used from several threads; a problem that is forgotten while
 /// somebody uses it lives until then.
@@ -19,8 +26,8 @@ class Registry {
    public:
     static Registry& of_process();
 
-    /// Makes a result element; one of that number is forgotten. One that is not basic contact answers nothing.
-    void initialize(int ire, bool basic_contact);
+    /// Makes a result element; one of that number is forgotten. One of a module that nobody has answers nothing.
+    void initialize(int ire, int module);
     void finalize(int ire);
     void finalize_all();
 
@@ -31,15 +38,30 @@ class Registry {
     CasePtr at(int ire, int icp);
     /// It, or all of them; throws Refused where there is none.
     std::vector<CasePtr> existing(int ire, int icp);
+    /// What further problems are copied from: with `all_problems`, and where there is none of this number.
+    CasePtr existing_or_pattern(int ire, int icp);
+
+    bool is_wheel_rail(int ire);
+    /// A wheel on a rail, which is made when it is first named. Throws Refused for basic contact.
+    RailPtrs rail(int ire);
+    /// The contact problems of its patches, numbered from 1 on, and behind them all others that there are. Those that
+    /// are missing are made with these settings.
+    std::vector<CasePtr> patches(int ire, std::size_t count, const Settings& common);
 
    private:
     struct ResultElement {
-        bool basic_contact = true;
-        CasePtr pattern = std::make_shared<ContactCase>();  ///< what was set of all
+        explicit ResultElement(int module);
+
+        int module;
+        CasePtr pattern;  ///< what was set of all
         std::map<int, CasePtr> problems;
+        std::shared_ptr<RailCase> rail;  ///< where it is a wheel on a rail
     };
 
-    ResultElement& element(int ire);
+    /// Finds it, or makes one of the module. Throws Refused where the module is none that there is.
+    ResultElement& element(int ire, int module = module_number::basic_contact);
+    ResultElement& existing_element(int ire);
+    CasePtr& problem(ResultElement& element, int icp);
 
     std::mutex mutex_;
     std::map<int, ResultElement> elements_;

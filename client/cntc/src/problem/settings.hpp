@@ -54,9 +54,15 @@ struct RelativeForce {
 
 /// Friction as it was set, in mm and s, and what core makes of it.
 struct GivenFriction {
-    int method = 0;
+    int method = 0;  ///< the law, and ten times how it varies: 1 with the rail's angle, 2 along the track
     std::vector<double> parameters;
     FrictionLaw law;
+    /// Of one that varies: the law at each angle (rad) or place (mm), in ascending order.
+    struct At {
+        double place = 0;
+        FrictionLaw law;
+    };
+    std::vector<At> varying{};
 };
 
 /// Points of a block for stresses: numbers of elements or coordinates (mm), as `kind` says.
@@ -68,8 +74,9 @@ struct GivenBlock {
 };
 
 struct Settings {
+    int module = module_number::basic_contact;
     Units units = units_mm_on_body_1;
-    ControlDigits digits;
+    ControlDigits digits;  ///< of the module
     ContactSettings solvers;
     std::map<int, double> metadata;
     std::optional<MaterialPair> materials;

@@ -1,0 +1,104 @@
+#include "rail_case.hpp"
+
+#include <algorithm>
+
+#include "edge/codes.hpp"
+#include "problem/rail_setup.hpp"
+
+namespace contactd::cntc {
+namespace {
+
+/// Keeps the curves of the profiles where no more than the friction has changed, as it may from step to step.
+void use(RailCase& rail, const WheelRailSetup& setup) {
+    if (rail.contact) {
+        if (rail.contact->setup() == setup) return;
+        WheelRailSetup same = setup;
+        same.friction = rail.contact->setup().friction;
+        if (same.friction && setup.friction && rail.contact->setup() == same) {
+            rail.contact = std::make_unique<const WheelRailContact>(rail.contact->with_friction(*setup.friction));
+            return;
+        }
+    }
+    rail.contact.reset();
+    rail.contact = std::make_unique<const WheelRailContact>(setup);
+}
+
+enum Previous { go_on = 0, again = 3 };
+constexpr int from_last_case = 3;  // of the initial estimate
+
+/// What a step starts from. Tractions are a history only where the step is not steady.
+WheelRailEstimates start_of(const RailCase& rail, const Settings& common, const WheelRailState& state) {
+    const bool is_steady = state.motion == WheelRailMotion::steady_rolling;
+    const bool has_estimate = common.digits(flag::estimate) == from_last_case;
+    const int previous = common.digits(flag::previous);
+    if (is_steady) return has_estimate ? rail.estimates : WheelRailEstimates{};
+    if (previous == go_on) return rail.estimates;
+    if (previous == again) return rail.before;
+    WheelRailEstimates start = has_estimate ? rail.estimates : WheelRailEstimates{};
+    start.patches.clear();
+    return start;
+}
+
+void require_all_converged(const WheelRailSolution& solution) {
+    const auto missed = [](const std::optional<SolverEvidence>& search) { return search && !search->converged; };
+    const std::string kept = " The best that was found is kept.";
+    for (const WheelRailPatch& patch : solution.patches) require_converged(patch.solution.evidence);
+    if (missed(solution.force))
+        throw Refused(error_code::total_force, "No height of the wheelset brings the vertical force." + kept);
+    if (missed(solution.pitch_search))
+        throw Refused(error_code::total_force, "No pitch rate brings the longitudinal force." + kept);
+    if (missed(solution.rail_search))
+        throw Refused(error_code::total_force, "The rail on springs found no balance." + kept);
+}
+
+/// A force on nothing cannot be; a height without contact is an answer.
+void require_contact(const RailCase& rail) {
+    if (rail.solution->in_contact() || !rail.state->Fz) return;
+    const auto& warnings = rail.solution->warnings;
+    throw Refused(error_code::search, warnings.empty() ? "Wheel and rail do not touch." : warnings.back());
+}
+
+}  // namespace
+
+const WheelRailSolution& solution_of(const RailCase& rail) {
+    if (!rail.current)
+        throw Refused(error_code::input, "There is no solution to read from; call cntc_calculate, and look at ierror.");
+    return *rail.solution;
+}
+
+void calculate(RailCase& rail, const Settings& common) {
+    rail.current = false;
+    const WheelRailSetup setup = setup_of(common, rail.settings);
+    const WheelRailState state = state_of(common, rail.settings);
+    use(rail, setup);
+    if (common.digits(flag::result) >= 2) return;
+    const WheelRailEstimates start = start_of(rail, common, state);
+    WheelRailEstimates next = start;
+    Observer observer;
+    rail.solution = rail.contact->solve(state, next, observer);
+    rail.state = state;
+    rail.before = start;
+    rail.estimates = std::move(next);
+    rail.current = true;
+    require_contact(rail);
+    require_all_converged(*rail.solution);
+}
+
+std::vector<const WheelRailPatch*> ordered_patches(const RailCase& rail) {
+    std::vector<const WheelRailPatch*> patches;
+    for (const WheelRailPatch& patch : solution_of(rail).patches) patches.push_back(&patch);
+    if (rail.contact->setup().side == Side::left) std::ranges::reverse(patches);
+    return patches;
+}
+
+const RailOutlines& outlines_of(RailCase& rail, const Settings& common) {
+    WheelRailSetup setup = rail.current ? rail.contact->setup() : outline_of(common, rail.settings);
+    setup.friction.reset();
+    if (!rail.outlines || rail.outlines->setup != setup) {
+        geometry::Profiles profiles = geometry::make_profiles(setup);
+        rail.outlines = std::make_shared<const RailOutlines>(RailOutlines{std::move(setup), std::move(profiles)});
+    }
+    return *rail.outlines;
+}
+
+}  // namespace contactd::cntc

@@ -1,0 +1,102 @@
+// A patch of a wheel on a rail as a contact problem, which the functions of basic contact answer from.
+#include <cmath>
+
+#include "edge/codes.hpp"
+#include "problem/problem.hpp"
+#include "problem/rail_case.hpp"
+
+namespace contactd::cntc {
+namespace {
+
+/// The coefficient where the rail is inclined by the angle; that of left rails is the mirror image's.
+double coefficient_at(const std::vector<FrictionAtAngle>& mu, double angle) {
+    if (angle <= mu.front().angle) return mu.front().mu;
+    for (std::size_t i = 1; i < mu.size(); ++i)
+        if (angle <= mu[i].angle)
+            return mu[i - 1].mu +
+                   (mu[i].mu - mu[i - 1].mu) * (angle - mu[i - 1].angle) / (mu[i].angle - mu[i - 1].angle);
+    return mu.back().mu;
+}
+
+std::optional<FrictionLaw> friction_of(const WheelRailSetup& setup, const ContactPlace& place) {
+    if (!setup.friction) return {};
+    const double side = setup.side == Side::left ? -1 : 1;
+    FrictionLaw law{{}, setup.friction->kinetic};
+    const auto& mu = setup.friction->mu;
+    if (!setup.friction->along_profile || mu.size() == 1 || place.rows.empty()) {
+        law.mu = {coefficient_at(mu, side * place.reference.angle)};
+        return law;
+    }
+    for (const ContactRow& row : place.rows)
+        law.mu.insert(law.mu.end(), static_cast<std::size_t>(place.grid.nx), coefficient_at(mu, side * row.angle));
+    return law;
+}
+
+/// Of a curved contact the sums of all its rows as vectors, in the axes of the reference.
+Forces of_rows(const WheelRailPatch& patch) {
+    const Wrench& track = patch.forces.track;
+    const ContactReference& at = patch.place.reference;
+    const double c = std::cos(at.angle), s = std::sin(at.angle);
+    const double my = track.My - (at.z * track.Fx - at.x * track.Fz),
+                 mz = track.Mz - (at.x * track.Fy - at.y * track.Fx);
+    return {track.Fz * c - track.Fy * s, track.Fx, track.Fy * c + track.Fz * s, mz * c - my * s};
+}
+
+Motion motion_of(const ContactPlace& place, const WheelRailSetup& setup, const WheelRailState& state) {
+    const Creepages& given = place.creepages;
+    if (state.motion == WheelRailMotion::shift) {
+        const double way = given.velocity * state.time_step.value_or(1);
+        Shift shift;
+        shift.rigid_shift = {given.xi * way, given.eta * way};
+        shift.rotation = given.phi * way;
+        shift.duration = state.time_step.value_or(1);
+        return shift;
+    }
+    Rolling rolling;
+    rolling.xi = given.xi;
+    rolling.eta = given.eta;
+    rolling.phi = given.phi;
+    rolling.chi = given.chi;
+    rolling.velocity = given.velocity;
+    rolling.dq = setup.dq > 0 ? setup.dq : setup.dx;
+    rolling.spin_offset = spin_offset;
+    if (state.motion == WheelRailMotion::transient_rolling) rolling.kind = RollingKind::transient;
+    return rolling;
+}
+
+GivenMotion creepages_of(const Motion& motion) {
+    if (const auto* rolling = std::get_if<Rolling>(&motion)) return {rolling->xi, rolling->eta, rolling->phi};
+    const auto& shift = std::get<Shift>(motion);
+    return {shift.rigid_shift.x, shift.rigid_shift.y, shift.rotation};
+}
+
+}  // namespace
+
+void show(const WheelRailPatch& patch, const RailCase& rail, const Settings& common, ContactCase& problem) {
+    const WheelRailSetup& setup = rail.contact->setup();
+    const ContactPlace& place = patch.place;
+    const Motion motion = motion_of(place, setup, *rail.state);
+    Solved solved{{}, patch.solution};
+    solved.problem.grid = place.grid;
+    solved.problem.gap = patch.gap;
+    solved.problem.bodies = setup.bodies;
+    solved.problem.settings = setup.settings;
+    solved.problem.friction = friction_of(setup, place);
+    solved.problem.motion = motion;
+    solved.problem.approach = patch.solution.approach;
+    solved.solution.motion = motion;
+    if (!place.rows.empty()) solved.solution.forces = of_rows(patch);
+    std::map<int, GivenBlock> blocks = std::move(problem.settings.blocks);
+    problem.settings = common;
+    problem.settings.blocks = std::move(blocks);
+    problem.settings.digits.set(flag::force, 0);
+    problem.settings.area = place.grid;
+    problem.settings.pen.reset();
+    problem.settings.motion = creepages_of(motion);
+    problem.settings.velocity = place.creepages.velocity;
+    problem.solved = std::move(solved);
+    problem.blocks.clear();
+    problem.current = true;
+}
+
+}  // namespace contactd::cntc

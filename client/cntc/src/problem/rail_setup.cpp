@@ -1,0 +1,225 @@
+#include "rail_setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "edge/codes.hpp"
+
+namespace contactd::cntc {
+namespace {
+
+enum Tangential { none = 0, shift = 1, transient = 2 };
+enum Force { longitudinal = 1, springs = 3 };
+enum Surfaces { plane = 2, slip_of_surfaces = 3, curved = 4, mesh = 5 };
+constexpr int turning_half_spaces = 4;
+
+/// By how much distances that are the same to other programs are apart here (mm).
+constexpr double near = 1e-6;
+
+double outwards(const Settings& settings) {
+    return on_left_side(settings) ? -1 : 1;
+}
+
+/// A roller goes along with its axle where its profile is placed itself.
+double sunk(const Settings& settings, const RailSettings& rail) {
+    return on_roller(settings) && rail.track.gauge_height <= 0 ? rail.deviation.z : 0;
+}
+
+Track track_of(const Settings& settings, const RailSettings& rail) {
+    const GivenTrack& given = rail.track;
+    Track track;
+    if (given.gauge_height > 0) {
+        track.gauge = given.gauge;
+        track.gauge_height = given.gauge_height;
+    } else {
+        track.rail_origin = ProfilePoint{outwards(settings) * given.rail_y, given.rail_z + sunk(settings, rail)};
+    }
+    if (on_roller(settings)) {
+        if (!(given.roller_radius > 0))
+            throw Refused(error_code::input, "The radius of the roller is not positive; call cntc_settrackdimensions.");
+        if (rail.deviation.roll != 0 || (rail.deviation.z != 0 && given.gauge_height > 0))
+            throw Refused(error_code::input,
+                          "The roller deviates with its axle, which contactd has only where its profile is placed "
+                          "itself (gaught <= 0), and without roll.");
+        track.roller_radius = given.roller_radius;
+        return track;
+    }
+    track.cant = given.cant;
+    if (settings.digits(flag::force) == springs && (given.spring_y > 0 || given.spring_z > 0)) {
+        track.springs.emplace();
+        if (given.spring_y > 0) track.springs->y = given.spring_y;
+        if (given.spring_z > 0) track.springs->z = given.spring_z;
+    }
+    return track;
+}
+
+/// Only where the profile lies along the axle matters, so that distances that no flanges have become others.
+Wheelset wheelset_of(Wheelset given) {
+    double& distance = given.flange_back_distance;
+    double& position = given.flange_back_position;
+    if (distance <= 0) {
+        position = 0.5 - std::max(distance / 2 - position, near);
+        distance = 1;
+    }
+    return given;
+}
+
+PatchRules patches_of(const GivenElements& given, int surfaces) {
+    PatchRules rules;
+    rules.angle_separate = std::min(given.angle_separate, std::numbers::pi);
+    rules.distance_combine = given.combine;
+    rules.distance_separate = std::max(given.separate, given.combine + near);
+    rules.distance_turn = std::max(given.turn, rules.distance_separate + near);
+    if (surfaces == mesh) rules.search = ContactSearch::mesh;
+    return rules;
+}
+
+Conformal conformal_of(const Settings& settings) {
+    const bool turns = settings.digits(flag::influence) == turning_half_spaces;
+    if (settings.digits(flag::discretisation) == curved) return turns ? Conformal::rotated : Conformal::half_space;
+    if (turns)
+        throw Refused(error_code::input,
+                      "Half-spaces that turn (flag 1978 is 4) are those of a curved contact; set flag 1977 to 4.");
+    return Conformal::off;
+}
+
+/// Between laws along the track, on straight lines; constant beyond.
+FrictionLaw law_at(const std::vector<GivenFriction::At>& laws, double place) {
+    const auto next = std::ranges::find_if(laws, [&](const GivenFriction::At& law) { return law.place >= place; });
+    if (next == laws.begin()) return next->law;
+    if (next == laws.end()) return laws.back().law;
+    const auto last = next - 1;
+    const double share = (place - last->place) / (next->place - last->place);
+    FrictionLaw law = last->law;
+    law.mu[0] += share * (next->law.mu[0] - law.mu[0]);
+    if (law.kinetic && next->law.kinetic) {
+        law.kinetic->mu += share * (next->law.kinetic->mu - law.kinetic->mu);
+        law.kinetic->slip_velocity += share * (next->law.kinetic->slip_velocity - law.kinetic->slip_velocity);
+    }
+    return law;
+}
+
+/// Angles are those against the wheel's profile where the contact is a plane, and else against the track; contactd's
+/// are against the track, and of left wheels those of the mirror image.
+WheelRailFriction by_angle(const Settings& settings, const std::vector<GivenFriction::At>& laws, double roll) {
+    const bool is_curved = settings.digits(flag::discretisation) == curved;
+    const double offset = is_curved ? 0 : outwards(settings) * roll;
+    WheelRailFriction friction;
+    friction.mu.clear();
+    friction.along_profile = is_curved;
+    friction.kinetic = laws.front().law.kinetic;
+    for (const auto& [angle, law] : laws) {
+        if (law.kinetic != friction.kinetic)
+            throw Refused(error_code::friction, "Friction falls otherwise from angle to angle; give one fall for all.");
+        friction.mu.push_back({angle + offset, law.mu[0]});
+    }
+    return friction;
+}
+
+WheelRailFriction friction_of(const Settings& settings, const RailSettings& rail) {
+    if (!settings.friction) throw Refused(error_code::friction, "No friction was set; call cntc_setfrictionmethod.");
+    const GivenFriction& given = *settings.friction;
+    if (settings.digits(flag::friction_law) != given.method % 10)
+        throw Refused(error_code::friction, "Flag 1976 and cntc_setfrictionmethod name different laws.");
+    constexpr int along_track = 2;
+    if (given.varying.empty()) return {{{0, given.law.mu[0]}}, false, given.law.kinetic};
+    if (given.method / 10 != along_track) return by_angle(settings, given.varying, rail.position.roll);
+    const FrictionLaw law = law_at(given.varying, rail.position.x);
+    return {{{0, law.mu[0]}}, false, law.kinetic};
+}
+
+}  // namespace
+
+bool on_roller(const Settings& settings) {
+    return settings.digits(flag::configuration) >= 4;
+}
+
+bool on_left_side(const Settings& settings) {
+    return settings.digits(flag::configuration) % 4 == 0;
+}
+
+WheelRailSetup outline_of(const Settings& settings, const RailSettings& rail) {
+    WheelRailSetup setup;
+    setup.side = on_left_side(settings) ? Side::left : Side::right;
+    if (rail.rail.profile) setup.rail = *rail.rail.profile;
+    if (rail.wheel.profile) setup.wheel = *rail.wheel.profile;
+    setup.rail_slices = rail.rail.rail_slices;
+    setup.wheel_slices = rail.wheel.wheel_slices;
+    setup.rail_spline = rail.rail.spline;
+    setup.wheel_spline = rail.wheel.spline;
+    setup.track = track_of(settings, rail);
+    setup.wheelset = wheelset_of(rail.wheelset);
+    return setup;
+}
+
+WheelRailSetup setup_of(const Settings& settings, const RailSettings& rail) {
+    for (const auto* refused : {&settings.refused, &rail.refused})
+        if (!refused->empty()) throw refused->begin()->second;
+    for (const auto& [surface, name] : {std::pair{&rail.rail, "rail"}, std::pair{&rail.wheel, "wheel"}})
+        if (surface->empty())
+            throw Refused(error_code::profile, "No profile of the " + std::string(name) +
+                                                   " was set; call cntc_setprofileinputfname or "
+                                                   "cntc_setprofileinputvalues.");
+    if (!settings.materials) throw Refused(error_code::input, "No material was set; call cntc_setmaterialparameters.");
+    if (!rail.elements)
+        throw Refused(error_code::discretisation, "No sizes of elements were set; call cntc_setpotcontact.");
+    WheelRailSetup setup = outline_of(settings, rail);
+    setup.bodies = Bodies::of(*settings.materials);
+    setup.dx = rail.elements->dx;
+    setup.dy = rail.elements->ds;
+    const int tangential = settings.digits(flag::tangential), surfaces = settings.digits(flag::discretisation);
+    setup.friction.reset();
+    if (tangential != none) setup.friction = friction_of(settings, rail);
+    if (tangential == transient && rail.dq != 1) setup.dq = rail.dq * setup.dx;
+    setup.patches = patches_of(*rail.elements, surfaces);
+    if (surfaces == slip_of_surfaces) setup.rigid_slip = RigidSlipKind::surfaces;
+    setup.conformal = conformal_of(settings);
+    setup.settings = settings.solvers;
+    setup.force.tolerance = std::min(setup.force.tolerance, settings.solvers.tangential.tolerance);
+    return setup;
+}
+
+WheelRailState placed_state(const Settings& settings, const RailSettings& rail) {
+    const bool is_roller = on_roller(settings);
+    WheelRailState state;
+    state.position = rail.position;
+    if (is_roller) state.position.x = 0;
+    state.velocity = rail.velocity;
+    const double first = rail.velocity.x, forwards = is_roller ? 0 : first * rail.velocity_length;
+    state.velocity.x = forwards;
+    state.velocity.yaw += forwards * rail.track.curvature;
+    state.roller_pitch = is_roller ? first : 0;
+    state.wheel = rail.flexibility;
+    state.rail = rail.deviation;
+    state.rail.z -= sunk(settings, rail);
+    return state;
+}
+
+WheelRailState state_of(const Settings& settings, const RailSettings& rail) {
+    WheelRailState state = placed_state(settings, rail);
+    const int force = settings.digits(flag::force), tangential = settings.digits(flag::tangential);
+    if (force == springs) {
+        state.rail.Fy = rail.track.spring_force_y;
+        state.rail.Fz = rail.track.spring_force_z;
+    }
+    if (settings.digits(flag::normal) == 1) {
+        if (!rail.Fz) throw Refused(error_code::input, "No vertical force was set; call cntc_setverticalforce.");
+        state.Fz = rail.Fz;
+    }
+    if (force == longitudinal) {
+        if (!rail.Fx) throw Refused(error_code::input, "No longitudinal force was set; call cntc_settangentialforces.");
+        state.Fx = rail.Fx;
+    }
+    // Velocities of a shift are increments: those of a second.
+    if (tangential == shift) {
+        state.motion = WheelRailMotion::shift;
+        state.time_step = 1;
+    } else if (tangential == transient) {
+        state.motion = WheelRailMotion::transient_rolling;
+    }
+    state.displacements = true;
+    return state;
+}
+
+}  // namespace contactd::cntc
