@@ -13,8 +13,9 @@
  *     1935   m, m/s, N, N/m^2        on body 2
  *     1936   m, m/s, N, N/m^2        on body 1
  *
- * Angles are in rad everywhere. Velocities, creepages, shifts, slip and displacements are those of body 1 relative to
- * body 2 in all three.
+ * Angles are in rad everywhere. Creepages, shifts and forces that are set are those of body 1, and so are
+ * displacements; creepages, shifts and slip that are read are those of the body of the units, relative to the other
+ * one.
  *
  * What cannot be done is refused: with a sentence on standard error, the first time, and in contactd_cntc_last_error();
  * cntc_calculate answers with the code as long as something that was set is refused, and numbers that do not exist are

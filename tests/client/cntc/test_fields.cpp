@@ -20,7 +20,7 @@ double sum(const Values& values) {
 
 }  // namespace
 
-TEST_CASE("surfaces meet in contact and part outside") {
+TEST_CASE("surfaces meet in contact, and outside displacements are not told") {
     Case contact = wheel(1);
     contact.material(0.28, 0.1, 82000, 41000);  // so that tangential tractions move the surfaces up, too
     REQUIRE(contact.calculate() == 0);
@@ -32,7 +32,7 @@ TEST_CASE("surfaces meet in contact and part outside") {
         if (pn[i] > 0)
             CHECK_THAT(gap, WithinAbs(0, 1e-6 * pen));
         else
-            CHECK(gap > -1e-6 * pen);
+            CHECK(un[i] == 0);
     }
 }
 

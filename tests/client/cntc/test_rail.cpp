@@ -70,7 +70,10 @@ TEST_CASE("a wheel on a rail is solved as core solves it, to the last bit") {
         CHECK(py == patch.solution.traction_y);
         CHECK(found.field(1) == patch.gap);
         CHECK(found.field(15) == patch.solution.slip_x);
-        CHECK(found.field(9) == patch.solution.displacement_z);
+        Values parted = patch.solution.displacement_z;
+        for (std::size_t i = 0; i < parted.size(); ++i)
+            if (patch.solution.element_division[i] == ElementState::exterior) parted[i] = 0;
+        CHECK(found.field(9) == parted);
         const Grid& grid = patch.place.grid;
         CHECK(found.potential_back() ==
               Values{double(grid.nx), double(grid.ny), grid.x(0), grid.y(0), grid.dx, grid.dy});
@@ -168,6 +171,7 @@ TEST_CASE("units of the interface change numbers and signs of a wheel on a rail,
     const Values in_mm = rail.global_forces(), in_m = metres.global_forces();
     for (const std::size_t i : {0U, 1U, 2U}) CHECK_THAT(sign * in_m[i], WithinRel(in_mm[i], 1e-5));
     CHECK_THAT(sign * 1000 * in_m[3], WithinRel(in_mm[3], 1e-5));
+    CHECK_THAT(sign * metres.patch(1).found_creepages().vy, WithinRel(rail.patch(1).found_creepages().vy, 1e-6));
     CHECK_THAT(metres.patch(1).forces().fn, WithinRel(rail.patch(1).forces().fn, 1e-6));
     CHECK_THAT(sign * metres.patch(1).forces().fy, WithinRel(rail.patch(1).forces().fy, 1e-5));
     CHECK_THAT(metres.patch(1).max_pressure(), WithinRel(1e6 * rail.patch(1).max_pressure(), 1e-4));

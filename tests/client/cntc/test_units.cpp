@@ -101,14 +101,13 @@ TEST_CASE("the systems of units have the same answers") {
     check_scaled(in_m.tractions.py, si.body * stress, in_mm.tractions.py);
     check_scaled(in_m.h, mm, in_mm.h);
     check_scaled(in_m.mu, 1, in_mm.mu);
-    check_scaled(in_m.ux, mm, in_mm.ux);  // of body 1 less body 2 in all of them, and so is slip
+    check_scaled(in_m.ux, mm, in_mm.ux);  // of body 1 less body 2 in all of them
     check_scaled(in_m.uy, mm, in_mm.uy);
     check_scaled(in_m.un, mm, in_mm.un);
-    const double slip = tangential == 1 ? mm : 1;
-    check_scaled(in_m.sx, slip, in_mm.sx);
-    check_scaled(in_m.sy, slip, in_mm.sy);
-    check_scaled(in_m.wx, slip, in_mm.wx);
-    check_scaled(in_m.wy, slip, in_mm.wy);
+    check_scaled(in_m.sx, si.body, in_mm.sx);  // of shifts in mm
+    check_scaled(in_m.sy, si.body, in_mm.sy);
+    check_scaled(in_m.wx, si.body, in_mm.wx);
+    check_scaled(in_m.wy, si.body, in_mm.wy);
     if (option < 2) {
         const Values units{1 / mm, 1 / mm, mm, mm, mm, mm, 1, mm, mm, 1};
         for (std::size_t i = 0; i < units.size(); ++i)
@@ -118,7 +117,7 @@ TEST_CASE("the systems of units have the same answers") {
         CHECK_THAT(in_m.potential[i] * (i < 2 ? 1 : mm), WithinRel(in_mm.potential[i], 1e-10));
 }
 
-TEST_CASE("a force given is that on the body of the units") {
+TEST_CASE("a force given is that on body 1 in all systems of units") {
     for (const System& system : {System{1934, 1, 1}, System{1935, 1000, -1}, System{1936, 1000, 1}}) {
         Case contact = problem(system, 0, 3);
         contact.coulomb(0.3);
@@ -127,11 +126,32 @@ TEST_CASE("a force given is that on the body of the units") {
 
         REQUIRE(contact.calculate() == 0);
 
-        CHECK_THAT(contact.forces().fx, WithinRel(0.3 * 0.3 * 50000, 1e-5));
-        CHECK_THAT(contact.forces().fy, WithinRel(-0.2 * 0.3 * 50000, 1e-5));
+        CHECK_THAT(contact.forces().fx, WithinRel(system.body * 0.3 * 0.3 * 50000, 1e-5));
+        CHECK_THAT(contact.forces().fy, WithinRel(-system.body * 0.2 * 0.3 * 50000, 1e-5));
         // On body 1 a force along +x comes from a creepage of that body backwards.
         CHECK(contact.found_creepages().vx * system.body < 0);
     }
+}
+
+TEST_CASE("a force beyond friction is that of full slip") {
+    Case contact = wheel(1);
+    contact.flag(1974, 1);
+    contact.tangential_forces(-3, 0);
+    contact.creepages(0, 0, 0);
+    CHECK(contact.calculate() == 0);
+    CHECK_THAT(contact.forces().fx, WithinRel(-0.3 * 50000, 1e-4));
+}
+
+TEST_CASE("before anything is set there are the program's defaults") {
+    Case contact(1);
+    CHECK(contact.get_flag(1972) == 3);
+    CHECK(contact.get_flag(1933) == 1934);
+    contact.coulomb(0.3);
+    const auto [vx, vy, phi] = contact.found_creepages();
+    CHECK(Values{vx, vy, phi} == Values{0, 0, 0});
+    double velocity = 0;
+    cntc_getreferencevelocity(contact.ire(), contact.icp(), &velocity);
+    CHECK(velocity == 1000);
 }
 
 TEST_CASE("what was set is given back in the units of now") {
@@ -150,7 +170,7 @@ TEST_CASE("what was set is given back in the units of now") {
     const Values material_in_m{0.28, 0.28, 82e9, 82e9}, friction_in_m{0.2, 0.1, 0.05, 0, 0.001, 0, 0.001};
     for (std::size_t i = 0; i < 4; ++i) CHECK_THAT(material[i], WithinRel(material_in_m[i], 1e-12));
     for (std::size_t i = 0; i < 7; ++i) CHECK_THAT(friction[i], WithinAbs(friction_in_m[i], 1e-12));
-    CHECK_THAT(contact.found_creepages().phi, WithinRel(0.1, 1e-12));
+    CHECK_THAT(contact.found_creepages().phi, WithinRel(-0.1, 1e-12));
     double velocity = 0;
     cntc_getreferencevelocity(contact.ire(), contact.icp(), &velocity);
     CHECK_THAT(velocity, WithinRel(10.0, 1e-12));

@@ -86,7 +86,7 @@ int get(const char* function, const int* ire, const int* icp, const Read& read) 
     });
 }
 
-/// Reads what a wheel on a rail has as a whole by -1 as well, and what was set before there is a problem.
+/// Reads what a wheel on a rail has as a whole by -1 as well.
 template <class Read>
 int get_whole(const char* function, const int* ire, const int* icp, const Read& read) noexcept {
     return answer(function, [&] {
@@ -94,6 +94,16 @@ int get_whole(const char* function, const int* ire, const int* icp, const Read& 
         const int element = number_of(ire), number = number_of(icp);
         const CasePtr problem = registry.is_wheel_rail(element) ? registry.existing_or_pattern(element, number)
                                                                 : registry.at(element, number);
+        const std::scoped_lock lock(problem->mutex);
+        read(*problem);
+    });
+}
+
+/// Reads what is set of one contact problem or of all; before anything is, that is what a program begins with.
+template <class Read>
+int get_set(const char* function, const int* ire, const int* icp, const Read& read) noexcept {
+    return answer(function, [&] {
+        const CasePtr problem = Registry::of_process().existing_or_pattern(number_of(ire), number_of(icp));
         const std::scoped_lock lock(problem->mutex);
         read(*problem);
     });

@@ -24,15 +24,6 @@ struct Field {
     double unit = 1;
 };
 
-bool rolls(const Solved& solved) {
-    return std::holds_alternative<Rolling>(solved.problem.motion);
-}
-
-/// The unit of slip: 1 where the bodies roll, for it is relative then, and a length for shifts.
-double slip_unit(const Solved& solved, const Units& units) {
-    return rolls(solved) ? 1 : units.length;
-}
-
 /// Over the distance rolled.
 RigidSlip relative_slip(const Grid& grid, const Rolling& rolling, double dq) {
     RigidSlip slip = rigid_slip(grid, rolling, dq);
@@ -41,11 +32,24 @@ RigidSlip relative_slip(const Grid& grid, const Rolling& rolling, double dq) {
     return slip;
 }
 
-/// The rigid slip of the motion that was found, with the extra rigid slip that was given.
+/// What a force found is not known before: it is no part of the rigid slip.
+Motion without_found(Motion motion) {
+    if (auto* rolling = std::get_if<Rolling>(&motion)) {
+        if (rolling->force.Fx) rolling->xi = 0;
+        if (rolling->force.Fy) rolling->eta = 0;
+        return motion;
+    }
+    auto& shift = std::get<Shift>(motion);
+    if (shift.force.Fx) shift.rigid_shift.x = 0;
+    if (shift.force.Fy) shift.rigid_shift.y = 0;
+    return motion;
+}
+
+/// The rigid slip of the motion that was given, with the extra rigid slip.
 RigidSlip rigid_slip_of(const Solved& solved) {
     const Grid& grid = solved.problem.grid;
     if (!solved.solution.motion) return {};
-    const Motion& motion = *solved.solution.motion;
+    const Motion motion = without_found(*solved.solution.motion);
     const auto* rolling = std::get_if<Rolling>(&motion);
     RigidSlip slip = rolling ? relative_slip(grid, *rolling, step_length(*rolling, grid))
                              : rigid_slip(grid, std::get<Shift>(motion));
@@ -72,7 +76,15 @@ Values friction_of(const Solved& solved) {
     return mu;
 }
 
-/// Codes of cntc_getfielddata. Others are zero: there is no plasticity and no heat.
+/// Those outside of the contact are not told.
+Values in_contact(Values displacement, const ContactSolution& solution) {
+    for (std::size_t i = 0; i < displacement.size(); ++i)
+        if (solution.element_division[i] == ElementState::exterior) displacement[i] = 0;
+    return displacement;
+}
+
+/// Codes of cntc_getfielddata. Slip is relative where the bodies roll, and of shifts in mm whatever the units are.
+/// Others are zero: there is no plasticity and no heat.
 Field field_of(int code, ContactCase& problem) {
     const Solved& solved = solution_of(problem);
     const ContactSolution& solution = solved.solution;
@@ -94,19 +106,19 @@ Field field_of(int code, ContactCase& problem) {
         case 5:
             return {solution.pressure, units.stress()};
         case 7:
-            return {displacements().x, units.length};
+            return {in_contact(displacements().x, solution), units.length};
         case 8:
-            return {displacements().y, units.length};
+            return {in_contact(displacements().y, solution), units.length};
         case 9:
-            return {displacements().z, units.length};
+            return {in_contact(displacements().z, solution), units.length};
         case 15:
-            return {solution.slip_x, slip_unit(solved, units)};
+            return {solution.slip_x, units.body};
         case 16:
-            return {solution.slip_y, slip_unit(solved, units)};
+            return {solution.slip_y, units.body};
         case 22:
-            return {rigid_slip_of(solved).x, slip_unit(solved, units)};
+            return {rigid_slip_of(solved).x, units.body};
         case 23:
-            return {rigid_slip_of(solved).y, slip_unit(solved, units)};
+            return {rigid_slip_of(solved).y, units.body};
         default:
             return {};
     }

@@ -78,7 +78,7 @@ extern "C" void cntc_getflags(int* ire, int* icp, int* lenflg, int* params, int*
     constexpr int unknown = -1;  // no flag has this value
     const bool writable = lenflg != nullptr && values != nullptr;
     for (int i = 0; writable && i < *lenflg; ++i) values[i] = unknown;
-    get_whole("cntc_getflags", ire, icp, [&](const ContactCase& problem) {
+    get_set("cntc_getflags", ire, icp, [&](const ContactCase& problem) {
         const Pairs pairs(lenflg, params, values);
         for (std::size_t i = 0; i < pairs.codes.size(); ++i) values[i] = flag_of(problem.settings, pairs.codes[i]);
     });

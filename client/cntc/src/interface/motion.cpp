@@ -92,10 +92,8 @@ extern "C" void cntc_settangentialforces(int* ire, int* icp, double* fx, double*
     if (of_rail(ire))
         return set_rail("cntc_settangentialforces", ire, "longitudinal force",
                         [&](RailSettings& rail, const Units&) { rail.Fx = number(fx, "fx"); });
-    set("cntc_settangentialforces", ire, icp, "tangential forces", [&](Settings& settings) {
-        const double body = settings.units.body;
-        settings.force = RelativeForce{body * number(fx, "fx"), body * number(fy, "fy")};
-    });
+    set("cntc_settangentialforces", ire, icp, "tangential forces",
+        [&](Settings& settings) { settings.force = RelativeForce{number(fx, "fx"), number(fy, "fy")}; });
 }
 CONTACTD_FORTRAN_NAME(cntc_settangentialforces)
 
@@ -125,14 +123,12 @@ extern "C" void cntc_getcreepages(int* ire, int* icp, double* vx, double* vy, do
     get("cntc_getcreepages", ire, icp, [&](const ContactCase& problem) {
         for (const double* out : {vx, vy, phi}) require(out, "a creepage");
         const Settings& settings = problem.settings;
-        if (!settings.motion && settings.digits(flag::force) == 0)
-            throw Refused(error_code::input, "No creepages or shifts were set; call cntc_setcreepages.");
         const bool rolls = settings.digits(flag::tangential) != 1;
         GivenMotion motion = in_units(settings.motion.value_or(GivenMotion{}), settings.units.length, rolls);
         take_found(problem, motion);
-        *vx = motion.vx;
-        *vy = motion.vy;
-        *phi = motion.phi;
+        *vx = settings.units.body * motion.vx;
+        *vy = settings.units.body * motion.vy;
+        *phi = settings.units.body * motion.phi;
     });
 }
 CONTACTD_FORTRAN_NAME(cntc_getcreepages)
@@ -141,9 +137,7 @@ extern "C" void cntc_getreferencevelocity(int* ire, int* icp, double* veloc) {
     clear(veloc);
     get("cntc_getreferencevelocity", ire, icp, [&](const ContactCase& problem) {
         require(veloc, "veloc");
-        if (!problem.settings.velocity)
-            throw Refused(error_code::input, "No velocity was set; call cntc_setreferencevelocity.");
-        *veloc = *problem.settings.velocity / problem.settings.units.length;
+        *veloc = problem.settings.velocity.value_or(usual_velocity) / problem.settings.units.length;
     });
 }
 CONTACTD_FORTRAN_NAME(cntc_getreferencevelocity)

@@ -1,5 +1,7 @@
 #include "problem.hpp"
 
+#include <cmath>
+
 #include "edge/codes.hpp"
 #include "problem/area.hpp"
 
@@ -26,10 +28,6 @@ const GivenFriction& friction_of(const Settings& settings) {
 /// Laws that fall with the slip velocity need to know it.
 void require_velocity(const Settings& settings, bool rolls) {
     if (!friction_of(settings).law.kinetic) return;
-    if (rolls && !settings.velocity)
-        throw Refused(error_code::friction,
-                      "Friction falls with the slip velocity, and no velocity was set; call "
-                      "cntc_setreferencevelocity.");
     if (!rolls && !settings.time_step)
         throw Refused(error_code::friction,
                       "Friction falls with the slip velocity, and no time step was set; call cntc_settimestep.");
@@ -46,9 +44,13 @@ Force force_of(const Settings& settings, const ContactProblem& problem,
                       "Tangential forces are relative to the normal force, which is not known before the solve where "
                       "the penetration is prescribed and the bodies differ; prescribe the normal force.");
     const double unit = friction_of(settings).law.mu[0] * (problem.Fn ? *problem.Fn : normal_force(problem));
+    // A force beyond friction becomes that of full slip along it, which only ever larger creepages come near.
+    constexpr double full_slip = 1 - 1e-6;
+    const double x = settings.force->x, y = prescribed == 2 ? settings.force->y : 0;
+    const double size = std::hypot(x, y), scale = unit * (size > full_slip ? full_slip / size : 1);
     Force force;
-    force.Fx = settings.force->x * unit;
-    if (prescribed == 2) force.Fy = settings.force->y * unit;
+    force.Fx = x * scale;
+    if (prescribed == 2) force.Fy = y * scale;
     return force;
 }
 
@@ -68,7 +70,7 @@ Motion rolling_of(const Settings& settings, const GivenMotion& given, const Forc
     motion.phi = given.phi / given.length;
     motion.chi = settings.chi;
     motion.spin_offset = spin_offset;
-    motion.velocity = settings.velocity.value_or(motion.velocity);
+    motion.velocity = settings.velocity.value_or(usual_velocity);
     motion.force = force;
     motion.dq = grid.dx;
     if (settings.digits(flag::tangential) == steady) return motion;
@@ -100,8 +102,6 @@ void add_friction(ContactProblem& problem, const Settings& settings,
         throw Refused(error_code::friction, "Flag 1976 and cntc_setfrictionmethod name different laws.");
     require_velocity(settings, rolls);
     const Force force = force_of(settings, problem, normal_force);
-    if (!settings.motion && settings.digits(flag::force) == 0)
-        throw Refused(error_code::input, "No creepages or shifts were set; call cntc_setcreepages.");
     const GivenMotion given = settings.motion.value_or(GivenMotion{});
     problem.friction = friction.law;
     problem.motion = rolls ? rolling_of(settings, given, force, problem.grid) : shift_of(settings, given, force);

@@ -47,7 +47,7 @@ struct GivenSlip {
     double length = 1;
 };
 
-/// Tangential force over fstat Fn, on the upper body.
+/// Tangential force over fstat Fn, on the upper body in all systems of units.
 struct RelativeForce {
     double x = 0, y = 0;
 };
@@ -72,6 +72,9 @@ struct GivenBlock {
 
     bool operator==(const GivenBlock&) const = default;
 };
+
+/// Where none is set (mm/s).
+inline constexpr double usual_velocity = 1000;
 
 struct Settings {
     int module = module_number::basic_contact;
