@@ -28,7 +28,7 @@ FOLDERS: dict[str, tuple[int, str]] = {
     "client/c/matlab": (10, "arrays, which MATLAB has by name"),
     "client/c/src": (140, "paths of arrays and alternatives, which are hooks as those of the codec"),
     "client/cntc/src/edge": (10, WORD),
-    "client/cntc/src/interface": (30, "fields that its refusals name beside CONTACT's"),
+    "client/cntc/src/interface": (40, "fields that its refusals name beside CONTACT's"),
     "client/cntc/src/problem": (10, "fields that its refusals name beside CONTACT's"),
     "client/cpp/src": (150, "messages of methods, envelopes, and where warnings stand in answers"),
     "client/fmu/describe": (20, "attributes of modelDescription.xml"),

@@ -202,7 +202,7 @@ TEST_CASE("steps go on from tractions, start anew and repeat the last one") {
     CHECK_THAT(rail.patch(1).forces().fy, WithinRel(first, 1e-6));
 }
 
-TEST_CASE("a longitudinal force finds the pitch rate, and a rail on springs its place") {
+TEST_CASE("a longitudinal force finds the pitch rate, and a massless flexible rail its place") {
     RailCase rail = manchester_wheel(1, Side::right);
     place(rail, known_case(Side::right, 1));
     rail.whole.flag(1974, 1);

@@ -32,7 +32,7 @@ RigidSlip relative_slip(const Grid& grid, const Rolling& rolling, double dq) {
     return slip;
 }
 
-/// What a force found is not known before: it is no part of the rigid slip.
+/// A creepage that a force found is not known before: it is no part of the rigid slip.
 Motion without_found(Motion motion) {
     if (auto* rolling = std::get_if<Rolling>(&motion)) {
         if (rolling->force.Fx) rolling->xi = 0;

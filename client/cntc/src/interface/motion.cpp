@@ -68,7 +68,7 @@ extern "C" void cntc_setreferencevelocity(int* ire, int* icp, double* veloc) {
 CONTACTD_FORTRAN_NAME(cntc_setreferencevelocity)
 
 extern "C" void cntc_setrollingstepsize(int* ire, int* icp, double* chi, double* dq) {
-    // Of a wheel on a rail the direction follows from its motion, and the step counts elements.
+    // The direction of a wheel on a rail follows from its motion, and the step counts elements.
     if (of_rail(ire))
         return set_rail("cntc_setrollingstepsize", ire, "rolling step",
                         [&](RailSettings& rail, const Units&) { rail.dq = positive(number(dq, "dq"), "dq"); });
@@ -88,7 +88,7 @@ extern "C" void cntc_setcreepages(int* ire, int* icp, double* vx, double* vy, do
 CONTACTD_FORTRAN_NAME(cntc_setcreepages)
 
 extern "C" void cntc_settangentialforces(int* ire, int* icp, double* fx, double* fy) {
-    // Of a wheel on a rail it is the longitudinal force itself, on the rail along the wheelset's axes.
+    // A wheel on a rail has the longitudinal force itself, on the rail along the wheelset's axes.
     if (of_rail(ire))
         return set_rail("cntc_settangentialforces", ire, "longitudinal force",
                         [&](RailSettings& rail, const Units&) { rail.Fx = number(fx, "fx"); });

@@ -28,7 +28,7 @@ Optional<double> optional_numbers(const double* values, const int* count, const 
     return {values, static_cast<int>(numbers(values, count, 0, name).size())};
 }
 
-/// What is not positive stands for what the program takes itself.
+/// A number that is not positive stands for what the program takes itself.
 double positive_or(double value, double otherwise) {
     return value > 0 ? value : otherwise;
 }

@@ -64,7 +64,7 @@ void set_both(RailSettings& rail, const double* values, const int* count, const 
     rail.deviation = deviation_of(deviation, units);
 }
 
-/// Of which the fifth is where another program's search begins.
+/// The fifth number is where another program's search begins.
 void set_springs(GivenTrack& track, const double* values, const int* count, const Units& units) {
     const auto all = given<5>(values, count, 4);
     if (all[0] < 0 || all[2] < 0) throw Refused(error_code::input, "A stiffness of the rail's springs is negative.");

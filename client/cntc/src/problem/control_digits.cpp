@@ -42,7 +42,7 @@ const std::vector<Digit>& digits() {
          {0, 1, 2},
          {0, 1, 3},
          "it is 0, 1 or 2",
-         "of a wheel on a rail it is 0, 1 for a longitudinal force, or 3 for a rail on springs"},
+         "of a wheel on a rail it is 0, 1 for a longitudinal force, or 3 for a massless flexible rail"},
         {flag::friction_law,
          0,
          {0, 2, 4},

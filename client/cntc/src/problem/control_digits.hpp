@@ -9,7 +9,7 @@ namespace contactd::cntc {
 
 class ControlDigits {
    public:
-    /// Of basic contact or of wheel on rail, which have some codes in common and not all of their values.
+    /// Flags of basic contact or of wheel on rail, which have some codes in common and not all of their values.
     explicit ControlDigits(int module = module_number::basic_contact);
     int operator()(int code) const { return values_.at(code); }
     bool knows(int code) const { return values_.contains(code); }

@@ -165,7 +165,7 @@ ReadProfile profile_from_file(const std::string& name, const ProfileOptions& opt
 
 ReadProfile profile_from_values(std::span<const double> values, const ProfileOptions& options) {
     return reading([&] {
-        // As the text of a file, so that all that may be said of one holds.
+        // It becomes the text of a file, so that all that may be said of one holds.
         std::string text;
         for (std::size_t i = 0; i + 1 < values.size(); i += 2)
             text += number_text(values[i]) + " " + number_text(values[i + 1]) + "\n";

@@ -7,7 +7,7 @@
 
 namespace contactd::cntc {
 
-/// What cntc_getprofilevalues asks for.
+/// A question of cntc_getprofilevalues.
 struct ProfileQuery {
     int task = 0;
     bool wheel = false;

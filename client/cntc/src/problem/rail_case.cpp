@@ -26,7 +26,7 @@ void use(RailCase& rail, const WheelRailSetup& setup) {
 enum Previous { go_on = 0, again = 3 };
 constexpr int from_last_case = 3;  // of the initial estimate
 
-/// What a step starts from. Tractions are a history only where the step is not steady.
+/// Returns what a step starts from. Tractions are a history only where the step is not steady.
 WheelRailEstimates start_of(const RailCase& rail, const Settings& common, const WheelRailState& state) {
     const bool is_steady = state.motion == WheelRailMotion::steady_rolling;
     const bool has_estimate = common.digits(flag::estimate) == from_last_case;
@@ -48,7 +48,7 @@ void require_all_converged(const WheelRailSolution& solution) {
     if (missed(solution.pitch_search))
         throw Refused(error_code::total_force, "No pitch rate brings the longitudinal force." + kept);
     if (missed(solution.rail_search))
-        throw Refused(error_code::total_force, "The rail on springs found no balance." + kept);
+        throw Refused(error_code::total_force, "The massless flexible rail found no balance." + kept);
 }
 
 /// A force on nothing cannot be; a height without contact is an answer.

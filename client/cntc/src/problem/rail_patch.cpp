@@ -32,7 +32,7 @@ std::optional<FrictionLaw> friction_of(const WheelRailSetup& setup, const Contac
     return law;
 }
 
-/// Of a curved contact the sums of all its rows as vectors, in the axes of the reference.
+/// Forces of a curved contact: the sums of all its rows as vectors, in the axes of the reference.
 Forces of_rows(const WheelRailPatch& patch) {
     const Wrench& track = patch.forces.track;
     const ContactReference& at = patch.place.reference;

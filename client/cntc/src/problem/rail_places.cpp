@@ -49,7 +49,7 @@ double length_along(const ProfileCurve& profile, double y) {
     return profile.arc_length(profile.s_at_y(y)) - profile.arc_length(profile.knots()[first]);
 }
 
-/// Of the pressures, in the axes of the patch.
+/// Centre of the pressures, in the axes of the patch.
 Vector3 centre_of_pressure(const WheelRailPatch& patch) {
     const Grid& grid = patch.place.grid;
     double sum = 0, x = 0, y = 0;

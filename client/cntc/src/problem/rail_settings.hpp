@@ -1,4 +1,4 @@
-// What is set of a wheel on a rail, as plain values in mm, N, s, rad, in the words of the interface.
+// Settings of a wheel on a rail, as plain values in mm, N, s, rad, in the words of the interface.
 #pragma once
 
 #include <map>
@@ -19,7 +19,7 @@ struct GivenTrack {
     double rail_y = 0, rail_z = 0;                  ///< elsewhere, of a right rail
     double cant = 0, roller_radius = 0;             ///< the radius is that of a roller
     double curvature = 0;                           ///< of the track (1/mm)
-    double spring_y = 0, spring_z = 0;              ///< of a rail on springs (N/mm); 0: rigid
+    double spring_y = 0, spring_z = 0;              ///< of a massless flexible rail (N/mm); 0: rigid
     double spring_force_y = 0, spring_force_z = 0;  ///< on it, beside those of the wheel (N)
 
     bool operator==(const GivenTrack&) const = default;

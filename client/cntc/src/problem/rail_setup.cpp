@@ -12,7 +12,7 @@ namespace {
 enum Tangential { none = 0, shift = 1, transient = 2 };
 enum Force { longitudinal = 1, springs = 3 };
 enum Surfaces { plane = 2, slip_of_surfaces = 3, curved = 4, mesh = 5 };
-constexpr int turning_half_spaces = 4;
+constexpr int rotated_half_spaces = 4;
 
 /// By how much distances that are the same to other programs are apart here (mm).
 constexpr double near = 1e-6;
@@ -76,9 +76,9 @@ PatchRules patches_of(const GivenElements& given, int surfaces) {
 }
 
 Conformal conformal_of(const Settings& settings) {
-    const bool turns = settings.digits(flag::influence) == turning_half_spaces;
-    if (settings.digits(flag::discretisation) == curved) return turns ? Conformal::rotated : Conformal::half_space;
-    if (turns)
+    const bool is_rotated = settings.digits(flag::influence) == rotated_half_spaces;
+    if (settings.digits(flag::discretisation) == curved) return is_rotated ? Conformal::rotated : Conformal::half_space;
+    if (is_rotated)
         throw Refused(error_code::input,
                       "Half-spaces that turn (flag 1978 is 4) are those of a curved contact; set flag 1977 to 4.");
     return Conformal::off;

@@ -11,7 +11,7 @@ namespace contactd::cntc {
 bool on_roller(const Settings& settings);
 bool on_left_side(const Settings& settings);
 
-/// What says where wheel and rail lie: their profiles, as far as they are set, track and wheelset.
+/// Returns what says where wheel and rail lie: their profiles, as far as they are set, track and wheelset.
 WheelRailSetup outline_of(const Settings& settings, const RailSettings& rail);
 /// Position and motion, without the forces that bring them.
 WheelRailState placed_state(const Settings& settings, const RailSettings& rail);

@@ -38,7 +38,7 @@ class Registry {
     CasePtr at(int ire, int icp);
     /// It, or all of them; throws Refused where there is none.
     std::vector<CasePtr> existing(int ire, int icp);
-    /// What further problems are copied from: with `all_problems`, and where there is none of this number.
+    /// The pattern of further problems: with `all_problems`, and where there is none of this number.
     CasePtr existing_or_pattern(int ire, int icp);
 
     bool is_wheel_rail(int ire);

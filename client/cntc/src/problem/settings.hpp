@@ -57,7 +57,7 @@ struct GivenFriction {
     int method = 0;  ///< the law, and ten times how it varies: 1 with the rail's angle, 2 along the track
     std::vector<double> parameters;
     FrictionLaw law;
-    /// Of one that varies: the law at each angle (rad) or place (mm), in ascending order.
+    /// Friction that varies: the law at each angle (rad) or place (mm), in ascending order.
     struct At {
         double place = 0;
         FrictionLaw law;

@@ -1,4 +1,4 @@
-// What solves cost.
+// Seconds that solves take.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,7 @@
 
 namespace contactd::cntc {
 
-/// Of this thread.
+/// Time of the processor that this thread took (s).
 inline double processor_seconds() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
