@@ -202,6 +202,33 @@ TEST_CASE("steps go on from tractions, start anew and repeat the last one") {
     CHECK_THAT(rail.patch(1).forces().fy, WithinRel(first, 1e-6));
 }
 
+TEST_CASE("elements and moments of a shift are counted from one place on the rail") {
+    std::vector<double> corners;
+    for (const double along : {0.0, 3.0, 6.26}) {
+        RailCase rail = manchester_wheel(1, Side::right);
+        rail.whole.flag(1972, 1);
+        rail.whole.potential(0, {0.5, 0.5, 0});
+        place(rail, known_case(Side::right, 5));
+        rail.position(2, {along, 2, 0.2, -1e-4, 0.005, 0});
+        rail.velocity(2, {0.02, 0.01, 0, 0, 0, 0});
+        REQUIRE(rail.whole.calculate() == 0);
+        corners.push_back(rail.patch(1).potential_back().at(2));
+        const auto forces = rail.patch(1).forces();
+        const Values px = rail.patch(1).field(3), py = rail.patch(1).field(4);
+        const Values area = rail.patch(1).potential_back();
+        const int mx = static_cast<int>(area[0]);
+        double moment = 0;
+        for (std::size_t i = 0; i < px.size(); ++i) {
+            const double x = area[2] + static_cast<double>(static_cast<int>(i) % mx) * area[4];
+            const double y = area[3] + static_cast<double>(static_cast<int>(i) / mx) * area[5];
+            moment += (x * py[i] - y * px[i]) * area[4] * area[5];
+        }
+        CHECK_THAT(forces.mz, WithinRel(moment, 1e-6));
+    }
+    for (const double corner : corners)
+        CHECK_THAT((corner - corners[0]) / 0.5, WithinAbs(std::round((corner - corners[0]) / 0.5), 1e-6));
+}
+
 TEST_CASE("a longitudinal force finds the pitch rate, and a massless flexible rail its place") {
     RailCase rail = manchester_wheel(1, Side::right);
     place(rail, known_case(Side::right, 1));

@@ -64,6 +64,27 @@ Motion motion_of(const ContactPlace& place, const WheelRailSetup& setup, const W
     return rolling;
 }
 
+/// The reference from where elements of a step that is not steady are counted, in the axes of the patch: along the
+/// track, or from the wheelset on, and across the rail. Rows of a curved contact are counted from the reference itself.
+RailPlace counted_from(const ContactPlace& place, const WheelRailState& state) {
+    if (state.motion == WheelRailMotion::steady_rolling) return {};
+    const bool moves = state.motion == WheelRailMotion::transient_rolling;
+    return {place.on_rail.along - (moves ? state.position.x : 0), place.rows.empty() ? place.on_rail.across : 0};
+}
+
+/// The motion of the reference as that of the place where elements are counted from.
+Motion seen_from(Motion motion, const RailPlace& counted) {
+    if (auto* rolling = std::get_if<Rolling>(&motion)) {
+        rolling->xi += rolling->phi * counted.across;
+        rolling->eta -= rolling->phi * counted.along;
+    } else {
+        auto& shift = std::get<Shift>(motion);
+        shift.rigid_shift.x += shift.rotation * counted.across;
+        shift.rigid_shift.y -= shift.rotation * counted.along;
+    }
+    return motion;
+}
+
 GivenMotion creepages_of(const Motion& motion) {
     if (const auto* rolling = std::get_if<Rolling>(&motion)) return {rolling->xi, rolling->eta, rolling->phi};
     const auto& shift = std::get<Shift>(motion);
@@ -82,15 +103,20 @@ void show(const WheelRailPatch& patch, const RailCase& rail, const Settings& com
     solved.problem.bodies = setup.bodies;
     solved.problem.settings = setup.settings;
     solved.problem.friction = friction_of(setup, place);
-    solved.problem.motion = motion;
+    const RailPlace counted = counted_from(place, *rail.state);
+    solved.problem.motion = seen_from(motion, counted);
     solved.problem.approach = patch.solution.approach;
-    solved.solution.motion = motion;
-    if (!place.rows.empty()) solved.solution.forces = of_rows(patch);
+    solved.solution.motion = solved.problem.motion;
+    Forces& forces = solved.solution.forces;
+    if (!place.rows.empty()) forces = of_rows(patch);
+    forces.Mz += counted.along * forces.Fy - counted.across * forces.Fx;
+    solved.problem.grid.x0 += counted.along;
+    solved.problem.grid.y0 += counted.across;
     std::map<int, GivenBlock> blocks = std::move(problem.settings.blocks);
     problem.settings = common;
     problem.settings.blocks = std::move(blocks);
     problem.settings.digits.set(flag::force, 0);
-    problem.settings.area = place.grid;
+    problem.settings.area = solved.problem.grid;
     problem.settings.pen.reset();
     problem.settings.motion = creepages_of(motion);
     problem.settings.velocity = place.creepages.velocity;
