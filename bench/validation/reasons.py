@@ -56,7 +56,8 @@ REASONS = (
         "conformal",
         "conformal contact (D = 4)",
         "0.1 % to 0.3 % of mu Fn, and printed creepages by 0.5 %. Creepages are a fit that is not told in full, and friction "
-        "by angle goes by the rail's angle at each row in contactd",
+        "by angle goes by the rail's angle at each row in contactd. 3 % of mu Fn in case 3 of `t3_t2_conformal`, of which a patch is "
+        "told at an angle that is another by 0.015 rad",
         {
             "examples/mbench_a22_varfric.inp": (5, 7),
             f"{_TRANSIENT}/t3_t1_conformal.inp": range(1, 17),
