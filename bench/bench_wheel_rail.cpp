@@ -84,7 +84,7 @@ void full(benchmark::State& state) {
     double elements = 0;
     for (geometry::CandidatePatch& found : position.candidates(wheel.position.z)) {
         position.measure(found, wheel.position.z);
-        problems.push_back(problem_of(setup, found, position.rail(), &*setup.friction));
+        problems.push_back(problem_of(setup, wheel, found, position.rail()));
         influences.push_back(cache.of(problems.back()));
         elements += static_cast<double>(found.place.grid.size());
     }
