@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "client/cntc/calls.hpp"
+#include "client/cntc/rail_calls.hpp"
 
 using namespace contactd::cntc::test;
 using Catch::Matchers::ContainsSubstring;
@@ -94,7 +95,7 @@ TEST_CASE("what the library does not have is refused by its name", "[input]") {
     refused(
         "1 MODULE\n1201100\n0022033\n0000001\n999 30 30 1 1e-6\n.3 .3\n.28 .28 1. 1.\n.2 .2 1. 1. 8. 4.\n14. 0 1435. "
         "0.\n'a.prr' 0 1. 0.\n0 0 0 0 0 0\n1360. -70. 460.\n'b.prw' 0 1. 0.\n0 0 1. 0 0 0\n0 0 0 0 0 0\n",
-        "", "", -99, "Wheel on rail (module 1), line 2, is not covered");
+        "", "", -39, "The case in line 2 is of module 1, and the result element was initialized for module 3");
 }
 
 TEST_CASE("a file that is not there is refused", "[input]") {
@@ -106,4 +107,51 @@ TEST_CASE("a file that is not there is refused", "[input]") {
     length = 0;
     cntc_readinpfile(contact.ire(), &type, "", &length, &error);
     CHECK(error == -39);
+}
+
+TEST_CASE("a file sets a wheel on a rail as the functions set it, with profiles beside it", "[input]") {
+    const auto folder = std::filesystem::temp_directory_path() / ("contactd-rail-" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder / "profiles");
+    const auto write = [&](const char* name, const Values& values) {
+        std::ofstream file(folder / "profiles" / name);
+        file.precision(17);
+        for (std::size_t i = 0; i < values.size(); i += 2) file << values[i] << " " << values[i + 1] << "\n";
+    };
+    write("rail.txt", rail_60e1());
+    write("wheel.txt", s1002());
+    std::ofstream(folder / "case.inp")
+        << "1 MODULE\n1203100\n0022035\n0000001\n999 100 30 1 1e-6\n.3 .3\n.28 .28 82000. 82000.\n"
+           ".2 .2 1. 1.5707963267948966 8. 4.\n-1. 760.532353 -0.000023 0.\n'profiles\\rail.txt' 0 1. 0.\n"
+           "0.1 0 0 0 0 0\n1360. -70. 460.\n'profiles\\wheel.txt' 0 1. 0.\n0 2. 10000. -1.128e-4 4.8e-3 0\n"
+           "2000. 0 0 0 0 -4.3459197\n0 0.2 0 1e-3 0 0\n0 0 0 0 0 0\n0 MODULE\n";
+
+    RailCase by_calls(77), by_file(78);
+    by_calls.whole.flag(1967, 1);
+    by_calls.whole.material(0.28, 0.28, 82000, 82000);
+    by_calls.whole.coulomb(0.3);
+    by_calls.whole.tolerance(1e-6);
+    by_calls.whole.potential(-1, {0.2, 0.2, 1.5707963267948966, 8, 4, 12});
+    by_calls.profile_file((folder / "profiles/rail.txt").string(), {0});
+    by_calls.profile_file((folder / "profiles/wheel.txt").string(), {1});
+    by_calls.track(3, {-1, 760.532353, -0.000023, 0, 0, 0, 0.1, 0, 0, 0, 0, 0});
+    by_calls.wheelset(3, {1360, -70, 460});
+    by_calls.position(2, {0, 2, 0, -1.128e-4, 4.8e-3, 0});
+    by_calls.velocity(2, {2000, 0, 0, 0, 0, -4.3459197});
+    by_calls.flexibility(5, {0, 0.2, 0, 1e-3, 0, 0, 0, 0, 0, 0, 0, 0});
+    by_calls.vertical_force(10000);
+
+    const std::string name = (folder / "case.inp").string();
+    int ire = 78, type = 1, length = static_cast<int>(name.size()), error = -1000;
+    cntc_readinpfile(&ire, &type, name.c_str(), &length, &error);
+    CHECK(error == 0);
+    CHECK(by_calls.whole.calculate() == 0);
+    CHECK(by_file.whole.calculate() == 0);
+    CHECK(by_file.patch(1).forces().fn > 9000);
+    CHECK(by_file.patch(1).forces() == by_calls.patch(1).forces());
+
+    std::filesystem::remove_all(folder / "profiles");
+    cntc_readinpfile(&ire, &type, name.c_str(), &length, &error);
+    CHECK(error == -32);
+    CHECK_THAT(last_sentence(), ContainsSubstring("rail.txt"));
+    std::filesystem::remove_all(folder);
 }
