@@ -1,4 +1,4 @@
-// What the cases of input files of both modules have in common: their values, set by the functions of the interface.
+// The common part of cases of input files of both modules: values, which functions of the interface set.
 #pragma once
 
 #include <array>
