@@ -13,8 +13,8 @@ namespace contactd {
 /// linear: max(mu_k, mu_s - (mu_s - mu_k) v / v_c); exponential: mu_k + (mu_s - mu_k) exp(-v / v_c).
 enum class SlipLaw { linear, exponential };
 
-/// Where the iterations begin with which coefficients follow the slip. A law that falls steeply may have several
-/// solutions, and the slip of the start leads to that which has as little of it, or as much.
+/// Coefficients that follow the slip begin with that of adhesion, or of full slip. A law that falls steeply may have
+/// several solutions: from adhesion one with little slip is found, from full slip one with much.
 enum class SlipStart { adhesion, full_slip };
 
 struct KineticFriction {

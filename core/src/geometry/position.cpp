@@ -271,6 +271,7 @@ bool Position::bend(CandidatePatch& found, const WheelSurface& wheel) const {
 
 void Position::widen(CandidatePatch& found, const Grid& grid, double z) const {
     const Grid before = found.place.grid;
+    check_size(grid);
     found.place.grid = grid;
     if (found.place.rows.empty()) return;
     const int below = static_cast<int>(std::lround((before.y0 - grid.y0) / grid.dy));

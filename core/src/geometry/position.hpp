@@ -65,6 +65,7 @@ class Position {
     /// False where no element has wheel and rail along its normal: that is no place of contact.
     bool measure(CandidatePatch& found, double z) const;
     /// Gives a candidate the elements of this grid, of which it has a part already; fewer where a curved contact ends.
+    /// Throws InvalidArgument ("dx") for too many.
     void widen(CandidatePatch& found, const Grid& grid, double z) const;
     /// The normal force that Hertz's theory expects of the regions, in the track's z (N); `compliance` as in hertz.hpp.
     double expected_force(double z, double compliance) const;

@@ -99,7 +99,7 @@ inline const Values& rail_60e1() {
     return values;
 }
 
-/// The same as core is told of such a table.
+/// Returns what core is told of such a table.
 inline ProfileSpec spec_of(ProfileKind kind, const Values& values) {
     ProfileFile file;
     file.name = "values";

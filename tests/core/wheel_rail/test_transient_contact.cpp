@@ -181,6 +181,25 @@ TEST_CASE("Elements of a shift are fixed to the rail") {
     CHECK(next.forces.track.Fy - alone.forces.track.Fy > 0.3 * (shifted.forces.track.Fy - alone.forces.track.Fy));
 }
 
+TEST_CASE("A patch that tractions before would make too large is refused") {
+    WheelRailSetup setup = coarse_setup();
+    setup.dx = setup.dy = 0.05;
+    const WheelRailContact contact(setup);
+    WheelRailState state = shift_by(0, 0.01);
+    const ContactPlace place = contact.locate(state).places.at(0);
+    REQUIRE(place.grid.size() > 23000);
+    WheelRailEstimates::Patch before{place.grid, place.reference.y, place.on_rail, 0, {}};
+    before.grid.x0 *= 2.9;
+    before.grid.y0 *= 2.9;
+    before.grid.nx = static_cast<int>(2.9 * place.grid.nx);
+    before.grid.ny = static_cast<int>(2.9 * place.grid.ny);
+    before.tractions.traction_x.assign(before.grid.size(), 1);
+    WheelRailEstimates left;
+    left.patches = {before};
+    Observer observer;
+    CHECK_THROWS_AS(contact.solve(state, left, observer), InvalidArgument);
+}
+
 TEST_CASE("Steps that make no sense are refused by name") {
     const WheelRailContact contact(coarse_setup());
     Observer observer;

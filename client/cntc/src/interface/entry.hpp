@@ -109,7 +109,7 @@ int get_set(const char* function, const int* ire, const int* icp, const Read& re
     });
 }
 
-/// Whether a function of both modules is called for a wheel on a rail.
+/// Tells whether a function of both modules is called for a wheel on a rail.
 inline bool of_rail(const int* ire) {
     return ire != nullptr && Registry::of_process().is_wheel_rail(*ire);
 }

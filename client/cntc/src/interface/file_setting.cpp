@@ -14,9 +14,17 @@ std::vector<double> FileSetting::reals(std::initializer_list<const char*> names)
     return values;
 }
 
-void FileSetting::flags(std::vector<std::array<int, 2>> codes_and_values) {
+void FileSetting::flags(std::vector<std::array<int, 2>> own) {
+    own.insert(own.end(), {{flag::previous, digit("P")},
+                           {flag::bound, digit("B")},
+                           {flag::tangential, digit("T")},
+                           {flag::force, digit("F")},
+                           {flag::influence, integer("INFLCF")},
+                           {flag::material, digit("M")},
+                           {flag::heat, digit("H")},
+                           {flag::estimate, digit("I")}});
     std::vector<int> codes, values;
-    for (const auto& [code, value] : codes_and_values) {
+    for (const auto& [code, value] : own) {
         codes.push_back(code);
         values.push_back(value);
     }

@@ -52,7 +52,8 @@ class FileSetting {
     std::vector<double> reals(std::initializer_list<const char*> names) const;
     [[noreturn]] static void refuse(const std::string& sentence) { throw Refused(error_code::other, sentence); }
 
-    void flags(std::vector<std::array<int, 2>> codes_and_values);
+    /// Sets those of both modules, and codes with values that one of them has.
+    void flags(std::vector<std::array<int, 2>> own);
     void solvers();
     void material();
     void friction();

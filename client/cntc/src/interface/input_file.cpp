@@ -69,14 +69,7 @@ class BasicSetting : private FileSetting {
     /// Throws Refused, in the words of the function that refused it.
     void set() {
         const UnitsOfFile units(ire_, icp_);
-        flags({{flag::previous, digit("P")},
-               {flag::bound, digit("B")},
-               {flag::tangential, digit("T")},
-               {flag::force, digit("F")},
-               {flag::influence, integer("INFLCF")},
-               {flag::material, digit("M")},
-               {flag::heat, digit("H")},
-               {flag::estimate, digit("I")}});
+        flags({});
         solvers();
         material();
         friction();

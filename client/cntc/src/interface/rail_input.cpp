@@ -17,16 +17,8 @@ class RailSetting : private FileSetting {
     void set() {
         const UnitsOfFile units(ire_, icp_);
         flags({{flag::configuration, digit("C1")},
-               {flag::previous, digit("P")},
-               {flag::bound, digit("B")},
-               {flag::tangential, digit("T")},
                {flag::normal, digit("N")},
-               {flag::force, digit("F")},
-               {flag::discretisation, integer("DISCNS")},
-               {flag::influence, integer("INFLCF")},
-               {flag::material, digit("M")},
-               {flag::heat, digit("H")},
-               {flag::estimate, digit("I")}});
+               {flag::discretisation, integer("DISCNS")}});
         solvers();
         material();
         if (digit("T") != 0) friction();

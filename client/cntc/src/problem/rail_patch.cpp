@@ -4,19 +4,10 @@
 #include "edge/codes.hpp"
 #include "problem/problem.hpp"
 #include "problem/rail_case.hpp"
+#include "wheel_rail/patches/patch_solver.hpp"
 
 namespace contactd::cntc {
 namespace {
-
-/// The coefficient where the rail is inclined by the angle; that of left rails is the mirror image's.
-double coefficient_at(const std::vector<FrictionAtAngle>& mu, double angle) {
-    if (angle <= mu.front().angle) return mu.front().mu;
-    for (std::size_t i = 1; i < mu.size(); ++i)
-        if (angle <= mu[i].angle)
-            return mu[i - 1].mu +
-                   (mu[i].mu - mu[i - 1].mu) * (angle - mu[i - 1].angle) / (mu[i].angle - mu[i - 1].angle);
-    return mu.back().mu;
-}
 
 std::optional<FrictionLaw> friction_of(const WheelRailSetup& setup, const ContactPlace& place) {
     if (!setup.friction) return {};
@@ -40,28 +31,6 @@ Forces of_rows(const WheelRailPatch& patch) {
     const double my = track.My - (at.z * track.Fx - at.x * track.Fz),
                  mz = track.Mz - (at.x * track.Fy - at.y * track.Fx);
     return {track.Fz * c - track.Fy * s, track.Fx, track.Fy * c + track.Fz * s, mz * c - my * s};
-}
-
-Motion motion_of(const ContactPlace& place, const WheelRailSetup& setup, const WheelRailState& state) {
-    const Creepages& given = place.creepages;
-    if (state.motion == WheelRailMotion::shift) {
-        const double way = given.velocity * state.time_step.value_or(1);
-        Shift shift;
-        shift.rigid_shift = {given.xi * way, given.eta * way};
-        shift.rotation = given.phi * way;
-        shift.duration = state.time_step.value_or(1);
-        return shift;
-    }
-    Rolling rolling;
-    rolling.xi = given.xi;
-    rolling.eta = given.eta;
-    rolling.phi = given.phi;
-    rolling.chi = given.chi;
-    rolling.velocity = given.velocity;
-    rolling.dq = setup.dq > 0 ? setup.dq : setup.dx;
-    rolling.spin_offset = spin_offset;
-    if (state.motion == WheelRailMotion::transient_rolling) rolling.kind = RollingKind::transient;
-    return rolling;
 }
 
 /// The reference from where elements of a step that is not steady are counted, in the axes of the patch: along the
@@ -96,7 +65,7 @@ GivenMotion creepages_of(const Motion& motion) {
 void show(const WheelRailPatch& patch, const RailCase& rail, const Settings& common, ContactCase& problem) {
     const WheelRailSetup& setup = rail.contact->setup();
     const ContactPlace& place = patch.place;
-    const Motion motion = motion_of(place, setup, *rail.state);
+    const Motion motion = motion_of(place.creepages, setup, *rail.state);
     Solved solved{{}, patch.solution};
     solved.problem.grid = place.grid;
     solved.problem.gap = patch.gap;

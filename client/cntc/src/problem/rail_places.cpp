@@ -5,6 +5,7 @@
 
 #include "geometry/placement/rail_surface.hpp"
 #include "geometry/placement/wheel_surface.hpp"
+#include "geometry/search/patch_grid.hpp"
 #include "problem/rail_setup.hpp"
 #include "wheel_rail/mirror.hpp"
 
@@ -43,10 +44,7 @@ Rotation seen_by(const Rotation& outer, const Rotation& inner) {
 
 /// From the first point with y >= 0 on (mm).
 double length_along(const ProfileCurve& profile, double y) {
-    const auto& points = profile.points();
-    std::size_t first = 0;
-    while (first + 1 < points.size() && points[first].y < 0) ++first;
-    return profile.arc_length(profile.s_at_y(y)) - profile.arc_length(profile.knots()[first]);
+    return profile.arc_length(profile.s_at_y(y)) - geometry::arc_length_of_middle(profile);
 }
 
 /// Centre of the pressures, in the axes of the patch.

@@ -54,7 +54,7 @@ class WheelSurface {
     /// The wheel in the track: the wheelset's frame where the wheelset is rigid.
     const Frame& frame() const { return frame_; }
     const Frame& wheelset() const { return wheelset_; }
-    /// Of the profile, in the track.
+    /// Returns the origin of the profile in the track.
     Vector3 profile_origin() const { return frame_.outside({0, base_y_, radius_}); }
     double base_y() const { return base_y_; }  ///< of the profile's origin along the axle (mm)
     double nominal_radius() const { return radius_; }

@@ -38,13 +38,21 @@ double along_rail(const RailSurface& rail, double y) {
 }  // namespace
 
 // Elements then lie where the established program has them.
-double across_rail(const RailSurface& rail, double y) {
-    const ProfileCurve& profile = rail.profile();
+double arc_length_of_middle(const ProfileCurve& profile) {
     const auto& points = profile.points();
     const auto from =
         std::find_if(points.begin(), points.end(), [](const ProfilePoint& point) { return point.y >= 0; });
     const auto at = static_cast<std::size_t>(from == points.end() ? 0 : from - points.begin());
-    return along_rail(rail, y) - profile.arc_length(profile.knots()[at]);
+    return profile.arc_length(profile.knots()[at]);
+}
+
+double across_rail(const RailSurface& rail, double y) {
+    return along_rail(rail, y) - arc_length_of_middle(rail.profile());
+}
+
+void check_size(const Grid& grid) {
+    check_elements(static_cast<double>(grid.nx) * grid.ny, grid.dx, grid.dy, grid.nx * grid.dx, grid.ny * grid.dy,
+                   most_elements);
 }
 
 Grid grid_of(const RegionGroup& group, const RailSurface& rail, double dx, double dy, const ElementMiddle& middle) {

@@ -8,7 +8,7 @@
 
 namespace contactd::geometry {
 
-/// Of an element, in the coordinates of a contact (mm).
+/// An element has its middle here, in the coordinates of a contact (mm).
 struct ElementMiddle {
     double x = 0, y = 0;
 };
@@ -17,8 +17,13 @@ struct ElementMiddle {
 /// 0 <= y < dy. Throws InvalidArgument ("dx") where these would be too many.
 Grid grid_of(const RegionGroup& group, const RailSurface& rail, double dx, double dy, const ElementMiddle& middle = {});
 
-/// Arc length across the rail at a y of the track (mm), from the first point of its profile with y >= 0.
+/// Arc length of the first point of a profile with y >= 0 (mm), from which lengths across it are counted.
+double arc_length_of_middle(const ProfileCurve& profile);
+/// Arc length across the rail at a y of the track (mm), from there.
 double across_rail(const RailSurface& rail, double y);
+
+/// Throws InvalidArgument ("dx") for more elements than a patch may have.
+void check_size(const Grid& grid);
 
 /// Adds elements where the overlap reaches the border, which is known by vertical distances only: true where it did.
 bool grow(Grid& grid, const std::vector<double>& gap, double approach);

@@ -17,15 +17,6 @@ using Values = std::vector<double>;
 
 constexpr double spin_offset = 1.0 / 6;  // errs least on grids as they are used (docs/contact.md)
 
-double interpolated(const std::vector<FrictionAtAngle>& mu, double angle) {
-    const auto behind =
-        std::find_if(mu.begin(), mu.end(), [&](const FrictionAtAngle& entry) { return entry.angle > angle; });
-    if (behind == mu.begin()) return mu.front().mu;
-    const FrictionAtAngle& before = *(behind - 1);
-    if (behind == mu.end()) return before.mu;
-    return before.mu + (angle - before.angle) / (behind->angle - before.angle) * (behind->mu - before.mu);
-}
-
 /// The inclination of the rail at each row of elements.
 Values row_angles(const ContactPlace& place, const geometry::RailSurface& rail) {
     Values angles;
@@ -45,11 +36,11 @@ FrictionLaw friction_law(const WheelRailFriction& friction, const ContactPlace& 
                          const geometry::RailSurface& rail) {
     FrictionLaw law{{}, friction.kinetic};
     if (!friction.along_profile || friction.mu.size() == 1) {
-        law.mu = {interpolated(friction.mu, place.reference.angle)};
+        law.mu = {coefficient_at(friction.mu, place.reference.angle)};
         return law;
     }
     for (const double angle : row_angles(place, rail))
-        law.mu.insert(law.mu.end(), static_cast<std::size_t>(place.grid.nx), interpolated(friction.mu, angle));
+        law.mu.insert(law.mu.end(), static_cast<std::size_t>(place.grid.nx), coefficient_at(friction.mu, angle));
     return law;
 }
 
@@ -69,7 +60,7 @@ Rolling rolling_of(const Creepages& creepages, const WheelRailState& state, doub
     return rolling;
 }
 
-/// Of a wheel that does not move, too: then nothing slips.
+/// A wheel that does not move has one, too, in which nothing slips.
 Shift shift_of(const Creepages& creepages, double seconds) {
     const double length = creepages.velocity * seconds;
     Shift shift;
@@ -202,28 +193,38 @@ void scale(RigidSlip& slip, double length) {
         for (double& value : *values) value *= length;
 }
 
-/// What each element slips beside a plane motion, which is all of it where surfaces slip row by row.
+/// Takes the motion, and what each element slips beside a plane one, which is all of it where surfaces slip row by row.
 void set_motion(ContactProblem& problem, const WheelRailSetup& setup, const WheelRailState& state,
                 const CandidatePatch& found) {
     Creepages creepages = found.place.creepages;
     if (!found.row_slips.empty()) creepages.xi = creepages.eta = creepages.phi = 0;
-    Rolling rolling = rolling_of(creepages, state, setup.dq > 0 ? setup.dq : setup.dx);
-    if (setup.model == Model::hertz && is_next_to_nothing(rolling.phi, problem.grid)) rolling.phi = 0;
-    const bool rolls = state.motion != WheelRailMotion::shift && creepages.velocity > 0;
+    problem.motion = motion_of(creepages, setup, state);
+    auto* rolling = std::get_if<Rolling>(&problem.motion);
+    if (rolling != nullptr && setup.model == Model::hertz && is_next_to_nothing(rolling->phi, problem.grid))
+        rolling->phi = 0;
     if (!found.row_slips.empty())
-        problem.rigid_slip =
-            rigid_slip_of(found.row_slips, problem.grid, rolls ? spin_offset * rolling.dq * std::cos(rolling.chi) : 0);
+        problem.rigid_slip = rigid_slip_of(found.row_slips, problem.grid,
+                                           rolling ? spin_offset * rolling->dq * std::cos(rolling->chi) : 0);
     if (!found.additional_slip.empty()) problem.rigid_slip = found.additional_slip;
-    if (rolls) {
-        problem.motion = rolling;
-        return;
-    }
-    const double seconds = state.time_step.value_or(1);
-    problem.motion = shift_of(creepages, seconds);
-    scale(problem.rigid_slip, creepages.velocity * seconds);
+    if (rolling == nullptr) scale(problem.rigid_slip, creepages.velocity * std::get<Shift>(problem.motion).duration);
 }
 
 }  // namespace
+
+double coefficient_at(const std::vector<FrictionAtAngle>& mu, double angle) {
+    const auto behind =
+        std::find_if(mu.begin(), mu.end(), [&](const FrictionAtAngle& entry) { return entry.angle > angle; });
+    if (behind == mu.begin()) return mu.front().mu;
+    const FrictionAtAngle& before = *(behind - 1);
+    if (behind == mu.end()) return before.mu;
+    return before.mu + (angle - before.angle) / (behind->angle - before.angle) * (behind->mu - before.mu);
+}
+
+Motion motion_of(const Creepages& creepages, const WheelRailSetup& setup, const WheelRailState& state) {
+    if (state.motion == WheelRailMotion::shift || !(creepages.velocity > 0))
+        return shift_of(creepages, state.time_step.value_or(1));
+    return rolling_of(creepages, state, setup.dq > 0 ? setup.dq : setup.dx);
+}
 
 ContactProblem problem_of(const WheelRailSetup& setup, const WheelRailState& state, const CandidatePatch& found,
                           const geometry::RailSurface& rail) {

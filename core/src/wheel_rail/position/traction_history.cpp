@@ -29,10 +29,10 @@ TractionHistory::TractionHistory(const std::vector<WheelRailEstimates::Patch>& b
     for (const WheelRailEstimates::Patch& patch : before) {
         if (patches_.empty() || patch.grid.dx != patches_[0].grid.dx || patch.grid.dy != patches_[0].grid.dy) continue;
         const Elements elements = elements_of(patch.grid, seen(patch.on_rail, patch.x));
-        const SurfaceState& state = patch.tractions;
         for (std::size_t i = 0; i < patch.grid.size(); ++i) {
-            const double pressure = value_at(state.pressure, i), along = value_at(state.traction_x, i);
-            const double across = value_at(state.traction_y, i);
+            const double pressure = value_at(patch.tractions.pressure, i);
+            const double along = value_at(patch.tractions.traction_x, i);
+            const double across = value_at(patch.tractions.traction_y, i);
             if (pressure == 0 && along == 0 && across == 0) continue;
             const long long ix = elements.x + static_cast<int>(i) % elements.nx;
             const long long iy = elements.y + static_cast<int>(i) / elements.nx;

@@ -27,7 +27,7 @@ class TractionHistory {
     double force_left_behind() const { return left_behind_; }
 
    private:
-    /// Of elements on the rail, by multiples of their sizes.
+    /// Elements on the rail are counted by multiples of their sizes.
     struct Elements {
         long long x = 0, y = 0;
         int nx = 0, ny = 0;

@@ -86,14 +86,14 @@ class RailContact:
 
     @property
     def step(self) -> float:
-        """What is rolled in a step (mm), or 1 of a shift, as the program prints DQ."""
+        """The step rolls so far (mm); a shift has 1, as the program prints DQ."""
         if self.is_shift:
             return 1.0
         return float(self.case.values["DX"] if self.setup.dq is None else self.setup.dq)
 
 
 def _step(case: Case) -> float | None:
-    """What is rolled in a step (mm), where that is not an element, as of steady rolling."""
+    """The step rolls so far (mm), where that is not an element, as steady rolling has it."""
     share = case.values["DQREL"]
     return share * case.values["DX"] if case.digits["T"] == _TRANSIENT and share != 1 else None
 
