@@ -42,6 +42,7 @@ QUANTITIES = (
     Quantity("contact", ("NCON",), _ELEMENTS),
     Quantity("adhesion", ("NADH",), _ELEMENTS),
     Quantity("slip", ("NSLIP",), _ELEMENTS),
+    Quantity("plastic", ("NPLAST",), _ELEMENTS),
     Quantity("x", ("XCP(TR)",), _PLACE),
     Quantity("y", ("YCP(TR)",), _PLACE),
     Quantity("z", ("ZCP(TR)",), _PLACE),

@@ -30,6 +30,18 @@ void check_state(const SurfaceState& state, std::size_t size, const std::string&
     if (!state.pressure.empty()) check_array(state.pressure, size, field + ".pressure");
     if (!state.traction_x.empty()) check_array(state.traction_x, size, field + ".traction_x");
     if (!state.traction_y.empty()) check_array(state.traction_y, size, field + ".traction_y");
+    if (!state.friction_coefficient.empty()) {
+        check_array(state.friction_coefficient, size, field + ".friction_coefficient");
+        for (const double mu : state.friction_coefficient)
+            if (!(mu >= 0))
+                throw InvalidArgument(field + ".friction_coefficient",
+                                      "has " + number_text(mu) + "; it must be zero or positive");
+    }
+    if (state.yield_stress.empty()) return;
+    check_array(state.yield_stress, size, field + ".yield_stress");
+    for (const double stress : state.yield_stress)
+        if (!(stress > 0))
+            throw InvalidArgument(field + ".yield_stress", "has " + number_text(stress) + "; it must be positive");
 }
 
 void check_finite(double value, const std::string& field, const char* meaning) {
@@ -140,6 +152,7 @@ void check_coefficients(const FrictionLaw& friction, std::size_t size) {
         if (!std::isfinite(mu) || mu < 0)
             throw InvalidArgument("friction.mu", "is " + number_text(mu) + "; it must be zero or positive");
     if (friction.kinetic) validate(*friction.kinetic, friction.mu);
+    if (friction.layer) validate(*friction.layer);
 }
 
 void check_rigid_slip(const RigidSlip& slip, std::size_t size) {
@@ -164,6 +177,10 @@ void check_derivatives(const ContactProblem& problem) {
         throw InvalidArgument("derivatives", "are those of one step, and friction.rolling.steps is " +
                                                  std::to_string(rolling->steps) +
                                                  "; take the steps one by one, each with the last one as previous");
+    if (problem.friction->layer && problem.friction->layer->yields())
+        throw InvalidArgument("derivatives",
+                              "are not known where a layer yields; leave friction.layer.yield_stress out, or take "
+                              "differences of solves");
     if (problem.friction->kinetic)
         throw InvalidArgument(
             "derivatives", "are not known with a slip law; leave friction.kinetic out, or take differences of solves");
@@ -172,6 +189,27 @@ void check_derivatives(const ContactProblem& problem) {
 void check_displacements(const ContactProblem& problem) {
     if (problem.displacements && problem.model != Model::full)
         throw InvalidArgument("displacements", "are those of model full; simplified models know none");
+}
+
+// The state of a layer that hardens travels along rows; TangCG knows no third kind of element.
+void check_layer(const ContactProblem& problem) {
+    if (!problem.friction || !problem.friction->layer) return;
+    const InterfacialLayer& layer = *problem.friction->layer;
+    if (problem.model != Model::full)
+        throw InvalidArgument("friction.layer", "is of model full; simplified models know no layer");
+    if (!layer.hardens()) return;
+    if (problem.settings.tangential_solver == TangentialSolver::tangcg)
+        throw InvalidArgument("settings.tangential.solver",
+                              "is tangcg, which does not know layers that harden or soften; take newton, or leave "
+                              "friction.layer.hardening out");
+    const auto* rolling = std::get_if<Rolling>(&problem.motion);
+    constexpr double rounding = 1e-9;
+    if (rolling != nullptr && rolling->steady() && std::abs(std::sin(2 * rolling->chi)) > rounding)
+        throw InvalidArgument("friction.layer.hardening",
+                              "is " + number_text(layer.hardening) +
+                                  " in steady rolling off the axes of the grid, friction.rolling.chi " +
+                                  number_text(rolling->chi) +
+                                  "; turn the grid, or take transient steps until they stand");
 }
 
 void check_tangential_solver(const ContactProblem& problem) {
@@ -237,6 +275,7 @@ void check(const ContactProblem& problem, bool complete) {
     check_derivatives(problem);
     check_displacements(problem);
     check_tangential_solver(problem);
+    check_layer(problem);
     check_columns(problem);
     check_state(problem.previous, size, "previous");
     check_settings(problem.settings.normal, "settings.normal");

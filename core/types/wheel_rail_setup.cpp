@@ -122,6 +122,7 @@ void check(const WheelRailFriction& friction) {
     for (std::size_t i = 1; i < friction.mu.size(); ++i)
         require(friction.mu[i].angle > friction.mu[i - 1].angle, "friction.mu[" + std::to_string(i) + "].angle",
                 friction.mu[i].angle, "be larger than the one before, " + number_text(friction.mu[i - 1].angle));
+    if (friction.layer) validate(*friction.layer);
 }
 
 }  // namespace
@@ -160,6 +161,8 @@ void validate(const WheelRailSetup& setup) {
     if (setup.rigid_slip == RigidSlipKind::surfaces && setup.model != Model::full)
         throw InvalidArgument("rigid_slip",
                               "is surfaces, and the simplified models know creepages only; take model full");
+    if (setup.friction && setup.friction->layer && setup.model != Model::full)
+        throw InvalidArgument("friction.layer", "is of model full; the simplified models know no layer between bodies");
     if (setup.sheet_flexibility > 0 && setup.model != Model::full)
         throw InvalidArgument("sheet_flexibility",
                               "is " + number_text(setup.sheet_flexibility) +

@@ -48,7 +48,8 @@ ContactSolution ContactSteps::solve(const StepState& before, const Overlay& over
 
 StepState ContactSteps::after(const StepState& before, ContactSolution&& solution) {
     return {before.step + 1,
-            {std::move(solution.pressure), std::move(solution.traction_x), std::move(solution.traction_y)},
+            {std::move(solution.pressure), std::move(solution.traction_x), std::move(solution.traction_y),
+             std::move(solution.yield_stress), std::move(solution.friction_coefficient)},
             solution.motion,
             {}};
 }

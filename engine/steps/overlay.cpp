@@ -31,8 +31,10 @@ void overlay_friction(const StepInput& input, ContactProblem& problem) {
                               "is missing; a step that names friction must say it where the opening named none");
     if (input.friction) {
         const auto kinetic = problem.friction ? problem.friction->kinetic : std::nullopt;
+        const auto layer = problem.friction ? problem.friction->layer : std::nullopt;
         problem.friction = input.friction;
         if (!problem.friction->kinetic) problem.friction->kinetic = kinetic;
+        if (!problem.friction->layer) problem.friction->layer = layer;
     }
     if (input.motion) problem.motion = *input.motion;
     if (!input.rigid_slip.empty()) problem.rigid_slip = input.rigid_slip;

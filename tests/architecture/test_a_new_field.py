@@ -118,7 +118,7 @@ def add_fields(tree: Path) -> None:
     signed = {"description": "A signed number.", "x-unit": "mm", "x-parity": "odd", "x-fmu": "output", "type": "number"}
     result["properties"]["rail_deflection"]["properties"]["probe"] = signed
     path.write_text(json.dumps(result))
-    replace(headers / "friction.hpp", "enum class SlipLaw { linear, exponential };", "enum class SlipLaw { linear, exponential, probe };")
+    replace(headers / "friction.hpp", "enum class SlipLaw { linear, exponential, rational };", "enum class SlipLaw { linear, exponential, rational, probe };")
     add_to_contacts(tree / "proto" / "schema", {key: value for key, value in number.items() if key != "x-fmu"})
 
 

@@ -45,6 +45,7 @@ FOLDERS: dict[str, tuple[int, str]] = {
     "core/src/store/hdf5": (100, "names in files of tables, which may never change"),
     "core/types": (50, REFUSAL),
     "core/types/profile_files": (10, "a keyword of Simpack's files"),
+    "engine": (30, "where tables are known from"),
     "engine/ics/build": (20, "lines of progress between builder and daemon"),
     "proto/src/codec": (510, "hooks: shorthand of coefficients, arrays, alternatives, and messages of methods"),
     "proto/src/schema": (40, "keywords of JSON Schema and of OpenRPC"),

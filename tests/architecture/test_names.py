@@ -183,6 +183,6 @@ def test_a_field_has_one_name(schema: str, place: str, struct: str, kind: str) -
 
 
 def test_the_headers_are_understood() -> None:
-    assert fields_of_struct("Areas") == {"contact", "adhesion", "slip"}
+    assert fields_of_struct("Areas") == {"contact", "adhesion", "slip", "flow"}
     assert {"approach", "forces", "evidence", "slip_y", "converged"} <= fields_of_struct("ContactSolution")
     assert "max_frames" in fields_of_struct("ServerLimits")  # of its base

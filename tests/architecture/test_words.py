@@ -94,7 +94,7 @@ FILES = {
     "core/src/geometry/search/mesh_search.cpp": "columns of a mesh",
     "core/src/operators/fft/padded_fft*": "columns of an array",
     "core/src/operators/strips/strip_kernels.*": "columns of a matrix",
-    "core/src/contact/rolling/rolling_sweep.cpp": "columns of a grid",
+    "core/src/operators/upstream.cpp": "columns of a grid",
     "core/fem/mesh/*": "prisms, the shape of finite elements",
     "core/fem/system/*": "prisms, the shape of finite elements",
     "core/include/contactd/fem_fields.hpp": "prisms, the shape of finite elements",

@@ -62,7 +62,7 @@ enum {
 };
 
 /* --- enumerators --------------------------------------------------------------------------------------------- */
-enum { CONTACTD_EXTERIOR = 0, CONTACTD_ADHESION = 1, CONTACTD_SLIP = 2 }; /* state of an element */
+enum { CONTACTD_EXTERIOR = 0, CONTACTD_ADHESION = 1, CONTACTD_SLIP = 2, CONTACTD_FLOW = 3 }; /* state of an element */
 enum { CONTACTD_LOG_DEBUG = 0, CONTACTD_LOG_INFO = 1, CONTACTD_LOG_WARNING = 2, CONTACTD_LOG_ERROR = 3 };
 
 typedef struct contactd_connection contactd_connection; /* where contacts are solved */
@@ -108,13 +108,14 @@ CONTACTD_API int32_t contactd_get(void* handle, const char* path, double* value)
 /* `text`, of `length` bytes with its end, into which what is longer is cut. */
 CONTACTD_API int32_t contactd_get_word(void* handle, const char* path, char* text, int32_t length);
 /* All numbers of an object or a list, as contactd_set_array; or of an array over the grid that contactd_want asked for,
- * as "patches[0].solution.pressure": element_division has CONTACTD_EXTERIOR, _ADHESION and _SLIP, slip is all zero
- * without friction. `count` must be that of contactd_length. */
+ * as "patches[0].solution.pressure": element_division has CONTACTD_EXTERIOR, _ADHESION, _SLIP and _FLOW, slip is all
+ * zero without friction. `count` must be that of contactd_length. */
 CONTACTD_API int32_t contactd_get_array(void* handle, const char* path, double* values, int32_t count);
 CONTACTD_API int32_t contactd_length(void* handle, const char* path, int32_t* count);
 /* Whether solves or steps from now on bring along an array over the grid (1), or not (0, as at first): "pressure",
  * "traction_x", "traction_y", "slip_x", "slip_y", "element_division"; "displacement_x", "displacement_y" and
- * "displacement_z" where "displacements" is set; of wheels also "gap", the undeformed distances,
+ * "displacement_z" where "displacements" is set; "flow_x", "flow_y" and "yield_stress" where a layer yields,
+ * "friction_coefficient" where it falls; of wheels also "gap", the undeformed distances,
  * which the model full has. */
 CONTACTD_API int32_t contactd_want(void* handle, const char* array, int32_t requested);
 

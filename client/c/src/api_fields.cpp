@@ -29,9 +29,20 @@ namespace {
 // --- arrays over the grid --------------------------------------------------------------------------------------------
 
 /// In the order of SolutionField, and the one of wheels beside these.
-constexpr std::array<std::string_view, 10> arrays{"element_division", "pressure", "traction_x",     "traction_y",
-                                                  "slip_x",           "slip_y",   "displacement_x", "displacement_y",
-                                                  "displacement_z",   "gap"};
+constexpr std::array<std::string_view, 14> arrays{"element_division",
+                                                  "pressure",
+                                                  "traction_x",
+                                                  "traction_y",
+                                                  "slip_x",
+                                                  "slip_y",
+                                                  "displacement_x",
+                                                  "displacement_y",
+                                                  "displacement_z",
+                                                  "flow_x",
+                                                  "flow_y",
+                                                  "yield_stress",
+                                                  "friction_coefficient",
+                                                  "gap"};
 constexpr std::size_t gap = arrays.size() - 1;
 
 std::size_t array_named(std::string_view name) {

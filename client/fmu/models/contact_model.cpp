@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "contact_set_up.hpp"
+#include "friction_laws.hpp"
 #include "variables/contact_variables.hpp"
 
 namespace contactd::fmu {
@@ -100,6 +101,9 @@ void ContactModel::set_load(contactd_contact* c, const Values& values, int motio
         set_field(c, "friction.kinetic.mu", values[at("friction.kinetic.mu")]);
         set_field(c, "friction.kinetic.slip_velocity", values[at("friction.kinetic.slip_velocity")]);
     }
+    set_friction_laws(c, "friction.", values.is(law), [&](const std::string& name) {
+        return values[reference_in(contact_variables, "friction." + name)];
+    });
     if (motion == shift)
         set_shift(c, values, size);
     else

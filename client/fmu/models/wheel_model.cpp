@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "friction_laws.hpp"
 #include "variables/wheel_variables.hpp"
 #include "wheel_set_up.hpp"
 
@@ -85,7 +86,10 @@ void WheelModel::say(const Values& v) {
     if (const std::int32_t angles = v.whole(at("friction.angles"));
         angles != 0)  // each angle is beside its coefficient
         check(contactd_set_array(w, "setup.friction.mu", &v.numbers[at("friction.angle[1]")], 2 * angles), w);
-    if (v.whole(at("friction.kinetic.law")) == 0) return;
+    const bool falls = v.whole(at("friction.kinetic.law")) != 0;
+    set_friction_laws(w, "setup.friction.", falls,
+                      [&](const std::string& name) { return v[reference_in(wheel_variables, "friction." + name)]; });
+    if (!falls) return;
     const std::string law(keyword_of(wheel_variables[at("friction.kinetic.law")], v[at("friction.kinetic.law")]));
     check(contactd_set_word(w, "setup.friction.kinetic.law", law.c_str()), w);
     set("setup.friction.kinetic.mu", v[at("friction.kinetic.mu")]);

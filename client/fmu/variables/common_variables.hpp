@@ -9,7 +9,7 @@ namespace contactd::fmu {
 
 inline constexpr std::string_view model_keywords[] = {"full", "hertz", "fastsim"};
 inline constexpr Enumeration models{"Model", model_keywords};
-inline constexpr std::string_view kinetic_keywords[] = {"none", "linear", "exponential"};
+inline constexpr std::string_view kinetic_keywords[] = {"none", "linear", "exponential", "rational"};
 inline constexpr Enumeration kinetic_laws{"KineticFriction", kinetic_keywords};
 
 inline constexpr auto common_variables = std::to_array<Variable>({
@@ -32,10 +32,25 @@ inline constexpr auto common_variables = std::to_array<Variable>({
     boolean("friction.none", Role::parameter, false, "No friction: nothing but normal contact is solved."),
     keyword("friction.kinetic.law", kinetic_laws, 0, "How friction falls with the velocity of slip."),
     number("friction.kinetic.law_number", "friction.kinetic.law", kinetic_laws,
-           "In the place of friction.kinetic.law: 0 none, 1 linear, 2 exponential; -1: as friction.kinetic.law says."),
+           "In the place of friction.kinetic.law: 0 none, 1 linear, 2 exponential, 3 rational; -1: as "
+           "friction.kinetic.law says."),
     real("friction.kinetic.mu", Role::tunable, "", 0.2,
          "Coefficient at high velocities of slip, where there is a law."),
     real("friction.kinetic.slip_velocity", Role::tunable, "mm/s", 1000, "The law's scale."),
+    real("friction.kinetic.second.fall", Role::parameter, "", 0,
+         "What a second term takes of the fall to friction.kinetic.mu; 0: there is none."),
+    real("friction.kinetic.second.slip_velocity", Role::parameter, "mm/s", 1000, "That term's scale."),
+    real("friction.kinetic.memory.distance", Role::parameter, "mm", 0,
+         "Distance of slip over which the coefficient of a particle follows the law; 0: at once."),
+    real("friction.kinetic.memory.least_velocity", Role::parameter, "mm/s", 0,
+         "Slip velocity from which on it follows slower slip."),
+    real("friction.layer.flexibility", Role::parameter, "mm3/N", 0,
+         "Of a layer between the surfaces: its thickness over its shear modulus."),
+    real("friction.layer.yield_stress", Role::parameter, "N/mm2", 0,
+         "Shear stress at which the layer yields; 0: it never does."),
+    real("friction.layer.hardening", Role::parameter, "N/mm3", 0,
+         "Slope of the yield stress over the length of the layer's flow."),
+    real("friction.layer.residual", Role::parameter, "", 0.1, "Part of the yield stress that softening leaves."),
     at_path("setup.settings.normal.tolerance",
             real("tolerances.normal", Role::parameter, "", 1e-8, "Of the pressures.")),
     at_path("setup.settings.tangential.tolerance",

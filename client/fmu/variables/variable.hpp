@@ -47,7 +47,7 @@ inline constexpr Unit units[] = {
     {"rad/mm", 1e3, 0, -1, 0, 1},  {"s", 1, 0, 0, 1, 0},         {"mm/s", 1e-3, 0, 1, -1, 0},
     {"rad/s", 1, 0, 0, -1, 1},     {"N", 1, 1, 1, -2, 0},        {"N.mm", 1e-3, 1, 2, -2, 0},
     {"N.mm/s", 1e-3, 1, 2, -3, 0}, {"N/mm2", 1e6, 1, -1, -2, 0}, {"N/mm", 1e3, 1, 0, -2, 0},
-    {"mm3/N", 1e-9, -1, 2, 2, 0},
+    {"mm3/N", 1e-9, -1, 2, 2, 0},  {"N/mm3", 1e9, 1, -2, -2, 0},
 };
 
 constexpr Variable real(std::string_view name, Role role, std::string_view unit, double start, std::string_view says) {

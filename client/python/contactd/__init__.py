@@ -54,11 +54,11 @@ from .local import LocalDaemon, local
 from .values.dictionaries import from_dict, to_dict
 from .values.evidence import IcEvidence, SectionEvidence, SolverEvidence, SolverSettings, TangentialSettings
 from .values.fem_ics import FemIcs
-from .values.friction import Friction
+from .values.friction import Friction, InterfacialLayer
 from .values.grid import Grid, Paraboloid, SemiAxes
 from .values.ics import AnalyticIcs, LineContact
 from .values.materials import Layer, LayeredBody, Material, RigidBody
-from .values.motion import KineticFriction, Rolling, Shift
+from .values.motion import FrictionMemory, KineticFriction, Rolling, SecondTerm, Shift
 from .values.partial_solution import PartialSolution, SavedState, StepSolution
 from .values.problem import ContactColumns, ContactProblem, Estimate
 from .values.profile_shapes import ProfileFile
@@ -95,10 +95,12 @@ __all__ = [
     "FailedPrecondition",
     "FemIcs",
     "Friction",
+    "FrictionMemory",
     "Grid",
     "IcEvidence",
     "IcTable",
     "ImportedIc",
+    "InterfacialLayer",
     "InternalError",
     "InvalidArgument",
     "Job",
@@ -125,6 +127,7 @@ __all__ = [
     "Rolling",
     "SavedFileError",
     "SavedState",
+    "SecondTerm",
     "SectionEvidence",
     "SemiAxes",
     "ServerInfo",

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 __all__ = ["solution_dataset", "stress_dataset", "table_array"]
 
 _ARRAYS = {
-    "element_division": ("0 exterior, 1 adhesion, 2 slip", "1"),
+    "element_division": ("0 exterior, 1 adhesion, 2 slip, 3 flow", "1"),
     "pressure": ("pressure", "N/mm^2"),
     "traction_x": ("traction along x on the upper body", "N/mm^2"),
     "traction_y": ("traction along y on the upper body", "N/mm^2"),
@@ -27,6 +27,10 @@ _ARRAYS = {
     "displacement_x": ("displacement of the upper body's surface less that of the lower one's, along x", "mm"),
     "displacement_y": ("displacement of the upper body's surface less that of the lower one's, along y", "mm"),
     "displacement_z": ("what both bodies yield along z", "mm"),
+    "flow_x": ("plastic flow of a layer, along x", ""),
+    "flow_y": ("plastic flow of a layer, along y", ""),
+    "yield_stress": ("yield stress of a layer", "N/mm^2"),
+    "friction_coefficient": ("coefficient of friction", "1"),
 }
 _NUMBERS = {"Fn": "N", "Fx": "N", "Fy": "N", "Mz": "N mm", "approach": "mm", "pmax": "N/mm^2"}
 

@@ -13,7 +13,8 @@
 
 namespace contactd {
 
-enum class ElementState : std::uint8_t { exterior = 0, adhesion = 1, slip = 2 };
+/// flow: a layer between the surfaces flows; where it has hardened to the bound of friction they slip as well.
+enum class ElementState : std::uint8_t { exterior = 0, adhesion = 1, slip = 2, flow = 3 };
 
 /// How a solver ended.
 struct SolverEvidence {
@@ -50,12 +51,12 @@ struct ContactProblem : ContactSetup, ContactLoad {};
 
 /// The contact area and its parts (mm^2).
 struct Areas {
-    double contact = 0, adhesion = 0, slip = 0;
+    double contact = 0, adhesion = 0, slip = 0, flow = 0;
 };
 
 /// Numbers of elements.
 struct Counts {
-    int contact = 0, adhesion = 0, slip = 0;
+    int contact = 0, adhesion = 0, slip = 0, flow = 0;
     int border = 0;  ///< of those in contact, at the border of the potential contact area
 };
 
@@ -96,6 +97,10 @@ struct ContactSolution {
     /// Slip of the upper body over the lower: of a shift the distance over the step (mm), of rolling the slip over the
     /// step divided by dq. Empty without friction; zero outside contact.
     std::vector<double> slip_x, slip_y;
+    /// Plastic flow of a layer along the tractions, over the step (mm) or per distance rolled as slip, and its yield
+    /// stress behind it (N/mm^2). Empty without a layer that yields.
+    std::vector<double> flow_x, flow_y, yield_stress;
+    std::vector<double> friction_coefficient;  ///< of kinetic friction; outside contact the static one
     /// Displacements of the upper body's surface less those of the lower one's under the tractions (mm): along x and y,
     /// and along z what the bodies yield, > 0 under pressure. Where asked for; elsewhere empty.
     std::vector<double> displacement_x, displacement_y, displacement_z;
@@ -104,6 +109,8 @@ struct ContactSolution {
     std::optional<double> elastic_energy;
     /// The energy that friction dissipates: in the step of a shift (N mm), or the power of rolling (N mm/s).
     std::optional<double> frictional_work, frictional_power;
+    /// What of that the flow of a layer dissipates, and the largest length of flow, as flow_x; where a layer yields.
+    std::optional<double> plastic_work, plastic_power, largest_flow;
     std::optional<Motion> motion;            ///< as asked, with what a prescribed force made of it
     std::optional<Derivatives> derivatives;  ///< where asked for, of a converged solution with contact
     std::vector<std::string> warnings;       ///< sentences: what a user of the solution should know
@@ -127,14 +134,27 @@ enum class SolutionField {
     slip_y,
     displacement_x,
     displacement_y,
-    displacement_z
+    displacement_z,
+    flow_x,
+    flow_y,
+    yield_stress,
+    friction_coefficient
 };
 /// Those that an answer shall hold.
 using SolutionFields = std::vector<SolutionField>;
-inline const SolutionFields all_solution_fields{
-    SolutionField::element_division, SolutionField::pressure,       SolutionField::traction_x,
-    SolutionField::traction_y,       SolutionField::slip_x,         SolutionField::slip_y,
-    SolutionField::displacement_x,   SolutionField::displacement_y, SolutionField::displacement_z};
+inline const SolutionFields all_solution_fields{SolutionField::element_division,
+                                                SolutionField::pressure,
+                                                SolutionField::traction_x,
+                                                SolutionField::traction_y,
+                                                SolutionField::slip_x,
+                                                SolutionField::slip_y,
+                                                SolutionField::displacement_x,
+                                                SolutionField::displacement_y,
+                                                SolutionField::displacement_z,
+                                                SolutionField::flow_x,
+                                                SolutionField::flow_y,
+                                                SolutionField::yield_stress,
+                                                SolutionField::friction_coefficient};
 
 /// Returns the length of one step (mm): dq, or size_along of the elements where dq is 0.
 double step_length(const Rolling& rolling, const Grid& grid);

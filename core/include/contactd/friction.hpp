@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <variant>
@@ -9,21 +10,60 @@
 
 namespace contactd {
 
-/// Velocity-weakening (falling) friction: how its coefficient falls from the static one with the slip velocity v:
-/// linear: max(mu_k, mu_s - (mu_s - mu_k) v / v_c); exponential: mu_k + (mu_s - mu_k) exp(-v / v_c).
-enum class SlipLaw { linear, exponential };
+/// Velocity-weakening (falling) friction: how its coefficient falls from the static one with the slip velocity v, by
+/// m = mu_s - mu_k, less what a second term takes of it:
+/// linear: mu_k + m max(0, 1 - v / v_c); exponential: mu_k + m exp(-v / v_c); rational: mu_k + m / (1 + v / v_c), and
+/// of its second term m / (1 + (v / v_c)^2).
+enum class SlipLaw { linear, exponential, rational };
 
 /// Coefficients that follow the slip begin with that of adhesion, or of full slip. A law that falls steeply may have
 /// several solutions: from adhesion one with little slip is found, from full slip one with much.
 enum class SlipStart { adhesion, full_slip };
+
+/// A second term of a slip law.
+struct SecondTerm {
+    double fall = 0;           ///< m, 0 <= m <= mu_s - mu_k
+    double slip_velocity = 0;  ///< v_c > 0 (mm/s)
+
+    bool operator==(const SecondTerm&) const = default;
+};
+
+/// Friction with memory (Vollebregt and Schuttelaars, J. Sound Vib. 2012): the coefficient of a particle follows the
+/// law over a distance d that it slips, d mu/dt = -max(v, v_0)/d (mu - mu(v)), from the static one where it enters. By
+/// implicit Euler over a step.
+struct FrictionMemory {
+    double distance = 0;        ///< d > 0 (mm)
+    double least_velocity = 0;  ///< v_0 >= 0 (mm/s)
+
+    bool operator==(const FrictionMemory&) const = default;
+};
 
 struct KineticFriction {
     SlipLaw law = SlipLaw::exponential;
     double mu = 0;             ///< kinetic coefficient mu_k, 0 <= mu_k <= the static one
     double slip_velocity = 0;  ///< v_c > 0 (mm/s)
     SlipStart start = SlipStart::adhesion;
+    std::optional<SecondTerm> second{};
+    std::optional<FrictionMemory> memory{};
 
     bool operator==(const KineticFriction&) const = default;
+};
+
+/// A layer of a third body between the surfaces (Hou, Kalousek, Magel, Wear 1997), which shears by flexibility times
+/// the traction. Where its yield stress is below what friction carries it flows instead of slipping, or before it does.
+/// It stands still in adhesion. Normal contact does not know it.
+struct InterfacialLayer {
+    double flexibility = 0;  ///< thickness over shear modulus, h3/G3 >= 0 (mm^3/N); 0 leaves flow only
+    /// Shear stress tau_c0 > 0 at which a particle that has just entered yields (N/mm^2); infinite: it never does.
+    double yield_stress = std::numeric_limits<double>::infinity();
+    /// Slope k_tau of the yield stress over the accumulated length of a particle's flow (N/mm^3); negative softens.
+    double hardening = 0;
+    double residual = 0.1;  ///< part of yield_stress that softening leaves, 0 to 1
+
+    bool yields() const { return yield_stress < std::numeric_limits<double>::infinity(); }
+    /// Whether the yield stress changes as the layer flows, so that it is part of the state of a step.
+    bool hardens() const { return yields() && hardening != 0; }
+    bool operator==(const InterfacialLayer&) const = default;
 };
 
 /// Tangential force on the upper body (N), where it is prescribed.
@@ -75,13 +115,19 @@ struct Rolling {
     bool operator==(const Rolling&) const = default;
 };
 
-/// Throws InvalidArgument ("friction.kinetic.mu", "friction.kinetic.slip_velocity") unless v_c is positive and finite
-/// and 0 <= mu_k <= mu_s in every element. Friction that rises with velocity is refused: sticking would be easier to
-/// leave than slip to enter, and adhesion at mu_s would no longer be the limit of slow slip.
+/// Throws InvalidArgument ("friction.kinetic...") unless velocities and distances are positive and finite,
+/// 0 <= mu_k <= mu_s in every element, and the second term takes no more than the fall. Friction that rises with
+/// velocity is refused: sticking would be easier to leave than slip to enter, and adhesion at mu_s would no longer be
+/// the limit of slow slip.
 void validate(const KineticFriction& kinetic, std::span<const double> mu_static);
 
 /// mu(v) for a slip velocity v >= 0 (mm/s): the static coefficient in adhesion (v = 0), see SlipLaw.
 double friction_coefficient(const KineticFriction& kinetic, double mu_static, double v);
+
+/// Throws InvalidArgument ("friction.layer...") unless all are finite but the yield stress, flexibility >= 0, the yield
+/// stress > 0, the residual part in 0 to 1, and softening slower than the layer's own unloading, hardening >
+/// -1/flexibility.
+void validate(const InterfacialLayer& layer);
 
 using Motion = std::variant<Shift, Rolling>;
 enum class MotionKind { shift, rolling };
@@ -101,6 +147,7 @@ struct ElementwiseCoefficient;
 struct FrictionLaw {
     std::vector<double> mu{0};  ///< (static) coefficient, >= 0: one for all elements, or shape [ny, nx]
     std::optional<KineticFriction> kinetic{};
+    std::optional<InterfacialLayer> layer{};  ///< of model full
 
     bool operator==(const FrictionLaw&) const = default;
     double mu_of(std::size_t element) const { return mu.size() == 1 ? mu[0] : mu[element]; }

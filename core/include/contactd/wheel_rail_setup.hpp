@@ -128,6 +128,7 @@ struct WheelRailFriction {
     std::vector<FrictionAtAngle> mu{{0, 0.3}};  ///< by ascending angles; one entry holds everywhere
     bool along_profile = false;  ///< the angle is that of the rail at each row of elements, else that of the patch
     std::optional<KineticFriction> kinetic{};
+    std::optional<InterfacialLayer> layer{};  ///< of model full
 
     bool operator==(const WheelRailFriction&) const = default;
 };

@@ -12,8 +12,10 @@
 #include "contact/normal/normal_solver.hpp"
 #include "contact/support/solver_support.hpp"
 #include "contact/tangential/friction_law.hpp"
+#include "contact/tangential/friction_memory.hpp"
 #include "curved_strips.hpp"
 #include "hertz_start.hpp"
+#include "layer_flow.hpp"
 #include "outer_tolerances.hpp"
 #include "tangential_step.hpp"
 #include "tractions.hpp"
@@ -44,20 +46,29 @@ class BoundaryElements {
         if (!problem.friction) return;
         const FrictionLaw& friction = *problem.friction;
         step_.emplace(problem, influence);
+        if (friction.layer && friction.layer->yields()) layer_.emplace(problem);
         static_mu_.resize(n_);
         for (std::size_t i = 0; i < n_; ++i) static_mu_[i] = friction.mu_of(i);
         bound_ = bound_of(static_mu_);
-        if (friction.kinetic) slip_law_.emplace(*friction.kinetic, static_mu_);
+        if (!friction.kinetic) return;
+        slip_law_.emplace(*friction.kinetic, static_mu_);
+        if (!friction.kinetic->memory) return;
+        memory_.emplace(problem, static_mu_);
+        slip_law_->carry(*memory_);
     }
 
     ContactSolution solve(Observer& observer) {
         const int steps = number_of_steps();
         Tractions before =
             make_tractions(n_, problem_.previous.pressure, problem_.previous.traction_x, problem_.previous.traction_y);
+        before.yield_stress = problem_.previous.yield_stress;
+        before.friction_coefficient = problem_.previous.friction_coefficient;
         Field last;  // tractions of the step before that
         for (int step = 0; step < steps; ++step) {
             PartObserver part(observer, static_cast<double>(step) / steps, (step + 1.0) / steps);
             if (step_) step_->begin(before);
+            if (layer_) layer_->begin(before.yield_stress);
+            if (memory_) memory_->begin(before.friction_coefficient);
             if (step >= 2) go_on(before.tangential, last);
             take_step(part, step == 0);
             remember_failures();
@@ -167,9 +178,14 @@ class BoundaryElements {
         keep_at_bound(bound);
         bound_ = std::move(bound);
         PartObserver part(observer, 0.3, 1);
-        tangential_ = step_->solve(now_.pressure, bound_, now_.tangential, settings, part);
+        tangential_ =
+            step_->solve(now_.pressure, bound_, now_.tangential, settings, layer_ ? layer_->task() : nullptr, part);
         now_.tangential.x = tangential_.traction_x;
         now_.tangential.y = tangential_.traction_y;
+        if (layer_) {
+            layer_->divide(bound_of_friction(slip_law_ ? slip_law_->mu() : static_mu_), tangential_);
+            now_.yield_stress = tangential_.yield_stress;
+        }
         auto& evidence = solution_.evidence.tangential;
         if (!evidence) evidence = SolverEvidence{};
         continue_with(*evidence, tangential_.evidence);
@@ -187,9 +203,15 @@ class BoundaryElements {
         return true;
     }
 
-    Values bound_of(const Values& mu) const {
+    Values bound_of_friction(const Values& mu) const {
         Values bound = now_.pressure;
         for (std::size_t i = 0; i < n_; ++i) bound[i] *= mu[i] >= least_friction ? mu[i] : 0;
+        return bound;
+    }
+
+    Values bound_of(const Values& mu) const {
+        Values bound = bound_of_friction(mu);
+        if (layer_) layer_->limit(bound);
         return bound;
     }
 
@@ -214,9 +236,11 @@ class BoundaryElements {
         const double seconds = rolling ? step_->unit() / rolling->velocity : std::get<Shift>(problem_.motion).duration;
         Values velocity(n_);
         for (std::size_t i = 0; i < n_; ++i)
-            if (tangential_.element_division[i] == ElementState::slip)
+            if (tangential_.element_division[i] > ElementState::adhesion)
                 velocity[i] = std::hypot(tangential_.slip_x[i], tangential_.slip_y[i]) / seconds;
-        return slip_law_->follow(velocity, now_.pressure);
+        const double change = slip_law_->follow(velocity, now_.pressure);
+        now_.friction_coefficient = slip_law_->mu();
+        return change;
     }
 
     ContactSolution finished() {
@@ -251,6 +275,10 @@ class BoundaryElements {
         solution_.traction_y = std::move(tangential_.traction_y);
         solution_.slip_x = std::move(tangential_.slip_x);
         solution_.slip_y = std::move(tangential_.slip_y);
+        solution_.flow_x = std::move(tangential_.flow_x);
+        solution_.flow_y = std::move(tangential_.flow_y);
+        if (layer_ && layer_->task() != nullptr) solution_.yield_stress = std::move(tangential_.yield_stress);
+        solution_.friction_coefficient = std::move(now_.friction_coefficient);
         solution_.motion = step_->motion();
         solution_.evidence.force = step_->force_evidence();
     }
@@ -261,12 +289,14 @@ class BoundaryElements {
     const std::size_t n_;
     const Values distance_;
     std::optional<TangentialStep> step_;
+    std::optional<LayerFlow> layer_;  // that yields
     Tractions now_;
     const std::unique_ptr<const ApproachOperator> along_approach_;  // of curved strips only
     NormalSolver normal_;
     bool has_pressures_ = false;  // of an earlier solve, nearer than those of a closed form
     Values static_mu_;            // per element
     Values bound_;                // of the tractions as they are
+    std::optional<CarriedFriction> memory_;
     std::optional<SlipLawIteration> slip_law_;
     RollingSolution tangential_;
     struct {

@@ -29,7 +29,9 @@ RollingSolution solution_of(const FrictionNewton& newton, const Contact& contact
     contact.scatter(newton.slip().y, result.slip_y);
     result.element_division.assign(n, ElementState::exterior);
     for (std::size_t e = 0; e < contact.size(); ++e)
-        result.element_division[contact.elements[e]] = newton.slips()[e] ? ElementState::slip : ElementState::adhesion;
+        result.element_division[contact.elements[e]] = newton.flows(e)     ? ElementState::flow
+                                                       : newton.slips()[e] ? ElementState::slip
+                                                                           : ElementState::adhesion;
     result.evidence = newton.evidence();
     return result;
 }
@@ -69,7 +71,8 @@ class FrictionSolver::Area {
                                              bodies.step_x, bodies.step_y}),
           contact_(crop(task.bound), crop(task.rigid.x), crop(task.rigid.y)),
           compliance_(compliance_of(bodies_, contact_)),
-          newton_(*compliance_, contact_, task.forces) {}
+          flow_(flow_law(task)),
+          newton_(*compliance_, contact_, task.forces, flow_ ? &*flow_ : nullptr) {}
 
     std::size_t elements() const { return contact_.size(); }
 
@@ -127,6 +130,16 @@ class FrictionSolver::Area {
     }
 
    private:
+    std::optional<FlowLaw> flow_law(const FrictionTask& task) const {
+        if (task.flow == nullptr) return {};
+        FlowLaw law{task.flow->first, task.flow->hardening, task.flow->least, Values(contact_.size()), {}};
+        if (bodies_.increment != nullptr)
+            law.upstream.emplace(bodies_.grid, bodies_.step_x, bodies_.step_y, contact_.elements);
+        else
+            contact_.gather(crop(task.flow->before), law.before);
+        return law;
+    }
+
     Values crop(std::span<const double> whole) const {
         return is_whole_ ? Values(whole.begin(), whole.end()) : restriction_.crop(whole);
     }
@@ -138,6 +151,7 @@ class FrictionSolver::Area {
     const FrictionBodies bodies_;
     Contact contact_;
     const std::unique_ptr<Compliance> compliance_;
+    const std::optional<FlowLaw> flow_;
     FrictionNewton newton_;
 };
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "contact/newton/force_border.hpp"
 #include "contact/rolling/friction_bodies.hpp"
@@ -13,6 +14,12 @@
 
 namespace contactd {
 
+/// A layer that hardens or softens as it flows, on the grid (FlowLaw).
+struct FlowTask {
+    double first = 0, hardening = 0, least = 0;
+    std::vector<double> before;  ///< yield stress of the particles before the step; of steady rolling empty
+};
+
 struct FrictionTask {
     std::span<const double> bound;
     const Field& rigid;                 ///< w (mm), without what the forces make of it
@@ -21,6 +28,7 @@ struct FrictionTask {
     const Field& estimate;              ///< of the tractions; zero is none
     SolverSettings settings;
     bool estimate_is_good = false;  ///< is not left for tractions of a coarser grid
+    const FlowTask* flow = nullptr;
 };
 
 struct FrictionSolution : RollingSolution {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "boundary_elements.hpp"
@@ -15,8 +16,10 @@
 #include "curved_strips.hpp"
 #include "discretisation.hpp"
 #include "layer_resolution.hpp"
-#include "operators/thin_sheet.hpp"
+#include "operators/sheets/sheet_step.hpp"
+#include "operators/sheets/thin_sheet.hpp"
 #include "types/number_text.hpp"
+#include "uniqueness.hpp"
 
 namespace contactd {
 namespace {
@@ -41,8 +44,9 @@ void count_elements(const ContactProblem& problem, ContactSolution& solution) {
     for (const ElementState state : solution.element_division) {
         if (state == ElementState::adhesion) ++solution.elements.adhesion;
         if (state == ElementState::slip) ++solution.elements.slip;
+        if (state == ElementState::flow) ++solution.elements.flow;
     }
-    solution.elements.contact = solution.elements.adhesion + solution.elements.slip;
+    solution.elements.contact = solution.elements.adhesion + solution.elements.slip + solution.elements.flow;
     solution.elements.border = border_elements(problem.grid, solution.pressure);
     if (solution.elements.border > 0)  // takes a look at sections
         solution.elements.border = border_elements(problem.grid, solution.pressure, border_rows(problem));
@@ -61,6 +65,7 @@ void sum_up(const ContactSetup& setup, ContactSolution& solution) {
     solution.area.contact = solution.elements.contact * area;
     solution.area.adhesion = solution.elements.adhesion * area;
     solution.area.slip = solution.elements.slip * area;
+    solution.area.flow = solution.elements.flow * area;
 }
 
 void find_displacements(const ContactProblem& problem, const InfluenceOperator& influence, ContactSolution& solution) {
@@ -91,18 +96,34 @@ void take_friction_losses(const ContactProblem& problem, ContactSolution& soluti
     if (!solution.motion) return;
     double work = 0;
     for (std::size_t i = 0; i < solution.slip_x.size(); ++i)
-        if (solution.element_division[i] == ElementState::slip)
+        if (solution.element_division[i] > ElementState::adhesion)
             work -= solution.slip_x[i] * solution.traction_x[i] + solution.slip_y[i] * solution.traction_y[i];
     work *= problem.grid.element_area();
+    double plastic = 0, largest_flow = 0;
+    for (std::size_t i = 0; i < solution.flow_x.size(); ++i) {
+        plastic += solution.flow_x[i] * solution.traction_x[i] + solution.flow_y[i] * solution.traction_y[i];
+        largest_flow = std::max(largest_flow, std::hypot(solution.flow_x[i], solution.flow_y[i]));
+    }
+    plastic *= problem.grid.element_area();
+    work += plastic;
+    const bool yields = !solution.flow_x.empty();
     const auto* rolling = std::get_if<Rolling>(&*solution.motion);
     if (rolling == nullptr) {
         solution.frictional_work = work;
+        if (yields) {
+            solution.plastic_work = plastic;
+            solution.largest_flow = largest_flow;
+        }
         return;
     }
     const double dq = step_length(*rolling, problem.grid);
-    for (auto* slip : {&solution.slip_x, &solution.slip_y})
+    for (auto* slip : {&solution.slip_x, &solution.slip_y, &solution.flow_x, &solution.flow_y})
         for (double& s : *slip) s /= dq;
     solution.frictional_power = work / dq * rolling->velocity;
+    if (yields) {
+        solution.plastic_power = plastic / dq * rolling->velocity;
+        solution.largest_flow = largest_flow / dq;
+    }
 }
 
 /// Returns the slip velocity of the last step (mm/s); its slip is relative already where it rolls.
@@ -217,6 +238,18 @@ void warn(const ContactProblem& problem, ContactSolution& solution) {
                                 "solution is that of bodies cut off there.");
 }
 
+/// The layer of a third body shears as a sheet does.
+void add_sheets(const ContactProblem& problem, ContactInfluence& bodies) {
+    const bool sheared = problem.friction && problem.friction->layer;
+    const SheetFlexibility sheets{problem.sheet_flexibility, sheared ? problem.friction->layer->flexibility : 0};
+    if (sheets.normal > 0 || sheets.tangential > 0)
+        bodies.current = std::make_shared<const ThinSheet>(std::move(bodies.current), sheets);
+    if (!(sheets.tangential > 0) || !bodies.increment) return;
+    const auto [x, y] = step_of(problem);
+    bodies.increment =
+        std::make_shared<const SheetStep>(std::move(bodies.increment), problem.grid, x, y, sheets.tangential);
+}
+
 }  // namespace
 
 ContactSolution solve_contact(const ContactProblem& problem, const ContactInfluence& influence, Observer& observer) {
@@ -233,8 +266,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactInflue
                                           std::to_string(influence.current->size()));
     require_layers_resolved(problem);
     ContactInfluence bodies = influence;
-    if (problem.sheet_flexibility > 0)
-        bodies.current = std::make_shared<const ThinSheet>(influence.current, problem.sheet_flexibility);
+    add_sheets(problem, bodies);
     ContactSolution solution = solve_boundary_elements(problem, bodies, observer);
     count_elements(problem, solution);
     sum_up(problem, solution);
@@ -242,6 +274,8 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactInflue
     find_displacements(problem, *bodies.current, solution);
     solution.evidence.discretisation = discretisation(problem, solution, problem.friction && bodies.current->coupled());
     warn(problem, solution);
+    for (std::string& warning : friction_warnings(problem, *bodies.current, solution))
+        solution.warnings.push_back(std::move(warning));
     solution.warnings.insert(solution.warnings.end(), influence.warnings.begin(), influence.warnings.end());
     return solution;
 }

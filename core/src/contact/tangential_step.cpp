@@ -93,7 +93,9 @@ void TangentialStep::add_coupling(std::span<const double> pressure, Field& rigid
 }
 
 RollingSolution TangentialStep::solve(std::span<const double> pressure, std::span<const double> bound,
-                                      const Field& estimate, const SolverSettings& settings, Observer& observer) {
+                                      const Field& estimate, const SolverSettings& settings, const FlowTask* flow,
+                                      Observer& observer) {
+    flow_ = flow;
     Field rest = history_;
     add_coupling(pressure, rest);
     solver_used_ = TangentialSolver::newton;
@@ -110,11 +112,11 @@ RollingSolution TangentialStep::solve_for_motion(const Field& rest, std::span<co
                                                  Observer& observer) {
     Field rigid = rigid_slip();
     add(rigid, rest);
-    FrictionTask task{bound, rigid, {}, Pair::Zero(), estimate, settings, estimate_is_good_};
+    FrictionTask task{bound, rigid, {}, Pair::Zero(), estimate, settings, estimate_is_good_, flow_};
     if (asks_tang_cg()) return solve_with(task, observer);
     const FrictionSolution found = solver_.solve(task, observer);
     const int left = settings.max_iterations - found.evidence.iterations;
-    if (found.evidence.converged || left <= 0) return found;
+    if (found.evidence.converged || left <= 0 || flow_ != nullptr) return found;
     if (is_steady()) return march_to_steady_state(friction_bodies(problem_, influence_), task, found, observer);
     task.settings.max_iterations = left;
     RollingSolution other = solve_with(task, observer);
@@ -143,10 +145,12 @@ void TangentialStep::add_free_slip(std::span<const double> pressure, std::span<c
     }
 }
 
-// By TangCG, from where Newton's method starts; steady rolling, whose operator is not symmetric, by Newton's method.
+// By TangCG, from where Newton's method starts; steady rolling, whose operator is not symmetric, and layers that harden
+// by Newton's method.
 RollingSolution TangentialStep::solve_with(const FrictionTask& task, Observer& observer) {
     const std::span<const double> bound = task.bound;
     const Field& rigid = task.rigid;
+    if (flow_ != nullptr) return FrictionSolver(friction_bodies(problem_, influence_)).solve(task, observer);
     if (is_steady()) {
         std::span<const double> x, y;
         if (any(task.estimate)) {

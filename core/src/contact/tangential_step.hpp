@@ -19,6 +19,8 @@ namespace contactd {
 struct Tractions {
     std::vector<double> pressure;
     Field tangential;
+    /// Of a layer that yields (N/mm^2) and of kinetic friction, at the end of the step; else empty.
+    std::vector<double> yield_stress{}, friction_coefficient{};
 };
 
 /// Whether one or both components of the force are given.
@@ -39,8 +41,9 @@ class TangentialStep {
     /// Tractions and slip for a pressure and the bounds that friction makes of it. `estimate` is where to start; solves
     /// of a step that follow the first know what that has learnt. Forces are met to the larger one of the tolerances of
     /// `settings` and of the problem's outer settings.
+    /// `flow` is that of a layer that hardens, or null.
     RollingSolution solve(std::span<const double> pressure, std::span<const double> bound, const Field& estimate,
-                          const SolverSettings& settings, Observer& observer);
+                          const SolverSettings& settings, const FlowTask* flow, Observer& observer);
 
     /// Returns the motion of the request, completed by what prescribed forces found.
     const Motion& motion() const { return motion_; }
@@ -80,6 +83,7 @@ class TangentialStep {
     Field history_;  // what slip owes to the step before
     std::optional<SolverEvidence> force_evidence_;
     FrictionSolver solver_;
+    const FlowTask* flow_ = nullptr;  // of the present solve
     TangentialSolver solver_used_ = TangentialSolver::newton;
     double slip_scale_ = 0;  // of the first solve of this step
     bool is_first_ = true;   // solve of this step

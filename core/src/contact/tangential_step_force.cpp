@@ -88,7 +88,7 @@ FrictionSolution TangentialStep::solve_at_once(const PrescribedForces& forces, c
     const ForcesGiven given{{forces.Fx.has_value(), forces.Fy.has_value()},
                             Pair(forces.Fx.value_or(0), forces.Fy.value_or(0)) / problem_.grid.element_area(),
                             is_loose ? std::max(tolerance, settings.tolerance) : tolerance};
-    solution = solver_.solve({bound, rigid, given, start, estimate, settings, estimate_is_good_}, observer);
+    solution = solver_.solve({bound, rigid, given, start, estimate, settings, estimate_is_good_, flow_}, observer);
     motion_ = asked;
     if (!solution.evidence.converged) return solution;
     motion_ = with_translation(motion_, (known + solution.uniform) / unit_);
@@ -112,7 +112,7 @@ RollingSolution TangentialStep::search(const PrescribedForces& forces, const Fie
         SilentObserver silent(observer);
         SolverSettings one = problem_.settings.tangential;
         if (tolerance > problem_.settings.outer.tolerance) one.tolerance = std::max(one.tolerance, tolerance);
-        solution = solve_with({bound, rigid, {}, Pair::Zero(), *start, one, start == &last}, silent);
+        solution = solve_with({bound, rigid, {}, Pair::Zero(), *start, one, start == &last, flow_}, silent);
         last.x = solution.traction_x;
         last.y = solution.traction_y;
         start = &last;

@@ -108,6 +108,8 @@ class Differences {
     bool by_creepages(WheelRailDerivatives::ByVelocity& derivatives) {
         if (!fine_.friction) return true;  // nothing feels the motion
         if (state_.motion != WheelRailMotion::steady_rolling) return false;
+        const std::optional<InterfacialLayer>& layer = fine_.friction->layer;
+        if (layer && layer->yields()) return false;
         if (fine_.friction->kinetic || fine_.rigid_slip != RigidSlipKind::plane || fine_.conformal != Conformal::off)
             return false;
         wheel_.set_velocity(state_.velocity);

@@ -69,6 +69,13 @@ RightWheel::RightWheel(const WheelRailSetup& setup, const geometry::Profiles& pr
     if (state_.motion != WheelRailMotion::steady_rolling && setup_.model != Model::full)
         throw InvalidArgument("state.motion",
                               "is not steady_rolling; simplified models know no other, take model full");
+    // What particles carry beside their tractions is not kept on the rail.
+    const bool carries = setup_.friction && ((setup_.friction->layer && setup_.friction->layer->hardens()) ||
+                                             (setup_.friction->kinetic && setup_.friction->kinetic->memory));
+    if (state_.motion != WheelRailMotion::steady_rolling && carries)
+        throw InvalidArgument("state.motion",
+                              "is not steady_rolling, and friction.kinetic.memory or friction.layer.hardening travel "
+                              "with the particles, which transient steps of a wheel do not carry yet");
 }
 
 WheelRailSolution RightWheel::solve(Observer& observer) {

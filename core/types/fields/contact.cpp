@@ -10,18 +10,19 @@ namespace {
 // A member that the schema does not declare makes the number of these names wrong.
 [[maybe_unused]] void all_of(const ContactSolution& all) {
     [[maybe_unused]] const auto& [approach_, forces_, resultant_, pmax_, area_, elements_, element_division_, pressure_,
-                                  traction_x_, traction_y_, slip_x_, slip_y_, displacement_x_, displacement_y_,
-                                  displacement_z_, elastic_energy_, frictional_work_, frictional_power_, motion_,
-                                  derivatives_, warnings_, evidence_] = all;
+                                  traction_x_, traction_y_, slip_x_, slip_y_, flow_x_, flow_y_, yield_stress_,
+                                  friction_coefficient_, displacement_x_, displacement_y_, displacement_z_,
+                                  elastic_energy_, frictional_work_, frictional_power_, plastic_work_, plastic_power_,
+                                  largest_flow_, motion_, derivatives_, warnings_, evidence_] = all;
 }
 [[maybe_unused]] void all_of(const Forces& all) {
     [[maybe_unused]] const auto& [Fn_, Fx_, Fy_, Mz_] = all;
 }
 [[maybe_unused]] void all_of(const Areas& all) {
-    [[maybe_unused]] const auto& [contact_, adhesion_, slip_] = all;
+    [[maybe_unused]] const auto& [contact_, adhesion_, slip_, flow_] = all;
 }
 [[maybe_unused]] void all_of(const Counts& all) {
-    [[maybe_unused]] const auto& [contact_, adhesion_, slip_, border_] = all;
+    [[maybe_unused]] const auto& [contact_, adhesion_, slip_, flow_, border_] = all;
 }
 [[maybe_unused]] void all_of(const ContactEvidence& all) {
     [[maybe_unused]] const auto& [normal_, tangential_, outer_, force_, discretisation_, derivatives_,
@@ -77,12 +78,19 @@ const FieldType& type_of<ContactSolution>() {
         fields::custom_field<&ContactSolution::traction_y>("traction_y"),
         fields::custom_field<&ContactSolution::slip_x>("slip_x"),
         fields::custom_field<&ContactSolution::slip_y>("slip_y"),
+        fields::custom_field<&ContactSolution::flow_x>("flow_x"),
+        fields::custom_field<&ContactSolution::flow_y>("flow_y"),
+        fields::custom_field<&ContactSolution::yield_stress>("yield_stress"),
+        fields::custom_field<&ContactSolution::friction_coefficient>("friction_coefficient"),
         fields::custom_field<&ContactSolution::displacement_x>("displacement_x"),
         fields::custom_field<&ContactSolution::displacement_y>("displacement_y"),
         fields::custom_field<&ContactSolution::displacement_z>("displacement_z"),
         fields::field<&ContactSolution::elastic_energy>("elastic_energy", {.unit = "N mm"}),
         fields::field<&ContactSolution::frictional_work>("frictional_work", {.unit = "N mm"}),
         fields::field<&ContactSolution::frictional_power>("frictional_power", {.unit = "N mm/s"}),
+        fields::field<&ContactSolution::plastic_work>("plastic_work", {.unit = "N mm"}),
+        fields::field<&ContactSolution::plastic_power>("plastic_power", {.unit = "N mm/s"}),
+        fields::field<&ContactSolution::largest_flow>("largest_flow", {.bounds = {.least = 0}}),
         fields::custom_field<&ContactSolution::motion>("motion"),
         fields::field<&ContactSolution::derivatives>("derivatives"),
         fields::field<&ContactSolution::warnings>("warnings", {.required = true}),
@@ -110,6 +118,7 @@ const FieldType& type_of<Areas>() {
         fields::field<&Areas::contact>("contact", {.bounds = {.least = 0}, .unit = "mm^2", .required = true}),
         fields::field<&Areas::adhesion>("adhesion", {.bounds = {.least = 0}, .unit = "mm^2", .required = true}),
         fields::field<&Areas::slip>("slip", {.bounds = {.least = 0}, .unit = "mm^2", .required = true}),
+        fields::field<&Areas::flow>("flow", {.bounds = {.least = 0}, .unit = "mm^2"}),
     });
     static const FieldType type = fields::object_type(list);
     return type;
@@ -121,6 +130,7 @@ const FieldType& type_of<Counts>() {
         fields::field<&Counts::contact>("contact", {.bounds = {.least = 0}, .required = true}),
         fields::field<&Counts::adhesion>("adhesion", {.bounds = {.least = 0}, .required = true}),
         fields::field<&Counts::slip>("slip", {.bounds = {.least = 0}, .required = true}),
+        fields::field<&Counts::flow>("flow", {.bounds = {.least = 0}}),
         fields::field<&Counts::border>("border", {.bounds = {.least = 0}, .required = true}),
     });
     static const FieldType type = fields::object_type(list);

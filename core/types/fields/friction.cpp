@@ -9,7 +9,16 @@ namespace {
 
 // A member that the schema does not declare makes the number of these names wrong.
 [[maybe_unused]] void all_of(const KineticFriction& all) {
-    [[maybe_unused]] const auto& [law_, mu_, slip_velocity_, start_] = all;
+    [[maybe_unused]] const auto& [law_, mu_, slip_velocity_, start_, second_, memory_] = all;
+}
+[[maybe_unused]] void all_of(const SecondTerm& all) {
+    [[maybe_unused]] const auto& [fall_, slip_velocity_] = all;
+}
+[[maybe_unused]] void all_of(const FrictionMemory& all) {
+    [[maybe_unused]] const auto& [distance_, least_velocity_] = all;
+}
+[[maybe_unused]] void all_of(const InterfacialLayer& all) {
+    [[maybe_unused]] const auto& [flexibility_, yield_stress_, hardening_, residual_] = all;
 }
 [[maybe_unused]] void all_of(const RigidShift& all) {
     [[maybe_unused]] const auto& [x_, y_] = all;
@@ -35,6 +44,50 @@ const FieldType& type_of<KineticFriction>() {
             "slip_velocity",
             {.bounds = {.least = 0, .most = 1e+12, .least_excluded = true}, .unit = "mm/s", .required = true}),
         fields::field<&KineticFriction::start>("start"),
+        fields::field<&KineticFriction::second>("second"),
+        fields::field<&KineticFriction::memory>("memory"),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<SecondTerm>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&SecondTerm::fall>("fall", {.bounds = {.least = 0, .most = 1000}, .required = true}),
+        fields::field<&SecondTerm::slip_velocity>(
+            "slip_velocity",
+            {.bounds = {.least = 0, .most = 1e+12, .least_excluded = true}, .unit = "mm/s", .required = true}),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<FrictionMemory>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&FrictionMemory::distance>(
+            "distance",
+            {.bounds = {.least = 0, .most = 1e+12, .least_excluded = true}, .unit = "mm", .required = true}),
+        fields::field<&FrictionMemory::least_velocity>(
+            "least_velocity", {.bounds = {.least = 0, .most = 1e+12}, .unit = "mm/s", .required = true}),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<InterfacialLayer>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&InterfacialLayer::flexibility>("flexibility",
+                                                      {.bounds = {.least = 0, .most = 1e+06}, .unit = "mm^3/N"}),
+        fields::field<&InterfacialLayer::yield_stress>("yield_stress",
+                                                       {.bounds = {.least = 0, .most = 1e+12, .least_excluded = true},
+                                                        .none = std::numeric_limits<double>::infinity(),
+                                                        .unit = "N/mm^2"}),
+        fields::field<&InterfacialLayer::hardening>("hardening",
+                                                    {.bounds = {.least = -1e+12, .most = 1e+12}, .unit = "N/mm^3"}),
+        fields::field<&InterfacialLayer::residual>("residual", {.bounds = {.least = 0, .most = 1}}),
     });
     static const FieldType type = fields::object_type(list);
     return type;

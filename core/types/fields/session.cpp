@@ -23,6 +23,7 @@ const FieldType& type_of<FrictionFields<ContactProblem>>() {
         fields::field_as<ContactProblem, &ContactProblem::friction, &FrictionLaw::mu>(
             "mu", &custom_type<ElementwiseCoefficient>, {.bounds = {.least = 0, .most = 1000}, .required = true}),
         fields::field_along<ContactProblem, &ContactProblem::friction, &FrictionLaw::kinetic>("kinetic"),
+        fields::field_along<ContactProblem, &ContactProblem::friction, &FrictionLaw::layer>("layer"),
         fields::field_along<ContactProblem, &ContactProblem::motion, fields::alternative<Shift>, &Shift::rigid_shift>(
             "rigid_shift"),
         fields::field_along<ContactProblem, &ContactProblem::motion, fields::alternative<Shift>, &Shift::rotation>(
@@ -44,6 +45,7 @@ const FieldType& type_of<FrictionFields<StepInput>>() {
         fields::field_as<StepInput, &StepInput::friction, &FrictionLaw::mu>(
             "mu", &custom_type<ElementwiseCoefficient>, {.bounds = {.least = 0, .most = 1000}, .required = true}),
         fields::field_along<StepInput, &StepInput::friction, &FrictionLaw::kinetic>("kinetic"),
+        fields::field_along<StepInput, &StepInput::friction, &FrictionLaw::layer>("layer"),
         fields::field_along<StepInput, &StepInput::motion, fields::alternative<Shift>, &Shift::rigid_shift>(
             "rigid_shift"),
         fields::field_along<StepInput, &StepInput::motion, fields::alternative<Shift>, &Shift::rotation>(

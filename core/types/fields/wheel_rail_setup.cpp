@@ -9,7 +9,7 @@ namespace {
 
 // A member that the schema does not declare makes the number of these names wrong.
 [[maybe_unused]] void all_of(const WheelRailFriction& all) {
-    [[maybe_unused]] const auto& [mu_, along_profile_, kinetic_] = all;
+    [[maybe_unused]] const auto& [mu_, along_profile_, kinetic_, layer_] = all;
 }
 [[maybe_unused]] void all_of(const FrictionAtAngle& all) {
     [[maybe_unused]] const auto& [angle_, mu_] = all;
@@ -47,6 +47,7 @@ const FieldType& type_of<WheelRailFriction>() {
         fields::field<&WheelRailFriction::mu>("mu"),
         fields::field<&WheelRailFriction::along_profile>("along_profile"),
         fields::field<&WheelRailFriction::kinetic>("kinetic"),
+        fields::field<&WheelRailFriction::layer>("layer"),
     });
     static const FieldType type = fields::object_type(list);
     return type;

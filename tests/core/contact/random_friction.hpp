@@ -176,6 +176,7 @@ inline std::string friction_faults(const RandomFriction& problem, const Friction
             case ElementState::adhesion:
                 if (!(std::hypot(sx, sy) <= unit)) return where + "adhesion slips";
                 break;
+            case ElementState::flow:  // there is no layer
             case ElementState::slip:
                 if (!(p >= g * (1 - 1e-9))) return where + "slip below the bound";
                 if (!(std::abs(sx * py[i] - sy * px[i]) <= g * unit))

@@ -1,5 +1,5 @@
 // A thin sheet between the bodies: what it adds to their displacements, and contacts in which it is little or all.
-#include "operators/thin_sheet.hpp"
+#include "operators/sheets/thin_sheet.hpp"
 
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
@@ -47,7 +47,7 @@ TEST_CASE("a thin sheet adds its flexibility to each element, on boxes and coars
     const ContactProblem problem = ball(24, 6);
     const auto bodies = influence_of(problem).current;
     constexpr double flexibility = 3e-5;
-    const ThinSheet sheet(bodies, flexibility);
+    const ThinSheet sheet(bodies, {flexibility, 0});
     const auto adds = [&](const InfluenceOperator& with, const InfluenceOperator& without) {
         Values p(with.size(), 0.0), u(p.size()), plain(p.size());
         for (std::size_t i = 0; i < p.size(); ++i) p[i] = std::sin(1.0 + static_cast<double>(i));
@@ -66,7 +66,7 @@ TEST_CASE("a thin sheet adds its flexibility to each element, on boxes and coars
 
 TEST_CASE("the preconditioner of a thin sheet is symmetric and positive definite", "[thin_sheet]") {
     const double flexibility = GENERATE(1e-8, 1e-5, 1e-1);
-    const ThinSheet sheet(influence_of(ball(16, 4)).current, flexibility);
+    const ThinSheet sheet(influence_of(ball(16, 4)).current, {flexibility, 0});
     std::mt19937 dice(5);
     std::normal_distribution<double> normal;
     Values a(sheet.size()), b(sheet.size()), za(sheet.size()), zb(sheet.size());

@@ -196,6 +196,17 @@
 #define CONTACTD_PATH_FRICTION_KINETIC_MU "friction.kinetic.mu"
 #define CONTACTD_PATH_FRICTION_KINETIC_SLIP_VELOCITY "friction.kinetic.slip_velocity" /* mm/s */
 #define CONTACTD_PATH_FRICTION_KINETIC_START "friction.kinetic.start"
+#define CONTACTD_PATH_FRICTION_KINETIC_SECOND "friction.kinetic.second"
+#define CONTACTD_PATH_FRICTION_KINETIC_SECOND_FALL "friction.kinetic.second.fall"
+#define CONTACTD_PATH_FRICTION_KINETIC_SECOND_SLIP_VELOCITY "friction.kinetic.second.slip_velocity" /* mm/s */
+#define CONTACTD_PATH_FRICTION_KINETIC_MEMORY "friction.kinetic.memory"
+#define CONTACTD_PATH_FRICTION_KINETIC_MEMORY_DISTANCE "friction.kinetic.memory.distance"             /* mm */
+#define CONTACTD_PATH_FRICTION_KINETIC_MEMORY_LEAST_VELOCITY "friction.kinetic.memory.least_velocity" /* mm/s */
+#define CONTACTD_PATH_FRICTION_LAYER "friction.layer"
+#define CONTACTD_PATH_FRICTION_LAYER_FLEXIBILITY "friction.layer.flexibility"   /* mm^3/N */
+#define CONTACTD_PATH_FRICTION_LAYER_YIELD_STRESS "friction.layer.yield_stress" /* N/mm^2 */
+#define CONTACTD_PATH_FRICTION_LAYER_HARDENING "friction.layer.hardening"       /* N/mm^3 */
+#define CONTACTD_PATH_FRICTION_LAYER_RESIDUAL "friction.layer.residual"
 #define CONTACTD_PATH_FRICTION_RIGID_SHIFT "friction.rigid_shift"
 #define CONTACTD_PATH_FRICTION_RIGID_SHIFT_X "friction.rigid_shift.x"
 #define CONTACTD_PATH_FRICTION_RIGID_SHIFT_Y "friction.rigid_shift.y"
@@ -224,6 +235,8 @@
 #define CONTACTD_PATH_PREVIOUS_PRESSURE "previous.pressure"
 #define CONTACTD_PATH_PREVIOUS_TRACTION_X "previous.traction_x"
 #define CONTACTD_PATH_PREVIOUS_TRACTION_Y "previous.traction_y"
+#define CONTACTD_PATH_PREVIOUS_YIELD_STRESS "previous.yield_stress"
+#define CONTACTD_PATH_PREVIOUS_FRICTION_COEFFICIENT "previous.friction_coefficient"
 #define CONTACTD_PATH_COLUMNS "columns"
 #define CONTACTD_PATH_COLUMNS_FRAMES "columns.frames"
 #define CONTACTD_PATH_COLUMNS_DIRECTION "columns.direction" /* rad */
@@ -265,10 +278,12 @@
 #define CONTACTD_PATH_AREA_CONTACT "area.contact"   /* mm^2 */
 #define CONTACTD_PATH_AREA_ADHESION "area.adhesion" /* mm^2 */
 #define CONTACTD_PATH_AREA_SLIP "area.slip"         /* mm^2 */
+#define CONTACTD_PATH_AREA_FLOW "area.flow"         /* mm^2 */
 #define CONTACTD_PATH_ELEMENTS "elements"
 #define CONTACTD_PATH_ELEMENTS_CONTACT "elements.contact"
 #define CONTACTD_PATH_ELEMENTS_ADHESION "elements.adhesion"
 #define CONTACTD_PATH_ELEMENTS_SLIP "elements.slip"
+#define CONTACTD_PATH_ELEMENTS_FLOW "elements.flow"
 #define CONTACTD_PATH_ELEMENTS_BORDER "elements.border"
 #define CONTACTD_PATH_ELEMENT_DIVISION "element_division"
 #define CONTACTD_PATH_PRESSURE "pressure"
@@ -276,8 +291,15 @@
 #define CONTACTD_PATH_TRACTION_Y "traction_y"
 #define CONTACTD_PATH_SLIP_X "slip_x"
 #define CONTACTD_PATH_SLIP_Y "slip_y"
+#define CONTACTD_PATH_FLOW_X "flow_x"
+#define CONTACTD_PATH_FLOW_Y "flow_y"
+#define CONTACTD_PATH_YIELD_STRESS "yield_stress"
+#define CONTACTD_PATH_FRICTION_COEFFICIENT "friction_coefficient"
 #define CONTACTD_PATH_FRICTIONAL_WORK "frictional_work"   /* N mm */
 #define CONTACTD_PATH_FRICTIONAL_POWER "frictional_power" /* N mm/s */
+#define CONTACTD_PATH_PLASTIC_WORK "plastic_work"         /* N mm */
+#define CONTACTD_PATH_PLASTIC_POWER "plastic_power"       /* N mm/s */
+#define CONTACTD_PATH_LARGEST_FLOW "largest_flow"
 #define CONTACTD_PATH_MOTION "motion"
 #define CONTACTD_PATH_MOTION_RIGID_SHIFT "motion.rigid_shift"
 #define CONTACTD_PATH_MOTION_RIGID_SHIFT_X "motion.rigid_shift.x"
@@ -571,6 +593,19 @@
 #define CONTACTD_PATH_SETUP_FRICTION_KINETIC_MU "setup.friction.kinetic.mu"
 #define CONTACTD_PATH_SETUP_FRICTION_KINETIC_SLIP_VELOCITY "setup.friction.kinetic.slip_velocity" /* mm/s */
 #define CONTACTD_PATH_SETUP_FRICTION_KINETIC_START "setup.friction.kinetic.start"
+#define CONTACTD_PATH_SETUP_FRICTION_KINETIC_SECOND "setup.friction.kinetic.second"
+#define CONTACTD_PATH_SETUP_FRICTION_KINETIC_SECOND_FALL "setup.friction.kinetic.second.fall"
+#define CONTACTD_PATH_SETUP_FRICTION_KINETIC_SECOND_SLIP_VELOCITY \
+    "setup.friction.kinetic.second.slip_velocity" /* mm/s */
+#define CONTACTD_PATH_SETUP_FRICTION_KINETIC_MEMORY "setup.friction.kinetic.memory"
+#define CONTACTD_PATH_SETUP_FRICTION_KINETIC_MEMORY_DISTANCE "setup.friction.kinetic.memory.distance" /* mm */
+#define CONTACTD_PATH_SETUP_FRICTION_KINETIC_MEMORY_LEAST_VELOCITY \
+    "setup.friction.kinetic.memory.least_velocity" /* mm/s */
+#define CONTACTD_PATH_SETUP_FRICTION_LAYER "setup.friction.layer"
+#define CONTACTD_PATH_SETUP_FRICTION_LAYER_FLEXIBILITY "setup.friction.layer.flexibility"   /* mm^3/N */
+#define CONTACTD_PATH_SETUP_FRICTION_LAYER_YIELD_STRESS "setup.friction.layer.yield_stress" /* N/mm^2 */
+#define CONTACTD_PATH_SETUP_FRICTION_LAYER_HARDENING "setup.friction.layer.hardening"       /* N/mm^3 */
+#define CONTACTD_PATH_SETUP_FRICTION_LAYER_RESIDUAL "setup.friction.layer.residual"
 #define CONTACTD_PATH_SETUP_DX "setup.dx" /* mm */
 #define CONTACTD_PATH_SETUP_DY "setup.dy" /* mm */
 #define CONTACTD_PATH_SETUP_DQ "setup.dq" /* mm */
@@ -741,10 +776,12 @@
 #define CONTACTD_PATH_PATCHES_SOLUTION_AREA_CONTACT "patches[%d].solution.area.contact"   /* mm^2 */
 #define CONTACTD_PATH_PATCHES_SOLUTION_AREA_ADHESION "patches[%d].solution.area.adhesion" /* mm^2 */
 #define CONTACTD_PATH_PATCHES_SOLUTION_AREA_SLIP "patches[%d].solution.area.slip"         /* mm^2 */
+#define CONTACTD_PATH_PATCHES_SOLUTION_AREA_FLOW "patches[%d].solution.area.flow"         /* mm^2 */
 #define CONTACTD_PATH_PATCHES_SOLUTION_ELEMENTS "patches[%d].solution.elements"
 #define CONTACTD_PATH_PATCHES_SOLUTION_ELEMENTS_CONTACT "patches[%d].solution.elements.contact"
 #define CONTACTD_PATH_PATCHES_SOLUTION_ELEMENTS_ADHESION "patches[%d].solution.elements.adhesion"
 #define CONTACTD_PATH_PATCHES_SOLUTION_ELEMENTS_SLIP "patches[%d].solution.elements.slip"
+#define CONTACTD_PATH_PATCHES_SOLUTION_ELEMENTS_FLOW "patches[%d].solution.elements.flow"
 #define CONTACTD_PATH_PATCHES_SOLUTION_ELEMENTS_BORDER "patches[%d].solution.elements.border"
 #define CONTACTD_PATH_PATCHES_SOLUTION_ELEMENT_DIVISION "patches[%d].solution.element_division"
 #define CONTACTD_PATH_PATCHES_SOLUTION_PRESSURE "patches[%d].solution.pressure"
@@ -752,12 +789,19 @@
 #define CONTACTD_PATH_PATCHES_SOLUTION_TRACTION_Y "patches[%d].solution.traction_y"
 #define CONTACTD_PATH_PATCHES_SOLUTION_SLIP_X "patches[%d].solution.slip_x"
 #define CONTACTD_PATH_PATCHES_SOLUTION_SLIP_Y "patches[%d].solution.slip_y"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FLOW_X "patches[%d].solution.flow_x"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FLOW_Y "patches[%d].solution.flow_y"
+#define CONTACTD_PATH_PATCHES_SOLUTION_YIELD_STRESS "patches[%d].solution.yield_stress"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FRICTION_COEFFICIENT "patches[%d].solution.friction_coefficient"
 #define CONTACTD_PATH_PATCHES_SOLUTION_DISPLACEMENT_X "patches[%d].solution.displacement_x"
 #define CONTACTD_PATH_PATCHES_SOLUTION_DISPLACEMENT_Y "patches[%d].solution.displacement_y"
 #define CONTACTD_PATH_PATCHES_SOLUTION_DISPLACEMENT_Z "patches[%d].solution.displacement_z"
 #define CONTACTD_PATH_PATCHES_SOLUTION_ELASTIC_ENERGY "patches[%d].solution.elastic_energy"     /* N mm */
 #define CONTACTD_PATH_PATCHES_SOLUTION_FRICTIONAL_WORK "patches[%d].solution.frictional_work"   /* N mm */
 #define CONTACTD_PATH_PATCHES_SOLUTION_FRICTIONAL_POWER "patches[%d].solution.frictional_power" /* N mm/s */
+#define CONTACTD_PATH_PATCHES_SOLUTION_PLASTIC_WORK "patches[%d].solution.plastic_work"         /* N mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_PLASTIC_POWER "patches[%d].solution.plastic_power"       /* N mm/s */
+#define CONTACTD_PATH_PATCHES_SOLUTION_LARGEST_FLOW "patches[%d].solution.largest_flow"
 #define CONTACTD_PATH_PATCHES_SOLUTION_DERIVATIVES "patches[%d].solution.derivatives"
 #define CONTACTD_PATH_PATCHES_SOLUTION_DERIVATIVES_FX "patches[%d].solution.derivatives.Fx"
 #define CONTACTD_PATH_PATCHES_SOLUTION_DERIVATIVES_FX_XI "patches[%d].solution.derivatives.Fx.xi"
@@ -1030,6 +1074,7 @@
 #define CONTACTD_WORD_SLICE_SPLINE_APPROXIMATING "approximating"
 #define CONTACTD_WORD_SLIP_LAW_LINEAR "linear"
 #define CONTACTD_WORD_SLIP_LAW_EXPONENTIAL "exponential"
+#define CONTACTD_WORD_SLIP_LAW_RATIONAL "rational"
 #define CONTACTD_WORD_SLIP_START_ADHESION "adhesion"
 #define CONTACTD_WORD_SLIP_START_FULL_SLIP "full_slip"
 #define CONTACTD_WORD_SOLVER_AUTO "auto"

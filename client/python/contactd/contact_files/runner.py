@@ -193,4 +193,7 @@ class _RailSteps:
 
 def _state_of(result: BasicResult) -> State:
     solution = result.solution
-    return State(result.contact.area.grid, solution.pressure, solution.traction_x, solution.traction_y)
+    return State(
+        result.contact.area.grid, solution.pressure, solution.traction_x, solution.traction_y, solution.yield_stress,
+        solution.friction_coefficient,
+    )  # fmt: skip

@@ -41,6 +41,7 @@ __all__ = [
 
 #: Fields of a ContactProblem that depend on each other on the wire, and fields that a solution may stand for.
 _OF_BODIES = ("upper", "lower", "ics", "upper_ics", "lower_ics")
+_FRICTION_STATE = ("yield_stress", "friction_coefficient")
 _TRACTIONS = ("initial", "previous")
 
 
@@ -94,9 +95,10 @@ def coefficient_params(ics: Ics | TableIcs, grid: Grid) -> dict[str, Any]:
 
 
 def traction_params(tractions: Estimate | ContactSolution, field: str) -> dict[str, Any]:
-    """The arrays of `previous`, `initial` and contact.subsurface that are there; of a solution all must be."""
-    arrays = {one.name: getattr(tractions, one.name) for one in dataclass_fields(Estimate)}
-    missing = [name for name, array in arrays.items() if array is None]
+    """The arrays of `previous`, `initial` and contact.subsurface that are there; of a solution all tractions must be."""
+    names = [one.name for one in dataclass_fields(Estimate) if field == "previous" or one.name not in _FRICTION_STATE]
+    arrays = {name: getattr(tractions, name) for name in names}
+    missing = [name for name, array in arrays.items() if array is None and name not in _FRICTION_STATE]
     if missing and not isinstance(tractions, Estimate):
         raise TypeError(
             f"{field} has no {', '.join(missing)}: name them in `fields` when you ask for it, or make an Estimate, in "

@@ -14,7 +14,28 @@ from ..refusals import public
 from .friction_methods import Force, FrictionMethods
 from .motion import KineticFriction, Rolling
 
-__all__ = ["Friction"]
+__all__ = ["Friction", "InterfacialLayer"]
+
+
+@dataclass(frozen=True)
+class InterfacialLayer:
+    """A layer of a third body between the surfaces, of model full: it shears by flexibility times the traction and,
+    where its yield stress is below what friction bears, flows before the surfaces slip. Normal contact does not know
+    it.
+
+    Attributes:
+        flexibility: Thickness of the layer over its shear modulus, h3/G3 (mm^3/N), >= 0; 0 leaves flow only. Default 0.
+        yield_stress: Shear stress at which a particle yields that has just entered the contact, tau_c0 (N/mm^2), > 0;
+            None, the layer never yields.
+        hardening: Slope k_tau of the yield stress over the accumulated length of the flow of a particle (N/mm^3);
+            negative softens. Default 0.
+        residual: Part of yield_stress that softening leaves (0 to 1). Default 0.1.
+    """
+
+    flexibility: float | None = None
+    yield_stress: float | None = None
+    hardening: float | None = None
+    residual: float | None = None
 
 
 @public
@@ -39,11 +60,15 @@ class Friction(FrictionMethods):
         duration: Duration of a shift (s), > 0: slip velocity = slip / duration; only kinetic friction depends on it.
             Default 1.
         kinetic: Velocity-weakening (falling) friction, by the slip velocity v; None, the coefficient is constant.
-            linear: max(mu_k, mu_s - (mu_s - mu_k) v / v_c); exponential: mu_k + (mu_s - mu_k) exp(-v / v_c).
+            linear: mu_k + m max(0, 1 - v / v_c); rational: mu_k + m / (1 + v / v_c); exponential: mu_k + m exp(-v /
+            v_c), with m = friction.mu - mu_k, less what a second term takes of it.
         rolling: Rolling instead of a shift.
         rigid_slip: Rigid slip (along x, along y) of each element, each of shape [ny, nx], beside that of the motion,
             where the surfaces do not move like a plane: of a shift over the step (mm), of rolling over the distance
             rolled, as creepages are. None: none.
+        layer: A layer of a third body between the surfaces, of model full: it shears by flexibility times the traction
+            and, where its yield stress is below what friction bears, flows before the surfaces slip. Normal contact
+            does not know it.
     """
 
     mu: float | npt.ArrayLike
@@ -54,3 +79,4 @@ class Friction(FrictionMethods):
     kinetic: KineticFriction | None = None
     rolling: Rolling | None = None
     rigid_slip: tuple[npt.ArrayLike, npt.ArrayLike] | None = None
+    layer: InterfacialLayer | None = None

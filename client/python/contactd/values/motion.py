@@ -8,10 +8,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-__all__ = ["KineticFriction", "Rolling", "RollingKind", "Shift", "SlipLaw", "SlipStart"]
+__all__ = ["FrictionMemory", "KineticFriction", "Rolling", "RollingKind", "SecondTerm", "Shift", "SlipLaw", "SlipStart"]
 
 RollingKind = Literal["steady", "transient"]
-SlipLaw = Literal["linear", "exponential"]
+SlipLaw = Literal["linear", "exponential", "rational"]
 SlipStart = Literal["adhesion", "full_slip"]
 
 
@@ -68,9 +68,38 @@ class Shift:
 
 
 @dataclass(frozen=True)
+class SecondTerm:
+    """A second term of the law, of another scale: a part of the fall from the static to the kinetic coefficient with a
+    slip velocity of its own. Of rational the second term is m / (1 + (v / v_c)^2).
+
+    Attributes:
+        fall: Part m of the fall, at most all of it (>= 0).
+        slip_velocity: Slip velocity v_c of this term (mm/s), > 0.
+    """
+
+    fall: float
+    slip_velocity: float
+
+
+@dataclass(frozen=True)
+class FrictionMemory:
+    """Friction with memory: the coefficient of a particle follows the law over a distance that it slips, d mu/dt =
+    -max(v, v_0) / d (mu - mu(v)), from the static one where it enters the contact. None, it follows at once.
+
+    Attributes:
+        distance: Distance d of slip (mm), > 0.
+        least_velocity: Slip velocity v_0 from which on the coefficient follows slower slip, and adhesion (mm/s), >= 0.
+    """
+
+    distance: float
+    least_velocity: float
+
+
+@dataclass(frozen=True)
 class KineticFriction:
-    """Velocity-weakening (falling) friction, by the slip velocity v; None, the coefficient is constant. linear:
-    max(mu_k, mu_s - (mu_s - mu_k) v / v_c); exponential: mu_k + (mu_s - mu_k) exp(-v / v_c).
+    """Velocity-weakening (falling) friction, by the slip velocity v; None, the coefficient is constant. linear: mu_k +
+    m max(0, 1 - v / v_c); rational: mu_k + m / (1 + v / v_c); exponential: mu_k + m exp(-v / v_c), with m = friction.mu
+    - mu_k, less what a second term takes of it.
 
     Attributes:
         mu: Kinetic coefficient mu_k, at most the static one (>= 0).
@@ -79,9 +108,16 @@ class KineticFriction:
         start: Where the iterations begin with which coefficients follow the slip: in adhesion, with the static
             coefficient, or in full slip, with the kinetic one. A law that falls steeply may have several solutions;
             this tells which one is found. Default "adhesion".
+        second: A second term of the law, of another scale: a part of the fall from the static to the kinetic
+            coefficient with a slip velocity of its own. Of rational the second term is m / (1 + (v / v_c)^2).
+        memory: Friction with memory: the coefficient of a particle follows the law over a distance that it slips, d
+            mu/dt = -max(v, v_0) / d (mu - mu(v)), from the static one where it enters the contact. None, it follows at
+            once.
     """
 
     mu: float
     slip_velocity: float
     law: SlipLaw | None = None
     start: SlipStart | None = None
+    second: SecondTerm | None = None
+    memory: FrictionMemory | None = None

@@ -39,11 +39,15 @@ class Estimate:
         pressure: Pressure, >= 0, shape [ny, nx] (N/mm^2); None: zero.
         traction_x: Traction along x, shape [ny, nx] (N/mm^2); None: zero.
         traction_y: Traction along y, shape [ny, nx] (N/mm^2); None: zero.
+        yield_stress: Yield stress of a layer that hardens or softens, shape [ny, nx] (N/mm^2); None: it has not flowed.
+        friction_coefficient: Coefficient of friction with memory, shape [ny, nx]; None: the static one.
     """
 
     pressure: Array | None = None
     traction_x: Array | None = None
     traction_y: Array | None = None
+    yield_stress: Array | None = None
+    friction_coefficient: Array | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,7 +96,8 @@ class ContactProblem(ProblemMethods, Saved):
             contact. fastsim: Hertzian contact and Kalker's simplified theory of rolling. The simplified models (hertz,
             fastsim) need a paraboloid or semi-axes, and of ics take line_contact only. Default "full".
         previous: The tractions at the end of the step before, where a shift or transient rolling starts; what is None
-            is zero.
+            is zero. Also the state of friction: yield stresses of a layer, coefficients with memory; what is None is
+            that of surfaces that have just met.
         outer: Stopping criterion of the outer (Panagiotopoulos) iterations around these, which dissimilar bodies,
             kinetic friction and prescribed tangential forces need; its iterations are at most 100 unless given.
         upper_ics: The same as `ics`, of the upper body alone, where it is not that; a table is of this body then.

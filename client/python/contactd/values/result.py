@@ -18,7 +18,7 @@ from .solution_methods import Bytes, Floats, SolutionMethods
 
 __all__ = ["Areas", "Counts", "Derivatives", "DerivativesOfAnswer", "Field", "Forces", "Resultant", "Solution"]
 
-Field = Literal["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y", "displacement_x", "displacement_y", "displacement_z"]
+Field = Literal["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y", "displacement_x", "displacement_y", "displacement_z", "flow_x", "flow_y", "yield_stress", "friction_coefficient"]
 
 
 @dataclass(frozen=True)
@@ -89,34 +89,38 @@ class Resultant:
 
 @dataclass(frozen=True)
 class Areas:
-    """Areas (mm^2): contact = adhesion + slip; without friction all contact counts as slip.
+    """Areas (mm^2): contact = adhesion + slip + flow; without friction all contact counts as slip.
 
     Attributes:
         contact: Area of contact (mm^2).
         adhesion: Area of adhesion (mm^2).
         slip: Area of slip (mm^2).
+        flow: Area where a layer flows (mm^2). Default 0.
     """
 
     contact: float
     adhesion: float
     slip: float
+    flow: float | None = None
 
 
 @dataclass(frozen=True)
 class Counts:
-    """Numbers of elements: contact = adhesion + slip; without friction all contact counts as slip.
+    """Numbers of elements: contact = adhesion + slip + flow; without friction all contact counts as slip.
 
     Attributes:
         contact: Elements in contact.
         adhesion: Elements in adhesion.
         slip: Elements in slip.
         border: Elements in contact at the border of the potential contact area; any are a reason for a warning.
+        flow: Elements where a layer flows. Default 0.
     """
 
     contact: int
     adhesion: int
     slip: int
     border: int
+    flow: int | None = None
 
 
 @dataclass(frozen=True)
@@ -151,9 +155,9 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
             along the direction of approach, of tractions what is along x and across both, and their moment about that
             direction.
         pmax: Largest pressure (N/mm^2).
-        area: Areas (mm^2): contact = adhesion + slip; without friction all contact counts as slip.
-        elements: Numbers of elements: contact = adhesion + slip; without friction all contact counts as slip.
-        element_division: Bytes, shape [ny, nx]: 0 exterior, 1 adhesion, 2 slip.
+        area: Areas (mm^2): contact = adhesion + slip + flow; without friction all contact counts as slip.
+        elements: Numbers of elements: contact = adhesion + slip + flow; without friction all contact counts as slip.
+        element_division: Bytes, shape [ny, nx]: 0 exterior, 1 adhesion, 2 slip, 3 flow of a layer.
         pressure: Pressure, shape [ny, nx] (N/mm^2), zero or positive.
         traction_x: Traction along x on the upper body, shape [ny, nx] (N/mm^2).
         traction_y: Traction along y on the upper body, shape [ny, nx] (N/mm^2).
@@ -165,6 +169,12 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
         slip_x: Slip of the upper body over the lower along x, with friction, shape [ny, nx]: in a shift the distance
             over the step (mm), in rolling the relative slip, per distance rolled. Zero outside of the contact.
         slip_y: Slip of the upper body over the lower along y, with friction, as slip_x.
+        flow_x: Plastic flow of a layer along x, in the direction of the tractions on the upper body, where a layer
+            yields, shape [ny, nx]: over the step (mm), in rolling per distance rolled. Slip is without it.
+        flow_y: Plastic flow of a layer along y, as flow_x.
+        yield_stress: Yield stress of a layer that hardens or softens, behind its flow, shape [ny, nx] (N/mm^2); outside
+            of the contact that of a particle that enters.
+        friction_coefficient: Coefficient of kinetic friction, shape [ny, nx]; outside of the contact the static one.
         displacement_x: Displacement of the upper body's surface along x less that of the lower one's, under the
             tractions, shape [ny, nx] (mm); where asked for.
         displacement_y: The same along y.
@@ -173,6 +183,10 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
             displacements.
         frictional_work: Energy that friction dissipates in a shift (N mm).
         frictional_power: Power that friction dissipates in rolling (N mm/s).
+        plastic_work: What of frictional_work the flow of a layer dissipates (N mm).
+        plastic_power: What of frictional_power the flow of a layer dissipates (N mm/s).
+        largest_flow: Largest length of the flow of a layer, as flow_x: over the step (mm), in rolling per distance
+            rolled.
         motion: Motion as requested, with friction, and as found where a force is prescribed: of a shift rigid_shift,
             rotation and duration; else as rolling of the request. force as in the request.
         derivatives: Derivatives of the forces by the inputs, where they were requested and the solution has converged
@@ -199,12 +213,19 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
     resultant: Resultant | None = None
     slip_x: Array | None = None
     slip_y: Array | None = None
+    flow_x: Array | None = None
+    flow_y: Array | None = None
+    yield_stress: Array | None = None
+    friction_coefficient: Array | None = None
     displacement_x: Array | None = None
     displacement_y: Array | None = None
     displacement_z: Array | None = None
     elastic_energy: float | None = None
     frictional_work: float | None = None
     frictional_power: float | None = None
+    plastic_work: float | None = None
+    plastic_power: float | None = None
+    largest_flow: float | None = None
     motion: Shift | Rolling | None = None
     derivatives: Derivatives | None = None
     warnings: tuple[str, ...] = ()

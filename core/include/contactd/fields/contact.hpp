@@ -20,9 +20,9 @@ static_assert(static_cast<int>(ErrorSource::hertz) == 0);
 static_assert(static_cast<int>(ErrorSource::estimate) == 1);
 
 template <>
-inline constexpr auto enum_words<SolutionField> =
-    std::to_array<std::string_view>({"element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y",
-                                     "displacement_x", "displacement_y", "displacement_z"});
+inline constexpr auto enum_words<SolutionField> = std::to_array<std::string_view>(
+    {"element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y", "displacement_x", "displacement_y",
+     "displacement_z", "flow_x", "flow_y", "yield_stress", "friction_coefficient"});
 static_assert(static_cast<int>(SolutionField::element_division) == 0);
 static_assert(static_cast<int>(SolutionField::pressure) == 1);
 static_assert(static_cast<int>(SolutionField::traction_x) == 2);
@@ -32,6 +32,10 @@ static_assert(static_cast<int>(SolutionField::slip_y) == 5);
 static_assert(static_cast<int>(SolutionField::displacement_x) == 6);
 static_assert(static_cast<int>(SolutionField::displacement_y) == 7);
 static_assert(static_cast<int>(SolutionField::displacement_z) == 8);
+static_assert(static_cast<int>(SolutionField::flow_x) == 9);
+static_assert(static_cast<int>(SolutionField::flow_y) == 10);
+static_assert(static_cast<int>(SolutionField::yield_stress) == 11);
+static_assert(static_cast<int>(SolutionField::friction_coefficient) == 12);
 
 template <>
 const FieldType& type_of<ContactProblem>();

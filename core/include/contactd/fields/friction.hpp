@@ -8,9 +8,10 @@
 namespace contactd {
 
 template <>
-inline constexpr auto enum_words<SlipLaw> = std::to_array<std::string_view>({"linear", "exponential"});
+inline constexpr auto enum_words<SlipLaw> = std::to_array<std::string_view>({"linear", "exponential", "rational"});
 static_assert(static_cast<int>(SlipLaw::linear) == 0);
 static_assert(static_cast<int>(SlipLaw::exponential) == 1);
+static_assert(static_cast<int>(SlipLaw::rational) == 2);
 
 template <>
 inline constexpr auto enum_words<SlipStart> = std::to_array<std::string_view>({"adhesion", "full_slip"});
@@ -29,6 +30,12 @@ static_assert(static_cast<int>(MotionKind::rolling) == 1);
 
 template <>
 const FieldType& type_of<KineticFriction>();
+template <>
+const FieldType& type_of<SecondTerm>();
+template <>
+const FieldType& type_of<FrictionMemory>();
+template <>
+const FieldType& type_of<InterfacialLayer>();
 template <>
 const FieldType& type_of<RigidShift>();
 template <>

@@ -38,7 +38,7 @@ void ForceBorder::prepare(Compliance& compliance, const Linearisation& law, int 
         if (!forces_.given[k]) continue;
         std::fill(unit.x.begin(), unit.x.end(), k == 0 ? 1.0 : 0.0);
         std::fill(unit.y.begin(), unit.y.end(), k == 1 ? 1.0 : 0.0);
-        law.project(unit);
+        law.take_rows(unit);
         response_[k] = Field(m_);
         compliance.precondition(unit, response_[k], Compliance::Residual::later, iteration);
         const auto column = static_cast<Eigen::Index>(k);

@@ -26,7 +26,8 @@ std::size_t capacity(std::size_t m) {
 
 }  // namespace
 
-FrictionNewton::FrictionNewton(Compliance& compliance, const Contact& contact, const std::optional<ForcesGiven>& forces)
+FrictionNewton::FrictionNewton(Compliance& compliance, const Contact& contact, const std::optional<ForcesGiven>& forces,
+                               const FlowLaw* flow)
     : compliance_(compliance),
       contact_(contact),
       g_(contact.bound),
@@ -37,6 +38,10 @@ FrictionNewton::FrictionNewton(Compliance& compliance, const Contact& contact, c
       before_(m_),
       inverse_g_(m_) {
     for (Field* field : {&p_, &s_, &slip_of_, &r_, &rest_, &step_, &z_, &last_s_}) *field = Field(m_);
+    if (flow != nullptr) {
+        flow_.emplace(*flow, contact, compliance.self());
+        law_.flow.emplace(m_);
+    }
     if (!forces) return;
     border_.emplace(*forces, m_);
     hold_rigid_slips(*forces);
@@ -144,6 +149,7 @@ bool FrictionNewton::division_stands(double tolerance) const {
 
 void FrictionNewton::linearise() {
     linearise_law(m_, law_.slips.data(), p_, s_, inverse_g_.data(), law_.normal, law_.tangent_stiffness.data(), r_);
+    if (flow_) flow_->linearise(p_, s_, law_, r_);
     const double sum = inner(r_, r_) + pushes(m_, law_.normal, s_);
     violation_ = sum > 0 ? std::sqrt(sum / static_cast<double>(m_)) / rms_w_ : 0;
     has_step_ = false;
@@ -157,6 +163,7 @@ void FrictionNewton::linearise_history() {
     const auto image = [this](const FieldView& step, const FieldView& response, const Pair& rigid,
                               const FieldView& result) -> Pair {
         jacobian_times(m_, law_.normal, law_.tangent_stiffness.data(), step, response, result);
+        if (flow_) flow_->correct_image(law_, step, response, result);
         const auto [inside, against] = step_parts(m_, law_.normal, step);
         const bool rigid_stays = !joined_ && rigid != Pair::Zero();
         if (against <= far_off * (inside + against) && !rigid_stays)
@@ -212,6 +219,7 @@ void FrictionNewton::take_step(double tolerance) {
     take_differences(m_, p_, s_, slip_of_, last_s_, push, g_.data(), law_.slips.data(), change, response);
     history_.accept(rigid_step_);
     slip_of_ = p_;
+    if (flow_) flow_->divide_by_slip(p_, s_, push, law_.slips);
     count_changes();
     linearise();
 }
@@ -230,14 +238,22 @@ void FrictionNewton::take_combination(double tolerance) {
     add(slip_of_, step_);
     law_.project(step_);
     move();
-    end_slip(m_, p_, s_, accepted_push * tolerance * rms_w_, g_.data(), law_.slips.data());
+    const double push = accepted_push * tolerance * rms_w_;
+    end_slip(m_, p_, s_, push, g_.data(), law_.slips.data());
+    if (flow_) flow_->divide_by_slip(p_, s_, push, law_.slips);
     count_changes();
     linearise();
 }
 
 void FrictionNewton::move() {
     std::copy(law_.slips.begin(), law_.slips.end(), before_.begin());
-    move_tractions(m_, step_, g_.data(), on_bound, p_, law_.slips.data());
+    if (flow_) {
+        flowed_ = flow_->flows();
+        add(p_, step_);
+        flow_->divide_by_size(p_, law_.slips);
+    } else {
+        move_tractions(m_, step_, g_.data(), on_bound, p_, law_.slips.data());
+    }
     if (!joined_) return;
     rigid_ += rigid_step_;
     take_rigid_slip();
@@ -245,7 +261,8 @@ void FrictionNewton::move() {
 
 void FrictionNewton::count_changes() {
     changed_ = 0;
-    for (std::size_t e = 0; e < m_; ++e) changed_ += before_[e] != law_.slips[e];
+    for (std::size_t e = 0; e < m_; ++e)
+        changed_ += before_[e] != law_.slips[e] || (flow_ && flowed_[e] != flow_->flows()[e]);
     if (!border_) return;
     border_->division_changed(before_, law_.slips);
     missing_ = border_->missing(p_);

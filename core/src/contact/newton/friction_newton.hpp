@@ -10,6 +10,7 @@
 #include "contactd/contact.hpp"
 #include "contactd/observer.hpp"
 #include "force_border.hpp"
+#include "plastic_flow.hpp"
 #include "secant_history.hpp"
 
 namespace contactd {
@@ -23,7 +24,9 @@ namespace contactd {
 class FrictionNewton {
    public:
     // `contact` may get other bounds and another rigid slip between solves, but no other elements.
-    FrictionNewton(Compliance& compliance, const Contact& contact, const std::optional<ForcesGiven>& forces = {});
+    // `flow` is the law of a layer that hardens, which outlives this, or null.
+    FrictionNewton(Compliance& compliance, const Contact& contact, const std::optional<ForcesGiven>& forces = {},
+                   const FlowLaw* flow = nullptr);
 
     // Zero tractions are no estimate. `rigid` is the uniform part of w, which is not in the contact's.
     void start(const Field& estimate, const Pair& rigid = Pair::Zero());
@@ -38,6 +41,7 @@ class FrictionNewton {
     const Field& tractions() const { return p_; }
     const Field& slip() const { return s_; }
     const std::vector<char>& slips() const { return law_.slips; }
+    bool flows(std::size_t e) const { return flow_ && flow_->flows()[e] != 0; }
     const Pair& rigid() const { return rigid_; }
     // Returns the missing part of the forces, over the largest that friction carries.
     double force_residual() const;
@@ -91,11 +95,12 @@ class FrictionNewton {
     bool joined_ = false;
     SecantHistory history_;
     Linearisation law_;
+    std::optional<PlasticFlow> flow_;
     SolverEvidence evidence_;
     Field p_, s_, slip_of_, r_, rest_, step_, z_;  // s is the slip of slip_of
     Field last_s_;                                 // before the last step
     Pair rigid_ = Pair::Zero(), rigid_step_ = Pair::Zero();
-    std::vector<char> before_;  // the division before the last step
+    std::vector<char> before_, flowed_;  // the division before the last step
     std::vector<double> inverse_g_;
     Pair missing_ = Pair::Zero();             // of the forces
     Pair rest_missing_ = Pair::Zero();        // weighted as below

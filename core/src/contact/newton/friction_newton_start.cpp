@@ -48,6 +48,10 @@ void FrictionNewton::go_on(const std::optional<ForcesGiven>& forces) {
 
 void FrictionNewton::begin() {
     before_ = law_.slips;
+    if (flow_) {
+        flowed_ = flow_->flows();
+        flow_->forget();
+    }
     std::fill(law_.slips.begin(), law_.slips.end(), false);
     slip_of_ = p_;
     changed_ = find_division();
@@ -57,7 +61,7 @@ void FrictionNewton::begin() {
     }
     best_ = std::numeric_limits<double>::infinity();
     without_progress_ = 0;
-    is_stale_ = is_stale_ || before_ != law_.slips;
+    is_stale_ = is_stale_ || before_ != law_.slips || (flow_ && flowed_ != flow_->flows());
     if (border_) missing_ = border_->missing(p_);
     linearise();
 }
@@ -75,6 +79,11 @@ double FrictionNewton::moved() const {
 std::size_t FrictionNewton::find_division() {
     update_slip();
     if (!any(p_)) return 0;
+    if (flow_) {
+        std::vector<double> flexibility = compliance_.self();
+        for (double& value : flexibility) value *= start_self;
+        return flow_->divide_at_start(p_, s_, flexibility, law_.slips);
+    }
     std::size_t moved = 0;
     for (std::size_t e = 0; e < m_; ++e) {
         const double stiffness = start_self * compliance_.self()[e];

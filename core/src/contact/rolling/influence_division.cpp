@@ -27,7 +27,11 @@ ElementBox grown(const ElementBox& box, const ElementBox& extent) {
 
 InfluenceDivision::InfluenceDivision(const InfluenceOperator& influence, const Contact& contact,
                                      const std::vector<double>& self, double diagonal_of_transport)
-    : influence_(influence), contact_(contact), weight_(contact.size()), diagonal_(contact.size()) {
+    : influence_(influence),
+      contact_(contact),
+      weight_(contact.size()),
+      diagonal_(contact.size()),
+      along_flow_(self, stiff_self, sweep_self) {
     stiff_.reserve(self.size());
     to_diagonal_.reserve(self.size());
     for (const double value : self) {
@@ -40,6 +44,10 @@ InfluenceDivision::InfluenceDivision(const InfluenceOperator& influence, const C
 void InfluenceDivision::linearise(const Linearisation& law) {
     shifted_reciprocal(weight_.size(), law.tangent_stiffness.data(), stiff_.data(), stiff_.data(), weight_.data());
     for (std::size_t e = 0; e < weight_.size(); ++e) diagonal_[e] = (1 - weight_[e] * weight_[e]) * to_diagonal_[e];
+    law_ = &law;
+    if (!law.flow) return;
+    along_flow_.linearise(*law.flow);
+    if (rows_.x.empty()) rows_ = rest_ = Field(weight_.size());
 }
 
 bool InfluenceDivision::take_all() {
@@ -102,7 +110,19 @@ void InfluenceDivision::take(const ElementBox& needed) {
     }
 }
 
+void InfluenceDivision::divide_with_flow(const Field& r, Field& q) {
+    rest_ = r;
+    along_flow_.scale_rows(weight_, r, rows_);
+    contact_.scatter(rows_.x, full_in_.x);
+    contact_.scatter(rows_.y, full_in_.y);
+    box_->influence().precondition_tangential(full_in_.x, full_in_.y, full_out_.x, full_out_.y);
+    contact_.gather(full_out_.x, q.x);
+    contact_.gather(full_out_.y, q.y);
+    along_flow_.complete(weight_, diagonal_, rest_, q);
+}
+
 void InfluenceDivision::divide(const Field& r, Field& q) {
+    if (law_->flow) return divide_with_flow(r, q);
     const auto scatter = [&](const std::vector<double>& from, std::vector<double>& to) {
         for (const Contact::Run& run : runs_)
             multiply(run.size, &weight_[run.first], &from[run.first], &to[run.grid_first]);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "contact/newton/flow_preconditioner.hpp"
 #include "contact/newton/linearisation.hpp"
 #include "contact/support/contact_elements.hpp"
 #include "contactd/influence_operator.hpp"
@@ -32,13 +33,18 @@ class InfluenceDivision {
    private:
     ElementBox box_of_adhesion(const std::vector<char>& slips) const;
     void take(const ElementBox& needed);
+    // Where a layer flows all elements count.
+    void divide_with_flow(const Field& r, Field& q);
 
     const InfluenceOperator& influence_;
     const Contact& contact_;
     std::optional<Restriction> box_;
-    std::vector<Contact::Run> runs_;           // of the elements that count, on the box
-    Field full_in_, full_out_;                 // on the box
-    std::vector<double> weight_, diagonal_;    // of A^-1 and of what stands in for it, per element
+    std::vector<Contact::Run> runs_;         // of the elements that count, on the box
+    Field full_in_, full_out_;               // on the box
+    std::vector<double> weight_, diagonal_;  // of A^-1 and of what stands in for it, per element
+    const Linearisation* law_ = nullptr;
+    FlowPreconditioner along_flow_;
+    Field rows_, rest_;
     std::vector<double> stiff_, to_diagonal_;  // tangent stiffness that rules the Jacobian; slip to traction of one
 };
 

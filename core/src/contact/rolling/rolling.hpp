@@ -28,6 +28,9 @@ RigidSlip rigid_slip(const Grid& grid, const Shift& shift);
 
 struct RollingSolution : TangentialSolution {
     std::vector<double> slip_x, slip_y;  ///< over the step (mm), 0 outside contact; over dq, the relative slip
+    /// Plastic flow of a layer over the step, along the tractions (mm), and the yield stress behind it (N/mm^2); empty
+    /// without a layer that yields.
+    std::vector<double> flow_x, flow_y, yield_stress;
 };
 
 /// Resultants of tractions on the upper body.

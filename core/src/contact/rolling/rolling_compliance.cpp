@@ -48,7 +48,8 @@ void RollingCompliance::linearise(const Linearisation& law) {
 
 void RollingCompliance::linearise_levels() {
     uses_levels_ = false;
-    if (with_levels_ == PreconditionerLevels::never || m_ < smallest_with_levels || slip_part() < part_with_levels)
+    if (law_->flow || with_levels_ == PreconditionerLevels::never || m_ < smallest_with_levels ||
+        slip_part() < part_with_levels)
         return;
     if (!levels_) {
         const double self = std::accumulate(self_.begin(), self_.end(), 0.0) / static_cast<double>(m_);

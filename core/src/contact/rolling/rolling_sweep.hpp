@@ -1,11 +1,11 @@
 // Transport of tractions through the contact area, along the way of the particles.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "contact/newton/linearisation.hpp"
 #include "contact/support/contact_elements.hpp"
+#include "operators/upstream.hpp"
 #include "rolling.hpp"
 
 namespace contactd {
@@ -28,27 +28,24 @@ class RollingSweep {
     template <class Predicate>
     std::size_t up_to_last(const Predicate& is_counted) const {
         std::size_t count = m_;
-        while (count > 0 && !is_counted(order_[count - 1])) --count;
+        while (count > 0 && !is_counted(upstream_.order()[count - 1])) --count;
         return count;
     }
-    double diagonal() const { return diagonal_; }  // of T
+    double diagonal() const { return upstream_.diagonal(); }  // of T
 
    private:
-    struct Link {
-        std::size_t element;  // ahead; the number of elements when that is outside contact
-        double weight;
-    };
+    // One with a flow law, and one without.
+    template <bool flows>
+    void sweep(const Field& r, std::size_t count) const;
 
     std::size_t m_;
-    double diagonal_ = 1;
-    std::vector<std::size_t> order_;
+    Upstream upstream_;
     std::size_t to_adhesion_ = 0;  // of the order, up to the last element that adheres
-    std::size_t links_ = 0;        // per element
-    std::vector<Link> ahead_;      // shape [m, links_], in the order of the sweep
     const Linearisation* linearisation_ = nullptr;
     std::vector<double> stiffness_, diagonal_stiffness_;  // the latter times the diagonal of T
     std::vector<double> inverse_diagonal_;
-    mutable Field z_;  // with one zero behind its end
+    std::vector<double> along_flow_;  // what the direction of flow has in place of that
+    mutable Field z_;                 // with one zero behind its end
 };
 
 }  // namespace contactd

@@ -25,9 +25,13 @@ SlipLawIteration::SlipLawIteration(const KineticFriction& kinetic, std::span<con
 double SlipLawIteration::follow(std::span<const double> slip_velocity, std::span<const double> pressure) {
     require_size(slip_velocity, mu_.size(), "slip_velocity");
     require_size(pressure, mu_.size(), "pressure");
+    std::vector<double> asked(mu_.size());
+    for (std::size_t i = 0; i < mu_.size(); ++i)
+        asked[i] = friction_coefficient(kinetic_, static_[i], slip_velocity[i]);
+    if (memory_ != nullptr) asked = memory_->after(asked, slip_velocity, pressure);
     double square = 0, reference = 0;
     for (std::size_t i = 0; i < mu_.size(); ++i) {
-        const double error = friction_coefficient(kinetic_, static_[i], slip_velocity[i]) - mu_[i];
+        const double error = asked[i] - mu_[i];
         if (pressure[i] > 0) {
             square += std::pow(error * pressure[i], 2);
             reference += std::pow(static_[i] * pressure[i], 2);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contactd/friction.hpp"
+#include "friction_memory.hpp"
 
 namespace contactd {
 
@@ -15,6 +16,9 @@ class SlipLawIteration {
     /// One static coefficient per element; starts with these, or with the kinetic one (KineticFriction::start).
     SlipLawIteration(const KineticFriction& kinetic, std::span<const double> mu_static);
 
+    /// With memory: what particles carry, which outlives this, in place of what the law asks for.
+    void carry(const CarriedFriction& memory) { memory_ = &memory; }
+
     /// For the next solve, per element.
     const std::vector<double>& mu() const { return mu_; }
 
@@ -24,6 +28,7 @@ class SlipLawIteration {
 
    private:
     KineticFriction kinetic_;
+    const CarriedFriction* memory_ = nullptr;
     std::vector<double> static_, mu_, last_mu_, last_error_;
     bool is_first_ = true;
 };

@@ -6,6 +6,7 @@ namespace contactd {
 namespace {
 
 constexpr double soft = 3;  // times the self-influence: tangent stiffness at which A and D have equal say, as in TangCg
+constexpr double close_by = 1.5;  // times the self-influence: of an element with its close neighbours
 
 }  // namespace
 
@@ -15,6 +16,7 @@ ShiftCompliance::ShiftCompliance(const InfluenceOperator& influence, const Conta
       self_(tangential_diagonal(influence, contact)),
       scale_(contact.size()),
       diagonal_(contact.size()),
+      along_flow_(self_, soft, close_by),
       full_in_(influence.size()),
       full_out_(influence.size()) {}
 
@@ -29,9 +31,23 @@ void ShiftCompliance::linearise(const Linearisation& law) {
         scale_[e] = soft * self_[e] * added;
         diagonal_[e] = (1 - scale_[e] * scale_[e]) * added;
     }
+    if (!law.flow) return;
+    along_flow_.linearise(*law.flow);
+    if (rows_.x.empty()) rows_ = Field(contact_.size());
 }
 
 void ShiftCompliance::precondition(const Field& r, Field& z, Residual, int) {
+    if (law_->flow) {
+        along_flow_.scale_rows(scale_, r, rows_);
+        contact_.scatter(rows_.x, full_in_.x);
+        contact_.scatter(rows_.y, full_in_.y);
+        influence_.precondition_tangential(full_in_.x, full_in_.y, full_out_.x, full_out_.y);
+        contact_.gather(full_out_.x, z.x);
+        contact_.gather(full_out_.y, z.y);
+        along_flow_.complete(scale_, diagonal_, r, z);
+        law_->project(z);
+        return;
+    }
     for (const Contact::Run& run : contact_.runs) {
         multiply(run.size, &scale_[run.first], &r.x[run.first], &full_in_.x[run.grid_first]);
         multiply(run.size, &scale_[run.first], &r.y[run.first], &full_in_.y[run.grid_first]);

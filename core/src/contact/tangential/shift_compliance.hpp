@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "contact/newton/compliance.hpp"
+#include "contact/newton/flow_preconditioner.hpp"
 #include "contactd/influence_operator.hpp"
 
 namespace contactd {
@@ -27,7 +28,8 @@ class ShiftCompliance final : public Compliance {
     const std::vector<double> self_;  // of each element in contact, A's diagonal
     const Linearisation* law_ = nullptr;
     std::vector<double> scale_, diagonal_;  // of the operator's preconditioner and of what stands in for it
-    Field full_in_, full_out_;
+    FlowPreconditioner along_flow_;
+    Field rows_, full_in_, full_out_;
 };
 
 }  // namespace contactd

@@ -34,7 +34,7 @@ Values row_angles(const ContactPlace& place, const geometry::RailSurface& rail) 
 
 FrictionLaw friction_law(const WheelRailFriction& friction, const ContactPlace& place,
                          const geometry::RailSurface& rail) {
-    FrictionLaw law{{}, friction.kinetic};
+    FrictionLaw law{{}, friction.kinetic, friction.layer};
     if (!friction.along_profile || friction.mu.size() == 1) {
         law.mu = {coefficient_at(friction.mu, place.reference.angle)};
         return law;

@@ -21,13 +21,13 @@ def test_result_elements_have_histories_of_their_own() -> None:
 
 def test_what_follows_from_a_case_that_is_refused_is_told_and_others_go_on() -> None:
     cases = [
-        basic_case(number=1, line=10, T=1, M=4, reid=1), basic_case(number=1, line=20, T=1, reid=2),
+        basic_case(number=1, line=10, T=1, M=1, reid=1), basic_case(number=1, line=20, T=1, reid=2),
         basic_case(number=2, line=30, T=1, P=0, reid=1), basic_case(number=2, line=40, T=1, P=0, reid=2),
         basic_case(number=3, line=50, T=1, reid=1), basic_case(number=4, line=60, reid=1, errors=("line 61, column 3: no number.",)),
     ]  # fmt: skip
     outcomes = checked(cases)
     assert [outcome.case.line for outcome in outcomes] == [10, 20, 30, 40, 50, 60]
     assert [outcome.status for outcome in outcomes] == ["refused", "read", "follows", "read", "read", "wrong"]
-    assert "interfacial layer" in outcomes[0].sentence
+    assert "viscoelastic bodies" in outcomes[0].sentence
     assert outcomes[2].sentence == "It goes on from case 1 in line 10, which is not computed."
     assert "line 61, column 3" in outcomes[5].sentence

@@ -11,7 +11,7 @@ from ...values.motion import Rolling, Shift
 from ...values.solution import ContactSolution
 from ..problems.basic import BasicContact
 from .compared import Compared
-from .elements import Elements, ahead, displacement_of, rigid_slip_on
+from .elements import Elements, ahead, displacement_of, division_of, plastic_elements, rigid_slip_on
 from .subsurface import Stresses, StressField, stress_field
 
 __all__ = ["BasicResult"]
@@ -83,15 +83,29 @@ class BasicResult:
     def elements(self) -> Elements:
         """Its elements."""
         contact, solution = self.contact, self.solution
-        grid, friction = contact.area.grid, contact.problem.friction
+        grid = contact.area.grid
         none = np.zeros(grid.shape)
         return Elements(
             grid=grid, tangential=contact.case.digits["T"], is_frictionless=contact.case.digits["T"] == 0, chi=contact.chi,
-            division=solution.element_division, h=contact.area.h, approach=solution.approach,
-            mu=none if friction is None else none + np.asarray(friction.mu, dtype=float), pressure=self.pressure,
+            division=division_of(solution, grid.shape), layer=self._layer(), h=contact.area.h, approach=solution.approach,
+            mu=self._friction_coefficient(), pressure=self.pressure,
             traction=(solution.traction_x, solution.traction_y), slip=(_or(solution.slip_x, none), _or(solution.slip_y, none)),
             rigid_slip=self._rigid_slip(), displacement=self.displacement,
         )  # fmt: skip
+
+    def _friction_coefficient(self) -> Floats:
+        friction, none = self.contact.problem.friction, np.zeros(self.contact.area.grid.shape)
+        if self.solution.friction_coefficient is not None:
+            return self.solution.friction_coefficient
+        return none if friction is None else none + np.asarray(friction.mu, dtype=float)
+
+    def _layer(self) -> tuple[Floats, Floats, Floats] | None:
+        solution, friction = self.solution, self.contact.problem.friction
+        if solution.flow_x is None or solution.flow_y is None:
+            return None
+        assert friction is not None and friction.layer is not None
+        first = np.full(solution.flow_x.shape, friction.layer.yield_stress or 0.0)
+        return _or(solution.yield_stress, first), solution.flow_x, solution.flow_y
 
     def _rigid_slip(self) -> tuple[Floats, Floats]:
         contact, values = self.contact, self.contact.case.values
@@ -128,11 +142,13 @@ class BasicResult:
         moves = "CREEP" if self.contact.case.digits["T"] >= 2 else "SHIFT"
         found = {f"{moves} {axis}": motion for axis, motion in zip("XY", self.creepage) if f"F{axis}" in values}
         has_friction = self.contact.case.digits["T"] > 0
-        adhesion, slip = (counts.adhesion, counts.slip) if has_friction else (counts.contact, 0)
+        adhesion, (slip, plastic) = (counts.adhesion, plastic_elements(solution)) if has_friction else (counts.contact, (0, 0))
+        flows = {} if solution.flow_x is None else {"NPLAST": plastic}
         return {
             "FN": solution.Fn, "FX": self.fx, "FY": self.fy, "MZ": self.mz, "ELAST.EN.": self.elastic_energy,
             "FRIC": self.friction, **found, "APPROACH": solution.approach, "PMAX": float(np.max(self.pressure)),
             "NPOT": solution.pressure.size, "NCON": counts.contact, "NADH": adhesion, "NSLIP": slip,
+            **flows,
         }  # fmt: skip
 
     @property

@@ -13,12 +13,12 @@ import numpy.typing as npt
 from ...values.grid import Grid
 from ...values.solution import Solution
 
-__all__ = ["Elements", "ahead", "displacement_of", "rigid_slip_on"]
+__all__ = ["Elements", "ahead", "displacement_of", "division_of", "plastic_elements", "rigid_slip_on"]
 
 Floats = npt.NDArray[np.float64]
 Pair = tuple[Floats, Floats]
 
-_SLIP = 2
+_SLIP, _PLASTIC = 2, 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,7 +30,7 @@ class Elements:
         tangential: The digit T.
         is_frictionless: Whether adhesion and slip mean nothing.
         chi: Rolling direction (rad).
-        division: 0 exterior, 1 adhesion, 2 slip.
+        division: 0 exterior, 1 adhesion, 2 slip, 3 plastic.
         h: Undeformed distance without the approach (mm).
         approach: The approach (mm).
         mu: Coefficient of friction at rest.
@@ -39,6 +39,7 @@ class Elements:
         slip: Slip along x and y: of a shift its distance (mm), of rolling relative.
         rigid_slip: The same before bodies deform.
         displacement: Of body 1 less those of body 2, shape [3, ny, nx] (mm).
+        layer: Of a layer that yields its yield stress (N/mm^2) and flow along x and y, as slip.
     """
 
     grid: Grid
@@ -54,6 +55,7 @@ class Elements:
     slip: Pair
     rigid_slip: Pair
     displacement: Floats
+    layer: tuple[Floats, Floats, Floats] | None = None
 
     @cached_property
     def traction_size(self) -> Floats:
@@ -63,7 +65,27 @@ class Elements:
     @cached_property
     def bound(self) -> Floats:
         """The traction bound (N/mm^2). Where an element slips its traction is at it, whatever law that follows."""
-        return np.where(self.division == _SLIP, self.traction_size, self.mu * self.pressure)
+        return np.where(self.division >= _SLIP, self.traction_size, self.mu * self.pressure)
+
+
+def division_of(solution: Solution[Any, Any], shape: tuple[int, int]) -> npt.NDArray[np.uint8]:
+    """The division as the program has it, in which what slips is not plastic, though the layer has flowed before."""
+    division: npt.NDArray[np.uint8] | None = solution.element_division
+    if division is None:
+        return np.zeros(shape, np.uint8)
+    if solution.slip_x is None or solution.slip_y is None:
+        return division
+    slips = np.hypot(solution.slip_x, solution.slip_y) > 0
+    return np.where((division == _PLASTIC) & slips, _SLIP, division).astype(np.uint8)
+
+
+def plastic_elements(solution: Solution[Any, Any]) -> tuple[int, int]:
+    """Numbers of elements in slip, and of those that are plastic."""
+    if not solution.elements.flow:
+        return solution.elements.slip, 0
+    assert solution.element_division is not None
+    plastic = int(np.count_nonzero(division_of(solution, solution.element_division.shape) == _PLASTIC))
+    return solution.elements.slip + solution.elements.flow - plastic, plastic
 
 
 def rigid_slip_on(grid: Grid, creepage: tuple[float, float], phi: float, centre: tuple[float, float]) -> Pair:

@@ -14,7 +14,7 @@ from ...values.wheel_rail.solution import WheelRailSolution
 from ..problems.bodies import pair_of
 from ..problems.rails import RailContact
 from .compared import Compared
-from .elements import Elements, ahead, displacement_of, rigid_slip_on
+from .elements import Elements, ahead, displacement_of, division_of, plastic_elements, rigid_slip_on
 from .rail_places import moment_about_normal, on_rail, on_wheel
 from .subsurface import Stresses, StressField, stress_field
 
@@ -88,6 +88,8 @@ class RailResult:
         """Numbers of a patch that are compared."""
         reference, motion, solution = patch.place.reference, patch.place.creepages, patch.solution
         has_friction, counts = self._rolls(patch), solution.elements
+        slip, plastic = plastic_elements(solution)
+        flows = {} if solution.flow_x is None else {"NPLAST": plastic}
         return {
             "XCP(TR)": reference.x, "YCP(TR)": reference.y, "ZCP(TR)": reference.z, "DELTCP(TR)": reference.angle,
             "CKSI": motion.xi, "CETA": motion.eta, "CPHI": motion.phi, **self._forces(patch),
@@ -95,7 +97,7 @@ class RailResult:
             "FRIC": -(solution.frictional_power or solution.frictional_work or 0.0) * _PER_THOUSAND,
             "APPROACH": solution.approach, "PMAX": solution.pmax, "NPOT": patch.place.grid.nx * patch.place.grid.ny,
             "NCON": counts.contact, "NADH": counts.adhesion if has_friction else counts.contact,
-            "NSLIP": counts.slip if has_friction else 0,
+            "NSLIP": slip if has_friction else 0, **flows,
         }  # fmt: skip
 
     @property
@@ -139,12 +141,9 @@ class RailResult:
         arrays = [none if array is None else array for array in (solution.slip_x, solution.slip_y, patch.gap)]
         slip_x, slip_y, gap = arrays
         traction_x, traction_y, pressure = _tractions(patch)
-        division = (
-            np.zeros(place.grid.shape, np.uint8) if solution.element_division is None else solution.element_division
-        )
         return Elements(
             grid=place.grid, tangential=self.contact.case.digits["T"], is_frictionless=not self._rolls(patch), chi=motion.chi,
-            division=division, h=gap,
+            division=division_of(solution, place.grid.shape), h=gap,
             approach=solution.approach, mu=none + self.mu_of(patch), pressure=pressure, traction=(traction_x, traction_y),
             slip=(slip_x, slip_y), displacement=displacement_of(solution),
             rigid_slip=rigid_slip_on(place.grid, (motion.xi, motion.eta), motion.phi, (-offset[0], -offset[1])),

@@ -18,6 +18,7 @@ from .out_laws import NAMES_OF_LAWS
 __all__ = ["mat_texts"]
 
 _COLUMNS = 11
+_OF_LAYER: tuple[tuple[str, ...], ...] = ((), ("GG3", "LAYTHK", "TAU_C0", "K_TAU"))
 _FORMAT = 2410.0  #: the version of the format, which readers look for in the last column
 
 Cell = float | int
@@ -56,7 +57,7 @@ def _text(case: Any, places: PatchPlaces, motion: tuple[float, float, float], el
         _header([grid.nx, grid.ny, *_corner(grid, places), grid.dx, grid.dy, chi, dq, digits.get("C1", 0), values["DISCNS"] if
                  case.module == 1 else digits["D"], places.nominal]),
         "% tang, mater, gg1, gg2, poiss1, poiss2",
-        _header([digits["T"], digits["M"], *(values[name] for name in ("GG1", "GG2", "POISS1", "POISS2"))]),
+        _header([digits["T"], digits["M"], *(values[name] for name in ("GG1", "GG2", "POISS1", "POISS2", *_OF_LAYER[digits["M"] == 4]))]),
         "% frclaw, heat, veloc, friction",
         _header([law, digits["H"], velocity, *friction]),
         "%    I    IGS    H             MU            PN            PX            PY            UN            UX            UY"
@@ -82,7 +83,7 @@ def _elements(elements: Elements, in_contact_only: bool) -> Iterator[str]:
     chosen = np.flatnonzero(flat) if in_contact_only else np.arange(flat.size)
     slip = np.hypot(*elements.slip)
     displacement = elements.displacement
-    columns = [elements.h, elements.mu, elements.pressure, *elements.traction, displacement[2], displacement[0], displacement[1], slip]
+    columns = [elements.h, elements.mu, elements.pressure, *elements.traction, displacement[2], displacement[0], displacement[1], slip, *(elements.layer or ())]
     table = np.stack([column.ravel() for column in columns], axis=1)
     for index in chosen:
         division = 1 if elements.is_frictionless and flat[index] else int(flat[index])

@@ -9,7 +9,7 @@ from .numbers import fixed, fortran_g, general
 from .out_division import division, quantities
 from .out_laws import LABELS_OF_LAWS, NAMES_OF_LAWS, cut_rows
 from .out_subsurface import extremes
-from .out_text import case_head, digits, g_row, gs_row, row, statistics_lines
+from .out_text import case_head, digits, g_row, gs_row, interfacial_layer, row, statistics_lines
 
 __all__ = ["basic_lines"]
 
@@ -27,6 +27,8 @@ def basic_lines(result: BasicResult) -> list[str]:
         lines += ["", *_hertz(result)]
     if digit["C"] >= 2:
         lines += ["", *_materials(result)]
+    if digit["C"] >= 2 and digit["M"] == 4:
+        lines += ["", *interfacial_layer(case.values)]
     if digit["L"] != 1:
         lines += ["", *_friction(result)]
     lines += ["", *_motion(result)]
@@ -156,7 +158,7 @@ def _sensitivities(result: BasicResult) -> Iterator[str]:
 
 def _statistics(result: BasicResult) -> Iterator[str]:
     numbers, outer = result.numbers, result.solution.evidence.outer
-    counts = [int(numbers[name]) for name in ("NPOT", "NCON", "NADH", "NSLIP")]
+    counts = [int(numbers[name]) for name in ("NPOT", "NCON", "NADH", "NSLIP", "NPLAST") if name in numbers]
     rounds = 1 if outer is None else outer.iterations
     *words, last = statistics_lines(counts, rounds, rounds if result.contact.case.digits["T"] > 0 else 0)
     yield from (*words, f" {last}")

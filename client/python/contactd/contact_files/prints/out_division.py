@@ -13,7 +13,7 @@ from .numbers import fixed, fortran_g
 
 __all__ = ["division", "quantities"]
 
-_SIGNS = np.array([".", "*", "S"])
+_SIGNS = np.array([".", "*", "S", "|"])
 _SPACED = 46  #: columns of elements that have room for a blank between them
 _TENS = 10  #: columns from which on their tens are told, too
 _WHOLE = 5  #: rows or columns outside that are shown all the same

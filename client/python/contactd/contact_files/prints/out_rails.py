@@ -9,7 +9,7 @@ from ..answers.rail_results import RailResult
 from ..problems.bodies import pair_of
 from .numbers import fixed, fortran_g, general
 from .out_laws import LABELS_OF_LAWS, NAMES_OF_LAWS
-from .out_text import case_head, digits, g_row, row
+from .out_text import case_head, digits, g_row, interfacial_layer, row
 
 __all__ = ["rail_lines"]
 
@@ -74,6 +74,8 @@ def _set_up(result: RailResult) -> Iterator[str]:
     digit, values = case.digits, case.values
     if digit["C"] >= 2:
         yield from ("", *_materials(values))
+        if digit["M"] == 4:
+            yield from ("", *interfacial_layer(values))
     if digit["L"] != 1 and digit["T"] != 0:
         yield from ("", *_friction(result))
     if digit["D"] >= 2:

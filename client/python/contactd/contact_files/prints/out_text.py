@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..._version import __version__
 from .numbers import fortran_g, general
@@ -11,7 +11,9 @@ from .numbers import fortran_g, general
 if TYPE_CHECKING:
     from ...values.contact_files import ContactCase as Case
 
-__all__ = ["IS_OURS", "case_head", "digits", "g_row", "gs_row", "head", "row", "statistics_lines"]
+__all__ = ["IS_OURS", "case_head", "digits", "g_row", "gs_row", "head", "interfacial_layer", "row", "statistics_lines"]
+
+_WITH_PLASTIC = 5  #: numbers of elements, where a layer yields
 
 IS_OURS = "|  contactd - "  #: in the second line of what was written here
 
@@ -71,10 +73,18 @@ def gs_row(*values: float) -> str:
     return row([general(value) for value in values])
 
 
+def interfacial_layer(values: Mapping[str, Any]) -> Iterator[str]:
+    """Of M = 4."""
+    yield " INTERFACIAL LAYER PARAMETERS"
+    yield "     GG3         LAYTHK      TAU_C0      K_TAU"
+    yield g_row(*(values[name] for name in ("GG3", "LAYTHK", "TAU_C0", "K_TAU")))
+
+
 def statistics_lines(counts: list[int], normal: int, tangential: int) -> Iterator[str]:
     """Numbers of elements, in the contact and its parts, and of iterations."""
     yield " CONTACT STATISTICS"
     yield " N: NUMBER OF ELEMENTS IN REGION,  I: NUMBER OF ITERATIONS,"
     yield " POT: POTENTIAL CONTACT AREA,  CON: CONTACT,  ADH: ADHESION"
-    yield "    NPOT   NCON   NADH  NSLIP  INORM  ITANG"
+    plastic = "  NPLAST" if len(counts) == _WITH_PLASTIC else ""
+    yield f"    NPOT   NCON   NADH  NSLIP{plastic}{' INORM' if plastic else '  INORM'}  ITANG"
     yield "".join(f"{count:7d}" for count in (*counts, normal, tangential))

@@ -19,7 +19,7 @@ from ...values.problem import ContactProblem, Estimate
 from .areas import PotentialContact, potential_contact
 from .bodies import Pair, pair_of, sheet_of
 from .features import Missing, missing
-from .frictions import coefficients, shares, static
+from .frictions import coefficients, layer, shares, static
 
 if TYPE_CHECKING:
     from ...values.contact_files import ContactCase as Case
@@ -41,6 +41,8 @@ class State:
     pressure: npt.NDArray[np.float64]
     traction_x: npt.NDArray[np.float64]
     traction_y: npt.NDArray[np.float64]
+    yield_stress: npt.NDArray[np.float64] | None = None
+    friction_coefficient: npt.NDArray[np.float64] | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,7 +99,7 @@ class BasicContact:
             # ConvexGS prints the step as it is given; its steady rolling is that by one element, too.
             step = area.grid.dx if case.digits["T"] == _STEADY else dq
             friction = _friction(case, area.grid, chi, step, force)
-            previous = None if before is None else _moved(before, area.grid)
+            previous = None if before is None else _moved(before, area.grid, friction)
             problem = problem.replace(friction=friction, previous=previous)
         return cls(case, area, pair, unit, chi, dq, ics, problem)
 
@@ -157,13 +159,16 @@ def _friction(case: Case, grid: Grid, chi: float, dq: float, force: Any) -> Fric
     extra = _extra_slip(values, digits["E"], grid, ahead * math.cos(chi), ahead * math.sin(chi))
     if extra is not None and values["EXRHS"] in (2, 3):
         phi, xi, eta = 0.0, values.get("CKSI", 0.0), values.get("CETA", 0.0)
+    between = layer(case)
     if not rolls:
-        return Friction(mu=mu, kinetic=kinetic, rigid_shift=(xi, eta), rotation=phi, force=force, rigid_slip=extra)
+        return Friction(
+            mu=mu, kinetic=kinetic, rigid_shift=(xi, eta), rotation=phi, force=force, rigid_slip=extra, layer=between
+        )
     rolling = Rolling(
         xi=xi, eta=eta, phi=phi, chi=chi, dq=dq, spin_offset=values["FACPHI"], velocity=values["VELOC"], force=force,
         kind="steady" if digits["T"] == _STEADY else "transient",
     )  # fmt: skip
-    return Friction(mu=mu, kinetic=kinetic, rolling=rolling, rigid_slip=extra)
+    return Friction(mu=mu, kinetic=kinetic, rolling=rolling, rigid_slip=extra, layer=between)
 
 
 def _extra_slip(values: Any, digit: int, grid: Grid, ahead_x: float, ahead_y: float) -> tuple[Any, Any] | None:
@@ -179,18 +184,25 @@ def _extra_slip(values: Any, digit: int, grid: Grid, ahead_x: float, ahead_y: fl
     return none, none + phi * (grid.x[None, :] + ahead_x - values["SPINXO"])
 
 
-def _moved(before: State, grid: Grid) -> Estimate:
-    """Tractions on elements that lie whole elements elsewhere, and may be more or fewer."""
+def _moved(before: State, grid: Grid, friction: Friction) -> Estimate:
+    """Tractions and the state of friction on elements that lie whole elements elsewhere, and may be more or fewer."""
     dx, dy = round((grid.x[0] - before.grid.x[0]) / grid.dx), round((grid.y[0] - before.grid.y[0]) / grid.dy)
     if (dx, dy) == (0, 0) and grid.shape == before.grid.shape:
-        return Estimate(before.pressure, before.traction_x, before.traction_y)
+        return Estimate(
+            before.pressure, before.traction_x, before.traction_y, before.yield_stress, before.friction_coefficient
+        )
     rows, columns = np.arange(grid.ny) + dy, np.arange(grid.nx) + dx
     there = np.ix_((rows >= 0) & (rows < before.grid.ny), (columns >= 0) & (columns < before.grid.nx))
     taken = np.ix_(rows[(rows >= 0) & (rows < before.grid.ny)], columns[(columns >= 0) & (columns < before.grid.nx)])
 
-    def on_grid(array: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
-        placed = np.zeros(grid.shape)
+    def on_grid(array: npt.NDArray[np.float64], elsewhere: Any = 0.0) -> npt.NDArray[np.float64]:
+        placed = np.zeros(grid.shape) + elsewhere
         placed[there] = array[taken]
         return placed
 
-    return Estimate(on_grid(before.pressure), on_grid(before.traction_x), on_grid(before.traction_y))
+    stress, mu = before.yield_stress, before.friction_coefficient
+    return Estimate(
+        on_grid(before.pressure), on_grid(before.traction_x), on_grid(before.traction_y),
+        None if stress is None or friction.layer is None else on_grid(stress, friction.layer.yield_stress or 0.0),
+        None if mu is None else on_grid(mu, friction.mu),
+    )  # fmt: skip

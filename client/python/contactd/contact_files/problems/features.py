@@ -33,16 +33,6 @@ def _digit(name: str, digit: str, *values: int) -> _Feature:
     return _Feature(f"{name} ({digit} = {asked})", lambda case: case.digits.get(digit) in values)
 
 
-def _has_memory(case: Case) -> bool:
-    return case.values.get("FRCLAW") != 0 and case.values.get("MEMDST", 0) > 0
-
-
-def _falls_in_two_terms(case: Case) -> bool:
-    if case.values.get("FRCLAW") not in (2, 4):
-        return False
-    return any(one["F1"] > 1e-8 and one["F2"] > 1e-8 for one in case.friction)
-
-
 def _is_damped(case: Case) -> bool:
     return case.digits.get("M2", 1) != 0 and any(case.values.get(name, 0) != 0 for name in ("CDAMPN", "CDAMPT"))
 
@@ -57,14 +47,10 @@ _BOTH = (
     _Feature("FASTSIM without Hertz's contact (M = 3, IPOTCN > 0)",
              lambda case: case.digits["M"] == 3 and case.module == 3 and case.values["IPOTCN"] not in (-1, -2, -3)),
     _digit("FASTSIM of one flexibility", "M", 2),
-    _digit("interfacial layer", "M", 4),
     _digit("FaStrip", "M", 5),
     _digit("trials of the simplified theory", "M", 6, 7),
     _Feature("FASTSIM with reduced slope (M = 3)", _is_reduced_fastsim),
-    _Feature("friction law, rational (L = 3)", lambda case: case.values.get("FRCLAW") == 3),
     _Feature("friction by temperature (L = 6)", lambda case: case.values.get("FRCLAW") == 6),
-    _Feature("falling friction of two terms (F1, F2)", _falls_in_two_terms),
-    _Feature("memory of friction (MEMDST)", _has_memory),
     _Feature("damping (M2)", _is_damped),
     _Feature("surface temperature (H)", lambda case: case.digits.get("H", 0) > 0),
 )

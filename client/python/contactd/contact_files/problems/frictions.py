@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ...values.friction import InterfacialLayer
 from ...values.friction_methods import Force
 from ...values.grid import Grid
-from ...values.motion import KineticFriction, SlipLaw, SlipStart
+from ...values.motion import FrictionMemory, KineticFriction, SecondTerm, SlipLaw, SlipStart
 from .features import Missing
 
-__all__ = ["Coefficients", "coefficients", "coefficients_of_sets", "shares", "static"]
+if TYPE_CHECKING:
+    from ...values.contact_files import ContactCase as Case
+
+__all__ = ["Coefficients", "coefficients", "coefficients_of_sets", "layer", "shares", "static"]
 
 Set = Mapping[str, float]
 Coefficients = tuple[Any, KineticFriction | None]
@@ -21,7 +25,12 @@ Coefficients = tuple[Any, KineticFriction | None]
 
 _NO_TERM = 1e-8
 _BY_TEMPERATURE = 6
-_LAWS: dict[int, tuple[SlipLaw, float]] = {2: ("linear", 2.0), 4: ("exponential", 1 / math.log(2))}
+_LAYER, _NEVER_YIELDS = 4, 1e10
+_LAWS: dict[int, tuple[SlipLaw, float]] = {
+    2: ("linear", 2.0),
+    3: ("rational", 1.0),
+    4: ("exponential", 1 / math.log(2)),
+}
 """The law of contactd, and its slip velocity over SABSH."""
 
 
@@ -48,20 +57,33 @@ def coefficients_of_sets(
     INISLP < 0 lets the slip start at VELOC, which finds another solution where there are several."""
     law = values["FRCLAW"]
     start: SlipStart | None = "full_slip" if values.get("INISLP", 0) < 0 else None
-    falls = [_fall(law, one, start) for one in sets]
+    memory = FrictionMemory(values["MEMDST"], values["MEM_S0"]) if law in _LAWS and values.get("MEMDST", 0) > 0 else None
+    falls = [_fall(law, one, start, memory) for one in sets]
     if any(fall != falls[0] for fall in falls):
         raise Missing("falling friction that is another one from place to place (V)")
     return [static(law, one) for one in sets], falls[0]
 
 
-def _fall(law: int, one: Set, start: SlipStart | None) -> KineticFriction | None:
+def _fall(law: int, one: Set, start: SlipStart | None, memory: FrictionMemory | None) -> KineticFriction | None:
     if law not in _LAWS:
         return None
     name, factor = _LAWS[law]
-    term = "1" if one["F1"] > _NO_TERM else "2"
-    if one[f"F{term}"] <= _NO_TERM:
+    first, second = ((one[f"F{term}"], factor * one[f"SABSH{term}"]) for term in "12")
+    if first[0] <= _NO_TERM and second[0] <= _NO_TERM:
         return None
-    return KineticFriction(one["FKIN"], factor * one[f"SABSH{term}"], name, start)
+    if first[0] <= _NO_TERM and name != "rational":  # whose terms differ
+        first, second = second, first
+    more = SecondTerm(*second) if second[0] > _NO_TERM else None
+    return KineticFriction(one["FKIN"], first[1], name, start, more, memory)
+
+
+def layer(case: Case) -> InterfacialLayer | None:
+    """That of M = 4."""
+    if case.digits["M"] != _LAYER:
+        return None
+    values = case.values
+    stress = values["TAU_C0"] if 0 < values["TAU_C0"] < _NEVER_YIELDS else None
+    return InterfacialLayer(values["LAYTHK"] / values["GG3"], stress, values["K_TAU"] if stress else None)
 
 
 def shares(case_values: Mapping[str, Any], prescribed: int, unit: float) -> Force | None:

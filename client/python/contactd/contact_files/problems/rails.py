@@ -23,7 +23,7 @@ from ...values.wheel_rail.setup import (
 from ...values.wheel_rail.state import RailDeviation, WheelDeviation, WheelRailState, WheelsetPosition, WheelsetVelocity
 from .bodies import pair_of, sheet_of
 from .features import Missing, missing
-from .frictions import coefficients_of_sets
+from .frictions import coefficients_of_sets, layer
 
 if TYPE_CHECKING:
     from ...values.contact_files import ContactCase as Case
@@ -165,10 +165,11 @@ def _friction(case: Case) -> WheelRailFriction:
     if values["VARFRC"] != 1:
         sets = [_at_place(case.friction, values["S_WS"])] if values["VARFRC"] == 2 else case.friction[:1]
         (mu,), kinetic = coefficients_of_sets(values, sets)
-        return WheelRailFriction(float(mu), kinetic=kinetic)
+        return WheelRailFriction(float(mu), kinetic=kinetic, layer=layer(case))
     mus, kinetic = coefficients_of_sets(values, case.friction)
     by_angle = [(one["ALPHVF"] + _angle_offset(case), mu) for one, mu in zip(case.friction, mus)]
-    return WheelRailFriction(by_angle, along_profile=values["DISCNS"] == _HALF_PLANE or None, kinetic=kinetic)
+    along_profile = values["DISCNS"] == _HALF_PLANE or None
+    return WheelRailFriction(by_angle, along_profile=along_profile, kinetic=kinetic, layer=layer(case))
 
 
 def _angle_offset(case: Case) -> float:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Literal, TypedDict
 from ...refusals import public
 from ..dictionaries import Saved
 from ..evidence import Model, SolverSettings
+from ..friction import InterfacialLayer
 from ..materials import Material, RigidBody
 from ..motion import KineticFriction
 from ..profile_shapes import Profile
@@ -59,12 +60,17 @@ class WheelRailFriction:
         along_profile: Whether the angle is that of the rail at each row of elements, or that of the patch; for model
             full. Default False.
         kinetic: Velocity-weakening (falling) friction, by the slip velocity v; None, the coefficient is constant.
-            linear: max(mu_k, mu_s - (mu_s - mu_k) v / v_c); exponential: mu_k + (mu_s - mu_k) exp(-v / v_c).
+            linear: mu_k + m max(0, 1 - v / v_c); rational: mu_k + m / (1 + v / v_c); exponential: mu_k + m exp(-v /
+            v_c), with m = friction.mu - mu_k, less what a second term takes of it.
+        layer: A layer of a third body between the surfaces, of model full: it shears by flexibility times the traction
+            and, where its yield stress is below what friction bears, flows before the surfaces slip. Normal contact
+            does not know it.
     """
 
     mu: float | Sequence[tuple[float, float]] = field(default=0.3, metadata={"keys": ("angle", "mu")})
     along_profile: bool | None = None
     kinetic: KineticFriction | None = None
+    layer: InterfacialLayer | None = None
 
 
 @dataclass(frozen=True)

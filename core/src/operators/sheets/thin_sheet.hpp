@@ -1,4 +1,4 @@
-// A thin sheet between two bodies, which yields where it is pressed and nowhere else (Winkler's foundation).
+// A thin sheet between two bodies, which yields where it is loaded and nowhere else (Winkler's foundation).
 #pragma once
 
 #include <cstddef>
@@ -7,23 +7,28 @@
 #include <vector>
 
 #include "contactd/influence_operator.hpp"
-#include "lazy.hpp"
+#include "operators/lazy.hpp"
 
 namespace contactd {
 
-/// The operator of the bodies and of the sheet: A_zz + flexibility. It has coarser grids and boxes where that of the
-/// bodies has them. The flexibility is > 0 (mm^3/N).
+/// How much it yields to pressures, and how much it shears under tractions (mm^3/N), >= 0.
+struct SheetFlexibility {
+    double normal = 0, tangential = 0;
+
+    double along(Axis i) const { return i == Axis::z ? normal : tangential; }
+};
+
+/// The operator of the bodies and of the sheet: A_ii + flexibility. It has coarser grids and boxes where that of the
+/// bodies has them.
 class ThinSheet final : public InfluenceOperator {
    public:
-    ThinSheet(std::shared_ptr<const InfluenceOperator> bodies, double flexibility);
+    ThinSheet(std::shared_ptr<const InfluenceOperator> bodies, const SheetFlexibility& flexibility);
     ~ThinSheet() override;
 
     std::size_t size() const override { return bodies_->size(); }
     void normal(std::span<const double> pz, std::span<double> uz) const override;
     void tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
-                    std::span<double> uy) const override {
-        bodies_->tangential(px, py, ux, uy);
-    }
+                    std::span<double> uy) const override;
     bool coupled() const override { return bodies_->coupled(); }
     void normal_of_tangential(std::span<const double> px, std::span<const double> py,
                               std::span<double> uz) const override {
@@ -37,18 +42,22 @@ class ThinSheet final : public InfluenceOperator {
     /// all, symmetric and positive definite anyway.
     void precondition(Axis i, std::span<const double> r, std::span<double> z) const override;
     void precondition_tangential(std::span<const double> rx, std::span<const double> ry, std::span<double> zx,
-                                 std::span<double> zy) const override {
-        bodies_->precondition_tangential(rx, ry, zx, zy);
-    }
-    std::size_t bytes() const override { return bodies_->bytes() + share_.size() * sizeof(double); }
+                                 std::span<double> zy) const override;
+    std::size_t bytes() const override;
     const CoarserGrid* coarser() const override;
     const ElementBoxes* boxes() const override { return boxes_.get(); }
 
    private:
     class Boxes;
+    std::vector<double> weighted(Axis i, std::span<const double> r) const;
+    void complete(Axis i, std::span<const double> r, std::span<double> z) const;
+
     std::shared_ptr<const InfluenceOperator> bodies_;
-    double flexibility_;
-    std::vector<double> share_;  // W
+    SheetFlexibility flexibility_;
+    std::vector<double> share_x_, share_y_, share_z_;  // W; empty where the sheet does not yield
+    const std::vector<double>& share(Axis i) const {
+        return i == Axis::x ? share_x_ : i == Axis::y ? share_y_ : share_z_;
+    }
     mutable Lazy<std::unique_ptr<const CoarserGrid>> coarser_;
     std::unique_ptr<const ElementBoxes> boxes_;
 };

@@ -1,0 +1,21 @@
+// Whether the answer to a contact with softening or falling friction is the only one.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "contactd/contact.hpp"
+#include "contactd/influence_operator.hpp"
+
+namespace contactd {
+
+/// The gain of the loop from slip to friction to tractions to slip, at the solution: below 1 there is one answer. Of a
+/// layer that softens and of friction that falls without memory; 0 of all else, and where the bodies' moduli are not
+/// known. `influence` is that of the bodies with the layer (docs/friction.md).
+double loop_gain(const ContactProblem& problem, const InfluenceOperator& influence, const ContactSolution& solution);
+
+/// Sentences about a gain above 1, and about steps in which particles slip farther than they remember.
+std::vector<std::string> friction_warnings(const ContactProblem& problem, const InfluenceOperator& influence,
+                                           const ContactSolution& solution);
+
+}  // namespace contactd
