@@ -186,6 +186,29 @@ void check_derivatives(const ContactProblem& problem) {
             "derivatives", "are not known with a slip law; leave friction.kinetic out, or take differences of solves");
 }
 
+/// Pressures of virtual penetration do not follow the tractions, and change by whole rows of elements.
+void check_penetration(const ContactProblem& problem) {
+    if (problem.normal_model == NormalModel::of_model) return;
+    const std::string model = "normal_model finds pressures from the overlap of half-spaces in a plane";
+    if (problem.bodies.pair || problem.bodies.any_given())
+        throw InvalidArgument("ics", "holds a table of coefficients, and " + model + ": leave normal_model out");
+    if (problem.bodies.any_layered() || problem.bodies.any_uniform())
+        throw InvalidArgument("normal_model",
+                              "is given, and a body has layers or a section; " + model + ": leave it out");
+    if (is_line_contact(problem))
+        throw InvalidArgument("normal_model", "is given, and ics.line_contact says that nothing changes along y; " +
+                                                  model + ": leave it out");
+    if (problem.columns) throw InvalidArgument("columns", "are given, and " + model + ": leave one of them out");
+    if (problem.sheet_flexibility > 0)
+        throw InvalidArgument("sheet_flexibility", "is " + number_text(problem.sheet_flexibility) +
+                                                       " mm^3/N, and normal_model knows no sheet: leave one of them "
+                                                       "out");
+    if (problem.derivatives)
+        throw InvalidArgument("derivatives",
+                              "are not known with normal_model, whose pressures change by whole rows of elements; take "
+                              "differences of solves, or leave normal_model out");
+}
+
 void check_displacements(const ContactProblem& problem) {
     if (problem.displacements && problem.model != Model::full)
         throw InvalidArgument("displacements", "are those of model full; simplified models know none");
@@ -247,17 +270,18 @@ void check_line_contact(const ContactProblem& problem) {
 }
 
 void check_closed_form(const ContactSetup& setup) {
-    if (setup.model == Model::fastsim && is_line_contact(setup))
+    if (setup.model != Model::full && setup.model != Model::hertz && is_line_contact(setup))
         throw InvalidArgument("model",
-                              "is fastsim, which knows ellipses only, and ics.line_contact says that the contact does "
-                              "not change along y: take model hertz, which rolls as Carter says, or full");
+                              "is " + std::string(name_of(setup.model)) +
+                                  ", which knows ellipses only, and ics.line_contact says that the contact does "
+                                  "not change along y: take model hertz, which rolls as Carter says, or full");
     if (setup.model != Model::full && setup.sheet_flexibility > 0)
         throw InvalidArgument("sheet_flexibility", "is " + number_text(setup.sheet_flexibility) +
                                                        " mm^3/N; closed forms know no sheet between the bodies: leave "
                                                        "it out, or take model full");
     if (setup.model == Model::full || !(setup.bodies.any_layered() || setup.bodies.any_uniform())) return;
     throw InvalidArgument(
-        "model", "is " + std::string(setup.model == Model::hertz ? "hertz" : "fastsim") +
+        "model", "is " + std::string(name_of(setup.model)) +
                      "; closed forms know half-spaces only, and a body has layers or a section: take model full");
 }
 
@@ -265,6 +289,7 @@ void check(const ContactProblem& problem, bool complete) {
     validate(problem.grid, "grid");
     validate(problem.bodies, problem.grid);
     check_closed_form(problem);
+    validate_models(problem);
     if (complete || (problem.approach && problem.Fn)) require_load(problem);
     const std::size_t size = problem.grid.size();
     check_load(problem);
@@ -273,6 +298,7 @@ void check(const ContactProblem& problem, bool complete) {
     check_friction(problem);
     if (is_line_contact(problem)) check_line_contact(problem);
     check_derivatives(problem);
+    check_penetration(problem);
     check_displacements(problem);
     check_tangential_solver(problem);
     check_layer(problem);

@@ -125,6 +125,22 @@ void check(const WheelRailFriction& friction) {
     if (friction.layer) validate(*friction.layer);
 }
 
+void check_models(const WheelRailSetup& setup) {
+    ContactSetup models;
+    models.model = setup.model;
+    models.normal_model = setup.normal_model;
+    models.simplified = setup.simplified;
+    validate_models(models);
+    if (setup.normal_model == NormalModel::of_model) return;
+    if (setup.conformal != Conformal::off)
+        throw InvalidArgument("conformal",
+                              "is not off, and normal_model finds pressures in a plane; leave one of them out");
+    if (setup.sheet_flexibility > 0)
+        throw InvalidArgument("sheet_flexibility", "is " + number_text(setup.sheet_flexibility) +
+                                                       " mm^3/N, and normal_model knows no sheet between bodies; leave "
+                                                       "one of them out");
+}
+
 }  // namespace
 
 void validate(const WheelRailSetup& setup) {
@@ -147,6 +163,7 @@ void validate(const WheelRailSetup& setup) {
         throw InvalidArgument(
             "friction.along_profile",
             "is set, and the simplified models know one coefficient for all of a patch; take model full");
+    check_models(setup);
     if (setup.conformal != Conformal::off && setup.model != Model::full)
         throw InvalidArgument("conformal",
                               "is not off, and the simplified models know ellipses in a plane only; take model full");
@@ -174,6 +191,10 @@ void validate(const WheelRailSetup& setup) {
     require(setup.conformal != Conformal::fem || setup.dx >= shortest_uniform_element * setup.dy * (1 - rounding), "dx",
             setup.dx, "be half of dy at least, where conformal is fem");
     check(setup.patches);
+}
+
+bool has_distances(const WheelRailSetup& setup) {
+    return setup.model == Model::full || setup.normal_model != NormalModel::of_model;
 }
 
 WheelRailSetup setup_of(const WheelsetSetup& wheelset, Side side) {

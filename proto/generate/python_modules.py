@@ -83,6 +83,8 @@ MODULES = [
         "of tables of influence coefficients.",
         (
             "definitions.json#/definitions/wheel_rail_setup/properties/model",
+            "definitions.json#/definitions/normal_model",
+            "definitions.json#/definitions/simplified",
             "definitions.json#/definitions/solver_settings",
             "contact.solve.params.json#/properties/settings/properties/tangential",
             "definitions.json#/definitions/solver_evidence",

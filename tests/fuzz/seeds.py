@@ -87,6 +87,11 @@ def solves() -> Iterator[tuple[dict[str, Any], list[bytes]]]:
         "settings": {name: {"tolerance": 1e-6, "max_iterations": 10} for name in ("normal", "tangential", "outer")},
         "initial": {"pressure": [[0, 1, 0], [0, 1, 0]]}, "derivatives": True,
     }, [table.tobytes()]
+    simplified = {"slope": {"k0": 0.6, "alpha": 0.1, "beta": 0.8}, "bound": "elliptic", "on_elements": True, "blended": True,
+                  "coefficients": "printed", "k_adhesion": 0.8, "k_slip": 0.4}
+    for model in ("fastsim", "fastrip", "polach"):
+        yield {**base, "bodies": bodies, "model": model, "normal_model": "kpec", "simplified": simplified,
+               "gap": {"array": array(1, 2, 3)}, "approach": 1, "friction": {"mu": 0.3, "rolling": rolling}}, [ones]
     for model in ("hertz", "fastsim"):
         yield {**base, "bodies": bodies, "model": model, "gap": {"paraboloid": {"Rx": 5, "Ry": 50}}, "Fn": 1,
                "friction": {"mu": 0.3, "rolling": rolling}}, []

@@ -251,7 +251,7 @@ TEST_CASE("A rigid body stays rigid", "[codec]") {
 
 TEST_CASE("A simplified model needs bodies and no coefficients", "[codec]") {
     ContactProblem original = problem();
-    original.model = GENERATE(Model::hertz, Model::fastsim);
+    original.model = GENERATE(Model::hertz, Model::fastsim, Model::fastrip, Model::polach);
     original.gap = SemiAxes{1, 2};
     const ContactProblem read = arrived(original);
     CHECK(read.model == original.model);

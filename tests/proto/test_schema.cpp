@@ -231,7 +231,7 @@ TEST_CASE("The full model needs coefficients, the quick ones need bodies only", 
     REQUIRE(missing.size() == 1);
     CHECK(missing[0].field == "ics");
     CHECK_THAT(missing[0].description, ContainsSubstring("is missing; it must be an object with source"));
-    for (const char* model : {"hertz", "fastsim"}) {
+    for (const char* model : {"hertz", "fastsim", "fastrip", "polach"}) {
         params["model"] = model;
         CHECK_NOTHROW(check_params("contact.solve", params));
         json without = params;

@@ -7,7 +7,7 @@
 
 namespace contactd::fmu {
 
-inline constexpr std::string_view model_keywords[] = {"full", "hertz", "fastsim"};
+inline constexpr std::string_view model_keywords[] = {"full", "hertz", "fastsim", "fastrip", "polach"};
 inline constexpr Enumeration models{"Model", model_keywords};
 inline constexpr std::string_view kinetic_keywords[] = {"none", "linear", "exponential", "rational"};
 inline constexpr Enumeration kinetic_laws{"KineticFriction", kinetic_keywords};
@@ -24,10 +24,13 @@ inline constexpr auto common_variables = std::to_array<Variable>({
          "The same of the initialisation, which may wait for finite elements."),
     real("limits.connect", Role::parameter, "s", 5,
          "How long to wait for somebody to listen; never more than limits.step."),
-    at_path("setup.model",
-            keyword("model", models, 0,
-                    "full: boundary elements. hertz: closed forms. fastsim: Hertz, and Kalker's simplified theory.")),
-    number("model_number", "model", models, "In the place of model: 0 full, 1 hertz, 2 fastsim; -1: as model says."),
+    at_path(
+        "setup.model",
+        keyword(
+            "model", models, 0,
+            "full: boundary elements. hertz: closed forms. fastsim, fastrip, polach: Hertz, and theories of rolling.")),
+    number("model_number", "model", models,
+           "In the place of model: 0 full, 1 hertz, 2 fastsim, 3 fastrip, 4 polach; -1: as model says."),
     at_path("setup.friction.mu", real("friction.mu", Role::input, "", 0.3, "Coefficient of (static) friction.")),
     boolean("friction.none", Role::parameter, false, "No friction: nothing but normal contact is solved."),
     keyword("friction.kinetic.law", kinetic_laws, 0, "How friction falls with the velocity of slip."),

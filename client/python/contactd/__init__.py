@@ -52,7 +52,15 @@ from .files.saved import load, save
 from .files.table_files import load_table, save_table
 from .local import LocalDaemon, local
 from .values.dictionaries import from_dict, to_dict
-from .values.evidence import IcEvidence, SectionEvidence, SolverEvidence, SolverSettings, TangentialSettings
+from .values.evidence import (
+    IcEvidence,
+    SectionEvidence,
+    SimplifiedSettings,
+    SlopeReduction,
+    SolverEvidence,
+    SolverSettings,
+    TangentialSettings,
+)
 from .values.fem_ics import FemIcs
 from .values.friction import Friction, InterfacialLayer
 from .values.grid import Grid, Paraboloid, SemiAxes
@@ -134,6 +142,8 @@ __all__ = [
     "Session",
     "SessionSummary",
     "Shift",
+    "SimplifiedSettings",
+    "SlopeReduction",
     "SolverEvidence",
     "SolverSettings",
     "StatusError",

@@ -152,6 +152,8 @@ struct WheelRailSetup {
     /// Upper is the rail, lower the wheel: forces and tractions act on the rail.
     Bodies bodies = Bodies::of({{82000, 0.28}, {82000, 0.28}});
     Model model = Model::full;
+    NormalModel normal_model = NormalModel::of_model;  ///< as of ContactSetup
+    SimplifiedSettings simplified{};
     double sheet_flexibility = 0;  ///< of a thin sheet between them, as of ContactSetup (mm^3/N)
     std::optional<WheelRailFriction> friction = WheelRailFriction{};  ///< absent: frictionless
     double dx = 0.2, dy = 0.2;  ///< sizes of the elements along and across the track, in the contact plane (mm)
@@ -165,6 +167,9 @@ struct WheelRailSetup {
 
     bool operator==(const WheelRailSetup&) const = default;
 };
+
+/// Whether patches have distances of their own on a grid, as pressures that are no ellipses need them.
+bool has_distances(const WheelRailSetup& setup);
 
 /// Both wheels of a wheelset. `side` means nothing in the parts.
 struct WheelsetSetup {

@@ -97,6 +97,9 @@ template <class Number>
 DualOf<Number> hypot(const DualOf<Number>& a, const DualOf<Number>& b) {
     return sqrt(a * a + b * b);
 }
+inline Dual atan(const Dual& a) {
+    return Dual::of(std::atan(a.value), a, 1 / (1 + a.value * a.value));
+}
 inline Dual abs(const Dual& a) {
     return a.value < 0 ? -a : a;
 }

@@ -10,6 +10,7 @@
 #include "contact/derivatives/differentiate.hpp"
 #include "contact/normal/approach_operator.hpp"
 #include "contact/normal/normal_solver.hpp"
+#include "contact/penetration/virtual_penetration.hpp"
 #include "contact/support/solver_support.hpp"
 #include "contact/tangential/friction_law.hpp"
 #include "contact/tangential/friction_memory.hpp"
@@ -128,7 +129,21 @@ class BoundaryElements {
         }
     }
 
+    /// Pressures of virtual penetration, which do not follow the tractions.
+    void take_penetration() {
+        if (influence_.coupled())
+            throw InvalidArgument("normal_model",
+                                  "is given, and the bodies are dissimilar, so that pressures follow the tractions, "
+                                  "which those of normal_model do not: take like bodies, or leave it out");
+        PenetrationContact found = penetration_contact(problem_, distance_);
+        now_.pressure = std::move(found.pressure);
+        solution_.approach = found.approach;
+        solution_.evidence.normal = found.evidence;
+        solution_.warnings = std::move(found.warnings);
+    }
+
     void solve_normal_contact(const OuterTolerances& tolerances, Observer& observer) {
+        if (problem_.normal_model != NormalModel::of_model) return take_penetration();
         Values gap = distance_;
         if (step_ && influence_.coupled() && inner(now_.tangential, now_.tangential) > 0) {
             Values uz(n_);

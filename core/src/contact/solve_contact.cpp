@@ -9,7 +9,9 @@
 
 #include "boundary_elements.hpp"
 #include "closed_forms/simplified/simplified_models.hpp"
+#include "closed_forms/undeformed_distance.hpp"
 #include "contact/normal/normal.hpp"
+#include "contact/penetration/virtual_penetration.hpp"
 #include "contact/rolling/rolling.hpp"
 #include "contactd/error.hpp"
 #include "contactd/strip_frames.hpp"
@@ -250,12 +252,18 @@ void add_sheets(const ContactProblem& problem, ContactInfluence& bodies) {
         std::make_shared<const SheetStep>(std::move(bodies.increment), problem.grid, x, y, sheets.tangential);
 }
 
+ContactSolution simplified(const ContactProblem& problem) {
+    if (problem.normal_model == NormalModel::of_model) return solve_by_simplified_model(problem);
+    const PenetrationContact penetration = penetration_contact(problem, undeformed_distance(problem));
+    return solve_by_simplified_model(problem, &penetration);
+}
+
 }  // namespace
 
 ContactSolution solve_contact(const ContactProblem& problem, const ContactInfluence& influence, Observer& observer) {
     validate(problem);
     if (problem.model != Model::full) {
-        ContactSolution solution = solve_by_simplified_model(problem);
+        ContactSolution solution = simplified(problem);
         count_elements(problem, solution);
         warn(problem, solution);
         return solution;

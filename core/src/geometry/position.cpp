@@ -201,7 +201,8 @@ std::vector<RegionGroup> Position::groups(double z, bool blends) const {
 std::vector<CandidatePatch> Position::candidates(double z) const {
     const WheelSurface wheel = wheel_.lowered(z);
     std::vector<CandidatePatch> candidates;
-    for (const RegionGroup& group : groups(z, setup_.model == Model::full))
+    for (const RegionGroup& group :
+         groups(z, setup_.model == Model::full && setup_.normal_model == NormalModel::of_model))
         candidates.push_back(candidate_of(group, wheel, z));
     return candidates;
 }
@@ -226,7 +227,7 @@ CandidatePatch Position::candidate_of(const RegionGroup& group, const WheelSurfa
     find_elements(found);
     place.grid = grid_of(group, rail_, setup_.dx, setup_.dy, found.middle);
     place.radii = radii_of(wheel, rail_, place.reference);
-    if (setup_.model == Model::full) {
+    if (has_distances(setup_)) {
         place.approach = place.penetration * std::abs(std::cos(place.reference.angle));
     } else {
         const EquivalentEllipse ellipse = search_->ellipse(z, group);
@@ -281,7 +282,7 @@ void Position::widen(CandidatePatch& found, const Grid& grid, double z) const {
 }
 
 bool Position::measure(CandidatePatch& found, double z) const {
-    if (setup_.model != Model::full) return std::isfinite(found.place.approach);
+    if (!has_distances(setup_)) return std::isfinite(found.place.approach);
     constexpr int most_rounds = 50;
     const WheelSurface wheel = wheel_.lowered(z);
     ContactPlace& place = found.place;

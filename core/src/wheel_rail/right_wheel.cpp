@@ -222,7 +222,7 @@ WheelRailPatch RightWheel::solve(CandidatePatch& found, SurfaceState previous, d
     patch.solution = solve(std::move(problem), found, observer);
     patch.place = found.place;
     patch.gap = std::move(found.gap);
-    patch.forces = resultants(patch.place, patch.solution, setup_.model != Model::full, position_.rail().frame(),
+    patch.forces = resultants(patch.place, patch.solution, !has_distances(setup_), position_.rail().frame(),
                               position_.wheel(z).wheelset());
     return patch;
 }
@@ -257,7 +257,7 @@ WheelRailSolution RightWheel::under_force(double Fz, Observer& observer) {
     const auto begin = std::chrono::steady_clock::now();
     WheelRailSolution solution;
     HeightTask task = height_task(Fz);
-    const bool simplified = setup_.model != Model::full;
+    const bool simplified = !has_distances(setup_);
     std::vector<CandidatePatch> candidates;  // at the last height
     task.force = [&](double z) {
         check_depth(z);

@@ -48,6 +48,8 @@ const FieldType& type_of<ContactProblem>() {
         fields::field_along<ContactProblem, &ContactProblem::Fn>("Fn",
                                                                  {.bounds = {.least = 0, .most = 1e+18}, .unit = "N"}),
         fields::field_along<ContactProblem, &ContactProblem::model>("model"),
+        fields::field_along<ContactProblem, &ContactProblem::normal_model>("normal_model"),
+        fields::field_along<ContactProblem, &ContactProblem::simplified>("simplified"),
         fields::field_along<ContactProblem, &ContactProblem::sheet_flexibility>(
             "sheet_flexibility", {.bounds = {.least = 0, .most = 1e+06}, .unit = "mm^3/N"}),
         fields::field_beside<ContactProblem, &ContactProblem::friction>("friction",

@@ -28,7 +28,7 @@ bool is_small(const CallPtr& call, const DaemonParts&) {
         if (count == grid->end() || !count->is_number_unsigned() || *count > 10'000) return false;
         elements *= count->get<std::size_t>();
     }
-    return is_small_solve(*model == "hertz" || *model == "fastsim" ? Model::hertz : Model::full, elements);
+    return is_small_solve(*model == "full" ? Model::full : Model::hertz, elements);
 }
 
 void solve(const CallPtr& call, const DaemonParts& parts) {

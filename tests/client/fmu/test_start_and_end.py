@@ -222,7 +222,7 @@ def test_enumerations_are_numbers_too(wheel, contact, refused):
         for name in numbers:
             assert fmu.variables[name].type in ("Integer", "Int32")
             assert fmu.get(name) == -1
-        refused(fmu, lambda fmu=fmu: fmu.set({"model_number": 3}), "model_number", "2 (fastsim)")
+        refused(fmu, lambda fmu=fmu: fmu.set({"model_number": 5}), "model_number", "4 (polach)")
         refused(fmu, lambda fmu=fmu: fmu.set({"model_number": -2}), "model_number", "0 (full)")
 
 

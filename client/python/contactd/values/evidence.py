@@ -15,6 +15,7 @@ from .fem_ics import FemIcs
 __all__ = [
     "ComponentError",
     "ContactEvidence",
+    "CreepageCoefficients",
     "Discretisation",
     "ErrorSource",
     "IcErrors",
@@ -22,17 +23,74 @@ __all__ = [
     "IcUse",
     "LoadCase",
     "Model",
+    "NormalModel",
     "OperatorUse",
     "SectionEvidence",
+    "SimplifiedSettings",
+    "SlopeReduction",
     "SolverEvidence",
     "SolverSettings",
     "TangentialSettings",
     "TangentialSolver",
+    "TractionBound",
 ]
 
-Model = Literal["full", "hertz", "fastsim"]
+Model = Literal["full", "hertz", "fastsim", "fastrip", "polach"]
+NormalModel = Literal["of_model", "kp", "kpec", "analyn"]
+TractionBound = Literal["parabolic", "elliptic"]
+CreepageCoefficients = Literal["computed", "printed"]
 TangentialSolver = Literal["newton", "tangcg"]
 ErrorSource = Literal["hertz", "estimate"]
+
+
+@dataclass(frozen=True)
+class SlopeReduction:
+    """Reduction of the initial slope, of contaminated surfaces (Spiryagin, Polach and Cole 2013), of fastsim and
+    fastrip: flexibilities over k = k0 (alpha + (1 - alpha)/(1 + beta eps)), where eps = G pi a b k0 C11 w/(4 mu Fn) and
+    w is the size of the creepage with the spin's share.
+
+    Attributes:
+        k0: Share of Kalker's slope for small creepages, usually up to 1. Default 1.
+        alpha: What is left of k0 for large creepages, usually up to 1. Default 1.
+        beta: How fast k falls from k0 to alpha k0. Default 0.
+    """
+
+    k0: float | None = None
+    alpha: float | None = None
+    beta: float | None = None
+
+
+@dataclass(frozen=True)
+class SimplifiedSettings:
+    """Options of the simplified models of rolling. Each model takes those that it names, and refuses others that are
+    not left at their default.
+
+    Attributes:
+        slope: Reduction of the initial slope, of contaminated surfaces (Spiryagin, Polach and Cole 2013), of fastsim
+            and fastrip: flexibilities over k = k0 (alpha + (1 - alpha)/(1 + beta eps)), where eps = G pi a b k0 C11
+            w/(4 mu Fn) and w is the size of the creepage with the spin's share. None: k = 1, Kalker's slope.
+        bound: Bound of tractions in an ellipse, of fastsim: parabolic, a third higher in the middle, as is usual;
+            elliptic, mu times Hertz's pressure. Default "parabolic".
+        on_elements: fastsim in whole steps of the grid's elements, with spin taken friction.rolling.spin_offset steps
+            ahead, and forces that are sums over them. Otherwise the ellipse has slices of its own, which come to the
+            limit of small elements. Kinetic friction, a slope, an elliptic bound, blended flexibilities and pressures
+            of a normal_model need elements and take them by themselves. Default False.
+        blended: The three flexibilities of fastsim and fastrip become one as slip grows: where the creepage is three
+            times that of full slip, the mean of the three by the shares of creepages and spin. Default False.
+        coefficients: Kalker's creepage coefficients, of fastsim on elements, fastrip and polach: computed, to 1e-3; or
+            printed, the table of three digits of his book, between its lines, 1 % off, which other programs read.
+            Default "computed".
+        k_adhesion: Polach's reduction of the slope in the area of adhesion. Default 1.
+        k_slip: Polach's reduction of the slope in the area of slip, at most k_adhesion. Default 1.
+    """
+
+    slope: SlopeReduction | None = None
+    bound: TractionBound | None = None
+    on_elements: bool | None = None
+    blended: bool | None = None
+    coefficients: CreepageCoefficients | None = None
+    k_adhesion: float | None = None
+    k_slip: float | None = None
 
 
 @dataclass(frozen=True)

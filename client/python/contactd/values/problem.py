@@ -14,7 +14,7 @@ import numpy.typing as npt
 from ..refusals import public
 from .arrays import Array
 from .dictionaries import Saved
-from .evidence import Model, SolverSettings
+from .evidence import Model, NormalModel, SimplifiedSettings, SolverSettings
 from .friction import Friction
 from .grid import Grid, Paraboloid, SemiAxes
 from .ics import Ics
@@ -93,8 +93,10 @@ class ContactProblem(ProblemMethods, Saved):
         initial: Where the solvers start: tractions of a similar problem.
         Fn: Normal force (N), >= 0; the approach is found then.
         model: full: boundary elements. hertz: closed forms of elliptic contact, and with ics.line_contact of line
-            contact. fastsim: Hertzian contact and Kalker's simplified theory of rolling. The simplified models (hertz,
-            fastsim) need a paraboloid or semi-axes, and of ics take line_contact only. Default "full".
+            contact. The models of vehicle codes, of steady rolling: fastsim, Kalker's simplified theory; fastrip, strip
+            theory with FASTSIM where it slips; polach, Polach's forces, which knows no tractions and no spin moment.
+            All but full need a paraboloid or semi-axes, unless normal_model finds the pressures, and of ics take
+            line_contact only. Default "full".
         previous: The tractions at the end of the step before, where a shift or transient rolling starts; what is None
             is zero. Also the state of friction: yield stresses of a layer, coefficients with memory; what is None is
             that of surfaces that have just met.
@@ -112,6 +114,12 @@ class ContactProblem(ProblemMethods, Saved):
             simplified models.
         sheet_flexibility: Flexibility of a thin sheet between the bodies (mm^3/N), >= 0: pressure times this adds to
             the normal displacement of an element, and of no other. Of model full. Default 0.
+        normal_model: How pressures are found. of_model: as model says, by boundary elements or Hertz. Models of vehicle
+            codes, from the overlap of the undeformed surfaces: kp (Piotrowski and Kik), kpec (Piotrowski, Liu and
+            Bruni), analyn (Sichani, Enblom and Berg). Tractions are then those of model: full, fastsim, fastrip or
+            polach. Default "of_model".
+        simplified: Options of the simplified models of rolling. Each model takes those that it names, and refuses
+            others that are not left at their default.
     """
 
     grid: Grid
@@ -134,6 +142,8 @@ class ContactProblem(ProblemMethods, Saved):
     columns: ContactColumns | None = None
     displacements: bool = False
     sheet_flexibility: float | None = None
+    normal_model: NormalModel | None = None
+    simplified: SimplifiedSettings | None = None
 
     @public
     def replace(self, **changes: Unpack[ProblemFields]) -> ContactProblem:
@@ -164,3 +174,5 @@ class ProblemFields(TypedDict, total=False):
     columns: ContactColumns | None
     displacements: bool
     sheet_flexibility: float | None
+    normal_model: NormalModel | None
+    simplified: SimplifiedSettings | None

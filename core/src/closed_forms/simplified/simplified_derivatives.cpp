@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "cattaneo_mindlin.hpp"
+#include "closed_forms/elements/element_friction.hpp"
 #include "derivative_table.hpp"
 #include "fastsim.hpp"
 #include "vermeulen_johnson.hpp"
@@ -26,9 +27,14 @@ KnownMotion known_motion(const ContactProblem& problem, const EllipticContact& c
                 mu > 0 ? cattaneo_mindlin_exponent(contact, mu, *shift) : 0};
     const auto& rolling = std::get<Rolling>(motion);
     ForcesByMotion by_motion{};
-    if (mu > 0)
+    if (mu > 0 && rolls_on_elements(problem)) {
+        const TractionBound bound =
+            problem.model == Model::fastsim ? problem.simplified.bound : TractionBound::elliptic;
+        by_motion = element_friction_by_motion(problem, patch_of(problem.grid, contact, bound), rolling);
+    } else if (mu > 0) {
         by_motion = problem.model == Model::fastsim ? fastsim_by_motion(contact, mu, rolling)
                                                     : vermeulen_johnson_by_motion(contact, mu, rolling);
+    }
     return {{rolling.xi, rolling.eta, rolling.phi}, by_motion, 1.0 / contact.force_power()};
 }
 
@@ -69,7 +75,7 @@ Derivatives simplified_derivatives(const ContactProblem& problem, const Elliptic
     if (problem.friction) {
         const double mu = problem.friction->mu[0];
         take_friction(known_motion(problem, contact, *solution.motion), mu, contact, solution, table);
-        table.has_rotation = problem.model == Model::fastsim;
+        table.has_rotation = problem.model != Model::hertz;
         table.has_mu = mu > 0;
     }
     return named(table, problem);

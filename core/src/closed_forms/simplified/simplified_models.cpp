@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cattaneo_mindlin.hpp"
+#include "closed_forms/elements/element_friction.hpp"
 #include "closed_forms/elliptic_contact.hpp"
 #include "closed_forms/hertz.hpp"
 #include "contactd/error.hpp"
@@ -18,8 +19,8 @@ namespace contactd {
 namespace {
 
 [[noreturn]] void unknown(const ContactProblem& problem, const char* field, const std::string& what) {
-    const char* name = problem.model == Model::hertz ? "hertz" : "fastsim";
-    throw InvalidArgument(field, what + ", which model " + name + " does not know; model full does");
+    throw InvalidArgument(
+        field, what + ", which model " + std::string(name_of(problem.model)) + " does not know; model full does");
 }
 
 void check_is_curved(double radius, const char* field) {
@@ -59,15 +60,24 @@ void check_is_elliptic(const ContactProblem& problem) {
 void check_is_simple(const ContactProblem& problem) {
     const FrictionLaw& friction = *problem.friction;
     if (friction.mu.size() != 1) unknown(problem, "friction.mu", "differs from element to element");
-    if (friction.kinetic) unknown(problem, "friction.kinetic", "makes friction depend on the slip");
+    if (friction.kinetic && !rolls_on_elements(problem))
+        unknown(problem, "friction.kinetic", "makes friction depend on the slip");
     if (!problem.previous.empty()) unknown(problem, "previous", "starts from tractions");
     if (!problem.rigid_slip.empty()) unknown(problem, "friction.rigid_slip", "differs from element to element");
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
     if (rolling && !rolling->steady()) unknown(problem, "friction.rolling.kind", "is transient");
-    if (!rolling && problem.model == Model::fastsim) unknown(problem, "friction", "is a shift");
+    if (!rolling && problem.model != Model::hertz) unknown(problem, "friction", "is a shift");
 }
 
-EllipticFriction friction_of(const ContactProblem& problem, const EllipticContact& contact) {
+/// FaStrip is made for Hertz's pressures.
+TractionBound bound_of(const ContactProblem& problem) {
+    return problem.model == Model::fastsim ? problem.simplified.bound : TractionBound::elliptic;
+}
+
+EllipticFriction friction_of(const ContactProblem& problem, const EllipticContact& contact,
+                             std::vector<std::string>& warnings) {
+    if (rolls_on_elements(problem))
+        return element_friction(problem, patch_of(problem.grid, contact, bound_of(problem)), warnings);
     constexpr double least_mu = 1e-100;  // products of less with pressures are no numbers that can be divided by
     const double given = problem.friction->mu[0], mu = given >= least_mu ? given : 0;
     if (const auto* shift = std::get_if<Shift>(&problem.motion))
@@ -113,11 +123,29 @@ void differentiate(const ContactProblem& problem, const EllipticContact& contact
     solution.evidence.derivatives = SolverEvidence{0, 0, true, duration.count()};  // closed form
 }
 
+ContactSolution solve_on_pressures(const ContactProblem& problem, const PenetrationContact& found) {
+    ContactSolution solution;
+    solution.evidence.normal = found.evidence;
+    solution.warnings = found.warnings;
+    solution.approach = found.approach;
+    solution.forces.Fn = found.Fn;
+    solution.pmax = found.pmax;
+    solution.pressure = found.pressure;
+    const ElementPatch patch = patch_of(problem.grid, found.pressure, combined_material(problem.bodies.materials()));
+    solution.area.contact = patch.area;
+    if (problem.friction)
+        take_friction(element_friction(problem, patch, solution.warnings), solution);
+    else
+        take_no_friction(solution);
+    return solution;
+}
+
 }  // namespace
 
-ContactSolution solve_by_simplified_model(const ContactProblem& problem) {
-    check_is_elliptic(problem);
+ContactSolution solve_by_simplified_model(const ContactProblem& problem, const PenetrationContact* penetration) {
+    if (penetration == nullptr) check_is_elliptic(problem);
     if (problem.friction) check_is_simple(problem);
+    if (penetration != nullptr) return solve_on_pressures(problem, *penetration);
     const HertzContact found = hertz(problem);
     EllipticContact contact{{found.a, found.b}, found.Fn, combined_material(problem.bodies.materials())};
     if (const auto line = line_contact_of(problem.bodies)) {
@@ -132,7 +160,7 @@ ContactSolution solve_by_simplified_model(const ContactProblem& problem) {
     solution.area.contact = contact.area();
     solution.pressure = hertz_pressure(problem.grid, contact);
     if (problem.friction)
-        take_friction(friction_of(problem, contact), solution);
+        take_friction(friction_of(problem, contact, solution.warnings), solution);
     else
         take_no_friction(solution);
     if (problem.derivatives) differentiate(problem, contact, solution);

@@ -232,9 +232,11 @@ ContactProblem problem_of(const WheelRailSetup& setup, const WheelRailState& sta
     problem.grid = found.place.grid;
     problem.bodies = setup.bodies;
     problem.model = setup.model;
+    problem.normal_model = setup.normal_model;
+    problem.simplified = setup.simplified;
     problem.sheet_flexibility = setup.sheet_flexibility;
     problem.settings = setup.settings;
-    if (setup.model == Model::full)
+    if (has_distances(setup))
         problem.gap = found.gap;
     else
         problem.gap = found.paraboloid;
@@ -251,7 +253,8 @@ ContactSolution solve_patch(ContactProblem problem, const ContactPlace& place, c
     try {
         if (problem.model != Model::full) return solve_contact(problem, {}, observer);
         const ContactInfluence influence = influences(problem, strips, observer);
-        if (place.regions.size() > 1) blend(problem, place, rules, influence, observer);
+        if (place.regions.size() > 1 && problem.normal_model == NormalModel::of_model)
+            blend(problem, place, rules, influence, observer);
         return solve_contact(problem, influence, observer);
     } catch (const InvalidArgument& error) {
         refuse_as_of_wheel(error, problem);

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Literal, TypedDict
 
 from ...refusals import public
 from ..dictionaries import Saved
-from ..evidence import Model, SolverSettings
+from ..evidence import Model, NormalModel, SimplifiedSettings, SolverSettings
 from ..friction import InterfacialLayer
 from ..materials import Material, RigidBody
 from ..motion import KineticFriction
@@ -171,8 +171,12 @@ class WheelRailSetup(Saved):
         wheelset: Where the wheels sit on their axle.
         upper: Material of the rail; without bodies it is steel, G = 82000 and nu = 0.28.
         lower: Material of the wheel; None: as the rail.
-        model: full: boundary elements. hertz: closed forms of elliptic contact. fastsim: Hertzian contact and Kalker's
-            simplified theory of rolling. Default "full".
+        model: full: boundary elements. hertz: closed forms of elliptic contact. The models of vehicle codes, of steady
+            rolling: fastsim, Kalker's simplified theory; fastrip, strip theory with FASTSIM where it slips; polach,
+            Polach's forces, which knows no tractions and no spin moment. Default "full".
+        normal_model: How pressures are found, as in contact.solve: of_model as model says; kp, kpec, analyn from the
+            overlap of the undeformed surfaces, with model full, fastsim, fastrip or polach. Default "of_model".
+        simplified: Options of the models fastsim, fastrip and polach, as in contact.solve.
         sheet_flexibility: Flexibility of a thin sheet between rail and wheel, as in contact.solve (mm^3/N), >= 0. Of
             model full. Default 0.
         friction: Coulomb friction, by default 0.3 everywhere; None: frictionless.
@@ -217,6 +221,8 @@ class WheelRailSetup(Saved):
     upper: Material | RigidBody | None = field(default=None, metadata={"within": "bodies"})
     lower: Material | RigidBody | None = field(default=None, metadata={"within": "bodies"})
     model: Model | None = None
+    normal_model: NormalModel | None = None
+    simplified: SimplifiedSettings | None = None
     sheet_flexibility: float | None = None
     friction: WheelRailFriction | None = WheelRailFriction()
     dx: float | None = None
@@ -252,6 +258,8 @@ class WheelRailFields(TypedDict, total=False):
     upper: Material | RigidBody | None
     lower: Material | RigidBody | None
     model: Model | None
+    normal_model: NormalModel | None
+    simplified: SimplifiedSettings | None
     sheet_flexibility: float | None
     friction: WheelRailFriction | None
     dx: float | None

@@ -1,0 +1,19 @@
+// Pressures that a model of virtual penetration has found.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "contactd/contact.hpp"
+
+namespace contactd {
+
+struct PenetrationContact {
+    std::vector<double> pressure;  ///< shape [ny, nx] (N/mm^2)
+    double approach = 0;           ///< (mm)
+    double Fn = 0, pmax = 0;       ///< sums and the largest of the pressures
+    SolverEvidence evidence;       ///< of the search for an approach: |Fn - prescribed|/prescribed
+    std::vector<std::string> warnings;
+};
+
+}  // namespace contactd
