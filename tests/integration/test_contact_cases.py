@@ -189,8 +189,8 @@ def test_elastic_energy_is_half_the_work_of_the_load(shared):
 
 
 def test_fastsim_on_elements_is_what_is_printed_and_small_ones_come_to_contactds(shared):
-    """Why cases with FASTSIM differ: whole steps from before the first element on, spin a sixth of one ahead, and creepage
-    coefficients that are read from a table."""
+    """Why FASTSIM on its own slices has other forces than on elements: whole steps from before the first element on, spin a
+    sixth of one ahead, and creepage coefficients that are read from a table."""
     assert fastsim_on_elements(44, (0.4937e-4, 0.5152e-4, 0.4090e-4)) == pytest.approx((-15050, -39000), rel=5e-4)
     a, b, bound = 8.0, 4.0, 0.3 * 82000
     motion = Rolling(eta=-0.000625, phi=0.000625)
@@ -258,7 +258,7 @@ def test_given_cases_agree_or_are_refused_by_name_or_have_a_reason(shared, given
             if not is_met and reason_of(one["file"], outcome.case.number) is None:
                 unexpected.append((one["file"], outcome.case.number, outcome.status, outcome.sentence, apart))
     assert unexpected == []
-    assert counts["agrees"] >= {1: 360, 3: 145}[module]
+    assert counts["agrees"] >= {1: 362, 3: 200}[module]
     print(counts)
 
 

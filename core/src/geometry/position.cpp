@@ -201,8 +201,7 @@ std::vector<RegionGroup> Position::groups(double z, bool blends) const {
 std::vector<CandidatePatch> Position::candidates(double z) const {
     const WheelSurface wheel = wheel_.lowered(z);
     std::vector<CandidatePatch> candidates;
-    for (const RegionGroup& group :
-         groups(z, setup_.model == Model::full && setup_.normal_model == NormalModel::of_model))
+    for (const RegionGroup& group : groups(z, has_distances(setup_)))
         candidates.push_back(candidate_of(group, wheel, z));
     return candidates;
 }

@@ -92,6 +92,13 @@ GivenFriction friction_of(const Settings& settings, int method, const double* pa
     return same_friction(method, list(params, nparam, law == coulomb ? 2 : 7, "params"), settings.units);
 }
 
+/// Nothing is reduced at large creepages where k0 is not, whatever beta is.
+SlopeReduction slope(double k0, double alpha, double beta) {
+    if (!(k0 > 0 && alpha > 0 && beta >= 0))
+        throw Refused(error_code::input, "A reduction of the slope has k0 and alpha above 0, and beta not below.");
+    return {k0, alpha, beta};
+}
+
 std::vector<double> material_back(const Settings& settings) {
     if (!settings.materials) throw Refused(error_code::input, "No material was set.");
     const auto& [upper, lower] = *settings.materials;
@@ -109,10 +116,20 @@ std::vector<double> friction_back(const Settings& settings) {
 extern "C" void cntc_setmaterialparameters(int* ire, int* icp, int* imeth, int* nparam, double* rparam) {
     set("cntc_setmaterialparameters", ire, icp, "material", [&](Settings& settings) {
         const int method = integer(imeth, "imeth");
-        if (method != 0)
+        constexpr int fastsim = 3, fastrip = 5;
+        const bool is_simplified = method == fastsim || method == fastrip;
+        if (method != 0 && !is_simplified)
             throw Refused(error_code::input,
-                          "Method " + std::to_string(method) + " is asked for; contactd has elastic bodies here, 0.");
-        settings.materials = elastic(list(rparam, nparam, 4, "rparam"), settings.units);
+                          "Method " + std::to_string(method) +
+                              " is asked for; contactd has elastic bodies here, 0, and these with the "
+                              "simplified theory, 3 or 5.");
+        std::vector<double> given = list(rparam, nparam, is_simplified ? 7 : 4, "rparam");
+        settings.slope = {};
+        if (is_simplified) settings.slope = slope(given[4], given[5], given[6]);
+        given.resize(4);
+        settings.materials = elastic(given, settings.units);
+        settings.digits.set(flag::material, method);
+        settings.refused.erase("flag " + std::to_string(flag::material));
     });
 }
 CONTACTD_FORTRAN_NAME(cntc_setmaterialparameters)

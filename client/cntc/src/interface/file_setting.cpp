@@ -43,7 +43,14 @@ void FileSetting::solvers() {
 
 void FileSetting::material() {
     auto values = reals({"POISS1", "POISS2", "GG1", "GG2"});
-    int method = 0, count = 4;
+    constexpr int fastsim = 3, fastrip = 5;
+    const bool is_simplified = digit("M") == fastsim || digit("M") == fastrip;
+    int method = is_simplified ? digit("M") : 0;
+    if (is_simplified) {
+        const auto slope = reals({"K0", "ALFA", "BETA"});
+        values.insert(values.end(), slope.begin(), slope.end());
+    }
+    auto count = static_cast<int>(values.size());
     cntc_setmaterialparameters(&ire_, &icp_, &method, &count, values.data());
     pass_on();
 }

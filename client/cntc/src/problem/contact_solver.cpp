@@ -38,7 +38,7 @@ const ContactInfluence& ContactSolver::influence_of(const ContactProblem& proble
 
 ContactSolution ContactSolver::solve(const ContactProblem& problem) {
     Observer observer;
-    return solve_contact(problem, influence_of(problem), observer);
+    return solve_contact(problem, problem.model == Model::full ? influence_of(problem) : ContactInfluence{}, observer);
 }
 
 Displacements ContactSolver::displacements(const ContactProblem& problem, const ContactSolution& solution) {

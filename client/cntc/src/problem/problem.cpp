@@ -4,6 +4,7 @@
 
 #include "edge/codes.hpp"
 #include "problem/area.hpp"
+#include "problem/case_models.hpp"
 
 namespace contactd::cntc {
 namespace {
@@ -155,6 +156,10 @@ ContactProblem problem_of(const Settings& settings, const LastCase* last,
     problem.gap = std::move(area.gap);
     problem.bodies = Bodies::of(*settings.materials, coefficients(settings));
     problem.settings = settings.solvers;
+    const CaseModels models = models_of(settings);
+    problem.model = models.model;
+    problem.normal_model = models.normal_model;
+    problem.simplified = models.simplified;
     if (settings.digits(flag::normal) == 1) {
         if (!settings.fn) throw Refused(error_code::input, "No normal force was set; call cntc_setnormalforce.");
         problem.Fn = settings.fn;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "edge/codes.hpp"
+#include "problem/case_models.hpp"
 
 namespace contactd::cntc {
 namespace {
@@ -175,6 +176,15 @@ WheelRailSetup setup_of(const Settings& settings, const RailSettings& rail) {
     setup.patches = patches_of(*rail.elements, surfaces);
     if (surfaces == slip_of_surfaces) setup.rigid_slip = RigidSlipKind::surfaces;
     setup.conformal = conformal_of(settings);
+    const CaseModels models = models_of(settings);
+    if (models.model != Model::full && models.normal_model == NormalModel::of_model)
+        throw Refused(
+            error_code::input,
+            "The simplified theory on pressures of the full theory (flag 1971 is 0) is not there for a wheel on "
+            "a rail; set flag 1971 to 5 or 6, or flag 1979 to 0.");
+    setup.model = models.model;
+    setup.normal_model = models.normal_model;
+    setup.simplified = models.simplified;
     setup.settings = settings.solvers;
     setup.force.tolerance = std::min(setup.force.tolerance, settings.solvers.tangential.tolerance);
     return setup;
@@ -218,7 +228,7 @@ WheelRailState state_of(const Settings& settings, const RailSettings& rail) {
     } else if (tangential == transient) {
         state.motion = WheelRailMotion::transient_rolling;
     }
-    state.displacements = true;
+    state.displacements = models_of(settings).model == Model::full;
     return state;
 }
 

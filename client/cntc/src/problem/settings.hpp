@@ -83,6 +83,7 @@ struct Settings {
     ContactSettings solvers;
     std::map<int, double> metadata;
     std::optional<MaterialPair> materials;
+    SlopeReduction slope;  ///< of the simplified theory
     std::optional<GivenFriction> friction;
     std::variant<std::monostate, HertzArea, Grid> area;
     std::optional<Distance> distance;

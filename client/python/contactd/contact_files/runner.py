@@ -146,7 +146,7 @@ class Runner:
         contact = RailContact.of(case, self._profiles, self._wheel_surface)
         if steps is not None:
             return steps.solve(contact, self._stresses)
-        solution = self._client.wheel_rail(contact.setup, replace(contact.state, displacements=True), gap=True)
+        solution = self._client.wheel_rail(contact.setup, replace(contact.state, displacements=contact.setup.model is None), gap=True)
         return RailResult.of(contact, solution, self._stresses)
 
     def _stresses(self, problem: ContactProblem, acting: Estimate, body: Body, block: StressBlock) -> SubsurfaceStress:
@@ -175,7 +175,7 @@ class _RailSteps:
             self._opened = common
         elif common != self._opened:
             raise Missing("a step that goes on with other profiles, track, materials or elements")
-        state = replace(contact.state, displacements=True)
+        state = replace(contact.state, displacements=contact.setup.model is None)
         friction, fields = contact.setup.friction, get_args(Field)
         solution = self._session.step(state, friction=friction, fields=fields, gap=True, again=again)
         before = None

@@ -27,6 +27,7 @@ class RollingModel {
         theory_.Fn = patch.Fn;
         theory_.static_mu = mu >= least_mu ? mu : 0;
         theory_.settings = problem.simplified;
+        if (!rolling.force.empty()) theory_.given = local({rolling.xi, rolling.eta});
         if (problem.model == Model::polach) return;
         lines_.emplace(problem.grid, frame_);
         theory_.spin_ahead = rolling.spin_offset * lines_->step();

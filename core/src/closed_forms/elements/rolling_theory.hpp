@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "closed_forms/dual.hpp"
 #include "closed_forms/kalker_coefficients.hpp"
@@ -19,6 +20,9 @@ struct RollingTheory {
     double G = 0, nu = 0, Fn = 0;
     double static_mu = 0;
     double spin_ahead = 0;  ///< how far ahead of centres spin is taken (mm)
+    /// What flexibilities are blended by where forces are prescribed: the motion as it was given, so that they stay the
+    /// same while it is searched; otherwise the motion itself.
+    std::optional<FastsimCreepages<double>> given{};
     SimplifiedSettings settings;
 };
 
@@ -59,10 +63,12 @@ FlexibilitiesOf<Number> flexibilities_of(const RollingTheory& theory, const Fast
     const double unit = a / theory.G;
     FlexibilitiesOf<Number> L{8 * unit / (3 * theory.C.C11), 8 * unit / (3 * theory.C.C22),
                               std::numbers::pi * unit * std::sqrt(a / b) / (4 * theory.C.C23)};
-    const Number spin = 3 * std::numbers::pi * a / 32 * w.phi, creepage = w.xi * w.xi + w.eta * w.eta;
+    const auto& at = theory.given;
+    const Number xi = at ? Number(at->xi) : w.xi, eta = at ? Number(at->eta) : w.eta;
+    const Number spin = 3 * std::numbers::pi * a / 32 * w.phi, creepage = xi * xi + eta * eta;
     const Number size = creepage + spin * spin;
     if (theory.settings.blended && size > Number(0) && theory.static_mu > 0) {
-        const Number one = size / (w.xi * w.xi / L.L1 + w.eta * w.eta / L.L2 + spin * spin / L.L3);
+        const Number one = size / (xi * xi / L.L1 + eta * eta / L.L2 + spin * spin / L.L3);
         const double full = theory.static_mu * theory.Fn / (a * b * theory.G);
         const double full_size = full * std::hypot(1 / theory.C.C11, 1 / theory.C.C22);
         Number share = sqrt(creepage) / (3 * full_size);

@@ -10,6 +10,7 @@ import numpy.typing as npt
 from ...values.motion import Rolling, Shift
 from ...values.solution import ContactSolution
 from ..problems.basic import BasicContact
+from ..problems.models import is_parabolic
 from .compared import Compared
 from .elements import Elements, ahead, displacement_of, division_of, plastic_elements, rigid_slip_on
 from .subsurface import Stresses, StressField, stress_field
@@ -56,7 +57,7 @@ class BasicResult:
     def of(cls, contact: BasicContact, solution: ContactSolution, stresses: Stresses) -> BasicResult:
         """The solution has displacements, unless its model is a simplified one. `stresses` makes those below the surface."""
         grid, case = contact.area.grid, contact.case
-        pressure = _parabola(contact, solution) if contact.problem.model is not None else solution.pressure
+        pressure = _parabola(contact, solution) if is_parabolic(case) else solution.pressure
         tractions = np.stack([solution.traction_x, solution.traction_y, pressure])
         energy = (solution.elastic_energy or 0.0) * _PER_THOUSAND
         lost = solution.frictional_power if case.digits["T"] > 1 else solution.frictional_work

@@ -20,6 +20,7 @@ from .areas import PotentialContact, potential_contact
 from .bodies import Pair, pair_of, sheet_of
 from .features import Missing, missing
 from .frictions import coefficients, layer, shares, static
+from .models import models_of, without_memory
 
 if TYPE_CHECKING:
     from ...values.contact_files import ContactCase as Case
@@ -90,7 +91,7 @@ class BasicContact:
         ics = AnalyticIcs(load_shape="bilinear") if values["INFLCF"] == 3 else AnalyticIcs()
         problem = ContactProblem(
             grid=area.grid, upper=pair.upper, lower=pair.lower, gap=area.gap, ics=ics, **load,
-            **_settings(values, pair), **_model(case), sheet_flexibility=sheet_of(case),
+            **_settings(values, pair), **models_of(case), sheet_flexibility=sheet_of(case),
         )  # fmt: skip
         unit = 1.0 if values["VARFRC"] == 3 else static(values["FRCLAW"], case.friction[0])
         chi, dq = _rolling_step(case, area.grid)
@@ -134,10 +135,6 @@ def _settings(values: Any, pair: Pair) -> dict[str, Any]:
     return settings
 
 
-def _model(case: Case) -> dict[str, Any]:
-    return {"model": "fastsim"} if case.digits["M"] == 3 else {}
-
-
 def _normal_force(problem: ContactProblem, case: Case, pair: Pair, normal_force: NormalForce) -> float:
     """What shares of tangential forces refer to."""
     if case.digits["F"] == 0:
@@ -152,6 +149,7 @@ def _normal_force(problem: ContactProblem, case: Case, pair: Pair, normal_force:
 def _friction(case: Case, grid: Grid, chi: float, dq: float, force: Any) -> Friction:
     values, digits = case.values, case.digits
     mu, kinetic = coefficients(values, case.friction, grid)
+    kinetic = without_memory(case, kinetic)
     phi, rolls = values["CPHI"], digits["T"] != _SHIFT
     xi = values.get("CKSI", 0.0) + phi * values["SPINYO"]
     eta = values.get("CETA", 0.0) - phi * values["SPINXO"]

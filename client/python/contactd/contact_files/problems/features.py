@@ -37,30 +37,32 @@ def _is_damped(case: Case) -> bool:
     return case.digits.get("M2", 1) != 0 and any(case.values.get(name, 0) != 0 for name in ("CDAMPN", "CDAMPT"))
 
 
-def _is_reduced_fastsim(case: Case) -> bool:
-    return case.digits["M"] == 3 and (case.values["K0"] != 1 or case.values["ALFA"] != 1)
+def _is_simplified(case: Case) -> bool:
+    return case.digits["M"] in (3, 5)
+
+
+def _has_no_ellipse(case: Case) -> bool:
+    return case.module == 3 and case.digits["B"] not in (5, 6) and case.values["IPOTCN"] not in (-1, -2, -3)
 
 
 _BOTH = (
     _digit("tractions from the pressures of the case before", "P", 1),
     _digit("viscoelastic bodies", "M", 1),
-    _Feature("FASTSIM without Hertz's contact (M = 3, IPOTCN > 0)",
-             lambda case: case.digits["M"] == 3 and case.module == 3 and case.values["IPOTCN"] not in (-1, -2, -3)),
+    _Feature("FASTSIM or FaStrip without Hertz's contact (M = 3, 5, IPOTCN > 0)",
+             lambda case: _is_simplified(case) and _has_no_ellipse(case)),
     _digit("FASTSIM of one flexibility", "M", 2),
-    _digit("FaStrip", "M", 5),
     _digit("trials of the simplified theory", "M", 6, 7),
-    _Feature("FASTSIM with reduced slope (M = 3)", _is_reduced_fastsim),
     _Feature("friction by temperature (L = 6)", lambda case: case.values.get("FRCLAW") == 6),
     _Feature("damping (M2)", _is_damped),
     _Feature("surface temperature (H)", lambda case: case.digits.get("H", 0) > 0),
 )
 
 _BASIC = (
-    _digit("elliptic traction bound", "B", 2),
-    _Feature("parabolic traction bound with the full theory (B = 3)",
+    _Feature("elliptic traction bound with the full theory (B = 2)",
+             lambda case: case.digits["B"] == 2 and not _is_simplified(case)),
+    _Feature("parabolic traction bound with the full theory or FaStrip (B = 3)",
              lambda case: case.digits["B"] == 3 and case.digits["M"] != 3),
     _digit("bound of two half ellipses, SDEC", "B", 4),
-    _digit("KPEC, ANALYN", "B", 5, 6),
     _Feature("half-spaces that turn (C = 4)", lambda case: case.values.get("INFLCF") == 4),
     _Feature("coefficients from a file (C = 9)", lambda case: case.values.get("INFLCF") == 9),
     _Feature("two half ellipses (IPOTCN = -6)", lambda case: case.values.get("IPOTCN") == -6),
@@ -70,9 +72,8 @@ _BASIC = (
 
 _ON_RAILS = (
     _digit("elliptic or parabolic traction bound", "B", 2, 3, 4),
-    _digit("KPEC", "B", 5),
-    _digit("ANALYN", "B", 6),
-    _Feature("FASTSIM on rails (M = 3)", lambda case: case.digits["M"] == 3 and case.digits["B"] not in (5, 6)),
+    _Feature("FASTSIM or FaStrip on rails with pressures of the full theory (M = 3, 5, B = 0)",
+             lambda case: _is_simplified(case) and case.digits["B"] not in (5, 6)),
     _Feature("bilinear tractions on rails (C = 3)", lambda case: case.values.get("INFLCF") == 3),
     _Feature("half-spaces that turn in a plane contact (C = 4)",
              lambda case: case.values.get("INFLCF") == 4 and case.values.get("DISCNS") != 4),

@@ -24,6 +24,7 @@ from ...values.wheel_rail.state import RailDeviation, WheelDeviation, WheelRailS
 from .bodies import pair_of, sheet_of
 from .features import Missing, missing
 from .frictions import coefficients_of_sets, layer
+from .models import models_of, without_memory
 
 if TYPE_CHECKING:
     from ...values.contact_files import ContactCase as Case
@@ -74,7 +75,8 @@ class RailContact:
             upper=pair.upper, lower=pair.lower, track=_track(case), wheelset=_wheelset(values), friction=friction,
             dx=values["DX"], dy=values["DS"], patches=_patches(values), wheel_surface=wheel_surface,
             dq=_step(case), rigid_slip="surfaces" if values["DISCNS"] == 3 else None, conformal=_conformal(values),
-            **_surfaces(case, profiles), **_settings(values), sheet_flexibility=sheet_of(case),
+            **_surfaces(case, profiles), **_settings(values), **models_of(case),
+            sheet_flexibility=sheet_of(case),
         )  # fmt: skip
         unit = friction.mu if friction is not None and isinstance(friction.mu, float) else None
         return cls(case, setup, _state(case), unit)
@@ -165,11 +167,11 @@ def _friction(case: Case) -> WheelRailFriction:
     if values["VARFRC"] != 1:
         sets = [_at_place(case.friction, values["S_WS"])] if values["VARFRC"] == 2 else case.friction[:1]
         (mu,), kinetic = coefficients_of_sets(values, sets)
-        return WheelRailFriction(float(mu), kinetic=kinetic, layer=layer(case))
+        return WheelRailFriction(float(mu), kinetic=without_memory(case, kinetic), layer=layer(case))
     mus, kinetic = coefficients_of_sets(values, case.friction)
     by_angle = [(one["ALPHVF"] + _angle_offset(case), mu) for one, mu in zip(case.friction, mus)]
     along_profile = values["DISCNS"] == _HALF_PLANE or None
-    return WheelRailFriction(by_angle, along_profile=along_profile, kinetic=kinetic, layer=layer(case))
+    return WheelRailFriction(by_angle, along_profile=along_profile, kinetic=without_memory(case, kinetic), layer=layer(case))
 
 
 def _angle_offset(case: Case) -> float:

@@ -1,0 +1,40 @@
+#include "case_models.hpp"
+
+#include "edge/codes.hpp"
+
+namespace contactd::cntc {
+namespace {
+
+enum Bound { from_pressures = 0, elliptic = 2, parabolic = 3, kpec = 5, analyn = 6 };
+enum Bodies { elastic = 0, fastsim = 3, fastrip = 5 };
+
+}  // namespace
+
+CaseModels models_of(const Settings& settings) {
+    const int bound = settings.digits(flag::bound), bodies = settings.digits(flag::material);
+    CaseModels found;
+    if (bound == kpec) found.normal_model = NormalModel::kpec;
+    if (bound == analyn) found.normal_model = NormalModel::analyn;
+    const bool is_plain = bound == elliptic || bound == parabolic;
+    if (bodies == elastic) {
+        if (is_plain)
+            throw Refused(error_code::input,
+                          "Flag 1971 is 2 or 3, a bound by Hertz's ellipse, which contactd has with the simplified "
+                          "theory only: set flag 1979 to 3 or 5, or flag 1971 to 0.");
+        return found;
+    }
+    if (settings.digits(flag::tangential) == 0) return found;
+    if (bodies == fastrip && bound == parabolic)
+        throw Refused(error_code::input,
+                      "Flag 1971 is 3, a parabolic bound, which FaStrip does not have; set it to 2.");
+    found.model = bodies == fastsim ? Model::fastsim : Model::fastrip;
+    found.simplified.slope = settings.slope;
+    found.simplified.blended = true;
+    found.simplified.coefficients = CreepageCoefficients::printed;
+    if (bodies != fastsim) return found;
+    found.simplified.on_elements = true;
+    if (bound == elliptic || bound == from_pressures) found.simplified.bound = TractionBound::elliptic;
+    return found;
+}
+
+}  // namespace contactd::cntc

@@ -1,0 +1,79 @@
+// The simplified theory and pressures from the overlap of surfaces, by the flags that ask for them.
+#include <array>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+
+#include "client/cntc/calls.hpp"
+
+using namespace contactd::cntc::test;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+void simplified(Case& contact, int method, double k0 = 1, double alpha = 1, double beta = 1) {
+    int count = 7;
+    std::array values{0.28, 0.28, 82000.0, 82000.0, k0, alpha, beta};
+    cntc_setmaterialparameters(contact.ire(), contact.icp(), &method, &count, values.data());
+}
+
+Case published() {
+    Case contact(1);
+    contact.coulomb(0.3);
+    contact.hertz(-3, {44, 44, 8, 4, 1.1});
+    contact.normal_force(82000);
+    contact.creepages(0, -0.000625, 0.000625);
+    return contact;
+}
+
+}  // namespace
+
+TEST_CASE("the simplified theory has the forces that are printed of it") {
+    struct Row {
+        int method, bound;
+        double share, mz;
+    };
+    const Row row = GENERATE(Row{3, 3, -0.6118, -39000}, Row{3, 2, -0.6016, -48290}, Row{5, 2, -0.6435, -48160});
+    Case contact = published();
+    simplified(contact, row.method);
+    contact.flag(1971, row.bound);
+    CHECK(contact.get_flag(1979) == row.method);
+    REQUIRE(contact.calculate() == 0);
+    CHECK_THAT(contact.forces().fy / (0.3 * 82000), WithinAbs(row.share, 5e-5));
+    CHECK_THAT(contact.forces().mz, WithinAbs(row.mz, 5));
+}
+
+TEST_CASE("a reduced slope makes forces smaller, and elastic bodies take it back") {
+    Case contact = wheel(1);
+    contact.creepages(1e-6, 0, 0);
+    simplified(contact, 3);
+    contact.flag(1971, 3);
+    REQUIRE(contact.calculate() == 0);
+    const double all = contact.forces().fx;
+    simplified(contact, 3, 0.5, 0.1, 0.1);
+    REQUIRE(contact.calculate() == 0);
+    CHECK_THAT(contact.forces().fx, WithinRel(0.5 * all, 0.01));
+    contact.material(0.28, 0.28, 82000, 82000);
+    contact.flag(1971, 0);
+    CHECK(contact.get_flag(1979) == 0);
+    REQUIRE(contact.calculate() == 0);
+    CHECK_THAT(contact.forces().fx, WithinRel(all, 0.1));
+}
+
+TEST_CASE("KPEC and ANALYN have pressures near those of the full theory") {
+    Case contact = wheel(1);
+    contact.flag(1971, GENERATE(5, 6));
+    REQUIRE(contact.calculate() == 0);
+    CHECK_THAT(contact.forces().fn, WithinRel(50000.0, 1e-6));
+    CHECK_THAT(contact.max_pressure(), WithinRel(1.5 * 50000 / (3.14159265 * 24), 0.02));
+}
+
+TEST_CASE("bounds by an ellipse, and reductions that are none, are refused") {
+    Case contact = wheel(1);
+    contact.flag(1971, GENERATE(2, 3));
+    CHECK(contact.calculate() == -39);
+    CHECK_FALSE(last_sentence().empty());
+    simplified(contact, 3, 0.0);
+    CHECK(last_code() == -39);
+}
