@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "boundary_elements.hpp"
+#include "closed_forms/elements/element_friction.hpp"
 #include "closed_forms/simplified/simplified_models.hpp"
 #include "closed_forms/undeformed_distance.hpp"
 #include "contact/normal/normal.hpp"
@@ -219,6 +220,10 @@ void warn_of_edges(const ContactProblem& problem, ContactSolution& solution) {
     warn_of(problem.bodies.lower, "lower", grid.ny - 1 - last);
 }
 
+bool sums_over_elements(const ContactProblem& problem) {
+    return problem.friction && problem.model != Model::polach && rolls_on_elements(problem);
+}
+
 void warn(const ContactProblem& problem, ContactSolution& solution) {
     warn_of_edges(problem, solution);
     warn_of_pressures_beyond_elasticity(problem, solution);
@@ -230,8 +235,11 @@ void warn(const ContactProblem& problem, ContactSolution& solution) {
             solution.warnings.push_back(std::move(warning));
     else if (solution.forces.Fn > 0 && solution.elements.contact == 0)
         solution.warnings.push_back(
-            "No element has its centre in the contact, which is narrower than the elements or lies beyond the "
-            "potential contact area: the forces are those of the whole contact, but the arrays show nothing of it.");
+            std::string("No element has its centre in the contact, which is narrower than the elements or lies beyond "
+                        "the potential contact area: ") +
+            (sums_over_elements(problem)
+                 ? "tangential forces, which are sums over the elements, have nothing of it."
+                 : "the forces are those of the whole contact, but the arrays show nothing of it."));
     if (solution.elements.border == 0) return;
     const bool one = solution.elements.border == 1;
     solution.warnings.push_back(std::to_string(solution.elements.border) +

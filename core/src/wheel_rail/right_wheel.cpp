@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "closed_forms/elements/element_friction.hpp"
 #include "contactd/below.hpp"
 #include "contactd/error.hpp"
 #include "types/number_text.hpp"
@@ -230,7 +231,8 @@ WheelRailPatch RightWheel::solve(CandidatePatch& found, SurfaceState previous, d
 double RightWheel::simplified_force(double z, std::vector<CandidatePatch> candidates, Observer& observer) const {
     double force = 0;
     for (CandidatePatch& found : candidates) {
-        found.place.grid = Grid::centred(1, 1, setup_.dx, setup_.dy);
+        // Forces of a whole ellipse need no elements, and those that are sums over elements all of them.
+        if (!rolls_on_elements(problem_of(found))) found.place.grid = Grid::centred(1, 1, setup_.dx, setup_.dy);
         force += solve(found, {}, z, observer).forces.track.Fz;
     }
     return force;

@@ -72,8 +72,8 @@ def test_a_case_stands_under_one_reason():
         (file, number) for reason in REASONS for file, numbers in reason.cases.items() for number in numbers
     )
     assert max(listed.values()) == 1
-    assert reason_of("examples/fastsim.inp", 5).name == "fastsim"
-    assert reason_of("examples/fastsim.inp", 1) is None
+    assert reason_of("examples/mbench_a22_kpec.inp", 5).name == "virtual penetration"
+    assert reason_of("examples/mbench_a22_kpec.inp", 2) is None
 
 
 def test_a_case_that_differs_without_a_reason_is_told():

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from contactd import ContactProblem, Grid, KineticFriction, Material, Rolling
+from contactd import ContactProblem, Grid, KineticFriction, Material, Rolling, SimplifiedSettings, SlopeReduction
 from contactd.contact_files.problems.basic import BasicContact, State, goes_on
 from contactd.contact_files.problems.features import Missing, missing
 from support.contact_cases import basic_case
@@ -155,12 +155,49 @@ def test_a_thin_sheet_is_there_where_the_bound_says_so() -> None:
     assert not made(B=0, FLXZ=2e-5).problem.sheet_flexibility
 
 
+SLOPE = {"K0": 1.0, "ALFA": 1.0, "BETA": 1.0}
+
+
+def test_fastsim_is_that_of_whole_elements_with_the_bound_of_the_case() -> None:
+    problem = made(M=3, B=3, **SLOPE).problem
+    assert problem.model == "fastsim"
+    assert problem.simplified == SimplifiedSettings(on_elements=True, blended=True, coefficients="printed")
+    elliptic = made(M=3, B=2, **SLOPE).problem.simplified
+    assert elliptic is not None and elliptic.bound == "elliptic"
+
+
+def test_a_reduced_slope_is_one_where_something_is_reduced() -> None:
+    reduced = made(M=3, B=3, K0=0.54, ALFA=0.02, BETA=0.62).problem.simplified
+    assert reduced is not None and reduced.slope == SlopeReduction(0.54, 0.02, 0.62)
+    plain = made(M=3, B=3, K0=1.0, ALFA=1.0, BETA=5.0).problem.simplified
+    assert plain is not None and plain.slope is None
+
+
+def test_fastrip_has_strips_and_no_bound_of_its_own() -> None:
+    problem = made(M=5, B=2, **SLOPE).problem
+    assert problem.model == "fastrip"
+    assert problem.simplified == SimplifiedSettings(blended=True, coefficients="printed")
+
+
+@pytest.mark.parametrize(("digit", "normal"), [(5, "kpec"), (6, "analyn")])
+def test_pressures_from_the_overlap_go_with_every_theory_of_friction(digit: int, normal: str) -> None:
+    assert (made(B=digit).problem.normal_model, made(B=digit).problem.model) == (normal, None)
+    quick = made(B=digit, M=3, **SLOPE, **CORNER).problem
+    assert (quick.normal_model, quick.model) == (normal, "fastsim")
+
+
+def test_friction_of_simplified_models_has_no_memory() -> None:
+    falls = {"FRCLAW": 4, "MEMDST": 0.1, "friction": [{"FKIN": 0.1, "F1": 0.1, "F2": 0.0, "SABSH1": 990.0, "SABSH2": 1.0}]}
+    friction = made(M=3, B=3, **SLOPE, **falls).problem.friction
+    assert friction is not None and friction.kinetic is not None
+
+
 @pytest.mark.parametrize(
     ("changes", "name"),
     [
         ({"P": 1}, "P = 1"), ({"B": 2}, "elliptic traction bound"), ({"B": 3}, "parabolic"),
-        ({"B": 4}, "SDEC"), ({"B": 5}, "KPEC"), ({"M": 1}, "viscoelastic"), ({"M": 5}, "FaStrip"),
-        ({"M": 3, "K0": 0.5, "ALFA": 1.0}, "reduced slope"), ({"FRCLAW": 6}, "temperature"),
+        ({"B": 4}, "SDEC"), ({"M": 1}, "viscoelastic"), ({"M": 2}, "one flexibility"),
+        ({"M": 5, "B": 3, "K0": 1.0, "ALFA": 1.0, "BETA": 1.0}, "parabolic"), ({"FRCLAW": 6}, "temperature"),
         ({"H": 1}, "temperature"), ({"CDAMPN": 1.0, "CDAMPT": 0.0}, "damping"),
         ({"INFLCF": 4}, "half-spaces that turn"), ({"INFLCF": 9}, "from a file"), ({"IPOTCN": -6}, "half ellipses"),
         ({"IPOTCN": 1, "IPLAN": 4}, "share their displacements"),
