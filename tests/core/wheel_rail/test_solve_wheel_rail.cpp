@@ -80,7 +80,8 @@ TEST_CASE("Pressures of virtual penetration carry a force on a rail, and stand n
     setup.normal_model = GENERATE(NormalModel::kp, NormalModel::kpec, NormalModel::analyn);
     setup.model = GENERATE(Model::full, Model::fastsim, Model::fastrip, Model::polach);
     const WheelRailSolution found = solve(setup, state);
-    // Forces of kpec jump by a few millionths where rows of elements enter its region, and no height brings those between.
+    // Forces of kpec jump by a few millionths where rows of elements enter its region, and no height brings those
+    // between.
     CHECK_THAT(found.forces.track.Fz, WithinRel(80000, 1e-5));
     REQUIRE(found.patches.size() == elastic.patches.size());
     CHECK_THAT(found.z, WithinAbs(elastic.z, 0.03));

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from ...values.evidence import Model, NormalModel, SimplifiedSettings, SlopeReduction
+from ...values.evidence import Model, NormalModel, SimplifiedSettings, SlopeReduction, TractionBound
 
 if TYPE_CHECKING:
     from ...values.contact_files import ContactCase as Case
@@ -39,7 +39,7 @@ def models_of(case: Case) -> dict[str, Any]:
     k0, alpha, beta = (case.values[name] for name in ("K0", "ALFA", "BETA"))
     slope = SlopeReduction(k0, alpha, beta) if (k0, alpha) != (1, 1) else None
     is_fastsim = model == "fastsim"
-    bound = "elliptic" if is_fastsim and not is_parabolic(case) and "normal_model" not in found else None
+    bound: TractionBound | None = "elliptic" if is_fastsim and not is_parabolic(case) and "normal_model" not in found else None
     found["simplified"] = SimplifiedSettings(
         slope=slope, bound=bound, on_elements=True if is_fastsim else None, blended=True, coefficients="printed"
     )

@@ -4,7 +4,7 @@
 #include "contactd/contact_setup.hpp"
 #include "contactd/error.hpp"
 #include "contactd/fields/contact_setup.hpp"
-#include "number_text.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd {
 namespace {
