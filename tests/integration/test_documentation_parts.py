@@ -111,3 +111,10 @@ def test_a_builder_is_run_by_hand_as_the_guide_to_changes_says(tmp_path):
     assert built.returncode == 0, built.stdout + built.stderr
     assert (tmp_path / "table.h5").stat().st_size > 10_000
     assert "evidence" in json.loads(built.stdout.splitlines()[-1])
+
+
+def test_the_quick_models_of_the_page_are_near_the_full_theory(capsys):
+    page = (ROOT / "docs" / "simplified-models.md").read_text()
+    (code,) = re.findall(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
+    exec(compile(code, "docs/simplified-models.md", "exec"), {})
+    assert capsys.readouterr().out == "True True\n"
