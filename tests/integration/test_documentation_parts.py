@@ -113,7 +113,7 @@ def test_a_builder_is_run_by_hand_as_the_guide_to_changes_says(tmp_path):
     assert "evidence" in json.loads(built.stdout.splitlines()[-1])
 
 
-def test_the_quick_models_of_the_page_are_near_the_full_theory(capsys):
+def test_the_simplified_models_of_their_page_are_near_the_full_theory(capsys):
     page = (ROOT / "docs" / "simplified-models.md").read_text()
     (code,) = re.findall(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
     exec(compile(code, "docs/simplified-models.md", "exec"), {})
