@@ -315,6 +315,14 @@ TEST_CASE("Simplified models refuse what is not steady rolling along an axis", "
     CHECK_THROWS_WITH(solved(problem), ContainsSubstring("is a shift"));
 }
 
+TEST_CASE("Friction of all of a contact has no memory", "[elements]") {
+    ContactProblem problem = given_case(GENERATE(Model::fastsim, Model::fastrip, Model::polach));
+    problem.friction->kinetic = KineticFriction{SlipLaw::exponential, 0.1, 1000};
+    CHECK_NOTHROW(solved(problem));
+    problem.friction->kinetic->memory = FrictionMemory{0.01, 1};
+    CHECK_THROWS_WITH(solved(problem), ContainsSubstring("friction.kinetic.memory"));
+}
+
 TEST_CASE("Spin that is too much for strips, and slopes that rise, are told", "[elements]") {
     ContactProblem problem = rolling_ellipse(Model::fastrip, {6, 4}, 5e4, {0.001, 0, 0.003}, 66, 44);
     auto warnings = solved(problem).warnings;

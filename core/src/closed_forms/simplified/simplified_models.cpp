@@ -62,6 +62,8 @@ void check_is_simple(const ContactProblem& problem) {
     if (friction.mu.size() != 1) unknown(problem, "friction.mu", "differs from element to element");
     if (friction.kinetic && !rolls_on_elements(problem))
         unknown(problem, "friction.kinetic", "makes friction depend on the slip");
+    if (friction.kinetic && friction.kinetic->memory)
+        unknown(problem, "friction.kinetic.memory", "is that of particles");
     if (!problem.previous.empty()) unknown(problem, "previous", "starts from tractions");
     if (!problem.rigid_slip.empty()) unknown(problem, "friction.rigid_slip", "differs from element to element");
     const auto* rolling = std::get_if<Rolling>(&problem.motion);

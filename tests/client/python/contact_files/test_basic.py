@@ -187,9 +187,12 @@ def test_pressures_from_the_overlap_go_with_every_theory_of_friction(digit: int,
 
 
 def test_friction_of_simplified_models_has_no_memory() -> None:
-    falls = {"FRCLAW": 4, "MEMDST": 0.1, "friction": [{"FKIN": 0.1, "F1": 0.1, "F2": 0.0, "SABSH1": 990.0, "SABSH2": 1.0}]}
+    falls: dict[str, object] = {"FRCLAW": 4, "MEMDST": 0.1, "MEM_S0": 1.0}
+    falls["friction"] = [{"FKIN": 0.1, "F1": 0.1, "F2": 0.0, "SABSH1": 990.0, "SABSH2": 1.0}]
     friction = made(M=3, B=3, **SLOPE, **falls).problem.friction
-    assert friction is not None and friction.kinetic is not None
+    assert friction is not None and friction.kinetic is not None and friction.kinetic.memory is None
+    particles = made(**falls).problem.friction
+    assert particles is not None and particles.kinetic is not None and particles.kinetic.memory is not None
 
 
 @pytest.mark.parametrize(
