@@ -68,6 +68,10 @@ void keep_requested(const SolutionFields& fields, ContactSolution& solution) {
     if (unwanted(SolutionField::displacement_x)) solution.displacement_x.clear();
     if (unwanted(SolutionField::displacement_y)) solution.displacement_y.clear();
     if (unwanted(SolutionField::displacement_z)) solution.displacement_z.clear();
+    if (unwanted(SolutionField::flow_x)) solution.flow_x.clear();
+    if (unwanted(SolutionField::flow_y)) solution.flow_y.clear();
+    if (unwanted(SolutionField::yield_stress)) solution.yield_stress.clear();
+    if (unwanted(SolutionField::friction_coefficient)) solution.friction_coefficient.clear();
 }
 
 class LocalContact final : public OpenContact {

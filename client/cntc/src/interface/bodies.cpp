@@ -21,29 +21,38 @@ MaterialPair elastic(const std::vector<double>& given, const Units& units) {
     throw Refused(error_code::friction, sentence);
 }
 
-enum Law { coulomb = 0, keep = 1, linear = 2, exponential = 4 };
+enum Law { coulomb = 0, keep = 1, linear = 2, rational = 3, exponential = 4 };
 
 FrictionLaw coulomb_of(const std::vector<double>& given) {
     if (given[0] != given[1])
         refuse_friction(
             "fstat and fkin differ; friction that changes to another value at the first slip has no solution here. "
-            "Give the same, or a law that falls with the slip velocity (2 or 4).");
+            "Give the same, or a law that falls with the slip velocity (2, 3 or 4).");
     if (given[0] < 0) refuse_friction("fstat is negative.");
     return {{given[0]}};
 }
 
-/// fkin + f1 max(0, 1 - v/(2 s1)), or fkin + f1 2^(-v/s1): the slope that s1 stands for, in core's words.
+/// Slip velocity of a term of core's law over the one at which it has halved.
+double scale_of(int law) {
+    return law == linear ? 2 : law == exponential ? 1 / std::numbers::ln2 : 1;
+}
+
+/// Terms f1 and f2 that have halved at s1 and s2: max(0, 1 - v/(2 s)), 2^(-v/s), or 1/(1 + v/s) and 1/(1 + (v/s)^2).
 FrictionLaw falling_of(int law, const std::vector<double>& given) {
-    const double fkin = given[0], f1 = given[1], s1 = given[2], f2 = given[3], memory = given[5];
-    if (f2 != 0) refuse_friction("f2 is not 0; contactd's laws fall by one term.");
-    if (memory != 0) refuse_friction("memdst is not 0; contactd's friction has no memory.");
-    if (fkin < 0 || f1 < 0) refuse_friction("fkin or f1 is negative.");
-    if (f1 == 0) return {{fkin}};
-    if (!(s1 > 0)) refuse_friction("s1 must be positive.");
-    const bool is_linear = law == linear;
-    return {{fkin + f1},
-            KineticFriction{is_linear ? SlipLaw::linear : SlipLaw::exponential, fkin,
-                            is_linear ? 2 * s1 : s1 / std::numbers::ln2}};
+    const double fkin = given[0], distance = given[5], least_velocity = given[6];
+    SecondTerm first{given[1], scale_of(law) * given[2]}, second{given[3], scale_of(law) * given[4]};
+    if (fkin < 0 || first.fall < 0 || second.fall < 0) refuse_friction("fkin, f1 or f2 is negative.");
+    if (first.fall == 0 && second.fall == 0) return {{fkin}};
+    if (first.fall == 0 && law != rational) std::swap(first, second);
+    if (first.fall == 0) first.slip_velocity = second.slip_velocity;
+    if (!(first.slip_velocity > 0)) refuse_friction("s1 must be positive.");
+    if (second.fall > 0 && !(second.slip_velocity > 0)) refuse_friction("s2 must be positive.");
+    if (distance < 0 || least_velocity < 0) refuse_friction("memdst or mem_s0 is negative.");
+    const SlipLaw name = law == linear ? SlipLaw::linear : law == rational ? SlipLaw::rational : SlipLaw::exponential;
+    KineticFriction kinetic{name, fkin, first.slip_velocity};
+    if (second.fall > 0) kinetic.second = second;
+    if (distance > 0) kinetic.memory = FrictionMemory{distance, least_velocity};
+    return {{fkin + first.fall + second.fall}, kinetic};
 }
 
 /// Parameters that are lengths or velocities, in mm.
@@ -84,9 +93,9 @@ GivenFriction varying_friction(int method, const std::vector<double>& given, con
 GivenFriction friction_of(const Settings& settings, int method, const double* params, const int* nparam) {
     const bool on_rails = settings.module == module_number::wheel_rail;
     const int law = method % 10, varies = method / 10;
-    const bool has_law = law == coulomb || law == linear || law == exponential;
+    const bool has_law = law == coulomb || law == linear || law == rational || law == exponential;
     if (!has_law || varies < 0 || varies > along_track || (varies > 0 && !on_rails))
-        refuse_friction("Method " + std::to_string(method) + " is asked for; contactd has 0, 2 and 4, " +
+        refuse_friction("Method " + std::to_string(method) + " is asked for; contactd has 0, 2, 3 and 4, " +
                         (on_rails ? "and these plus 10 or 20." : "the same over the contact."));
     if (varies > 0) return varying_friction(method, numbers(params, nparam, 1, "params"), settings.units);
     return same_friction(method, list(params, nparam, law == coulomb ? 2 : 7, "params"), settings.units);

@@ -67,6 +67,7 @@ Values friction_of(const Solved& solved) {
     if (!problem.friction) return {};
     const FrictionLaw& law = *problem.friction;
     Values mu(problem.grid.size(), law.mu_of(0));
+    if (!solved.solution.friction_coefficient.empty()) return solved.solution.friction_coefficient;
     if (!law.kinetic) return mu;
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
     const double per_slip = rolling ? rolling->velocity : 1 / std::get<Shift>(problem.motion).duration;

@@ -105,12 +105,14 @@ void add_friction(ContactProblem& problem, const Settings& settings,
     const Force force = force_of(settings, problem, normal_force);
     const GivenMotion given = settings.motion.value_or(GivenMotion{});
     problem.friction = friction.law;
+    problem.friction->layer = settings.layer;
     problem.motion = rolls ? rolling_of(settings, given, force, problem.grid) : shift_of(settings, given, force);
     problem.rigid_slip = extra_slip(settings, rolls);
 }
 
 SurfaceState state_of(const ContactSolution& solution) {
-    return {solution.pressure, solution.traction_x, solution.traction_y};
+    return {solution.pressure, solution.traction_x, solution.traction_y, solution.yield_stress,
+            solution.friction_coefficient};
 }
 
 /// The motion that a force made of the last case is where the search for the next one starts.

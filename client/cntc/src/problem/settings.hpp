@@ -85,6 +85,7 @@ struct Settings {
     std::optional<MaterialPair> materials;
     SlopeReduction slope;  ///< of the simplified theory
     std::optional<GivenFriction> friction;
+    std::optional<InterfacialLayer> layer;  ///< between the bodies
     std::variant<std::monostate, HertzArea, Grid> area;
     std::optional<Distance> distance;
     std::optional<double> pen, fn;    ///< (mm), (N)

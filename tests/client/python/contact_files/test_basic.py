@@ -7,7 +7,18 @@ import math
 import numpy as np
 import pytest
 
-from contactd import ContactProblem, Grid, KineticFriction, Material, Rolling, SimplifiedSettings, SlopeReduction
+from contactd import (
+    ContactProblem,
+    FrictionMemory,
+    Grid,
+    InterfacialLayer,
+    KineticFriction,
+    Material,
+    Rolling,
+    SecondTerm,
+    SimplifiedSettings,
+    SlopeReduction,
+)
 from contactd.contact_files.problems.basic import BasicContact, State, goes_on
 from contactd.contact_files.problems.features import Missing, missing
 from support.contact_cases import basic_case
@@ -193,6 +204,28 @@ def test_friction_of_simplified_models_has_no_memory() -> None:
     assert friction is not None and friction.kinetic is not None and friction.kinetic.memory is None
     particles = made(**falls).problem.friction
     assert particles is not None and particles.kinetic is not None and particles.kinetic.memory is not None
+
+
+def test_an_interfacial_layer_is_that_of_the_digit() -> None:
+    values = {"GG3": 8200.0, "LAYTHK": 1.25, "TAU_C0": 150.0, "K_TAU": 9000.0}
+    friction = made(M=4, **values).problem.friction
+    assert friction is not None and friction.layer == InterfacialLayer(1.25 / 8200, 150.0, 9000.0)
+    friction = made(M=4, **{**values, "TAU_C0": 0.0}).problem.friction
+    assert friction is not None and friction.layer == InterfacialLayer(1.25 / 8200, None, None)
+    friction = made(M=0, **values).problem.friction
+    assert friction is not None and friction.layer is None
+
+
+@pytest.mark.parametrize(("law", "name", "scale"), [(2, "linear", 2.0), (3, "rational", 1.0), (4, "exponential", 1 / math.log(2))])
+def test_friction_falls_by_two_terms_with_memory(law: int, name: str, scale: float) -> None:
+    one = {"FKIN": 0.15, "F1": 0.12, "SABSH1": 60.0, "F2": 0.08, "SABSH2": 25.0}
+    friction = made(FRCLAW=law, friction=(one,), MEMDST=0.003, MEM_S0=1.0).problem.friction
+    assert friction is not None and friction.mu == pytest.approx(0.35)
+    assert friction.kinetic == KineticFriction(
+        0.15, scale * 60, name, None, SecondTerm(0.08, scale * 25), FrictionMemory(0.003, 1.0)
+    )
+    friction = made(FRCLAW=law, friction=({**one, "F2": 0.0},), MEMDST=0.0, MEM_S0=1.0).problem.friction
+    assert friction is not None and friction.kinetic == KineticFriction(0.15, scale * 60, name)
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,6 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "../contact_cases.hpp"
@@ -16,7 +15,9 @@ ContactProblem falling_row() {
     problem.grid = {92, 1, 0.1, 200, -4.65, -100};
     const Material steel{82000, 0.28};
     problem.bodies = Bodies::of(MaterialPair{steel, steel});
-    problem.gap = Paraboloid{460, std::numeric_limits<double>::infinity()};
+    Values h;
+    for (int ix = 0; ix < 92; ++ix) h.push_back(460 - std::sqrt(460 * 460 - std::pow(problem.grid.x(ix), 2)));
+    problem.gap = h;
     problem.Fn = 622216;
     problem.friction = FrictionLaw{{0.3}, KineticFriction{SlipLaw::exponential, 0.18, 100 / std::numbers::ln2}, {}};
     problem.motion = Rolling{.xi = -9.999e-4, .dq = 0.1, .velocity = 45000};

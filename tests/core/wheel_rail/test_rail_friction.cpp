@@ -1,0 +1,89 @@
+// Layers and friction with memory between a wheel and its rail.
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+
+#include "wheel_rail/mirror.hpp"
+#include "wheel_rail/wheel_rail_cases.hpp"
+
+using namespace contactd;
+using namespace contactd::test;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+WheelRailSetup coarse_setup(const WheelRailFriction& friction) {
+    WheelRailSetup setup;
+    setup.dx = setup.dy = 0.5;
+    setup.friction = friction;
+    return setup;
+}
+
+WheelRailState creeping() {
+    WheelRailState state;
+    state.position = {2, 0, 0.002, 0.005};
+    state.velocity = {20000, 15, 3, 0.01, 0.02, -43.3};
+    state.Fz = 60000;
+    return state;
+}
+
+std::string refused(const WheelRailSetup& setup, const WheelRailState& state) {
+    try {
+        solve(setup, state);
+    } catch (const InvalidArgument& error) {
+        return error.field();
+    }
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("A layer between wheel and rail lowers creep forces, the more when it flows") {
+    const WheelRailState state = creeping();
+    const auto force = [&](const std::optional<InterfacialLayer>& layer) {
+        const WheelRailSolution solution = solve(coarse_setup({{{0, 0.3}}, false, {}, layer}), state);
+        REQUIRE(solution.converged());
+        return std::hypot(solution.forces.track.Fx, solution.patches[0].solution.forces.Fy);
+    };
+    const double clean = force({}), elastic = force(InterfacialLayer{2e-5}),
+                 flowing = force(InterfacialLayer{2e-5, 50});
+    CHECK(elastic < clean);
+    CHECK(flowing < elastic);
+    CHECK_THAT(force(InterfacialLayer{1e-13}), WithinRel(clean, 1e-5));
+}
+
+TEST_CASE("Flow and coefficients of a left wheel are those of a right one in a mirror") {
+    KineticFriction kinetic{SlipLaw::exponential, 0.2, 100};
+    kinetic.memory = FrictionMemory{0.01, 1};
+    WheelRailSetup setup = coarse_setup({{{0, 0.35}}, false, kinetic, InterfacialLayer{1e-5, 80, 5000}});
+    const WheelRailState state = creeping();
+    const WheelRailSolution right = solve(setup, state);
+    REQUIRE(right.converged());
+    setup.side = Side::left;
+    const WheelRailSolution left = mirrored(solve(setup, mirrored(state)));
+    REQUIRE(left.patches.size() == right.patches.size());
+    const ContactSolution &a = left.patches.at(0).solution, &b = right.patches.at(0).solution;
+    CHECK(a.elements.flow > 0);
+    CHECK(a.flow_x == b.flow_x);
+    CHECK(a.flow_y == b.flow_y);
+    CHECK(a.yield_stress == b.yield_stress);
+    CHECK(a.friction_coefficient == b.friction_coefficient);
+    CHECK(a.plastic_power == b.plastic_power);
+}
+
+TEST_CASE("What particles carry beside their tractions is refused in transient steps of a wheel") {
+    WheelRailState state = creeping();
+    state.motion = WheelRailMotion::transient_rolling;
+    state.time_step = 1e-5;
+    KineticFriction kinetic{SlipLaw::exponential, 0.2, 100};
+    kinetic.memory = FrictionMemory{0.01, 1};
+    CHECK(refused(coarse_setup({{{0, 0.35}}, false, kinetic, {}}), state) == "state.motion");
+    CHECK(refused(coarse_setup({{{0, 0.35}}, false, {}, InterfacialLayer{0, 80, 500}}), state) == "state.motion");
+    CHECK(refused(coarse_setup({{{0, 0.35}}, false, {}, InterfacialLayer{1e-5}}), state).empty());
+}
+
+TEST_CASE("Simplified models of wheels know no layer") {
+    WheelRailSetup setup = coarse_setup({{{0, 0.35}}, false, {}, InterfacialLayer{1e-5}});
+    setup.model = Model::fastsim;
+    CHECK(refused(setup, creeping()) == "friction.layer");
+}
