@@ -101,6 +101,19 @@ GivenFriction friction_of(const Settings& settings, int method, const double* pa
     return same_friction(method, list(params, nparam, law == coulomb ? 2 : 7, "params"), settings.units);
 }
 
+/// Of the flexibility thickness/gg3; tau_c0 = 0 or 1e10 and more never yields.
+InterfacialLayer layer(double gg3, double thickness, double tau_c0, double k_tau, const Units& units) {
+    constexpr double never = 1e10;
+    if (!(gg3 > 0) || !(thickness >= 0) || !(tau_c0 >= 0))
+        throw Refused(error_code::input, "An interfacial layer has gg3 above 0, and laythk and tau_c0 not below.");
+    InterfacialLayer layer{thickness * units.length / (gg3 * units.stress())};
+    if (tau_c0 == 0 || tau_c0 >= never) return layer;
+    layer.yield_stress = tau_c0 * units.stress();
+    layer.hardening = k_tau * units.stress() / units.length;
+    validate(layer);
+    return layer;
+}
+
 /// Nothing is reduced at large creepages where k0 is not, whatever beta is.
 SlopeReduction slope(double k0, double alpha, double beta) {
     if (!(k0 > 0 && alpha > 0 && beta >= 0))
@@ -125,15 +138,17 @@ std::vector<double> friction_back(const Settings& settings) {
 extern "C" void cntc_setmaterialparameters(int* ire, int* icp, int* imeth, int* nparam, double* rparam) {
     set("cntc_setmaterialparameters", ire, icp, "material", [&](Settings& settings) {
         const int method = integer(imeth, "imeth");
-        constexpr int fastsim = 3, fastrip = 5;
+        constexpr int fastsim = 3, layered = 4, fastrip = 5;
         const bool is_simplified = method == fastsim || method == fastrip;
-        if (method != 0 && !is_simplified)
+        if (method != 0 && method != layered && !is_simplified)
             throw Refused(error_code::input,
                           "Method " + std::to_string(method) +
-                              " is asked for; contactd has elastic bodies here, 0, and these with the "
-                              "simplified theory, 3 or 5.");
-        std::vector<double> given = list(rparam, nparam, is_simplified ? 7 : 4, "rparam");
+                              " is asked for; contactd has elastic bodies here, 0, these with an interfacial layer, "
+                              "4, and with the simplified theory, 3 or 5.");
+        std::vector<double> given = list(rparam, nparam, is_simplified ? 7 : method == layered ? 8 : 4, "rparam");
         settings.slope = {};
+        settings.layer.reset();
+        if (method == layered) settings.layer = layer(given[4], given[5], given[6], given[7], settings.units);
         if (is_simplified) settings.slope = slope(given[4], given[5], given[6]);
         given.resize(4);
         settings.materials = elastic(given, settings.units);

@@ -6,7 +6,7 @@ namespace contactd::cntc {
 namespace {
 
 enum Bound { from_pressures = 0, elliptic = 2, parabolic = 3, kpec = 5, analyn = 6 };
-enum Bodies { elastic = 0, fastsim = 3, fastrip = 5 };
+enum Bodies { elastic = 0, fastsim = 3, layered = 4, fastrip = 5 };
 
 }  // namespace
 
@@ -16,7 +16,7 @@ CaseModels models_of(const Settings& settings) {
     if (bound == kpec) found.normal_model = NormalModel::kpec;
     if (bound == analyn) found.normal_model = NormalModel::analyn;
     const bool is_plain = bound == elliptic || bound == parabolic;
-    if (bodies == elastic) {
+    if (bodies == elastic || bodies == layered) {
         if (is_plain)
             throw Refused(error_code::input,
                           "Flag 1971 is 2 or 3, a bound by Hertz's ellipse, which contactd has with the simplified "
@@ -35,6 +35,14 @@ CaseModels models_of(const Settings& settings) {
     found.simplified.on_elements = true;
     if (bound == elliptic || bound == from_pressures) found.simplified.bound = TractionBound::elliptic;
     return found;
+}
+
+std::optional<InterfacialLayer> layer_of(const Settings& settings) {
+    if (settings.digits(flag::material) != layered) return {};
+    if (!settings.layer)
+        throw Refused(error_code::input,
+                      "Flag 1979 is 4, and no interfacial layer was set; call cntc_setmaterialparameters with 4.");
+    return settings.layer;
 }
 
 }  // namespace contactd::cntc

@@ -1,6 +1,8 @@
 // The models that the flags B and M ask for.
 #pragma once
 
+#include <optional>
+
 #include "contactd/contact_setup.hpp"
 #include "problem/settings.hpp"
 
@@ -16,5 +18,8 @@ struct CaseModels {
 /// it. Throws Refused for a bound of 2 or 3 without a simplified theory, and for a simplified theory that has no such
 /// bound.
 CaseModels models_of(const Settings& settings);
+
+/// The layer between the bodies, where the flag of materials asks for one; else none.
+std::optional<InterfacialLayer> layer_of(const Settings& settings);
 
 }  // namespace contactd::cntc

@@ -105,7 +105,7 @@ void add_friction(ContactProblem& problem, const Settings& settings,
     const Force force = force_of(settings, problem, normal_force);
     const GivenMotion given = settings.motion.value_or(GivenMotion{});
     problem.friction = friction.law;
-    problem.friction->layer = settings.layer;
+    problem.friction->layer = layer_of(settings);
     problem.motion = rolls ? rolling_of(settings, given, force, problem.grid) : shift_of(settings, given, force);
     problem.rigid_slip = extra_slip(settings, rolls);
 }

@@ -115,7 +115,7 @@ WheelRailFriction by_angle(const Settings& settings, const std::vector<GivenFric
     friction.mu.clear();
     friction.along_profile = is_curved;
     friction.kinetic = laws.front().law.kinetic;
-    friction.layer = settings.layer;
+    friction.layer = layer_of(settings);
     for (const auto& [angle, law] : laws) {
         if (law.kinetic != friction.kinetic)
             throw Refused(error_code::friction, "Friction falls otherwise from angle to angle; give one fall for all.");
@@ -130,10 +130,10 @@ WheelRailFriction friction_of(const Settings& settings, const RailSettings& rail
     if (settings.digits(flag::friction_law) != given.method % 10)
         throw Refused(error_code::friction, "Flag 1976 and cntc_setfrictionmethod name different laws.");
     constexpr int along_track = 2;
-    if (given.varying.empty()) return {{{0, given.law.mu[0]}}, false, given.law.kinetic, settings.layer};
+    if (given.varying.empty()) return {{{0, given.law.mu[0]}}, false, given.law.kinetic, layer_of(settings)};
     if (given.method / 10 != along_track) return by_angle(settings, given.varying, rail.position.roll);
     const FrictionLaw law = law_at(given.varying, rail.position.x);
-    return {{{0, law.mu[0]}}, false, law.kinetic, settings.layer};
+    return {{{0, law.mu[0]}}, false, law.kinetic, layer_of(settings)};
 }
 
 }  // namespace
