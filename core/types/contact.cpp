@@ -6,6 +6,7 @@
 
 #include "contact_columns_check.hpp"
 #include "contactd/error.hpp"
+#include "heat/contact_temperature_check.hpp"
 #include "magnitude.hpp"
 #include "number_text.hpp"
 
@@ -303,6 +304,7 @@ void check(const ContactProblem& problem, bool complete) {
     check_tangential_solver(problem);
     check_layer(problem);
     check_columns(problem);
+    check_temperature(problem, complete);
     check_state(problem.previous, size, "previous");
     check_settings(problem.settings.normal, "settings.normal");
     check_settings(problem.settings.tangential, "settings.tangential");

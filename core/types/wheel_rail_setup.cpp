@@ -141,6 +141,36 @@ void check_models(const WheelRailSetup& setup) {
                                                        "one of them out");
 }
 
+void check_temperature(const WheelRailSetup& setup) {
+    if (setup.friction && setup.friction->temperature) {
+        if (!setup.temperature)
+            throw InvalidArgument("friction.temperature",
+                                  "is given, and temperature is not; say there what the bodies have to do with heat");
+        std::vector<double> mu;
+        for (const FrictionAtAngle& entry : setup.friction->mu) mu.push_back(entry.mu);
+        validate(*setup.friction->temperature, mu);
+        if (setup.friction->kinetic)
+            throw InvalidArgument("friction.temperature",
+                                  "is given, and friction.kinetic, too; friction follows the temperature or the slip "
+                                  "velocity: leave one of them out");
+        require(setup.model == Model::full, "friction.temperature.change", setup.friction->temperature->change,
+                "be left out with simplified models, whose friction follows nothing; take model full");
+    }
+    if (!setup.temperature) return;
+    validate(*setup.temperature, "temperature");
+    if (!setup.friction)
+        throw InvalidArgument("temperature",
+                              "is given, and friction is not; temperatures are those of rolling contact");
+    if (setup.friction->layer && setup.friction->layer->yields())
+        throw InvalidArgument("friction.layer.yield_stress",
+                              "is given, and temperature, too; the heat of a layer that flows is not known yet: leave "
+                              "one of them out");
+    if (setup.model == Model::hertz)
+        throw InvalidArgument("model",
+                              "is hertz, and temperature is given; heat is that of the slip of each element, which "
+                              "this model does not tell: take full or fastsim");
+}
+
 }  // namespace
 
 void validate(const WheelRailSetup& setup) {
@@ -184,6 +214,7 @@ void validate(const WheelRailSetup& setup) {
         throw InvalidArgument("sheet_flexibility",
                               "is " + number_text(setup.sheet_flexibility) +
                                   " mm^3/N, and the simplified models know no sheet between bodies; take model full");
+    check_temperature(setup);
     if (setup.settings.tangential_solver == TangentialSolver::tangcg)
         throw InvalidArgument("settings.tangential.solver",
                               "is tangcg, whose operators are symmetric, and wheels roll steadily; take newton");

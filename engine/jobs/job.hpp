@@ -26,7 +26,7 @@ struct JobProgress {
 
 /// Kind and owner of a job.
 struct JobOrigin {
-    std::string kind;         ///< "build", "solve", "subsurface" or "step"
+    std::string kind;         ///< "build", "solve", "subsurface", "temperature" or "step"
     std::string description;  ///< words for people: what is built or solved
     /// Users of the requests that wait for the job at present, one for each request; "" where there are no users.
     std::function<std::vector<std::string>()> users;

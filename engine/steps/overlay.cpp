@@ -30,11 +30,11 @@ void overlay_friction(const StepInput& input, ContactProblem& problem) {
         throw InvalidArgument("friction.mu",
                               "is missing; a step that names friction must say it where the opening named none");
     if (input.friction) {
-        const auto kinetic = problem.friction ? problem.friction->kinetic : std::nullopt;
-        const auto layer = problem.friction ? problem.friction->layer : std::nullopt;
+        const FrictionLaw opened = problem.friction.value_or(FrictionLaw{});
         problem.friction = input.friction;
-        if (!problem.friction->kinetic) problem.friction->kinetic = kinetic;
-        if (!problem.friction->layer) problem.friction->layer = layer;
+        if (!problem.friction->kinetic) problem.friction->kinetic = opened.kinetic;
+        if (!problem.friction->layer) problem.friction->layer = opened.layer;
+        if (!problem.friction->temperature) problem.friction->temperature = opened.temperature;
     }
     if (input.motion) problem.motion = *input.motion;
     if (!input.rigid_slip.empty()) problem.rigid_slip = input.rigid_slip;

@@ -40,6 +40,8 @@ WITH_FIELDS = re.compile(r"(setup\.)?bodies\b|ics\b|columns\.frames|friction\.(r
 NOT_BELOW = re.compile(r"bodies\.\w+\.ics|ics\.\w+\.evidence")
 #: The length of a list, which has a path; and what other functions say: sections get the points of a file.
 NO_FIELDS = {"contacts", "fields", "initial", "wheelrail", "ics.section.profile_section.profile.file"}
+_LONGEST = 120  #: characters of a line
+
 HEAD = """/* Paths of fields and keywords for contactd.h. An entry of a list has its number printed in place of %d:
  *
  *     snprintf(path, sizeof path, CONTACTD_PATH_PATCHES_SOLUTION_PMAX, patch);
@@ -106,7 +108,9 @@ def _is_array(field: Schema) -> bool:
 def _path(path: str, field: Schema) -> str:
     unit = f" /* {field['x-unit']} */" if "x-unit" in field else ""
     name = path.removesuffix("[%d]") + "_at" * path.endswith("[%d]")
-    return f'#define CONTACTD_PATH_{_upper(name.replace("[%d]", ""))} "{path}"{unit}'
+    line = f'#define CONTACTD_PATH_{_upper(name.replace("[%d]", ""))} "{path}"'
+    # A unit of two words that does not fit is broken by clang-format, and broken again the next time.
+    return line if " " in field.get("x-unit", "") and len(line + unit) >= _LONGEST else line + unit
 
 
 def _upper(name: str) -> str:

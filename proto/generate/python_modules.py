@@ -95,12 +95,19 @@ MODULES = [
     ),
     Module(
         "motion",
-        "How bodies move, a shift or rolling, and how friction falls with the slip velocity.",
+        "How bodies move, a shift or rolling, and how friction follows the slip velocity and the temperature.",
         (
             "definitions.json#/definitions/rolling",
             "contact.solve.result.json#/properties/motion",
             "contact.solve.params.json#/properties/friction/properties/kinetic",
+            "contact.solve.params.json#/properties/friction/properties/temperature",
         ),
+        is_asked=True,
+    ),
+    Module(
+        "thermal",
+        "What bodies have to do with heat.",
+        ("definitions.json#/definitions/thermal_bodies",),
         is_asked=True,
     ),
     Module(
@@ -116,6 +123,7 @@ MODULES = [
         (
             "definitions.json#/definitions/fields/items",
             "definitions.json#/definitions/derivatives_of_answer",
+            "definitions.json#/definitions/contact_temperature",
             "contact.solve.result.json#",
         ),
     ),
@@ -127,6 +135,11 @@ MODULES = [
             "contact.subsurface.result.json#/properties/largest",
             "contact.subsurface.result.json#",
         ),
+    ),
+    Module(
+        "temperature",
+        "Temperatures of both surfaces: what `Client.temperature` answers.",
+        ("contact.temperature.result.json#",),
     ),
     Module(
         "records",

@@ -82,7 +82,7 @@ assert (sent["probe"], sent["friction"]["probe"]) == (5, 4)
 """
 #: A method of each family, and those whose work is not little, whose cost stands beside their handler.
 METHODS = ["ic.delete", "job.cancel", "session.forget", "solves.pressures"]
-METHODS += ["contact.subsurface", "wheelrail.geometry", "wheelrail.wheelset", "session.step_many"]
+METHODS += ["contact.subsurface", "contact.temperature", "wheelrail.geometry", "wheelrail.wheelset", "session.step_many"]
 #: Folders with sources. The interface of CONTACT has numbers of its own, for the laws that CONTACT has.
 SUFFIXES = {".cpp", ".hpp", ".h", ".c", ".py", ".f90"}
 SOURCES = ["core", "engine", "proto/src", "server", "client/c", "client/cpp", "client/fmu", "client/python/contactd"]

@@ -22,6 +22,11 @@ ENDLESS: dict[str, Any] = {
 STRESS: dict[str, Any] = {
     "grid": {"nx": 1, "ny": 1, "dx": 1, "dy": 1}, "nu": 0.3, "pressure": [[1]], "points": [[0, 0, -1]],
 }  # fmt: skip
+HEAT: dict[str, Any] = {
+    "grid": {"nx": 3, "ny": 1, "dx": 1, "dy": 1}, "velocity": 20000, "temperature": {"upper": {"bulk_temperature": 80}, "lower": {}},
+    "pressure": [[0, 900, 800]], "traction_x": [[0, -270, -240]], "traction_y": [[0, 0, 0]], "slip_x": [[0, 0.01, 0.01]],
+    "slip_y": [[0, 0, 0]],
+}  # fmt: skip
 TABLE: dict[str, Any] = {
     "material": {"G": 82000, "nu": 0.28},
     "grid": {"nx": 4, "ny": 6, "dx": 0.8, "dy": 0.8},

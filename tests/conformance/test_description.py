@@ -5,7 +5,7 @@ from jsonschema import Draft7Validator
 from referencing import Registry
 from referencing.jsonschema import DRAFT7
 
-from conformance.requests import SOLVE, STRESS, TABLE
+from conformance.requests import HEAT, SOLVE, STRESS, TABLE
 from conformance.wire import NOT_FOUND, OK
 
 
@@ -61,6 +61,7 @@ def test_every_parameter_is_described(document):
         ("contact.solve", {**SOLVE, "model": "hertz"}),
         ("contact.solve_many", {"problems": [SOLVE, {**SOLVE, "gap": {"array": [[1]]}}]}),
         ("contact.subsurface", STRESS),
+        ("contact.temperature", HEAT),
         ("wheelrail.solve", {"setup": {"friction": {"mu": 0.3}, "dx": 1, "dy": 1}, "state": {"Fz": 10000}}),
         ("wheelrail.wheelset", {"setup": {"dx": 1, "dy": 1}, "state": {"Fz_left": 1e4, "Fz_right": 9e3}}),
         ("wheelrail.geometry", {"contacts": {"shifts": [1]}, "conicity": {"amplitudes": [2]}, "profiles": True}),

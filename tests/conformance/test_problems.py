@@ -1,9 +1,11 @@
 """Contact problems: what is an answer, what is an error, whose sign is which."""
 
+import math
+
 import numpy as np
 import pytest
 
-from conformance.requests import SOLVE, STRESS
+from conformance.requests import HEAT, SOLVE, STRESS
 from conformance.wire import INVALID_ARGUMENT, OK
 
 NX, NY = SOLVE["grid"]["nx"], SOLVE["grid"]["ny"]
@@ -135,3 +137,21 @@ def test_the_arrays_of_stresses_together_are_bounded(start, points, allowed):
             assert reply.code == OK
         else:
             assert (reply.code, reply.reason, reply.fields) == (INVALID_ARGUMENT, "LIMIT_EXCEEDED", list(points))
+
+
+def test_temperatures_meet_in_contact_and_the_leading_element_has_half_of_its_heat(peer):
+    answer = peer.ask("contact.temperature", HEAT, arrays="list").result
+    (behind, trailing, leading), (lower_behind, *lower) = answer["upper_temperature"][0], answer["lower_temperature"][0]
+    assert [trailing, leading] == pytest.approx(lower)
+    assert behind > lower_behind
+    effusivity = 2 * 1e-3 * math.sqrt(50 * 7850 * 450)
+    own = 2 * math.sqrt(0.5) * 240 * 0.01 * 20000 / (effusivity * math.sqrt(math.pi * 20000))
+    assert leading == pytest.approx(40 + own)
+    heat = answer["temperature"]
+    assert heat["heat_upper"] + heat["heat_lower"] == pytest.approx((270 + 240) * 0.01 * 20000)
+
+
+@pytest.mark.parametrize(("changed", "field"), [({"chi": 1.5}, "chi"), ({"slip_x": [[0, 1]]}, "slip_x"), ({"velocity": 0}, "velocity")])
+def test_temperatures_that_nobody_knows_are_refused_by_name(peer, changed, field):
+    reply = peer.ask("contact.temperature", {**HEAT, **changed})
+    assert (reply.code, reply.fields) == (INVALID_ARGUMENT, [field])

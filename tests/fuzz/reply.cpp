@@ -15,6 +15,7 @@ void decode(const std::string& method, const nlohmann::json& result, const Frame
     if (method == "contact.solve") decode_solve_reply(result, frames);
     if (method == "contact.solve_many") decode_solve_replies(result, frames);
     if (method == "contact.subsurface") decode_subsurface_reply(result, frames);
+    if (method == "contact.temperature") decode_temperature_reply(result, contactd::Grid::centred(2, 1, 1, 1), frames);
     if (method == "wheelrail.solve") decode_wheel_rail_solution(result, frames);
     if (method == "wheelrail.wheelset") decode_wheelset_solution(result, frames);
     if (method == "wheelrail.geometry") decode_wheel_rail_geometries(result);

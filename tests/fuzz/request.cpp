@@ -45,6 +45,8 @@ void decode(const Request& request) {
         for (const auto& problem : params.at("problems")) check_problem(decode_problem(problem, request.frames));
     } else if (request.method == "contact.subsurface") {
         decode_subsurface_request(params, request.frames, limits);
+    } else if (request.method == "contact.temperature") {
+        decode_temperature_request(params, request.frames);
     } else if (request.method == "wheelrail.wheelset") {
         decode_wheelset_setup(params, request.frames);
         decode_wheelset_state(params["state"]);

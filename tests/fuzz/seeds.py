@@ -78,6 +78,13 @@ def solves() -> Iterator[tuple[dict[str, Any], list[bytes]]]:
         **base, "bodies": {"upper": {"ics": {**layered, "base": {"G": 5, "nu": 0.3}}}, "lower": {"ics": layered}},
         "gap": {"paraboloid": {"Rx": 10}}, "Fn": 2,
     }, []
+    steady = {**rolling, "chi": 0, "kind": "steady"}
+    steel = {"bulk_temperature": 20, "conductivity": 50, "heat_capacity": 450, "density": 7850}
+    yield {
+        **base, "bodies": bodies, "ics": {"source": "analytic"}, "gap": {"paraboloid": {"Rx": 10}}, "Fn": 2,
+        "temperature": {"upper": steel, "lower": {"bulk_temperature": 90}},
+        "friction": {"mu": 0.3, "temperature": {"change": -0.1, "reference": 20, "range": 300}, "rolling": steady},
+    }, []
     table = np.zeros((3, 3, 2, 3))
     table[range(3), range(3), 0, 0] = 1
     yield {
@@ -112,6 +119,8 @@ def requests() -> Iterator[bytes]:
         yield request("contact.solve", params, *frames)
         yield request("contact.solve_many", {"problems": [params, params]}, *frames)
     field = {"grid": {"nx": 3, "ny": 2, "dx": 1, "dy": 1}, "nu": 0.3, "pressure": array(1, 2, 3)}
+    heat = {name: array(1, 2, 3) for name in ("pressure", "traction_x", "traction_y", "slip_x", "slip_y")}
+    yield request("contact.temperature", {"grid": field["grid"], "velocity": 2e4, "chi": 0, "temperature": {"lower": {"density": 7e3}}, **heat}, bytes(48))
     yield request("contact.subsurface", {**field, "points": array(2, 2, 3)}, bytes(48), np.full(6, -1.0).tobytes())
 
 

@@ -229,6 +229,8 @@ REQUESTS = [
     ("job.cancel", {"job": "build-1"}),
     ("contact.subsurface", {"grid": TABLE["grid"], "nu": 0.3, "body": "lower", "pressure": [[1] * 4] * 4,
                             "points": [[0, 0, -1]]}),
+    ("contact.temperature", {"grid": TABLE["grid"], "velocity": 1e3, **{name: [[1] * 4] * 4 for name in
+                             ("pressure", "traction_x", "traction_y", "slip_x", "slip_y")}}),
     ("ic.import", {"attributes": {"spec/body": "half_space", "evidence/warnings": ["a"]}, "datasets": {"frames": [1, 2]}}),
     ("ic.list", {"after": "0" * 64}),
     ("ic.delete", {"key": "0" * 64}),

@@ -136,6 +136,9 @@ TEST_CASE("Sessions, stresses and conicities start with the defaults of their sc
     const json stresses = filled_params("contact.subsurface", wire::subsurface_params());
     CHECK(decode_subsurface_request(stresses, {}).body == SubsurfaceRequest{}.body);
 
+    const json heat = filled_params("contact.temperature", wire::temperature_params());
+    CHECK(decode_temperature_request(heat, {}).chi == TemperatureRequest{}.chi);
+
     const json conicity{{"amplitudes", {3}}}, contacts{{"shifts", {0}}};
     const json& geometry = schema("wheelrail.geometry.params")["properties"];
     CHECK(decode_conicity(filled(geometry["conicity"], conicity)) == decode_conicity(conicity));

@@ -130,6 +130,7 @@ void handle(const std::string& text, const Frames& frames, Outcome& outcome) {
         if (request.method == "contact.solve") decode_problem(request.params, request.frames);
         if (request.method == "contact.solve_many") decode_all(request);
         if (request.method == "contact.subsurface") decode_subsurface_request(request.params, request.frames);
+        if (request.method == "contact.temperature") decode_temperature_request(request.params, request.frames);
         ++outcome.read;
     } catch (const StatusError& error) {
         CHECK_FALSE(error.status().ok());
@@ -165,6 +166,7 @@ TEST_CASE("Damaged parameters are read or refused, with a field where a schema i
         {"contact.solve", rolling_params()},
         {"contact.solve_many", {{"problems", json::array({rolling_params(), given_params()})}}},
         {"contact.subsurface", wire::subsurface_params()},
+        {"contact.temperature", wire::temperature_params()},
         {"ic.get", wire::ic_params()},
         {"ic.export", export_params()}};
     for (int i = 0; i < 4'000; ++i) {

@@ -173,7 +173,7 @@ TEST_CASE("A bad value of contact.solve is named with what would be right", "[sc
                  "is \"high\"; it must be a number, a list of numbers or {\"$array\": ...}"},
             Case{"/friction/mu", "{}", "friction.mu.$array", "is missing"},
             Case{"/friction/rolling", "{}", "friction.rigid_shift",
-                 "does not go with rolling; only mu, kinetic, rolling"},
+                 "does not go with rolling; only mu, kinetic, layer, temperature, rolling"},
             Case{"/friction/rotation", "null", "friction.rotation", "is null; it must be a number"},
             Case{"/friction/duration", "0", "friction.duration", "is 0; it must be positive"},
             Case{"/friction/force", "[1]", "friction.force", "has 1 values; it must have 2"},
@@ -219,7 +219,9 @@ TEST_CASE("A bad value of rolling is named with what would be right", "[schema]"
             Case{"/friction/rolling/velocity", "-1", "friction.rolling.velocity", "is -1; it must be positive"},
             Case{"/friction/rolling/force", "[1e19, 0]", "friction.rolling.force[0]", "it must lie in"},
             Case{"/friction/force", "[1, 2]", "friction.force",
-                 "does not go with rolling; only mu, kinetic, rolling, rigid_slip do: rolling has its creepages and "
+                 "does not go with rolling; only mu, kinetic, layer, temperature, rolling, rigid_slip do: rolling has "
+                 "its "
+                 "creepages and "
                  "forces"},
             Case{"/friction/duration", "2", "friction.duration", "does not go with rolling"}));
 }

@@ -37,6 +37,18 @@ inline nlohmann::json subsurface_params() {
         "block": {"x": [0], "y": [0], "z": [0, -0.05]}})");
 }
 
+inline nlohmann::json temperature_params() {
+    return nlohmann::json::parse(R"({
+        "grid": {"nx": 3, "ny": 2, "dx": 0.6, "dy": 0.6},
+        "temperature": {"upper": {"bulk_temperature": 40}, "lower": {"conductivity": 20, "density": 7000}},
+        "velocity": 20000,
+        "pressure": [[0, 1, 2], [0, 3, 0]],
+        "traction_x": [[0, -0.1, -0.2], [0, -0.3, 0]],
+        "traction_y": [[0, 0, 0], [0, 0, 0]],
+        "slip_x": [[0, 0.01, 0.01], [0, 0.01, 0]],
+        "slip_y": [[0, 0, 0], [0, 0, 0]]})");
+}
+
 /// The status that `act` throws, or nothing.
 inline std::optional<contactd::proto::Status> status_thrown_by(const std::function<void()>& act) {
     try {

@@ -115,8 +115,8 @@ CONTACTD_API int32_t contactd_length(void* handle, const char* path, int32_t* co
 /* Whether solves or steps from now on bring along an array over the grid (1), or not (0, as at first): "pressure",
  * "traction_x", "traction_y", "slip_x", "slip_y", "element_division"; "displacement_x", "displacement_y" and
  * "displacement_z" where "displacements" is set; "flow_x", "flow_y" and "yield_stress" where a layer yields,
- * "friction_coefficient" where it falls; of wheels also "gap", the undeformed distances,
- * which the model full has. */
+ * "friction_coefficient" where it falls; "upper_temperature" and "lower_temperature" where "temperature" is set; of
+ * wheels also "gap", the undeformed distances, which the model full has. */
 CONTACTD_API int32_t contactd_want(void* handle, const char* array, int32_t requested);
 
 /* For loops in which a text costs too much: *id stands for the path of an input, of a result, or of both, with this

@@ -72,6 +72,8 @@ void keep_requested(const SolutionFields& fields, ContactSolution& solution) {
     if (unwanted(SolutionField::flow_y)) solution.flow_y.clear();
     if (unwanted(SolutionField::yield_stress)) solution.yield_stress.clear();
     if (unwanted(SolutionField::friction_coefficient)) solution.friction_coefficient.clear();
+    if (unwanted(SolutionField::upper_temperature)) solution.upper_temperature.clear();
+    if (unwanted(SolutionField::lower_temperature)) solution.lower_temperature.clear();
 }
 
 class LocalContact final : public OpenContact {

@@ -29,20 +29,10 @@ namespace {
 // --- arrays over the grid --------------------------------------------------------------------------------------------
 
 /// In the order of SolutionField, and the one of wheels beside these.
-constexpr std::array<std::string_view, 14> arrays{"element_division",
-                                                  "pressure",
-                                                  "traction_x",
-                                                  "traction_y",
-                                                  "slip_x",
-                                                  "slip_y",
-                                                  "displacement_x",
-                                                  "displacement_y",
-                                                  "displacement_z",
-                                                  "flow_x",
-                                                  "flow_y",
-                                                  "yield_stress",
-                                                  "friction_coefficient",
-                                                  "gap"};
+constexpr std::array<std::string_view, 16> arrays{
+    "element_division",     "pressure",          "traction_x",        "traction_y", "slip_x", "slip_y",
+    "displacement_x",       "displacement_y",    "displacement_z",    "flow_x",     "flow_y", "yield_stress",
+    "friction_coefficient", "upper_temperature", "lower_temperature", "gap"};
 constexpr std::size_t gap = arrays.size() - 1;
 
 std::size_t array_named(std::string_view name) {

@@ -126,7 +126,8 @@ void ContactInputs::was_set(const FieldPath& path) {
         changed.motion = true;
     }
     if (is_below(path, "gap")) changed.gap = true;
-    if (is_below(path, "friction.mu") || is_below(path, "friction.kinetic")) changed.friction = true;
+    for (const char* of_law : {"friction.mu", "friction.kinetic", "friction.temperature"})
+        if (is_below(path, of_law)) changed.friction = true;
     if (is_below(path, "friction.rigid_slip")) changed.rigid_slip = true;
 }
 
@@ -166,7 +167,8 @@ Grid ContactInputs::grid() const {
 /// Throws InvalidArgument where something means nothing without friction; no coefficient is none.
 void ContactInputs::require_friction() {
     if (problem.friction && !problem.friction->mu.empty()) return;
-    if (motion || (problem.friction && problem.friction->kinetic) || !problem.rigid_slip.empty())
+    if (motion || (problem.friction && (problem.friction->kinetic || problem.friction->temperature)) ||
+        !problem.rigid_slip.empty())
         throw InvalidArgument("friction.mu", "is missing; what moves the bodies means nothing without friction");
     problem.friction.reset();
 }

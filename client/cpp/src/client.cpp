@@ -140,6 +140,10 @@ void check_size(const SolveReply& reply, const ContactProblem& problem, const So
         check(SolutionField::displacement_y, "displacements along y", solution.displacement_y.size());
         check(SolutionField::displacement_z, "displacements along z", solution.displacement_z.size());
     }
+    if (problem.temperature) {
+        check(SolutionField::upper_temperature, "temperatures of the upper surface", solution.upper_temperature.size());
+        check(SolutionField::lower_temperature, "temperatures of the lower surface", solution.lower_temperature.size());
+    }
     if (!problem.friction) return;
     check(SolutionField::slip_x, "slips along x", solution.slip_x.size());
     check(SolutionField::slip_y, "slips along y", solution.slip_y.size());
@@ -187,15 +191,24 @@ std::vector<ReplyOrStatus> Client::solve_many(std::span<const ContactProblem> pr
 
 namespace {
 
+void check_array(const Grid& grid, const std::vector<double>& values, const char* field) {
+    if (values.size() != grid.size())
+        throw InvalidArgument(field, "has " + std::to_string(values.size()) + " values; the grid has " +
+                                         std::to_string(grid.size()) + " elements");
+}
+
 void check_arrays(const SubsurfaceRequest& request) {
-    const auto check = [&](const std::vector<double>& values, const char* field) {
-        if (values.size() != request.grid.size())
-            throw InvalidArgument(field, "has " + std::to_string(values.size()) + " values; the grid has " +
-                                             std::to_string(request.grid.size()) + " elements");
-    };
-    check(request.pressure, "pressure");
-    if (!request.traction_x.empty()) check(request.traction_x, "traction_x");
-    if (!request.traction_y.empty()) check(request.traction_y, "traction_y");
+    check_array(request.grid, request.pressure, "pressure");
+    if (!request.traction_x.empty()) check_array(request.grid, request.traction_x, "traction_x");
+    if (!request.traction_y.empty()) check_array(request.grid, request.traction_y, "traction_y");
+}
+
+void check_arrays(const TemperatureRequest& request) {
+    check_array(request.grid, request.pressure, "pressure");
+    check_array(request.grid, request.traction_x, "traction_x");
+    check_array(request.grid, request.traction_y, "traction_y");
+    check_array(request.grid, request.slip_x, "slip_x");
+    check_array(request.grid, request.slip_y, "slip_y");
 }
 
 }  // namespace
@@ -213,6 +226,15 @@ SubsurfaceReply Client::subsurface(const SubsurfaceRequest& request, const CallO
                                 json(request.shape()).dump() + " was asked for.");
         return result;
     });
+}
+
+SurfaceTemperatures Client::temperature(const TemperatureRequest& request, const CallOptions& options) {
+    validate(request.grid, "grid");
+    check_arrays(request);
+    proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+    json params = proto::encode_temperature_request(request, arrays);
+    const Reply reply = impl_->call("contact.temperature", std::move(params), arrays.take_frames(), options);
+    return decoded([&] { return proto::decode_temperature_reply(reply.result, request.grid, reply.frames); });
 }
 
 std::vector<SessionSummary> Client::sessions(const CallOptions& options) {

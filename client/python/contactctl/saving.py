@@ -20,7 +20,7 @@ __all__ = ["ARRAYS", "check_outputs", "need", "save"]
 
 #: Arrays over the grid that an answer may have.
 ARRAYS = ["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y"]
-ARRAYS += ["displacement_x", "displacement_y", "displacement_z"]
+ARRAYS += ["displacement_x", "displacement_y", "displacement_z", "upper_temperature", "lower_temperature"]
 _PICTURES = (".png", ".svg", ".pdf")
 
 

@@ -66,17 +66,20 @@ from .values.friction import Friction, InterfacialLayer
 from .values.grid import Grid, Paraboloid, SemiAxes
 from .values.ics import AnalyticIcs, LineContact
 from .values.materials import Layer, LayeredBody, Material, RigidBody
-from .values.motion import FrictionMemory, KineticFriction, Rolling, SecondTerm, Shift
+from .values.motion import FrictionMemory, KineticFriction, Rolling, SecondTerm, Shift, TemperatureFriction
 from .values.partial_solution import PartialSolution, SavedState, StepSolution
 from .values.problem import ContactColumns, ContactProblem, Estimate
 from .values.profile_shapes import ProfileFile
 from .values.records import ImportedIc, QuarantinedIc, RecentPatch, RecentSolve, StoredIc
 from .values.registry import register
+from .values.result import ContactTemperature
 from .values.service import Job, Limits, Progress, ServerInfo, SessionSummary
 from .values.solution import ContactSolution
 from .values.step_input import StepInput
 from .values.subsurface import LargestStress, StressBlock, SubsurfaceStress
 from .values.tables import IcTable, TableIcs, combined_modulus
+from .values.temperature import SurfaceTemperatures
+from .values.thermal import ThermalBodies, ThermalBody
 from .values.wheel_rail.solution import WheelRailStepSolution
 from .values.wheel_rail.step_input import WheelRailStepInput
 
@@ -95,6 +98,7 @@ __all__ = [
     "ContactColumns",
     "ContactProblem",
     "ContactSolution",
+    "ContactTemperature",
     "ContactWarning",
     "ContactdError",
     "DaemonFailed",
@@ -152,9 +156,13 @@ __all__ = [
     "StoredIc",
     "StressBlock",
     "SubsurfaceStress",
+    "SurfaceTemperatures",
     "TableFileError",
     "TableIcs",
     "TangentialSettings",
+    "TemperatureFriction",
+    "ThermalBodies",
+    "ThermalBody",
     "TimeoutExpired",
     "Unauthenticated",
     "Unavailable",

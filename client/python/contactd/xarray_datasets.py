@@ -31,6 +31,8 @@ _ARRAYS = {
     "flow_y": ("plastic flow of a layer, along y", ""),
     "yield_stress": ("yield stress of a layer", "N/mm^2"),
     "friction_coefficient": ("coefficient of friction", "1"),
+    "upper_temperature": ("temperature of the upper surface", "degC"),
+    "lower_temperature": ("temperature of the lower surface", "degC"),
 }
 _NUMBERS = {"Fn": "N", "Fx": "N", "Fy": "N", "Mz": "N mm", "approach": "mm", "pmax": "N/mm^2"}
 

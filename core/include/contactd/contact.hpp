@@ -104,6 +104,9 @@ struct ContactSolution {
     /// Displacements of the upper body's surface less those of the lower one's under the tractions (mm): along x and y,
     /// and along z what the bodies yield, > 0 under pressure. Where asked for; elsewhere empty.
     std::vector<double> displacement_x, displacement_y, displacement_z;
+    /// Temperatures of both surfaces (degrees Celsius), in contact and behind it. Where asked for; elsewhere empty.
+    std::vector<double> upper_temperature, lower_temperature;
+    std::optional<ContactTemperature> temperature;  ///< with these
     /// The energy that the tractions have stored, half the sum of traction times displacement (N mm); with
     /// displacements.
     std::optional<double> elastic_energy;
@@ -138,7 +141,9 @@ enum class SolutionField {
     flow_x,
     flow_y,
     yield_stress,
-    friction_coefficient
+    friction_coefficient,
+    upper_temperature,
+    lower_temperature
 };
 /// Those that an answer shall hold.
 using SolutionFields = std::vector<SolutionField>;
@@ -154,7 +159,9 @@ inline const SolutionFields all_solution_fields{SolutionField::element_division,
                                                 SolutionField::flow_x,
                                                 SolutionField::flow_y,
                                                 SolutionField::yield_stress,
-                                                SolutionField::friction_coefficient};
+                                                SolutionField::friction_coefficient,
+                                                SolutionField::upper_temperature,
+                                                SolutionField::lower_temperature};
 
 /// Returns the length of one step (mm): dq, or size_along of the elements where dq is 0.
 double step_length(const Rolling& rolling, const Grid& grid);

@@ -7,6 +7,7 @@
 #include "contactd/contact_columns.hpp"
 #include "contactd/friction.hpp"
 #include "contactd/grid.hpp"
+#include "contactd/temperature.hpp"
 
 namespace contactd {
 
@@ -79,6 +80,8 @@ struct ContactSetup {
     /// Of a thin sheet between the bodies, of model full only: each pressure times this adds to the normal displacement
     /// of its element (mm^3/N).
     double sheet_flexibility = 0;
+    /// What both bodies have to do with heat, where temperatures of the surfaces are wanted: of steady rolling along x.
+    std::optional<ThermalBodies> temperature{};
     std::optional<FrictionLaw> friction;  ///< absent: frictionless
     ContactSettings settings;
     std::optional<ContactColumns> columns{};  ///< where the surface is curved along y; absent: a plane

@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "contactd/temperature_friction.hpp"
+
 namespace contactd {
 
 /// Velocity-weakening (falling) friction: how its coefficient falls from the static one with the slip velocity v, by
@@ -148,6 +150,7 @@ struct FrictionLaw {
     std::vector<double> mu{0};  ///< (static) coefficient, >= 0: one for all elements, or shape [ny, nx]
     std::optional<KineticFriction> kinetic{};
     std::optional<InterfacialLayer> layer{};  ///< of model full
+    std::optional<TemperatureFriction> temperature{};
 
     bool operator==(const FrictionLaw&) const = default;
     double mu_of(std::size_t element) const { return mu.size() == 1 ? mu[0] : mu[element]; }

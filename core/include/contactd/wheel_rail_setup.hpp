@@ -129,6 +129,7 @@ struct WheelRailFriction {
     bool along_profile = false;  ///< the angle is that of the rail at each row of elements, else that of the patch
     std::optional<KineticFriction> kinetic{};
     std::optional<InterfacialLayer> layer{};  ///< of model full
+    std::optional<TemperatureFriction> temperature{};
 
     bool operator==(const WheelRailFriction&) const = default;
 };
@@ -155,6 +156,8 @@ struct WheelRailSetup {
     NormalModel normal_model = NormalModel::of_model;  ///< as of ContactSetup
     SimplifiedSettings simplified{};
     double sheet_flexibility = 0;  ///< of a thin sheet between them, as of ContactSetup (mm^3/N)
+    /// What they have to do with heat, where temperatures of their surfaces are wanted: of steady rolling.
+    std::optional<ThermalBodies> temperature{};
     std::optional<WheelRailFriction> friction = WheelRailFriction{};  ///< absent: frictionless
     double dx = 0.2, dy = 0.2;  ///< sizes of the elements along and across the track, in the contact plane (mm)
     double dq = 0;              ///< step of rolling (mm); 0: dx

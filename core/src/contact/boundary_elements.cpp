@@ -19,6 +19,7 @@
 #include "layer_flow.hpp"
 #include "outer_tolerances.hpp"
 #include "tangential_step.hpp"
+#include "temperature_law.hpp"
 #include "tractions.hpp"
 
 namespace contactd {
@@ -51,6 +52,7 @@ class BoundaryElements {
         static_mu_.resize(n_);
         for (std::size_t i = 0; i < n_; ++i) static_mu_[i] = friction.mu_of(i);
         bound_ = bound_of(static_mu_);
+        if (friction.temperature && friction.temperature->change != 0) temperature_law_.emplace(problem);
         if (!friction.kinetic) return;
         slip_law_.emplace(*friction.kinetic, static_mu_);
         if (!friction.kinetic->memory) return;
@@ -105,13 +107,14 @@ class BoundaryElements {
         if (step_) keep(step_->force_evidence(), failed_.force);
     }
 
-    // Panagiotopoulos' process where the bodies couple, and successive friction coefficients where they fall with slip.
+    // Panagiotopoulos' process where the bodies couple, and successive coefficients where friction follows slip or
+    // heat.
     void take_step(Observer& observer, bool first) {
         const bool coupled = step_ && influence_.coupled();
-        const bool repeats = coupled || (step_ && problem_.friction->kinetic);
+        const bool repeats = coupled || slip_law_ || temperature_law_;
         if (repeats) solution_.evidence.outer = SolverEvidence{};
         const Stopwatch stopwatch;
-        OuterTolerances tolerances(problem_, coupled && !problem_.friction->kinetic);
+        OuterTolerances tolerances(problem_, coupled && !slip_law_ && !temperature_law_);
         for (int iteration = 1;; ++iteration) {
             const Tractions last = now_;
             const bool solved_finally = tolerances.are_final();
@@ -121,8 +124,10 @@ class BoundaryElements {
             if (!(first && iteration == 1 && coupled && !solved_finally && start_on_coarser(part)))
                 solve_tangential_contact(tolerances.tangential(), part);
             if (!repeats) return;
-            tolerances.follow(std::max(relative_change(now_, last), follow_slip_law()));
-            const double left = tolerances.left();
+            const double friction_change = follow_friction();
+            tolerances.follow(std::max(relative_change(now_, last), friction_change));
+            const bool is_settled = temperature_law_ && !coupled && friction_change == 0;  // the same solve again
+            const double left = is_settled ? 0 : tolerances.left();
             const bool converged = left <= problem_.settings.outer.tolerance && solved_finally;
             solution_.evidence.outer = {iteration, left, converged, stopwatch.seconds()};
             if (converged || iteration == problem_.settings.outer.max_iterations) return;
@@ -189,7 +194,7 @@ class BoundaryElements {
     }
 
     void solve_tangential_contact(const SolverSettings& settings, Observer& observer) {
-        Values bound = bound_of(slip_law_ ? slip_law_->mu() : static_mu_);
+        Values bound = bound_of(followed_mu());
         keep_at_bound(bound);
         bound_ = std::move(bound);
         PartObserver part(observer, 0.3, 1);
@@ -244,18 +249,24 @@ class BoundaryElements {
         }
     }
 
-    /// How far the coefficients of friction were from those that the slip asks for; they follow it.
-    double follow_slip_law() {
-        if (!slip_law_) return 0;
+    /// How far the coefficients of friction were from those that slip, or its heat, asks for; they follow it.
+    double follow_friction() {
+        if (!slip_law_ && !temperature_law_) return 0;
         const auto* rolling = std::get_if<Rolling>(&problem_.motion);
         const double seconds = rolling ? step_->unit() / rolling->velocity : std::get<Shift>(problem_.motion).duration;
         Values velocity(n_);
         for (std::size_t i = 0; i < n_; ++i)
             if (tangential_.element_division[i] > ElementState::adhesion)
                 velocity[i] = std::hypot(tangential_.slip_x[i], tangential_.slip_y[i]) / seconds;
+        if (temperature_law_) return temperature_law_->follow(velocity, now_.pressure);
         const double change = slip_law_->follow(velocity, now_.pressure);
         now_.friction_coefficient = slip_law_->mu();
         return change;
+    }
+
+    const Values& followed_mu() const {
+        if (temperature_law_) return temperature_law_->mu();
+        return slip_law_ ? slip_law_->mu() : static_mu_;
     }
 
     ContactSolution finished() {
@@ -313,6 +324,7 @@ class BoundaryElements {
     Values bound_;                // of the tractions as they are
     std::optional<CarriedFriction> memory_;
     std::optional<SlipLawIteration> slip_law_;
+    std::optional<TemperatureLaw> temperature_law_;
     RollingSolution tangential_;
     struct {
         std::optional<SolverEvidence> normal, tangential, outer, force;

@@ -14,6 +14,7 @@
 #include "contact/normal/normal.hpp"
 #include "contact/penetration/virtual_penetration.hpp"
 #include "contact/rolling/rolling.hpp"
+#include "contact_temperature.hpp"
 #include "contactd/error.hpp"
 #include "contactd/strip_frames.hpp"
 #include "curved_strips.hpp"
@@ -273,6 +274,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactInflue
     if (problem.model != Model::full) {
         ContactSolution solution = simplified(problem);
         count_elements(problem, solution);
+        find_temperature(problem, solution, observer);
         warn(problem, solution);
         return solution;
     }
@@ -287,6 +289,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactInflue
     count_elements(problem, solution);
     sum_up(problem, solution);
     take_friction_losses(problem, solution);
+    find_temperature(problem, solution, observer);
     find_displacements(problem, *bodies.current, solution);
     solution.evidence.discretisation = discretisation(problem, solution, problem.friction && bodies.current->coupled());
     warn(problem, solution);

@@ -70,6 +70,10 @@ RightWheel::RightWheel(const WheelRailSetup& setup, const geometry::Profiles& pr
     if (state_.motion != WheelRailMotion::steady_rolling && setup_.model != Model::full)
         throw InvalidArgument("state.motion",
                               "is not steady_rolling; simplified models know no other, take model full");
+    if (state_.motion != WheelRailMotion::steady_rolling && setup_.temperature)
+        throw InvalidArgument("state.motion",
+                              "is not steady_rolling, and setup.temperature is given; temperatures are those of "
+                              "steady rolling");
     // What particles carry beside their tractions is not kept on the rail.
     const bool carries = setup_.friction && ((setup_.friction->layer && setup_.friction->layer->hardens()) ||
                                              (setup_.friction->kinetic && setup_.friction->kinetic->memory));

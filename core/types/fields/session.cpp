@@ -24,6 +24,7 @@ const FieldType& type_of<FrictionFields<ContactProblem>>() {
             "mu", &custom_type<ElementwiseCoefficient>, {.bounds = {.least = 0, .most = 1000}, .required = true}),
         fields::field_along<ContactProblem, &ContactProblem::friction, &FrictionLaw::kinetic>("kinetic"),
         fields::field_along<ContactProblem, &ContactProblem::friction, &FrictionLaw::layer>("layer"),
+        fields::field_along<ContactProblem, &ContactProblem::friction, &FrictionLaw::temperature>("temperature"),
         fields::field_along<ContactProblem, &ContactProblem::motion, fields::alternative<Shift>, &Shift::rigid_shift>(
             "rigid_shift"),
         fields::field_along<ContactProblem, &ContactProblem::motion, fields::alternative<Shift>, &Shift::rotation>(
@@ -46,6 +47,7 @@ const FieldType& type_of<FrictionFields<StepInput>>() {
             "mu", &custom_type<ElementwiseCoefficient>, {.bounds = {.least = 0, .most = 1000}, .required = true}),
         fields::field_along<StepInput, &StepInput::friction, &FrictionLaw::kinetic>("kinetic"),
         fields::field_along<StepInput, &StepInput::friction, &FrictionLaw::layer>("layer"),
+        fields::field_along<StepInput, &StepInput::friction, &FrictionLaw::temperature>("temperature"),
         fields::field_along<StepInput, &StepInput::motion, fields::alternative<Shift>, &Shift::rigid_shift>(
             "rigid_shift"),
         fields::field_along<StepInput, &StepInput::motion, fields::alternative<Shift>, &Shift::rotation>(

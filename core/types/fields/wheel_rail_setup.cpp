@@ -9,16 +9,16 @@ namespace {
 
 // A member that the schema does not declare makes the number of these names wrong.
 [[maybe_unused]] void all_of(const WheelRailFriction& all) {
-    [[maybe_unused]] const auto& [mu_, along_profile_, kinetic_, layer_] = all;
+    [[maybe_unused]] const auto& [mu_, along_profile_, kinetic_, layer_, temperature_] = all;
 }
 [[maybe_unused]] void all_of(const FrictionAtAngle& all) {
     [[maybe_unused]] const auto& [angle_, mu_] = all;
 }
 [[maybe_unused]] void all_of(const WheelRailSetup& all) {
     [[maybe_unused]] const auto& [side_, wheel_, rail_, rail_slices_, wheel_slices_, track_, wheelset_, bodies_, model_,
-                                  normal_model_, simplified_, sheet_flexibility_, friction_, dx_, dy_, dq_, patches_,
-                                  rail_spline_, wheel_spline_, wheel_surface_, rigid_slip_, conformal_, settings_,
-                                  force_] = all;
+                                  normal_model_, simplified_, temperature_, sheet_flexibility_, friction_, dx_, dy_,
+                                  dq_, patches_, rail_spline_, wheel_spline_, wheel_surface_, rigid_slip_, conformal_,
+                                  settings_, force_] = all;
 }
 [[maybe_unused]] void all_of(const RailSlice& all) {
     [[maybe_unused]] const auto& [x_, profile_, features_] = all;
@@ -49,6 +49,7 @@ const FieldType& type_of<WheelRailFriction>() {
         fields::field<&WheelRailFriction::along_profile>("along_profile"),
         fields::field<&WheelRailFriction::kinetic>("kinetic"),
         fields::field<&WheelRailFriction::layer>("layer"),
+        fields::field<&WheelRailFriction::temperature>("temperature"),
     });
     static const FieldType type = fields::object_type(list);
     return type;
@@ -80,6 +81,7 @@ const FieldType& type_of<WheelRailSetup>() {
         fields::field<&WheelRailSetup::model>("model"),
         fields::field<&WheelRailSetup::normal_model>("normal_model"),
         fields::field<&WheelRailSetup::simplified>("simplified"),
+        fields::field<&WheelRailSetup::temperature>("temperature"),
         fields::field<&WheelRailSetup::sheet_flexibility>("sheet_flexibility",
                                                           {.bounds = {.least = 0, .most = 1e+06}, .unit = "mm^3/N"}),
         fields::field<&WheelRailSetup::friction>("friction"),

@@ -7,6 +7,7 @@
 
 #include "all_methods.hpp"
 #include "contactd/subsurface.hpp"
+#include "contactd/surface_temperature.hpp"
 #include "engine/ics/problem_tables.hpp"
 #include "handlers.hpp"
 #include "jobs/job_reports.hpp"
@@ -127,6 +128,28 @@ void subsurface(const CallPtr& call, const DaemonParts& parts) {
     call->succeed(result, arrays.take_frames());
 }
 
+WorkCost cost_of_temperature(const nlohmann::json& params, const Config& config) {
+    constexpr double bytes_of_element = 8 * 12, seconds_of_pair = 1.5e-9;  // of a source and an element behind it
+    check_grid_limit(params, config.max_grid_elements);
+    const double elements = elements_of(params.at("grid"));
+    return {bytes_beside + elements * bytes_of_element,
+            elements * (2e-8 + 0.5 * params.at("grid").at("nx").get<double>() * seconds_of_pair)};
+}
+
+void temperature(const CallPtr& call, const DaemonParts& parts) {
+    const TemperatureRequest request = proto::decode_temperature_request(call->request.params, call->request.frames);
+    proto::check_frames_used(call->request.params, call->request.frames);  // after those that are missing
+    const auto job = job_of(call, "temperature", parts.jobs);
+    job->set_running();
+    Reporter reporter(call, job);
+    JobObserver observer(call, job, [&](const Progress& progress) { reporter.report(to_job_progress(progress)); });
+    const SurfaceTemperatures reply = surface_temperature(request, observer);
+    proto::ArrayWriter arrays(call->request.arrays);
+    const nlohmann::json result = proto::encode_temperature_reply(reply, request.grid, arrays);
+    job->end();
+    call->succeed(result, arrays.take_frames());
+}
+
 }  // namespace
 
 void add_contact_methods(MethodTable& methods) {
@@ -138,6 +161,8 @@ void add_contact_methods(MethodTable& methods) {
                  .cost = cost_of_solve_many,
                  .queue = queue_problems});
     methods.add({.name = "contact.subsurface", .job = "subsurface", .cost = cost_of_subsurface, .handle = subsurface});
+    methods.add(
+        {.name = "contact.temperature", .job = "temperature", .cost = cost_of_temperature, .handle = temperature});
 }
 
 }  // namespace contactd::server

@@ -3,6 +3,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -111,6 +112,33 @@ TEST_CASE("The kind of motion that is named first stays until it is cleared", "[
     clear(contact, "friction.rolling");
     set(contact, field, 0.1);
     refused(contactd_set(contact, "friction.rolling.phi", 0.1), contact, "friction.rolling.phi", "a shift");
+}
+
+TEST_CASE("Heat and temperatures of a contact have paths", "[c]") {
+    const Place place("local");
+    const Handle contact(place);
+    set_sphere(contact);
+    set(contact, {{"friction.mu", 0.3}, {"friction.rolling.xi", 0.02}, {"friction.rolling.velocity", 2e4}});
+    set(contact, {{"temperature.upper.conductivity", 0.2}, {"temperature.lower.bulk_temperature", 50}});
+    set(contact, {{"friction.temperature.change", -0.1},
+                  {"friction.temperature.reference", 20},
+                  {"friction.temperature.range", 100}});
+    for (const char* array : {"upper_temperature", "lower_temperature", "traction_x", "pressure"})
+        require_ok(contactd_want(contact, array, 1), contact);
+    require_ok(contactd_start(contact), contact);
+    (void)stepped(contact);
+    const Numbers upper = get_array(contact, "upper_temperature"), lower = get_array(contact, "lower_temperature"),
+                  traction = get_array(contact, "traction_x"), pressure = get_array(contact, "pressure");
+    double largest = 0;
+    for (std::size_t i = 0; i < upper.size(); ++i) {
+        if (!(pressure[i] > 0)) continue;
+        CHECK(upper[i] == lower[i]);
+        CHECK(std::abs(traction[i]) <= 0.3 * pressure[i]);
+        largest = std::max(largest, upper[i]);
+    }
+    CHECK(get(contact, "temperature.largest") == largest);
+    CHECK(largest > 45);
+    refused(contactd_set(contact, "friction.temperature.range", 0), contact, "friction.temperature.range", "is 0");
 }
 
 TEST_CASE("What is wrong or missing of a contact is refused by its path", "[c]") {

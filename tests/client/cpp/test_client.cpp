@@ -130,6 +130,36 @@ TEST_CASE("Stresses are asked for and read", "[client]") {
     }
 }
 
+TEST_CASE("Temperatures are asked for and read", "[client]") {
+    TemperatureRequest request;
+    request.grid = Grid::centred(2, 1, 0.1, 0.1);
+    request.temperature.upper.bulk_temperature = 20;
+    request.velocity = 2e4;
+    request.pressure = {1, 2};
+    request.traction_x = request.traction_y = request.slip_x = request.slip_y = {0, 0};
+    fake::Daemon daemon([&](const json& asked, const Frames& frames) {
+        CHECK(asked["method"] == "contact.temperature");
+        const auto read = proto::decode_temperature_request(asked["params"], frames);
+        CHECK(read.temperature == request.temperature);
+        const SurfaceTemperatures reply{read.pressure, {30, 40}, {40, 0, 0, 20, 1, 2, 1000}, {"Warm."}};
+        proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+        return message_of(asked, proto::encode_temperature_reply(reply, read.grid, arrays), arrays);
+    });
+    Client client(daemon.endpoint());
+
+    SECTION("as they come") {
+        const auto reply = client.temperature(request);
+        CHECK(reply.upper_temperature == request.pressure);
+        CHECK(reply.temperature.largest == 40);
+        CHECK(reply.warnings == std::vector<std::string>{"Warm."});
+    }
+    SECTION("an array that does not fit the grid is named before anything is sent") {
+        request.slip_y = {1, 2, 3};
+        CHECK_THROWS_MATCHES(client.temperature(request), InvalidArgument,
+                             MessageMatches(ContainsSubstring("slip_y has 3 values; the grid has 2 elements")));
+    }
+}
+
 TEST_CASE("A table is asked for and read", "[client]") {
     fake::Daemon daemon([](const json& request, const Frames&) -> std::vector<Frames> {
         IcReply reply{"key", "built", proto::decode_ic_spec(request["params"]), IcTable(2, 1), {}};

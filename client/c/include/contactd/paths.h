@@ -201,6 +201,17 @@
 #define CONTACTD_PATH_SIMPLIFIED_K_ADHESION "simplified.k_adhesion"
 #define CONTACTD_PATH_SIMPLIFIED_K_SLIP "simplified.k_slip"
 #define CONTACTD_PATH_SHEET_FLEXIBILITY "sheet_flexibility" /* mm^3/N */
+#define CONTACTD_PATH_TEMPERATURE "temperature"
+#define CONTACTD_PATH_TEMPERATURE_UPPER "temperature.upper"
+#define CONTACTD_PATH_TEMPERATURE_UPPER_BULK_TEMPERATURE "temperature.upper.bulk_temperature" /* degC */
+#define CONTACTD_PATH_TEMPERATURE_UPPER_CONDUCTIVITY "temperature.upper.conductivity"         /* W/(m K) */
+#define CONTACTD_PATH_TEMPERATURE_UPPER_HEAT_CAPACITY "temperature.upper.heat_capacity"       /* J/(kg K) */
+#define CONTACTD_PATH_TEMPERATURE_UPPER_DENSITY "temperature.upper.density"                   /* kg/m^3 */
+#define CONTACTD_PATH_TEMPERATURE_LOWER "temperature.lower"
+#define CONTACTD_PATH_TEMPERATURE_LOWER_BULK_TEMPERATURE "temperature.lower.bulk_temperature" /* degC */
+#define CONTACTD_PATH_TEMPERATURE_LOWER_CONDUCTIVITY "temperature.lower.conductivity"         /* W/(m K) */
+#define CONTACTD_PATH_TEMPERATURE_LOWER_HEAT_CAPACITY "temperature.lower.heat_capacity"       /* J/(kg K) */
+#define CONTACTD_PATH_TEMPERATURE_LOWER_DENSITY "temperature.lower.density"                   /* kg/m^3 */
 #define CONTACTD_PATH_FRICTION "friction"
 #define CONTACTD_PATH_FRICTION_MU "friction.mu"
 #define CONTACTD_PATH_FRICTION_KINETIC "friction.kinetic"
@@ -219,6 +230,10 @@
 #define CONTACTD_PATH_FRICTION_LAYER_YIELD_STRESS "friction.layer.yield_stress" /* N/mm^2 */
 #define CONTACTD_PATH_FRICTION_LAYER_HARDENING "friction.layer.hardening"       /* N/mm^3 */
 #define CONTACTD_PATH_FRICTION_LAYER_RESIDUAL "friction.layer.residual"
+#define CONTACTD_PATH_FRICTION_TEMPERATURE "friction.temperature"
+#define CONTACTD_PATH_FRICTION_TEMPERATURE_CHANGE "friction.temperature.change"
+#define CONTACTD_PATH_FRICTION_TEMPERATURE_REFERENCE "friction.temperature.reference" /* degC */
+#define CONTACTD_PATH_FRICTION_TEMPERATURE_RANGE "friction.temperature.range"         /* K */
 #define CONTACTD_PATH_FRICTION_RIGID_SHIFT "friction.rigid_shift"
 #define CONTACTD_PATH_FRICTION_RIGID_SHIFT_X "friction.rigid_shift.x"
 #define CONTACTD_PATH_FRICTION_RIGID_SHIFT_Y "friction.rigid_shift.y"
@@ -333,6 +348,15 @@
 #define CONTACTD_PATH_DISPLACEMENT_X "displacement_x"
 #define CONTACTD_PATH_DISPLACEMENT_Y "displacement_y"
 #define CONTACTD_PATH_DISPLACEMENT_Z "displacement_z"
+#define CONTACTD_PATH_UPPER_TEMPERATURE "upper_temperature"
+#define CONTACTD_PATH_LOWER_TEMPERATURE "lower_temperature"
+#define CONTACTD_PATH_TEMPERATURE_LARGEST "temperature.largest"       /* degC */
+#define CONTACTD_PATH_TEMPERATURE_X "temperature.x"                   /* mm */
+#define CONTACTD_PATH_TEMPERATURE_Y "temperature.y"                   /* mm */
+#define CONTACTD_PATH_TEMPERATURE_RISE "temperature.rise"             /* K */
+#define CONTACTD_PATH_TEMPERATURE_HEAT_UPPER "temperature.heat_upper" /* N mm/s */
+#define CONTACTD_PATH_TEMPERATURE_HEAT_LOWER "temperature.heat_lower" /* N mm/s */
+#define CONTACTD_PATH_TEMPERATURE_PECLET "temperature.peclet"
 #define CONTACTD_PATH_ELASTIC_ENERGY "elastic_energy" /* N mm */
 #define CONTACTD_PATH_DERIVATIVES_FX "derivatives.Fx"
 #define CONTACTD_PATH_DERIVATIVES_FX_XI "derivatives.Fx.xi"
@@ -606,7 +630,18 @@
 #define CONTACTD_PATH_SETUP_SIMPLIFIED_COEFFICIENTS "setup.simplified.coefficients"
 #define CONTACTD_PATH_SETUP_SIMPLIFIED_K_ADHESION "setup.simplified.k_adhesion"
 #define CONTACTD_PATH_SETUP_SIMPLIFIED_K_SLIP "setup.simplified.k_slip"
-#define CONTACTD_PATH_SETUP_SHEET_FLEXIBILITY "setup.sheet_flexibility" /* mm^3/N */
+#define CONTACTD_PATH_SETUP_TEMPERATURE "setup.temperature"
+#define CONTACTD_PATH_SETUP_TEMPERATURE_UPPER "setup.temperature.upper"
+#define CONTACTD_PATH_SETUP_TEMPERATURE_UPPER_BULK_TEMPERATURE "setup.temperature.upper.bulk_temperature" /* degC */
+#define CONTACTD_PATH_SETUP_TEMPERATURE_UPPER_CONDUCTIVITY "setup.temperature.upper.conductivity"         /* W/(m K) */
+#define CONTACTD_PATH_SETUP_TEMPERATURE_UPPER_HEAT_CAPACITY "setup.temperature.upper.heat_capacity"       /* J/(kg K) */
+#define CONTACTD_PATH_SETUP_TEMPERATURE_UPPER_DENSITY "setup.temperature.upper.density"                   /* kg/m^3 */
+#define CONTACTD_PATH_SETUP_TEMPERATURE_LOWER "setup.temperature.lower"
+#define CONTACTD_PATH_SETUP_TEMPERATURE_LOWER_BULK_TEMPERATURE "setup.temperature.lower.bulk_temperature" /* degC */
+#define CONTACTD_PATH_SETUP_TEMPERATURE_LOWER_CONDUCTIVITY "setup.temperature.lower.conductivity"         /* W/(m K) */
+#define CONTACTD_PATH_SETUP_TEMPERATURE_LOWER_HEAT_CAPACITY "setup.temperature.lower.heat_capacity"       /* J/(kg K) */
+#define CONTACTD_PATH_SETUP_TEMPERATURE_LOWER_DENSITY "setup.temperature.lower.density"                   /* kg/m^3 */
+#define CONTACTD_PATH_SETUP_SHEET_FLEXIBILITY "setup.sheet_flexibility"                                   /* mm^3/N */
 #define CONTACTD_PATH_SETUP_FRICTION "setup.friction"
 #define CONTACTD_PATH_SETUP_FRICTION_MU "setup.friction.mu"
 #define CONTACTD_PATH_SETUP_FRICTION_MU_ANGLE "setup.friction.mu[%d].angle" /* rad */
@@ -630,9 +665,13 @@
 #define CONTACTD_PATH_SETUP_FRICTION_LAYER_YIELD_STRESS "setup.friction.layer.yield_stress" /* N/mm^2 */
 #define CONTACTD_PATH_SETUP_FRICTION_LAYER_HARDENING "setup.friction.layer.hardening"       /* N/mm^3 */
 #define CONTACTD_PATH_SETUP_FRICTION_LAYER_RESIDUAL "setup.friction.layer.residual"
-#define CONTACTD_PATH_SETUP_DX "setup.dx" /* mm */
-#define CONTACTD_PATH_SETUP_DY "setup.dy" /* mm */
-#define CONTACTD_PATH_SETUP_DQ "setup.dq" /* mm */
+#define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE "setup.friction.temperature"
+#define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE_CHANGE "setup.friction.temperature.change"
+#define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE_REFERENCE "setup.friction.temperature.reference" /* degC */
+#define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE_RANGE "setup.friction.temperature.range"         /* K */
+#define CONTACTD_PATH_SETUP_DX "setup.dx"                                                         /* mm */
+#define CONTACTD_PATH_SETUP_DY "setup.dy"                                                         /* mm */
+#define CONTACTD_PATH_SETUP_DQ "setup.dq"                                                         /* mm */
 #define CONTACTD_PATH_SETUP_PATCHES "setup.patches"
 #define CONTACTD_PATH_SETUP_PATCHES_ANGLE_SEPARATE "setup.patches.angle_separate"       /* rad */
 #define CONTACTD_PATH_SETUP_PATCHES_DISTANCE_SEPARATE "setup.patches.distance_separate" /* mm */
@@ -820,6 +859,16 @@
 #define CONTACTD_PATH_PATCHES_SOLUTION_DISPLACEMENT_X "patches[%d].solution.displacement_x"
 #define CONTACTD_PATH_PATCHES_SOLUTION_DISPLACEMENT_Y "patches[%d].solution.displacement_y"
 #define CONTACTD_PATH_PATCHES_SOLUTION_DISPLACEMENT_Z "patches[%d].solution.displacement_z"
+#define CONTACTD_PATH_PATCHES_SOLUTION_UPPER_TEMPERATURE "patches[%d].solution.upper_temperature"
+#define CONTACTD_PATH_PATCHES_SOLUTION_LOWER_TEMPERATURE "patches[%d].solution.lower_temperature"
+#define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE "patches[%d].solution.temperature"
+#define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_LARGEST "patches[%d].solution.temperature.largest" /* degC */
+#define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_X "patches[%d].solution.temperature.x"             /* mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_Y "patches[%d].solution.temperature.y"             /* mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_RISE "patches[%d].solution.temperature.rise"       /* K */
+#define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_HEAT_UPPER "patches[%d].solution.temperature.heat_upper"
+#define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_HEAT_LOWER "patches[%d].solution.temperature.heat_lower"
+#define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_PECLET "patches[%d].solution.temperature.peclet"
 #define CONTACTD_PATH_PATCHES_SOLUTION_ELASTIC_ENERGY "patches[%d].solution.elastic_energy"     /* N mm */
 #define CONTACTD_PATH_PATCHES_SOLUTION_FRICTIONAL_WORK "patches[%d].solution.frictional_work"   /* N mm */
 #define CONTACTD_PATH_PATCHES_SOLUTION_FRICTIONAL_POWER "patches[%d].solution.frictional_power" /* N mm/s */

@@ -1,4 +1,4 @@
-"""Contact problems, and stresses inside the bodies."""
+"""Contact problems, stresses inside the bodies, and temperatures of their surfaces."""
 
 from __future__ import annotations
 
@@ -19,6 +19,9 @@ from ..values.problem import ContactProblem, Estimate
 from ..values.solution import ContactSolution, Fields, names_of
 from ..values.subsurface import StressBlock, SubsurfaceStress
 from ..values.subsurface_methods import INVARIANTS
+from ..values.temperature import SurfaceTemperatures
+from ..values.temperature_params import temperature_params
+from ..values.thermal import ThermalBodies
 from .call import Answering, asks
 from .caller import Caller, ProgressCallback, check_shapes
 
@@ -75,6 +78,35 @@ class ContactCalls(Caller):
         if displacements:
             check_shapes(stress, ["displacement_x", "displacement_y", "displacement_z"], shape)
         return replace(stress, block=block, points=params.get("points"))
+
+    @asks
+    def temperature(
+        self,
+        solution: ContactSolution | PartialSolution,
+        bodies: ThermalBodies | None = None,
+        *,
+        velocity: float | None = None,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+        progress: bool = False,
+    ) -> Answering[SurfaceTemperatures]:
+        """Temperatures of both surfaces, in contact and behind it, of a `solution` that rolls steadily along x.
+
+        Friction heats both surfaces alike; `bodies` say what they have to do with heat, None: of steel at 0 degrees. A
+        patch of a wheel on its rail serves as well::
+
+            found = client.temperature(solution, ThermalBodies(upper=ThermalBody(bulk_temperature=120), lower=ThermalBody()))
+            print(found.temperature.largest, found.lower_temperature.max())
+
+        `velocity` is that of rolling (mm/s), where it is not that of the solution. A problem that has `temperature` is
+        answered with the same. Shifts, transient rolling, and rolling across the rows are refused (InvalidArgument).
+        """
+        params = temperature_params(solution, bodies, velocity)
+        result = yield from self.asked("contact.temperature", params, timeout=timeout, on_progress=on_progress, progress=progress)
+        found = read(SurfaceTemperatures, result)
+        assert solution.grid is not None  # temperature_params has looked
+        check_shapes(found, ["upper_temperature", "lower_temperature"], solution.grid.shape)
+        return replace(found, grid=solution.grid)
 
 
 def solved(

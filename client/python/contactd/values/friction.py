@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from ..refusals import public
 from .friction_methods import Force, FrictionMethods
-from .motion import KineticFriction, Rolling
+from .motion import KineticFriction, Rolling, TemperatureFriction
 
 __all__ = ["Friction", "InterfacialLayer"]
 
@@ -69,6 +69,9 @@ class Friction(FrictionMethods):
         layer: A layer of a third body between the surfaces, of model full: it shears by flexibility times the traction
             and, where its yield stress is below what friction bears, flows before the surfaces slip. Normal contact
             does not know it.
+        temperature: Friction by the temperature T of the surfaces, mu + change min(1, max(0, (T - reference)/range)),
+            mu that of friction; where the problem has temperature, and in model full. None: the coefficient does not
+            follow it.
     """
 
     mu: float | npt.ArrayLike
@@ -80,3 +83,4 @@ class Friction(FrictionMethods):
     rolling: Rolling | None = None
     rigid_slip: tuple[npt.ArrayLike, npt.ArrayLike] | None = None
     layer: InterfacialLayer | None = None
+    temperature: TemperatureFriction | None = None

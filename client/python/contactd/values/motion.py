@@ -1,4 +1,4 @@
-"""How bodies move, a shift or rolling, and how friction falls with the slip velocity.
+"""How bodies move, a shift or rolling, and how friction follows the slip velocity and the temperature.
 
 Written by ./dev generate from proto/schema: edit it there.
 """
@@ -8,7 +8,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-__all__ = ["FrictionMemory", "KineticFriction", "Rolling", "RollingKind", "SecondTerm", "Shift", "SlipLaw", "SlipStart"]
+__all__ = [
+    "FrictionMemory",
+    "KineticFriction",
+    "Rolling",
+    "RollingKind",
+    "SecondTerm",
+    "Shift",
+    "SlipLaw",
+    "SlipStart",
+    "TemperatureFriction",
+]
 
 RollingKind = Literal["steady", "transient"]
 SlipLaw = Literal["linear", "exponential", "rational"]
@@ -121,3 +131,20 @@ class KineticFriction:
     start: SlipStart | None = None
     second: SecondTerm | None = None
     memory: FrictionMemory | None = None
+
+
+@dataclass(frozen=True)
+class TemperatureFriction:
+    """Friction by the temperature T of the surfaces, mu + change min(1, max(0, (T - reference)/range)), mu that of
+    friction; where the problem has temperature, and in model full.
+
+    Attributes:
+        change: Change of the coefficient from the temperature reference to reference + range; negative where friction
+            falls.
+        reference: Temperature up to which the coefficient is that of friction (degC).
+        range: Rise of the temperature over which the coefficient changes (K), > 0.
+    """
+
+    change: float
+    reference: float
+    range: float

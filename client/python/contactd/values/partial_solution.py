@@ -23,10 +23,11 @@ __all__ = [
 ]
 
 S = TypeVar("S", bound=Solution[Any, Any])
-#: Slip is not there without friction, displacements are where they were asked for, the state of friction where it has one.
+#: Slip is not there without friction, displacements and temperatures are where they were asked for, the state of friction
+#: where it has one.
 _MAY_LACK = (
     "slip_x", "slip_y", "displacement_x", "displacement_y", "displacement_z", "flow_x", "flow_y", "yield_stress",
-    "friction_coefficient",
+    "friction_coefficient", "upper_temperature", "lower_temperature",
 )  # fmt: skip
 ALL_FIELDS: tuple[str, ...] = get_args(Field)
 

@@ -23,6 +23,7 @@ from .params import HasParams, instead
 from .problem_methods import CLOSED_FORMS, REQUIRED, ProblemMethods
 from .solution import ContactSolution
 from .tables import TableIcs
+from .thermal import ThermalBodies
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -120,6 +121,8 @@ class ContactProblem(ProblemMethods, Saved):
             polach. Default "of_model".
         simplified: Options of the simplified models of rolling. Each model takes those that it names, and refuses
             others that are not left at their default.
+        temperature: What both bodies have to do with heat, where temperatures of the surfaces are wanted: of steady
+            rolling along x (chi 0 or pi), with its velocity. None: none.
     """
 
     grid: Grid
@@ -144,6 +147,7 @@ class ContactProblem(ProblemMethods, Saved):
     sheet_flexibility: float | None = None
     normal_model: NormalModel | None = None
     simplified: SimplifiedSettings | None = None
+    temperature: ThermalBodies | None = None
 
     @public
     def replace(self, **changes: Unpack[ProblemFields]) -> ContactProblem:
@@ -176,3 +180,4 @@ class ProblemFields(TypedDict, total=False):
     sheet_flexibility: float | None
     normal_model: NormalModel | None
     simplified: SimplifiedSettings | None
+    temperature: ThermalBodies | None

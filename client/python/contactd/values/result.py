@@ -16,9 +16,19 @@ from .motion import Rolling, Shift
 from .representation import Shown
 from .solution_methods import Bytes, Floats, SolutionMethods
 
-__all__ = ["Areas", "Counts", "Derivatives", "DerivativesOfAnswer", "Field", "Forces", "Resultant", "Solution"]
+__all__ = [
+    "Areas",
+    "ContactTemperature",
+    "Counts",
+    "Derivatives",
+    "DerivativesOfAnswer",
+    "Field",
+    "Forces",
+    "Resultant",
+    "Solution",
+]
 
-Field = Literal["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y", "displacement_x", "displacement_y", "displacement_z", "flow_x", "flow_y", "yield_stress", "friction_coefficient"]
+Field = Literal["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y", "displacement_x", "displacement_y", "displacement_z", "flow_x", "flow_y", "yield_stress", "friction_coefficient", "upper_temperature", "lower_temperature"]
 
 
 @dataclass(frozen=True)
@@ -45,6 +55,31 @@ class DerivativesOfAnswer:
     approach: float | None = None
     Fn: float | None = None
     mu: float | None = None
+
+
+@dataclass(frozen=True)
+class ContactTemperature:
+    """What a contact answers of temperatures beside those of the elements.
+
+    Attributes:
+        largest: Largest temperature in contact, where both surfaces have the same (degC); without contact that of the
+            hotter body.
+        x: x of the element that has it, the first of equals (mm).
+        y: y of this element (mm).
+        rise: Largest rise by friction alone (K).
+        heat_upper: Frictional power that goes into the upper body (N mm/s).
+        heat_lower: Frictional power that goes into the lower body (N mm/s).
+        peclet: Peclet number V L/(2 kappa) of the body that conducts heat faster, L the longest row of the contact;
+            heat spreads along the surface too where it is below 10.
+    """
+
+    largest: float
+    x: float
+    y: float
+    rise: float
+    heat_upper: float
+    heat_lower: float
+    peclet: float
 
 
 @dataclass(frozen=True)
@@ -179,6 +214,10 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
             tractions, shape [ny, nx] (mm); where asked for.
         displacement_y: The same along y.
         displacement_z: What both bodies yield along z, positive under pressure, shape [ny, nx] (mm); where asked for.
+        upper_temperature: Temperature of the upper body's surface, in contact and behind it, shape [ny, nx] (degrees
+            Celsius); where asked for.
+        lower_temperature: Temperature of the lower body's surface, as upper_temperature.
+        temperature: The largest temperature, and the heat; where temperatures were asked for.
         elastic_energy: Energy that the tractions have stored, half the sum of traction times displacement (N mm); with
             displacements.
         frictional_work: Energy that friction dissipates in a shift (N mm).
@@ -220,6 +259,9 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
     displacement_x: Array | None = None
     displacement_y: Array | None = None
     displacement_z: Array | None = None
+    upper_temperature: Array | None = None
+    lower_temperature: Array | None = None
+    temperature: ContactTemperature | None = None
     elastic_energy: float | None = None
     frictional_work: float | None = None
     frictional_power: float | None = None

@@ -106,7 +106,7 @@ class Job:
 
     Attributes:
         job: Name of a job, as progress and job.list give it.
-        kind: Kind of work. One of "build", "solve", "subsurface", "step".
+        kind: Kind of work. One of "build", "solve", "subsurface", "temperature", "step".
         state: State of the job: queued or running. One of "queued", "running".
         stage: Stage of the work, empty while queued.
         fraction: Estimated fraction of the whole job.

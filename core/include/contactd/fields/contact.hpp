@@ -11,6 +11,7 @@
 #include "contactd/fields/gap.hpp"
 #include "contactd/fields/grid.hpp"
 #include "contactd/fields/session.hpp"
+#include "contactd/fields/temperature.hpp"
 
 namespace contactd {
 
@@ -20,9 +21,10 @@ static_assert(static_cast<int>(ErrorSource::hertz) == 0);
 static_assert(static_cast<int>(ErrorSource::estimate) == 1);
 
 template <>
-inline constexpr auto enum_words<SolutionField> = std::to_array<std::string_view>(
-    {"element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y", "displacement_x", "displacement_y",
-     "displacement_z", "flow_x", "flow_y", "yield_stress", "friction_coefficient"});
+inline constexpr auto enum_words<SolutionField> =
+    std::to_array<std::string_view>({"element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y",
+                                     "displacement_x", "displacement_y", "displacement_z", "flow_x", "flow_y",
+                                     "yield_stress", "friction_coefficient", "upper_temperature", "lower_temperature"});
 static_assert(static_cast<int>(SolutionField::element_division) == 0);
 static_assert(static_cast<int>(SolutionField::pressure) == 1);
 static_assert(static_cast<int>(SolutionField::traction_x) == 2);
@@ -36,6 +38,8 @@ static_assert(static_cast<int>(SolutionField::flow_x) == 9);
 static_assert(static_cast<int>(SolutionField::flow_y) == 10);
 static_assert(static_cast<int>(SolutionField::yield_stress) == 11);
 static_assert(static_cast<int>(SolutionField::friction_coefficient) == 12);
+static_assert(static_cast<int>(SolutionField::upper_temperature) == 13);
+static_assert(static_cast<int>(SolutionField::lower_temperature) == 14);
 
 template <>
 const FieldType& type_of<ContactProblem>();

@@ -8,6 +8,7 @@
 #include "contactd/fields/gap.hpp"
 #include "contactd/fields/grid.hpp"
 #include "contactd/fields/ic_reply.hpp"
+#include "contactd/fields/temperature_friction.hpp"
 #include "contactd/fields/wheel_rail_setup.hpp"
 #include "contactd/session.hpp"
 

@@ -6,6 +6,8 @@
 #include "contactd/fields/contact_setup.hpp"
 #include "contactd/fields/friction.hpp"
 #include "contactd/fields/profile_spec.hpp"
+#include "contactd/fields/temperature.hpp"
+#include "contactd/fields/temperature_friction.hpp"
 #include "contactd/wheel_rail_setup.hpp"
 
 namespace contactd {

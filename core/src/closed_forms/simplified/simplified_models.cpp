@@ -64,6 +64,7 @@ void check_is_simple(const ContactProblem& problem) {
         unknown(problem, "friction.kinetic", "makes friction depend on the slip");
     if (friction.kinetic && friction.kinetic->memory)
         unknown(problem, "friction.kinetic.memory", "is that of particles");
+    if (friction.temperature) unknown(problem, "friction.temperature", "makes friction depend on the temperature");
     if (!problem.previous.empty()) unknown(problem, "previous", "starts from tractions");
     if (!problem.rigid_slip.empty()) unknown(problem, "friction.rigid_slip", "differs from element to element");
     const auto* rolling = std::get_if<Rolling>(&problem.motion);

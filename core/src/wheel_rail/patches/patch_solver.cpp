@@ -34,7 +34,7 @@ Values row_angles(const ContactPlace& place, const geometry::RailSurface& rail) 
 
 FrictionLaw friction_law(const WheelRailFriction& friction, const ContactPlace& place,
                          const geometry::RailSurface& rail) {
-    FrictionLaw law{{}, friction.kinetic, friction.layer};
+    FrictionLaw law{{}, friction.kinetic, friction.layer, friction.temperature};
     if (!friction.along_profile || friction.mu.size() == 1) {
         law.mu = {coefficient_at(friction.mu, place.reference.angle)};
         return law;
@@ -158,6 +158,8 @@ bool is_next_to_nothing(double phi, const Grid& grid) {
                               "as the step of rolling " + error.problem());
     if (field == "friction.duration" || field.starts_with("friction.rigid_shift") || field == "friction.rotation")
         throw InvalidArgument("state.time_step", "as the shift that it makes, " + field + ", " + error.problem());
+    if (field == "friction.rolling.velocity")
+        throw InvalidArgument("state.velocity", "makes the velocity of rolling that " + error.problem());
     if (field == "derivatives" || field == "displacements") throw InvalidArgument("state." + field, error.problem());
     throw;
 }
@@ -176,6 +178,7 @@ void blend(ContactProblem& problem, const ContactPlace& place, const PatchRules&
     const Blending blending(problem, place, rules, *influence.current);
     ContactProblem normal = problem;
     normal.friction.reset();
+    normal.temperature.reset();
     normal.gap = blending.gap();
     for (int round = 0; round < most_rounds; ++round) {
         normal.initial.pressure = solve_contact(normal, influence, observer).pressure;
@@ -244,6 +247,7 @@ ContactProblem problem_of(const WheelRailSetup& setup, const WheelRailState& sta
     const bool is_steady = state.motion == WheelRailMotion::steady_rolling;
     if (!setup.friction || (is_steady && !(found.place.creepages.velocity > 0))) return problem;
     problem.friction = friction_law(*setup.friction, found.place, rail);
+    problem.temperature = setup.temperature;
     set_motion(problem, setup, state, found);
     return problem;
 }

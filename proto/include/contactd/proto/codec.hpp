@@ -16,6 +16,7 @@
 #include "contactd/proto/status.hpp"
 #include "contactd/solve_reply.hpp"
 #include "contactd/subsurface_stress.hpp"
+#include "contactd/temperature.hpp"
 
 namespace contactd::proto {
 
@@ -80,6 +81,14 @@ SubsurfaceRequest decode_subsurface_request(const nlohmann::json& params, const 
                                             const MessageLimits& limits = {});
 nlohmann::json encode_subsurface_reply(const SubsurfaceReply& reply, ArrayWriter& arrays);
 SubsurfaceReply decode_subsurface_reply(const nlohmann::json& result, const Frames& frames);
+
+// --- contact.temperature ---------------------------------------------------------------------------------------------
+nlohmann::json encode_temperature_request(const TemperatureRequest& request, ArrayWriter& arrays);
+/// `params` has passed its schema. Throws StatusError naming the field for a grid that is too large and for arrays that
+/// do not fit; the rest is checked by contactd::surface_temperature.
+TemperatureRequest decode_temperature_request(const nlohmann::json& params, const Frames& frames);
+nlohmann::json encode_temperature_reply(const SurfaceTemperatures& reply, const Grid& grid, ArrayWriter& arrays);
+SurfaceTemperatures decode_temperature_reply(const nlohmann::json& result, const Grid& grid, const Frames& frames);
 
 // --- ic.export -------------------------------------------------------------------------------------------------------
 nlohmann::json encode_ic_export(const IcExport& requested);

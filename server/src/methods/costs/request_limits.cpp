@@ -61,7 +61,17 @@ ArrayAnswer array_answer(const json& params) {
     if (!params.contains("friction"))
         std::erase_if(fields, [](SolutionField f) { return f == SolutionField::slip_x || f == SolutionField::slip_y; });
     if (!params.value("displacements", false))
-        std::erase_if(fields, [](SolutionField f) { return f >= SolutionField::displacement_x; });
+        std::erase_if(fields, [](SolutionField f) {
+            return f >= SolutionField::displacement_x && f <= SolutionField::displacement_z;
+        });
+    const json friction = params.value("friction", json::object());
+    if (!friction.contains("layer"))
+        std::erase_if(fields,
+                      [](SolutionField f) { return f >= SolutionField::flow_x && f <= SolutionField::yield_stress; });
+    if (!friction.contains("kinetic"))
+        std::erase_if(fields, [](SolutionField f) { return f == SolutionField::friction_coefficient; });
+    if (!params.contains("temperature"))
+        std::erase_if(fields, [](SolutionField f) { return f >= SolutionField::upper_temperature; });
     return {std::move(fields), elements_in(params)};
 }
 

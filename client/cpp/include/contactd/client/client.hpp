@@ -28,6 +28,7 @@
 #include "contactd/ic_spec.hpp"
 #include "contactd/solve_reply.hpp"
 #include "contactd/subsurface_stress.hpp"
+#include "contactd/temperature.hpp"
 #include "contactd/wheel_rail_setup.hpp"
 #include "contactd/wheel_rail_solution.hpp"
 #include "contactd/wheel_rail_state.hpp"
@@ -145,6 +146,10 @@ class Client {
     /// of that body: z <= 0 is inside, for the upper one too. Throws InvalidArgument naming an array that does not fit
     /// the grid.
     SubsurfaceReply subsurface(const SubsurfaceRequest& request, const CallOptions& options = {});
+
+    /// Temperatures of both surfaces under the tractions and slips of a solution that rolls steadily along x. Throws
+    /// InvalidArgument naming an array that does not fit the grid.
+    SurfaceTemperatures temperature(const TemperatureRequest& request, const CallOptions& options = {});
 
     /// The contact of a wheel with its rail: patches, and forces on the rail; no contact is an answer. Bodies are
     /// half-spaces in closed form. A set-up that was asked for before costs less. Arrays of the patches that `fields`

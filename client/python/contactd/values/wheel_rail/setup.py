@@ -15,8 +15,9 @@ from ..dictionaries import Saved
 from ..evidence import Model, NormalModel, SimplifiedSettings, SolverSettings
 from ..friction import InterfacialLayer
 from ..materials import Material, RigidBody
-from ..motion import KineticFriction
+from ..motion import KineticFriction, TemperatureFriction
 from ..profile_shapes import Profile
+from ..thermal import ThermalBodies
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -65,12 +66,16 @@ class WheelRailFriction:
         layer: A layer of a third body between the surfaces, of model full: it shears by flexibility times the traction
             and, where its yield stress is below what friction bears, flows before the surfaces slip. Normal contact
             does not know it.
+        temperature: Friction by the temperature T of the surfaces, mu + change min(1, max(0, (T - reference)/range)),
+            mu that of friction; where the problem has temperature, and in model full. None: the coefficient does not
+            follow it.
     """
 
     mu: float | Sequence[tuple[float, float]] = field(default=0.3, metadata={"keys": ("angle", "mu")})
     along_profile: bool | None = None
     kinetic: KineticFriction | None = None
     layer: InterfacialLayer | None = None
+    temperature: TemperatureFriction | None = None
 
 
 @dataclass(frozen=True)
@@ -177,6 +182,8 @@ class WheelRailSetup(Saved):
         normal_model: How pressures are found, as in contact.solve: of_model as model says; kp, kpec, analyn from the
             overlap of the undeformed surfaces, with model full, fastsim, fastrip or polach. Default "of_model".
         simplified: Options of the models fastsim, fastrip and polach, as in contact.solve.
+        temperature: What rail (upper) and wheel (lower) have to do with heat, where temperatures of their surfaces are
+            wanted: of steady rolling, in each patch by itself. None: none.
         sheet_flexibility: Flexibility of a thin sheet between rail and wheel, as in contact.solve (mm^3/N), >= 0. Of
             model full. Default 0.
         friction: Coulomb friction, by default 0.3 everywhere; None: frictionless.
@@ -223,6 +230,7 @@ class WheelRailSetup(Saved):
     model: Model | None = None
     normal_model: NormalModel | None = None
     simplified: SimplifiedSettings | None = None
+    temperature: ThermalBodies | None = None
     sheet_flexibility: float | None = None
     friction: WheelRailFriction | None = WheelRailFriction()
     dx: float | None = None
@@ -260,6 +268,7 @@ class WheelRailFields(TypedDict, total=False):
     model: Model | None
     normal_model: NormalModel | None
     simplified: SimplifiedSettings | None
+    temperature: ThermalBodies | None
     sheet_flexibility: float | None
     friction: WheelRailFriction | None
     dx: float | None

@@ -1,0 +1,43 @@
+"""What contact.temperature takes of a solution."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..errors import invalid
+from ..refusals import check_type
+from .arrays import array_of
+from .motion import Rolling
+from .params import params_of
+from .solution import Solution
+from .thermal import ThermalBodies
+
+__all__ = ["temperature_params"]
+
+_ARRAYS = ("pressure", "traction_x", "traction_y", "slip_x", "slip_y")
+
+
+def temperature_params(
+    solution: Solution[Any, Any], bodies: ThermalBodies | None, velocity: float | None
+) -> dict[str, Any]:
+    """The parameters of contact.temperature."""
+    check_type("solution", solution, Solution)
+    if bodies is not None:
+        check_type("bodies", bodies, ThermalBodies)
+    if missing := [name for name in _ARRAYS if getattr(solution, name) is None]:
+        raise TypeError(
+            f"solution has no {', '.join(missing)}: name them in `fields` when you ask for it; slip is that of problems "
+            "with friction"
+        )
+    if not isinstance(solution.motion, Rolling) or solution.motion.kind == "transient":
+        raise invalid("solution", "does not roll steadily; temperatures are those of steady rolling")
+    if solution.grid is None:
+        raise TypeError("solution has no grid, which the client tells those that it answers")
+    rolling = solution.motion
+    params: dict[str, Any] = {
+        "grid": params_of(solution.grid),
+        "velocity": rolling.velocity if velocity is None else velocity,
+        "chi": rolling.chi or 0.0,
+        **{name: array_of(getattr(solution, name)) for name in _ARRAYS},
+    }
+    return params if bodies is None else {**params, "temperature": params_of(bodies)}

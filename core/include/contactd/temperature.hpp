@@ -1,0 +1,75 @@
+// Temperature of the surfaces of bodies that roll steadily, as plain values: what bodies have to do with heat, and what
+// a contact answers of it. Friction heats both surfaces (flash temperature); the heat goes into the depth only, which
+// holds where the Peclet number is large (Ertz and Knothe, Wear 253, 2002; Carslaw and Jaeger, section 2.9).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contactd/grid.hpp"
+
+namespace contactd {
+
+/// Thermal properties of a body, which do not follow its temperature; those of steel unless given.
+struct ThermalBody {
+    double bulk_temperature = 0;  ///< where it has not been in contact (degrees Celsius)
+    double conductivity = 50;     ///< (W/(m K)), >= 0; a body of none takes no heat
+    double heat_capacity = 450;   ///< (J/(kg K)), > 0
+    double density = 7850;        ///< (kg/m^3), > 0
+
+    bool operator==(const ThermalBody&) const = default;
+    /// Thermal effusivity sqrt(conductivity density heat_capacity) (N/(mm s^0.5 K)).
+    double effusivity() const;
+    /// Thermal diffusivity, conductivity over density and heat capacity (mm^2/s).
+    double diffusivity() const;
+};
+
+struct ThermalBodies {
+    ThermalBody upper{};
+    std::optional<ThermalBody> lower{};  ///< absent: like the upper one
+
+    bool operator==(const ThermalBodies&) const = default;
+    const ThermalBody& below() const { return lower ? *lower : upper; }
+};
+
+/// What a contact answers of temperatures beside those of the elements.
+struct ContactTemperature {
+    double largest =
+        0;  ///< in contact, where both surfaces have one (degrees Celsius); without contact the larger bulk
+    double x = 0, y = 0;                    ///< centre of the element that has it, the first of equals (mm)
+    double rise = 0;                        ///< largest one by friction alone (K)
+    double heat_upper = 0, heat_lower = 0;  ///< frictional power that goes into either body (N mm/s)
+    /// The smaller one of both bodies, V L/(2 diffusivity), L the length of the longest row of the contact; of bodies
+    /// without conductivity none. 0 without contact.
+    double peclet = 0;
+
+    bool operator==(const ContactTemperature&) const = default;
+};
+
+/// Those of both surfaces, each of shape [ny, nx] (degrees Celsius), in contact and behind it.
+struct SurfaceTemperatures {
+    std::vector<double> upper_temperature, lower_temperature;
+    ContactTemperature temperature;
+    std::vector<std::string> warnings;  ///< sentences
+};
+
+/// Temperatures are wanted of the tractions and slips of a solution that rolls steadily, all of shape [ny, nx].
+struct TemperatureRequest {
+    Grid grid;
+    ThermalBodies temperature;
+    double velocity = 0;                         ///< rolling velocity V (mm/s), > 0
+    double chi = 0;                              ///< rolling direction (rad), 0 or pi: along x
+    std::vector<double> pressure;                ///< > 0 in contact (N/mm^2)
+    std::vector<double> traction_x, traction_y;  ///< on the upper body (N/mm^2)
+    std::vector<double> slip_x, slip_y;  ///< relative slip of the upper body over the lower, per distance rolled
+};
+
+/// Whether chi is 0 or pi to 1e-9: rolling along rows.
+bool rolls_along_x(double chi);
+
+/// Throws InvalidArgument (`field` and below, such as "temperature.upper.density").
+void validate(const ThermalBodies& bodies, const std::string& field);
+
+}  // namespace contactd

@@ -1,0 +1,26 @@
+// Friction by the temperature of the surfaces.
+#pragma once
+
+#include <span>
+
+namespace contactd {
+
+/// The coefficient of friction goes from that of the law (mu) at `reference` to mu + change at `reference` + `range`,
+/// in a straight line, and is constant on both sides: mu + change min(1, max(0, (T - reference)/range)). T is the
+/// temperature of the element itself, its own heat included.
+struct TemperatureFriction {
+    double change = 0;     ///< where the surface is hot; negative where friction falls
+    double reference = 0;  ///< (degrees Celsius)
+    double range = 0;      ///< > 0 (K)
+
+    bool operator==(const TemperatureFriction&) const = default;
+};
+
+/// The coefficient at the temperature T (degrees Celsius); `mu` is that of the law.
+double friction_coefficient(const TemperatureFriction& law, double mu, double T);
+
+/// Throws InvalidArgument ("friction.temperature.change", ...) unless all are finite, range is positive, and a
+/// coefficient is left of each of `mu` where the surface is hot.
+void validate(const TemperatureFriction& law, std::span<const double> mu);
+
+}  // namespace contactd

@@ -1,0 +1,43 @@
+// Friction by the temperature of the surfaces: how coefficients follow the slip of a solve.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contactd/contact.hpp"
+#include "temperature/row_heat.hpp"
+
+namespace contactd {
+
+/// With given slip the temperature of an element follows from those ahead of it, and from its own heat, which its
+/// friction makes. So each row is marched from the leading edge, and no temperature is one of the pass before: friction
+/// that falls steeply does not oscillate.
+class TemperatureLaw {
+   public:
+    /// The problem has a temperature and friction by it, and rolls steadily along x; starts with the coefficients of
+    /// surfaces that no friction heats.
+    explicit TemperatureLaw(const ContactProblem& problem);
+
+    /// For the next solve, per element.
+    const std::vector<double>& mu() const { return mu_; }
+
+    /// Follows the slip velocities (mm/s, >= 0; 0 in adhesion) of the last solve. Returns how far the coefficients were
+    /// from those, weighted with the pressure (N/mm^2): ||(mu(T) - mu) p|| / ||mu p||, 0 where there is no contact.
+    double follow(std::span<const double> slip_velocity, std::span<const double> pressure);
+
+   private:
+    void march(std::size_t row, std::span<const double> slip_velocity, std::span<const double> pressure,
+               std::vector<double>& mu) const;
+
+    const TemperatureFriction law_;
+    const std::size_t nx_, ny_;
+    const bool backwards_;  // rolling along -x: the leading edge is that of small x
+    const RowHeat heat_;
+    std::vector<double> cold_, mu_;
+};
+
+/// Solves T = T0 + rise mu(T) for the coefficient mu(T), rise >= 0 (K): of several solutions, which friction that rises
+/// with the temperature may have, the coldest.
+double coefficient_of_own_heat(const TemperatureFriction& law, double mu, double T0, double rise);
+
+}  // namespace contactd

@@ -1,0 +1,182 @@
+#include "contactd/surface_temperature.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "contactd/error.hpp"
+#include "row_heat.hpp"
+#include "types/number_text.hpp"
+
+namespace contactd {
+namespace {
+
+using Values = std::vector<double>;
+
+constexpr double least_peclet = 10, steel_transforms = 800;
+
+void check(const TemperatureRequest& request) {
+    validate(request.grid, "grid");
+    validate(request.temperature, "temperature");
+    if (!(request.velocity > 0 && request.velocity <= 1e12))
+        throw InvalidArgument("velocity", "is " + number_text(request.velocity) + "; it must lie in (0, 1e12] mm/s");
+    if (!rolls_along_x(request.chi))
+        throw InvalidArgument("chi", "is " + number_text(request.chi) +
+                                         "; temperatures are those of rolling along x, 0 or pi, in which heat stays "
+                                         "in its row of elements");
+    for (const auto& [values, field] :
+         {std::pair{&request.pressure, "pressure"}, std::pair{&request.traction_x, "traction_x"},
+          std::pair{&request.traction_y, "traction_y"}, std::pair{&request.slip_x, "slip_x"},
+          std::pair{&request.slip_y, "slip_y"}}) {
+        if (values->size() != request.grid.size())
+            throw InvalidArgument(field, "has " + std::to_string(values->size()) + " values; the grid has " +
+                                             std::to_string(request.grid.size()) + " elements");
+        for (const double value : *values)
+            if (!(std::abs(value) <= 1e100))
+                throw InvalidArgument(field,
+                                      "holds " + number_text(value) + "; its values must lie in [-1e100, 1e100]");
+    }
+}
+
+class Surfaces {
+   public:
+    Surfaces(const TemperatureRequest& request)
+        : request_(request),
+          nx_(static_cast<std::size_t>(request.grid.nx)),
+          ny_(static_cast<std::size_t>(request.grid.ny)),
+          heat_(request.temperature, request.velocity, request.grid.dx, nx_),
+          backwards_(std::cos(request.chi) < 0) {}
+
+    SurfaceTemperatures find(Observer& observer) {
+        result_.upper_temperature.assign(request_.grid.size(), request_.temperature.upper.bulk_temperature);
+        result_.lower_temperature.assign(request_.grid.size(), request_.temperature.below().bulk_temperature);
+        for (std::size_t row = 0; row < ny_; ++row) {
+            observer.throw_if_cancelled();
+            take_row(row);
+        }
+        observer.on_progress({"temperature", 1});
+        sum_up();
+        warn();
+        return std::move(result_);
+    }
+
+   private:
+    /// The element that lies `behind` elements behind the foremost one of the grid's row.
+    std::size_t at(std::size_t row, std::size_t behind) const {
+        return row * nx_ + (backwards_ ? behind : nx_ - 1 - behind);
+    }
+
+    // Power per area (N/(mm s)); what tolerances leave of slip in adhesion may have either sign.
+    double heat_at(std::size_t i) const {
+        const double work = request_.traction_x[i] * request_.slip_x[i] + request_.traction_y[i] * request_.slip_y[i];
+        return std::max(0.0, -work) * request_.velocity;
+    }
+
+    void take_row(std::size_t row) {
+        std::size_t first = nx_, last = 0;
+        for (std::size_t k = 0; k < nx_; ++k) {
+            if (!(request_.pressure[at(row, k)] > 0)) continue;
+            if (first < nx_ && k > last + 1) has_gaps_ = true;
+            if (first == nx_) first = k;
+            last = k;
+        }
+        if (first == nx_) return;
+        longest_ = std::max(longest_, last - first + 1);
+        add_bulk(row, first, last);
+        Values heat(last - first + 1);
+        for (std::size_t k = first; k <= last; ++k) {
+            heat[k - first] = heat_at(at(row, k));
+            heat_sum_ += heat[k - first];
+        }
+        for (std::size_t k = first; k < nx_; ++k) add_rise(at(row, k), rise_at(heat, k - first));
+    }
+
+    double rise_at(const Values& heat, std::size_t k) const {
+        double sum = 0;
+        for (std::size_t ahead = 0; ahead <= std::min(k, heat.size() - 1); ++ahead)
+            sum += heat[ahead] * heat_.weight(k - ahead);
+        return sum;
+    }
+
+    void add_rise(std::size_t i, double rise) {
+        result_.upper_temperature[i] += rise;
+        result_.lower_temperature[i] += rise;
+        result_.temperature.rise = std::max(result_.temperature.rise, rise);
+    }
+
+    void add_bulk(std::size_t row, std::size_t first, std::size_t last) {
+        const double upper = request_.temperature.upper.bulk_temperature,
+                     lower = request_.temperature.below().bulk_temperature, contact = heat_.contact_temperature();
+        if (upper == lower) return;
+        const auto length = static_cast<double>(last - first + 1);
+        for (std::size_t k = first; k < nx_; ++k) {
+            const double share = k <= last ? 1
+                                           : 2 / std::numbers::pi *
+                                                 std::asin(std::sqrt(length / (static_cast<double>(k - first) + 0.5)));
+            result_.upper_temperature[at(row, k)] = upper + (contact - upper) * share;
+            result_.lower_temperature[at(row, k)] = lower + (contact - lower) * share;
+        }
+    }
+
+    void sum_up() {
+        ContactTemperature& summary = result_.temperature;
+        std::size_t place = 0;
+        summary.largest = longest_ > 0 ? -std::numeric_limits<double>::infinity()
+                                       : std::max(request_.temperature.upper.bulk_temperature,
+                                                  request_.temperature.below().bulk_temperature);
+        for (std::size_t i = 0; i < result_.upper_temperature.size(); ++i) {
+            if (!(request_.pressure[i] > 0 && result_.upper_temperature[i] > summary.largest)) continue;
+            summary.largest = result_.upper_temperature[i];
+            place = i;
+        }
+        summary.x = request_.grid.x(static_cast<int>(place % nx_));
+        summary.y = request_.grid.y(static_cast<int>(place / nx_));
+        const double power = heat_sum_ * request_.grid.element_area();
+        summary.heat_upper = power * heat_.share_of_upper();
+        summary.heat_lower = power - summary.heat_upper;
+        summary.peclet = peclet();
+    }
+
+    double peclet() const {
+        double most_diffusive = 0;
+        for (const ThermalBody* body : {&request_.temperature.upper, &request_.temperature.below()})
+            most_diffusive = std::max(most_diffusive, body->diffusivity());
+        return request_.velocity * static_cast<double>(longest_) * request_.grid.dx / (2 * most_diffusive);
+    }
+
+    void warn() {
+        if (longest_ == 0) return;
+        if (result_.temperature.peclet < least_peclet)
+            result_.warnings.push_back("The Peclet number is " + short_text(result_.temperature.peclet) +
+                                       ", below 10: heat spreads along the surface as well, which temperatures leave "
+                                       "out. They are those of fast rolling; check the velocity (mm/s).");
+        if (has_gaps_)
+            result_.warnings.push_back(
+                "Rows of elements have gaps in their contact, across which temperatures take both bodies for being in "
+                "contact from the first element to the last.");
+        if (result_.temperature.largest > steel_transforms)
+            result_.warnings.push_back("The largest temperature is " + short_text(result_.temperature.largest) +
+                                       " degrees Celsius, above 800, where steel transforms; thermal properties are "
+                                       "taken for constant.");
+    }
+
+    const TemperatureRequest& request_;
+    const std::size_t nx_, ny_;
+    const RowHeat heat_;
+    const bool backwards_;  // rolling along -x: the leading edge is that of small x
+    bool has_gaps_ = false;
+    std::size_t longest_ = 0;  // elements of a row from its first in contact to its last
+    double heat_sum_ = 0;
+    SurfaceTemperatures result_;
+};
+
+}  // namespace
+
+SurfaceTemperatures surface_temperature(const TemperatureRequest& request, Observer& observer) {
+    check(request);
+    return Surfaces(request).find(observer);
+}
+
+}  // namespace contactd

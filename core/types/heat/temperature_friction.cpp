@@ -1,0 +1,29 @@
+#include "contactd/temperature_friction.hpp"
+
+#include <algorithm>
+
+#include "contactd/error.hpp"
+#include "types/number_text.hpp"
+
+namespace contactd {
+
+double friction_coefficient(const TemperatureFriction& law, double mu, double T) {
+    return mu + law.change * std::clamp((T - law.reference) / law.range, 0.0, 1.0);
+}
+
+void validate(const TemperatureFriction& law, std::span<const double> mu) {
+    constexpr double largest = 1e12;
+    if (!(law.reference >= -largest && law.reference <= largest))
+        throw InvalidArgument("friction.temperature.reference",
+                              "is " + number_text(law.reference) + "; it must lie in [-1e12, 1e12] degrees Celsius");
+    if (!(law.range > 0 && law.range <= largest))
+        throw InvalidArgument("friction.temperature.range",
+                              "is " + number_text(law.range) + "; it must lie in (0, 1e12] K");
+    for (const double cold : mu)
+        if (!(cold + law.change > 0 && law.change <= 1000))
+            throw InvalidArgument("friction.temperature.change",
+                                  "is " + number_text(law.change) + ", and mu " + number_text(cold) +
+                                      "; mu + change, the coefficient of hot surfaces, must be positive");
+}
+
+}  // namespace contactd
