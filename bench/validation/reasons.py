@@ -14,6 +14,7 @@ _CONFORMAL = "testbank/examples_conformal"
 _TRANSIENT = "testbank/examples_trans"
 _SLICES = "testbank/examples_s+c"
 _FLATS = "testbank/examples_oor"
+_HEAT = "testbank/examples_temp"
 
 
 @dataclass(frozen=True)
@@ -127,6 +128,14 @@ REASONS = (
         "wheels of slices",
         "0.4 % of mu Fn; the largest pressure below a rounded flat by up to 10 %, spin moments by up to 0.06 mm of mu Fn. Not decided",
         {f"{_FLATS}/chalmers_flat_fz125.inp": range(1, 27), f"{_FLATS}/rounded_flat_d09.inp": range(1, 16)},
+    ),
+    Reason(
+        "own heat",
+        "friction by temperature (L = 6)",
+        "Up to 3 % of mu Fn. CONTACT counts the heat of an element on itself twice: temperatures of full slip are a tenth higher, "
+        "and come to the closed form of Hertz's strip from above as elements become smaller. contactd is within 1e-3 of it",
+        {f"{_HEAT}/m1_tempdep.inp": (2,), f"{_HEAT}/m3_tempdep.inp": (2, 3)},
+        "the closed form (`tests/core/temperature/test_surface_temperature.cpp`)",
     ),
     Reason(
         "share of a force",

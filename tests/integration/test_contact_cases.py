@@ -65,6 +65,23 @@ def test_scripts_find_basic_contact_where_they_look(shared):
     assert printed_cases(out_text([lines]))[0].numbers["FX"] == pytest.approx(solution.Fx, rel=5e-4)
 
 
+def test_temperatures_are_where_scripts_look(shared):
+    heat = {"HEATCP": 450.0, "LAMBDA": 50e-3, "DENS": 7.85e-6}
+    both = {f"{name}{body}": value for body in (1, 2) for name, value in heat.items()}
+    case = basic_case(CKSI=0.03, H=3, O=5, A=2, BKTEMP1=0.0, BKTEMP2=150.0, **both)
+    (outcome,) = computed(shared, [case])
+    lines, solution = lines_of(outcome), outcome.result.solution
+    assert solution.temperature.largest > 80
+    assert lines_below(lines, "MAX(T1,T2)", 1)[-1] == pytest.approx(solution.temperature.largest, rel=5e-4)
+    assert lines_below(lines, "BKTEMP      HEATCP", 2) == pytest.approx([150, 450, 0.05, 7.85e-6])
+    ((_, text),) = mat_texts(outcome.result)
+    rows = [[float(word) for word in line.split()] for line in text.splitlines() if not line.startswith("%")]
+    assert {len(row) for row in rows} == {13}
+    assert rows[0][-1] == 2410
+    upper = np.array([row[-2] for row in rows[6:]]).reshape(solution.upper_temperature.shape)
+    np.testing.assert_allclose(upper, solution.upper_temperature, rtol=1e-5, atol=1e-5)
+
+
 @pytest.mark.parametrize("level", range(6))
 def test_more_output_has_more_blocks(shared, level):
     (outcome,) = computed(shared, [basic_case(O=level)])

@@ -21,7 +21,7 @@ MaterialPair elastic(const std::vector<double>& given, const Units& units) {
     throw Refused(error_code::friction, sentence);
 }
 
-enum Law { coulomb = 0, keep = 1, linear = 2, rational = 3, exponential = 4 };
+enum Law { coulomb = 0, keep = 1, linear = 2, rational = 3, exponential = 4, by_temperature = 6 };
 
 FrictionLaw coulomb_of(const std::vector<double>& given) {
     if (given[0] != given[1])
@@ -55,15 +55,32 @@ FrictionLaw falling_of(int law, const std::vector<double>& given) {
     return {{fkin + first.fall + second.fall}, kinetic};
 }
 
+/// [fref, tref, dfheat, dtheat, memdst, mem_s0].
+FrictionLaw heated_of(const std::vector<double>& given) {
+    if (given[4] != 0) refuse_friction("memdst is not 0; contactd's friction has no memory.");
+    FrictionLaw law{{given[0]}, {}, {}, TemperatureFriction{given[2], given[1], given[3]}};
+    validate(*law.temperature, law.mu);
+    return law;
+}
+
+int parameters_of(int law) {
+    return law == coulomb ? 2 : law == by_temperature ? 6 : 7;
+}
+
 /// Parameters that are lengths or velocities, in mm.
 std::vector<double> in_mm(int law, std::vector<double> parameters, double length) {
     if (law == coulomb) return parameters;
+    if (law == by_temperature) {
+        for (const std::size_t i : {4, 5}) parameters[i] *= length;
+        return parameters;
+    }
     for (const std::size_t i : {2, 4, 5, 6}) parameters[i] *= length;
     return parameters;
 }
 
 GivenFriction same_friction(int method, const std::vector<double>& parameters, const Units& units) {
     const auto given = in_mm(method, parameters, units.length);
+    if (method == by_temperature) return {method, given, heated_of(given)};
     return {method, given, method == coulomb ? coulomb_of(given) : falling_of(method, given)};
 }
 
@@ -93,12 +110,13 @@ GivenFriction varying_friction(int method, const std::vector<double>& given, con
 GivenFriction friction_of(const Settings& settings, int method, const double* params, const int* nparam) {
     const bool on_rails = settings.module == module_number::wheel_rail;
     const int law = method % 10, varies = method / 10;
-    const bool has_law = law == coulomb || law == linear || law == rational || law == exponential;
-    if (!has_law || varies < 0 || varies > along_track || (varies > 0 && !on_rails))
-        refuse_friction("Method " + std::to_string(method) + " is asked for; contactd has 0, 2, 3 and 4, " +
-                        (on_rails ? "and these plus 10 or 20." : "the same over the contact."));
+    const bool has_law =
+        law == coulomb || law == linear || law == rational || law == exponential || law == by_temperature;
+    if (!has_law || varies < 0 || varies > along_track || (varies > 0 && (!on_rails || law == by_temperature)))
+        refuse_friction("Method " + std::to_string(method) + " is asked for; contactd has 0, 2, 3, 4 and 6, " +
+                        (on_rails ? "and all but the last plus 10 or 20." : "the same over the contact."));
     if (varies > 0) return varying_friction(method, numbers(params, nparam, 1, "params"), settings.units);
-    return same_friction(method, list(params, nparam, law == coulomb ? 2 : 7, "params"), settings.units);
+    return same_friction(method, list(params, nparam, parameters_of(law), "params"), settings.units);
 }
 
 /// Of the flexibility thickness/gg3; tau_c0 = 0 or 1e10 and more never yields.

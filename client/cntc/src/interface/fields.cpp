@@ -61,13 +61,18 @@ RigidSlip rigid_slip_of(const Solved& solved) {
     return slip;
 }
 
-/// Coefficients of friction at the slip that was found.
+/// Coefficients of friction at the slip, or the temperature, that was found.
 Values friction_of(const Solved& solved) {
     const ContactProblem& problem = solved.problem;
     if (!problem.friction) return {};
     const FrictionLaw& law = *problem.friction;
     Values mu(problem.grid.size(), law.mu_of(0));
     if (!solved.solution.friction_coefficient.empty()) return solved.solution.friction_coefficient;
+    if (law.temperature) {
+        for (std::size_t i = 0; i < mu.size(); ++i)
+            mu[i] = friction_coefficient(*law.temperature, mu[i], solved.solution.upper_temperature[i]);
+        return mu;
+    }
     if (!law.kinetic) return mu;
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
     const double per_slip = rolling ? rolling->velocity : 1 / std::get<Shift>(problem.motion).duration;
@@ -85,7 +90,7 @@ Values in_contact(Values displacement, const ContactSolution& solution) {
 }
 
 /// Codes of cntc_getfielddata. Slip is relative where the bodies roll, and of shifts in mm whatever the units are.
-/// Others are zero: there is no plasticity and no heat.
+/// Others are zero: there is no plasticity, and no temperature where there is no heat.
 Field field_of(int code, ContactCase& problem) {
     const Solved& solved = solution_of(problem);
     const ContactSolution& solution = solved.solution;
@@ -116,6 +121,10 @@ Field field_of(int code, ContactCase& problem) {
             return {solution.slip_x, units.body};
         case 16:
             return {solution.slip_y, units.body};
+        case 20:
+            return {solution.upper_temperature};
+        case 21:
+            return {solution.lower_temperature};
         case 22:
             return {rigid_slip_of(solved).x, units.body};
         case 23:

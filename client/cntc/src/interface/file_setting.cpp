@@ -59,6 +59,14 @@ void FileSetting::material() {
     pass_on();
 }
 
+void FileSetting::heat() {
+    if (digit("H") == 0) return;
+    auto values = reals({"BKTEMP1", "HEATCP1", "LAMBDA1", "DENS1", "BKTEMP2", "HEATCP2", "LAMBDA2", "DENS2"});
+    int method = 3, count = 8;
+    cntc_settemperaturedata(&ire_, &icp_, &method, &count, values.data());
+    pass_on();
+}
+
 // Friction that varies has the number of its sets in front, and in front of each its angle or its place.
 void FileSetting::friction() {
     const int law = integer("FRCLAW"), varies = integer("VARFRC");
@@ -69,7 +77,9 @@ void FileSetting::friction() {
         if (varies == 2) values.push_back(set.at("SVF"));
         if (law == 0)
             values.insert(values.end(), 2, set.at("FSTAT"));
-        else if (law != 6)
+        else if (law == 6)
+            for (const char* name : {"FREF", "TREF", "DFHEAT", "DTHEAT"}) values.push_back(set.at(name));
+        else
             for (const char* name : {"FKIN", "F1", "SABSH1", "F2", "SABSH2"}) values.push_back(set.at(name));
         if (law != 0) values.insert(values.end(), {real("MEMDST"), real("MEM_S0")});
         if (varies == 0) break;

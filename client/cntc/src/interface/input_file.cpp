@@ -72,6 +72,7 @@ class BasicSetting : private FileSetting {
         flags({});
         solvers();
         material();
+        heat();
         friction();
         area();
         motion();

@@ -21,6 +21,7 @@ class RailSetting : private FileSetting {
                {flag::discretisation, integer("DISCNS")}});
         solvers();
         material();
+        heat();
         if (digit("T") != 0) friction();
         elements();
         profile("RFNAME", "RAIL_", 0);

@@ -106,6 +106,7 @@ void add_friction(ContactProblem& problem, const Settings& settings,
     const GivenMotion given = settings.motion.value_or(GivenMotion{});
     problem.friction = friction.law;
     problem.friction->layer = layer_of(settings);
+    problem.temperature = heat_of(settings);
     problem.motion = rolls ? rolling_of(settings, given, force, problem.grid) : shift_of(settings, given, force);
     problem.rigid_slip = extra_slip(settings, rolls);
 }
@@ -147,6 +148,16 @@ void continue_from(ContactProblem& problem, const Settings& settings, const Last
 }
 
 }  // namespace
+
+std::optional<ThermalBodies> heat_of(const Settings& settings) {
+    if (settings.digits(flag::heat) == 0) return std::nullopt;
+    if (settings.digits(flag::tangential) != steady)
+        throw Refused(error_code::input,
+                      "Temperatures (flag 1982) are those of steady rolling; set flag 1972 to 3, or flag 1982 to 0.");
+    if (!settings.heat)
+        throw Refused(error_code::input, "Nothing was set of heat; call cntc_settemperaturedata with method 3.");
+    return settings.heat;
+}
 
 ContactProblem problem_of(const Settings& settings, const LastCase* last,
                           const std::function<double(const ContactProblem&)>& normal_force) {

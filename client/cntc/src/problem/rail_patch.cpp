@@ -12,7 +12,7 @@ namespace {
 std::optional<FrictionLaw> friction_of(const WheelRailSetup& setup, const ContactPlace& place) {
     if (!setup.friction) return {};
     const double side = setup.side == Side::left ? -1 : 1;
-    FrictionLaw law{{}, setup.friction->kinetic};
+    FrictionLaw law{{}, setup.friction->kinetic, {}, setup.friction->temperature};
     const auto& mu = setup.friction->mu;
     if (!setup.friction->along_profile || mu.size() == 1 || place.rows.empty()) {
         law.mu = {coefficient_at(mu, side * place.reference.angle)};

@@ -130,10 +130,10 @@ WheelRailFriction friction_of(const Settings& settings, const RailSettings& rail
     if (settings.digits(flag::friction_law) != given.method % 10)
         throw Refused(error_code::friction, "Flag 1976 and cntc_setfrictionmethod name different laws.");
     constexpr int along_track = 2;
-    if (given.varying.empty()) return {{{0, given.law.mu[0]}}, false, given.law.kinetic, layer_of(settings)};
+    if (given.varying.empty()) return {{{0, given.law.mu[0]}}, false, given.law.kinetic, layer_of(settings), given.law.temperature};
     if (given.method / 10 != along_track) return by_angle(settings, given.varying, rail.position.roll);
     const FrictionLaw law = law_at(given.varying, rail.position.x);
-    return {{{0, law.mu[0]}}, false, law.kinetic, layer_of(settings)};
+    return {{{0, law.mu[0]}}, false, law.kinetic, layer_of(settings), law.temperature};
 }
 
 }  // namespace
@@ -178,6 +178,7 @@ WheelRailSetup setup_of(const Settings& settings, const RailSettings& rail) {
     const int tangential = settings.digits(flag::tangential), surfaces = settings.digits(flag::discretisation);
     setup.friction.reset();
     if (tangential != none) setup.friction = friction_of(settings, rail);
+    if (tangential != none) setup.temperature = heat_of(settings);
     if (tangential == transient && rail.dq != 1) setup.dq = rail.dq * setup.dx;
     setup.patches = patches_of(*rail.elements, surfaces);
     if (surfaces == slip_of_surfaces) setup.rigid_slip = RigidSlipKind::surfaces;

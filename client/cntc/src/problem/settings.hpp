@@ -86,6 +86,7 @@ struct Settings {
     SlopeReduction slope;  ///< of the simplified theory
     std::optional<GivenFriction> friction;
     std::optional<InterfacialLayer> layer;  ///< between the bodies
+    std::optional<ThermalBodies> heat;  ///< where it counts, the flag 1982 says
     std::variant<std::monostate, HertzArea, Grid> area;
     std::optional<Distance> distance;
     std::optional<double> pen, fn;    ///< (mm), (N)
@@ -100,5 +101,9 @@ struct Settings {
     /// Settings that cannot be used, by name: nothing is solved while there are any.
     std::map<std::string, Refused> refused;
 };
+
+/// Returns the thermal properties of the bodies, where temperatures are asked for. Throws Refused where none can be
+/// told.
+std::optional<ThermalBodies> heat_of(const Settings& settings);
 
 }  // namespace contactd::cntc

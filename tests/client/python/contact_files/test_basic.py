@@ -18,6 +18,9 @@ from contactd import (
     SecondTerm,
     SimplifiedSettings,
     SlopeReduction,
+    TemperatureFriction,
+    ThermalBodies,
+    ThermalBody,
 )
 from contactd.contact_files.problems.basic import BasicContact, State, goes_on
 from contactd.contact_files.problems.features import Missing, missing
@@ -228,13 +231,38 @@ def test_friction_falls_by_two_terms_with_memory(law: int, name: str, scale: flo
     assert friction is not None and friction.kinetic == KineticFriction(0.15, scale * 60, name)
 
 
+HEAT = {"BKTEMP1": 0.0, "HEATCP1": 450.0, "LAMBDA1": 50e-3, "DENS1": 7.85e-6,
+        "BKTEMP2": 150.0, "HEATCP2": 500.0, "LAMBDA2": 40e-3, "DENS2": 7e-6}  # fmt: skip
+
+
+def test_heat_is_that_of_both_bodies_in_watt_metre_and_kilogram() -> None:
+    found = made(H=3, T=3, **HEAT).problem.temperature
+    assert found is not None and isinstance(found, ThermalBodies)
+    for body, expected in zip((found.upper, found.lower), ((0, 50, 450, 7850), (150, 40, 500, 7000))):
+        assert isinstance(body, ThermalBody)
+        values = (body.bulk_temperature, body.conductivity, body.heat_capacity, body.density)
+        assert values == pytest.approx(expected)
+    assert made(H=0, T=3, **HEAT).problem.temperature is None
+    assert made(H=3, T=2, **HEAT).problem.temperature is None
+
+
+def test_friction_may_follow_the_temperature() -> None:
+    sets = [{"FREF": 0.3, "TREF": 20.0, "DFHEAT": -0.18, "DTHEAT": 400.0}]
+    friction = made(H=3, T=3, FRCLAW=6, friction=sets, **HEAT).problem.friction
+    assert friction is not None
+    assert (friction.mu, friction.kinetic) == (0.3, None)
+    assert friction.temperature == TemperatureFriction(change=-0.18, reference=20, range=400)
+    with pytest.raises(Missing, match="from place to place"):
+        made(H=3, T=3, FRCLAW=6, VARFRC=3, friction=[*sets, {**sets[0], "TREF": 30.0}], **HEAT)
+
+
 @pytest.mark.parametrize(
     ("changes", "name"),
     [
         ({"P": 1}, "P = 1"), ({"B": 2}, "elliptic traction bound"), ({"B": 3}, "parabolic"),
         ({"B": 4}, "SDEC"), ({"M": 1}, "viscoelastic"), ({"M": 2}, "one flexibility"),
         ({"M": 5, "B": 3, "K0": 1.0, "ALFA": 1.0, "BETA": 1.0}, "parabolic"), ({"FRCLAW": 6}, "temperature"),
-        ({"H": 1}, "temperature"), ({"CDAMPN": 1.0, "CDAMPT": 0.0}, "damping"),
+        ({"H": 1, "INFLCF": 3}, "temperature"), ({"CDAMPN": 1.0, "CDAMPT": 0.0}, "damping"),
         ({"INFLCF": 4}, "half-spaces that turn"), ({"INFLCF": 9}, "from a file"), ({"IPOTCN": -6}, "half ellipses"),
         ({"IPOTCN": 1, "IPLAN": 4}, "share their displacements"),
     ],

@@ -12,7 +12,15 @@ from ...values.solution import ContactSolution
 from ..problems.basic import BasicContact
 from ..problems.models import is_parabolic
 from .compared import Compared
-from .elements import Elements, ahead, displacement_of, division_of, plastic_elements, rigid_slip_on
+from .elements import (
+    Elements,
+    ahead,
+    displacement_of,
+    division_of,
+    plastic_elements,
+    rigid_slip_on,
+    temperature_of,
+)  # fmt: skip
 from .subsurface import Stresses, StressField, stress_field
 
 __all__ = ["BasicResult"]
@@ -91,7 +99,7 @@ class BasicResult:
             division=division_of(solution, grid.shape), layer=self._layer(), h=contact.area.h, approach=solution.approach,
             mu=self._friction_coefficient(), pressure=self.pressure,
             traction=(solution.traction_x, solution.traction_y), slip=(_or(solution.slip_x, none), _or(solution.slip_y, none)),
-            rigid_slip=self._rigid_slip(), displacement=self.displacement,
+            rigid_slip=self._rigid_slip(), displacement=self.displacement, temperature=temperature_of(solution),
         )  # fmt: skip
 
     def _friction_coefficient(self) -> Floats:
@@ -150,6 +158,7 @@ class BasicResult:
             "FRIC": self.friction, **found, "APPROACH": solution.approach, "PMAX": float(np.max(self.pressure)),
             "NPOT": solution.pressure.size, "NCON": counts.contact, "NADH": adhesion, "NSLIP": slip,
             **flows,
+            **({} if solution.temperature is None else {"MAX(T1,T2)": solution.temperature.largest}),
         }  # fmt: skip
 
     @property

@@ -13,7 +13,7 @@ import numpy.typing as npt
 from ...values.grid import Grid
 from ...values.solution import Solution
 
-__all__ = ["Elements", "ahead", "displacement_of", "division_of", "plastic_elements", "rigid_slip_on"]
+__all__ = ["Elements", "ahead", "displacement_of", "division_of", "plastic_elements", "rigid_slip_on", "temperature_of"]
 
 Floats = npt.NDArray[np.float64]
 Pair = tuple[Floats, Floats]
@@ -40,6 +40,7 @@ class Elements:
         rigid_slip: The same before bodies deform.
         displacement: Of body 1 less those of body 2, shape [3, ny, nx] (mm).
         layer: Of a layer that yields its yield stress (N/mm^2) and flow along x and y, as slip.
+        temperature: Of the surfaces of body 1 and of body 2 (degrees Celsius); None: not asked for.
     """
 
     grid: Grid
@@ -56,6 +57,7 @@ class Elements:
     rigid_slip: Pair
     displacement: Floats
     layer: tuple[Floats, Floats, Floats] | None = None
+    temperature: Pair | None = None
 
     @cached_property
     def traction_size(self) -> Floats:
@@ -98,6 +100,12 @@ def rigid_slip_on(grid: Grid, creepage: tuple[float, float], phi: float, centre:
 def ahead(dq: float, chi: float, spin_offset: float) -> tuple[float, float]:
     """How far ahead of an element's centre its spin is evaluated (mm)."""
     return spin_offset * dq * math.cos(chi), spin_offset * dq * math.sin(chi)
+
+
+def temperature_of(solution: Solution[Any, Any]) -> Pair | None:
+    """Temperatures of the surfaces of body 1 and body 2 (degrees Celsius)."""
+    upper, lower = solution.upper_temperature, solution.lower_temperature
+    return None if upper is None or lower is None else (upper, lower)
 
 
 def displacement_of(solution: Solution[Any, Any]) -> Floats:

@@ -14,7 +14,15 @@ from ...values.wheel_rail.solution import WheelRailSolution
 from ..problems.bodies import pair_of
 from ..problems.rails import RailContact
 from .compared import Compared
-from .elements import Elements, ahead, displacement_of, division_of, plastic_elements, rigid_slip_on
+from .elements import (
+    Elements,
+    ahead,
+    displacement_of,
+    division_of,
+    plastic_elements,
+    rigid_slip_on,
+    temperature_of,
+)  # fmt: skip
 from .rail_places import moment_about_normal, on_rail, on_wheel
 from .subsurface import Stresses, StressField, stress_field
 
@@ -98,6 +106,7 @@ class RailResult:
             "APPROACH": solution.approach, "PMAX": solution.pmax, "NPOT": patch.place.grid.nx * patch.place.grid.ny,
             "NCON": counts.contact, "NADH": counts.adhesion if has_friction else counts.contact,
             "NSLIP": slip if has_friction else 0, **flows,
+            **({} if solution.temperature is None else {"MAX(T1,T2)": solution.temperature.largest}),
         }  # fmt: skip
 
     @property
@@ -145,7 +154,7 @@ class RailResult:
             grid=place.grid, tangential=self.contact.case.digits["T"], is_frictionless=not self._rolls(patch), chi=motion.chi,
             division=division_of(solution, place.grid.shape), h=gap,
             approach=solution.approach, mu=none + self.mu_of(patch), pressure=pressure, traction=(traction_x, traction_y),
-            slip=(slip_x, slip_y), displacement=displacement_of(solution),
+            slip=(slip_x, slip_y), displacement=displacement_of(solution), temperature=temperature_of(solution),
             rigid_slip=rigid_slip_on(place.grid, (motion.xi, motion.eta), motion.phi, (-offset[0], -offset[1])),
         )  # fmt: skip
 

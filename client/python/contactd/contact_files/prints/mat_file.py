@@ -46,22 +46,27 @@ def _text(case: Any, places: PatchPlaces, motion: tuple[float, float, float], el
     friction = [case.friction[0][name] for name in NAMES_OF_LAWS[law]] if case.friction else []
     if law != 0:
         friction += [values.get("MEMDST", 0.0), values.get("MEM_S0", 0.0)]
+    width = _COLUMNS if elements.temperature is None else _COLUMNS + len(elements.temperature)
+
+    def header(cells: Sequence[Cell]) -> str:
+        return _header(cells, width)
+
     lines = [
         "% tim, s_ws, th_ws, y_r, z_r, roll_r, rnom_r, format",
-        _header([*places.rail, *[0.0] * (_COLUMNS - 1 - len(places.rail)), _FORMAT]),
+        header([*places.rail, *[0.0] * (width - 1 - len(places.rail)), _FORMAT]),
         "% x_w, y_w, z_w, roll_w, yaw_w, rnom_w",
-        _header(places.wheel),
+        header(places.wheel),
         "% xcp_r, ycp_r, zcp_r, deltcp_r, xcp_w, ycp_w, zcp_w, npatch, ipatch, spinxo, spinyo",
-        _header(places.reference),
+        header(places.reference),
         "% mx, my, xl, yl, dx, dy, chi, dq, config, d_digit, y_nom_w",
-        _header([grid.nx, grid.ny, *_corner(grid, places), grid.dx, grid.dy, chi, dq, digits.get("C1", 0), values["DISCNS"] if
+        header([grid.nx, grid.ny, *_corner(grid, places), grid.dx, grid.dy, chi, dq, digits.get("C1", 0), values["DISCNS"] if
                  case.module == 1 else digits["D"], places.nominal]),
         "% tang, mater, gg1, gg2, poiss1, poiss2",
-        _header([digits["T"], digits["M"], *(values[name] for name in ("GG1", "GG2", "POISS1", "POISS2", *_OF_LAYER[digits["M"] == 4]))]),
+        header([digits["T"], digits["M"], *(values[name] for name in ("GG1", "GG2", "POISS1", "POISS2", *_OF_LAYER[digits["M"] == 4]))]),
         "% frclaw, heat, veloc, friction",
-        _header([law, digits["H"], velocity, *friction]),
+        header([law, digits["H"], velocity, *friction]),
         "%    I    IGS    H             MU            PN            PX            PY            UN            UX            UY"
-        "            SREL",
+        "            SREL" + ("" if elements.temperature is None else "          TEMP1         TEMP2"),
         *_elements(elements, digits["A"] == 1),
     ]  # fmt: skip
     return "\n".join([*lines, ""])
@@ -72,9 +77,9 @@ def _corner(grid: Grid, places: PatchPlaces) -> tuple[float, float]:
     return float(grid.x[0] - grid.dx / 2) + x, float(grid.y[0] - grid.dy / 2) + y
 
 
-def _header(cells: Sequence[Cell]) -> str:
+def _header(cells: Sequence[Cell], width: int) -> str:
     """Filled with zeros; whole numbers as such."""
-    filled = [*cells, *[0.0] * (_COLUMNS - len(cells))]
+    filled = [*cells, *[0.0] * (width - len(cells))]
     return "".join(f"{cell:6d}        " if isinstance(cell, int) else fortran_g(cell, 14, 6) for cell in filled)
 
 
@@ -84,6 +89,7 @@ def _elements(elements: Elements, in_contact_only: bool) -> Iterator[str]:
     slip = np.hypot(*elements.slip)
     displacement = elements.displacement
     columns = [elements.h, elements.mu, elements.pressure, *elements.traction, displacement[2], displacement[0], displacement[1], slip, *(elements.layer or ())]
+    columns += elements.temperature or ()
     table = np.stack([column.ravel() for column in columns], axis=1)
     for index in chosen:
         division = 1 if elements.is_frictionless and flat[index] else int(flat[index])

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ..answers.basic_results import BasicResult
 from .numbers import fixed, fortran_g, general
 from .out_division import division, quantities
+from .out_heat import heat_lines, largest_temperature
 from .out_laws import LABELS_OF_LAWS, NAMES_OF_LAWS, cut_rows
 from .out_subsurface import extremes
 from .out_text import case_head, digits, g_row, gs_row, interfacial_layer, row, statistics_lines
@@ -94,6 +95,7 @@ def _materials(result: BasicResult) -> Iterator[str]:
     yield ""
     yield "    POISS(1)    POISS(2)     GG(1)       GG(2)"
     yield g_row(*(values[name] for name in ("POISS1", "POISS2", "GG1", "GG2")))
+    yield from heat_lines(result.contact.case)
 
 
 def _friction(result: BasicResult) -> Iterator[str]:
@@ -139,9 +141,10 @@ def _totals(result: BasicResult) -> Iterator[str]:
         share = f"  F{axis}/FN       " if case.values["VARFRC"] == 3 else f"F{axis}/FSTAT/FN  "
         labels += f" {found}     " if found else share[:13]
         shown.append(general(numbers[found] if found else numbers[f"F{axis}"] / unit))
-    yield f"     FN/G      {labels}APPROACH     PMAX    "
+    label, largest = largest_temperature(numbers)
+    yield f"     FN/G      {labels}APPROACH     PMAX    {label}"
     approach, pmax = general(numbers["APPROACH"], 6, 4), general(numbers["PMAX"])
-    yield row([general(numbers["FN"] / result.contact.pair.G), *shown, approach, pmax])
+    yield row([general(numbers["FN"] / result.contact.pair.G), *shown, approach, pmax, *largest])
 
 
 def _sensitivities(result: BasicResult) -> Iterator[str]:

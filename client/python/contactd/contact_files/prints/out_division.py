@@ -53,7 +53,8 @@ def quantities(elements: Elements) -> Iterator[str]:
     """A line for each element in contact, by rows."""
     yield " QUANTITIES DISTRIBUTED OVER THE CONTACT AREA:"
     yield ' "H-PEN" IS THE UNDEFORMED DISTANCE WITH THE APPROACH TAKEN INTO ACCOUNT.'
-    yield from _heads(elements.tangential)
+    *sentences, labels = _heads(elements.tangential)
+    yield from (*sentences, labels if elements.temperature is None else f"{labels}     TEMP1      TEMP2")
     for iy in range(elements.grid.ny):
         there = np.flatnonzero(elements.division[iy])
         if len(there):
@@ -90,5 +91,6 @@ def _line(elements: Elements, at: tuple[int, int]) -> str:
         return f" {fortran_g(x)}{fortran_g(e)}{fortran_g(pressure)}{fortran_g(size)}{fixed(argument, 10, 1)}"
     tractions = [fortran_g(value, 11, 3) for value in (e, pressure, float(elements.bound[at]), size)]
     slip = math.hypot(*(float(part[at]) for part in elements.slip))
-    slips = [fortran_g(value, 11, 3) for value in (slip, *(float(part[at]) for part in elements.rigid_slip))]
+    others = (*elements.rigid_slip, *(elements.temperature or ()))
+    slips = [fortran_g(value, 11, 3) for value in (slip, *(float(part[at]) for part in others))]
     return f" {fortran_g(x)}{''.join(tractions)}{fixed(argument, 10, 1)}  {''.join(slips)}"

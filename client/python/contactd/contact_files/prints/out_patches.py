@@ -9,6 +9,7 @@ from ..answers.rail_results import RailResult
 from ..problems.bodies import pair_of
 from .numbers import fixed, fortran_g, general
 from .out_division import division, quantities
+from .out_heat import largest_temperature
 from .out_laws import LABELS_OF_LAWS, cut_rows
 from .out_subsurface import extremes
 from .out_text import g_row, gs_row, row, statistics_lines
@@ -98,12 +99,13 @@ def _totals(result: RailResult, patch: WheelRailPatch) -> Iterator[str]:
     varies = bool(bar) and case.values["VARFRC"] > 0
     shares = "   FX/FN       FS/FN    " if varies else " FX/FSTAT/FN FS/FSTAT/FN"
     first = "TILDE_FN " if tilde else "FN/G     "
-    yield f"     {first}{shares}   APPROACH     PMAX    "
+    label, largest = largest_temperature(numbers)
+    yield f"     {first}{shares}   APPROACH     PMAX    {label}"
     unit = (1.0 if varies else result.mu_of(patch)) * patch.solution.Fn or 1.0
     normal = patch.solution.Fn if tilde else patch.solution.Fn / pair_of(case.values).G
     approach = general(numbers["APPROACH"], 6, 4)
     tangential = [general(force / unit) for force in (patch.solution.Fx, patch.solution.Fy)]
-    yield row([general(normal), *tangential, approach, general(numbers["PMAX"])])
+    yield row([general(normal), *tangential, approach, general(numbers["PMAX"]), *largest])
 
 
 def _surface(patch: WheelRailPatch) -> Iterator[str]:

@@ -8,6 +8,7 @@ from typing import Any
 from ..answers.rail_results import RailResult
 from ..problems.bodies import pair_of
 from .numbers import fixed, fortran_g, general
+from .out_heat import heat_lines
 from .out_laws import LABELS_OF_LAWS, NAMES_OF_LAWS
 from .out_text import case_head, digits, g_row, interfacial_layer, row
 
@@ -73,7 +74,7 @@ def _set_up(result: RailResult) -> Iterator[str]:
     case = result.contact.case
     digit, values = case.digits, case.values
     if digit["C"] >= 2:
-        yield from ("", *_materials(values))
+        yield from ("", *_materials(values), *heat_lines(case))
         if digit["M"] == 4:
             yield from ("", *interfacial_layer(values))
     if digit["L"] != 1 and digit["T"] != 0:

@@ -20,6 +20,7 @@ from .areas import PotentialContact, potential_contact
 from .bodies import Pair, pair_of, sheet_of
 from .features import Missing, missing
 from .frictions import coefficients, layer, shares, static
+from .heat import temperature_friction, thermal_bodies
 from .models import models_of, without_memory
 
 if TYPE_CHECKING:
@@ -101,7 +102,7 @@ class BasicContact:
             step = area.grid.dx if case.digits["T"] == _STEADY else dq
             friction = _friction(case, area.grid, chi, step, force)
             previous = None if before is None else _moved(before, area.grid, friction)
-            problem = problem.replace(friction=friction, previous=previous)
+            problem = problem.replace(friction=friction, previous=previous, temperature=thermal_bodies(case))
         return cls(case, area, pair, unit, chi, dq, ics, problem)
 
 
@@ -166,7 +167,10 @@ def _friction(case: Case, grid: Grid, chi: float, dq: float, force: Any) -> Fric
         xi=xi, eta=eta, phi=phi, chi=chi, dq=dq, spin_offset=values["FACPHI"], velocity=values["VELOC"], force=force,
         kind="steady" if digits["T"] == _STEADY else "transient",
     )  # fmt: skip
-    return Friction(mu=mu, kinetic=kinetic, rolling=rolling, rigid_slip=extra, layer=between)
+    by_temperature = temperature_friction(values["FRCLAW"], case.friction)
+    return Friction(
+        mu=mu, kinetic=kinetic, rolling=rolling, rigid_slip=extra, layer=between, temperature=by_temperature
+    )
 
 
 def _extra_slip(values: Any, digit: int, grid: Grid, ahead_x: float, ahead_y: float) -> tuple[Any, Any] | None:

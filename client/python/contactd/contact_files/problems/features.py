@@ -33,6 +33,10 @@ def _digit(name: str, digit: str, *values: int) -> _Feature:
     return _Feature(f"{name} ({digit} = {asked})", lambda case: case.digits.get(digit) in values)
 
 
+def _has_heat(case: Case) -> bool:
+    return case.digits.get("H", 0) > 0 and case.digits["T"] == 3
+
+
 def _is_damped(case: Case) -> bool:
     return case.digits.get("M2", 1) != 0 and any(case.values.get(name, 0) != 0 for name in ("CDAMPN", "CDAMPT"))
 
@@ -52,9 +56,14 @@ _BOTH = (
              lambda case: _is_simplified(case) and _has_no_ellipse(case)),
     _digit("FASTSIM of one flexibility", "M", 2),
     _digit("trials of the simplified theory", "M", 6, 7),
-    _Feature("friction by temperature (L = 6)", lambda case: case.values.get("FRCLAW") == 6),
+    _Feature("friction by temperature without heat (L = 6, H = 0)",
+             lambda case: case.values.get("FRCLAW") == 6 and case.digits["T"] > 0 and not _has_heat(case)),
+    _Feature("memory of friction by temperature (L = 6, MEMDST)",
+             lambda case: case.values.get("FRCLAW") == 6 and case.values.get("MEMDST", 0) > 0),
     _Feature("damping (M2)", _is_damped),
-    _Feature("surface temperature (H)", lambda case: case.digits.get("H", 0) > 0),
+    _Feature("heat of an interfacial layer (H, M = 4)", lambda case: _has_heat(case) and case.digits["M"] == 4),
+    _Feature("surface temperature under bilinear tractions (H, C = 3)",
+             lambda case: _has_heat(case) and case.values.get("INFLCF") == 3),
 )
 
 _BASIC = (

@@ -24,6 +24,7 @@ from ...values.wheel_rail.state import RailDeviation, WheelDeviation, WheelRailS
 from .bodies import pair_of, sheet_of
 from .features import Missing, missing
 from .frictions import coefficients_of_sets, layer
+from .heat import temperature_friction, thermal_bodies
 from .models import models_of, without_memory
 
 if TYPE_CHECKING:
@@ -77,6 +78,7 @@ class RailContact:
             dq=_step(case), rigid_slip="surfaces" if values["DISCNS"] == 3 else None, conformal=_conformal(values),
             **_surfaces(case, profiles), **_settings(values), **models_of(case),
             sheet_flexibility=sheet_of(case),
+            temperature=thermal_bodies(case),
         )  # fmt: skip
         unit = friction.mu if friction is not None and isinstance(friction.mu, float) else None
         return cls(case, setup, _state(case), unit)
@@ -167,11 +169,14 @@ def _friction(case: Case) -> WheelRailFriction:
     if values["VARFRC"] != 1:
         sets = [_at_place(case.friction, values["S_WS"])] if values["VARFRC"] == 2 else case.friction[:1]
         (mu,), kinetic = coefficients_of_sets(values, sets)
-        return WheelRailFriction(float(mu), kinetic=without_memory(case, kinetic), layer=layer(case))
+        by_temperature = temperature_friction(values["FRCLAW"], sets)
+        return WheelRailFriction(float(mu), kinetic=without_memory(case, kinetic), layer=layer(case), temperature=by_temperature)
     mus, kinetic = coefficients_of_sets(values, case.friction)
     by_angle = [(one["ALPHVF"] + _angle_offset(case), mu) for one, mu in zip(case.friction, mus)]
-    along_profile = values["DISCNS"] == _HALF_PLANE or None
-    return WheelRailFriction(by_angle, along_profile=along_profile, kinetic=without_memory(case, kinetic), layer=layer(case))
+    return WheelRailFriction(
+        by_angle, along_profile=values["DISCNS"] == _HALF_PLANE or None, kinetic=without_memory(case, kinetic), layer=layer(case),
+        temperature=temperature_friction(values["FRCLAW"], case.friction),
+    )  # fmt: skip
 
 
 def _angle_offset(case: Case) -> float:

@@ -1,0 +1,29 @@
+"""What files show of heat: thermal properties of the bodies, and the largest temperature."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from .numbers import general
+from .out_text import g_row
+
+if TYPE_CHECKING:
+    from ...values.contact_files import ContactCase as Case
+
+__all__ = ["heat_lines", "largest_temperature"]
+
+
+def heat_lines(case: Case) -> Iterator[str]:
+    """The thermal properties of both bodies, of cases with heat."""
+    if case.digits["H"] == 0:
+        return
+    yield from ("", "     BKTEMP      HEATCP      LAMBDA      DENSITY")
+    for number in "12":
+        yield g_row(*(case.values[name + number] for name in ("BKTEMP", "HEATCP", "LAMBDA", "DENS")))
+
+
+def largest_temperature(numbers: Mapping[str, float]) -> tuple[str, list[str]]:
+    """Its label and the number, behind those of a row; of cases without heat nothing."""
+    largest = numbers.get("MAX(T1,T2)")
+    return ("", []) if largest is None else ("  MAX(T1,T2)", [general(largest)])

@@ -1,0 +1,45 @@
+"""The heat of a case: what its bodies have to do with it, and friction by their temperature."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from ...values.motion import TemperatureFriction
+from ...values.thermal import ThermalBodies, ThermalBody
+from .features import Missing
+
+if TYPE_CHECKING:
+    from ...values.contact_files import ContactCase as Case
+
+__all__ = ["temperature_friction", "thermal_bodies"]
+
+_STEADY = 3
+_BY_TEMPERATURE = 6
+_CONDUCTIVITY, _DENSITY = 1e3, 1e9  #: from W/(mm K) to W/(m K), and from kg/mm^3 to kg/m^3
+
+
+def thermal_bodies(case: Case) -> ThermalBodies | None:
+    """What both bodies have to do with heat; None where no temperatures are asked for."""
+    if case.digits["H"] == 0 or case.digits["T"] != _STEADY:
+        return None
+    return ThermalBodies(_body(case.values, 1), _body(case.values, 2))
+
+
+def _body(values: Mapping[str, Any], number: int) -> ThermalBody:
+    return ThermalBody(
+        bulk_temperature=values[f"BKTEMP{number}"],
+        conductivity=_CONDUCTIVITY * values[f"LAMBDA{number}"],
+        heat_capacity=values[f"HEATCP{number}"],
+        density=_DENSITY * values[f"DENS{number}"],
+    )
+
+
+def temperature_friction(law: int, sets: Sequence[Mapping[str, float]]) -> TemperatureFriction | None:
+    """How friction follows the temperature, which all sets have in common. Raises Missing where they do not."""
+    if law != _BY_TEMPERATURE:
+        return None
+    laws = [TemperatureFriction(one["DFHEAT"], one["TREF"], one["DTHEAT"]) for one in sets]
+    if any(one != laws[0] for one in laws):
+        raise Missing("friction by temperature that is another one from place to place (V, L = 6)")
+    return laws[0]
