@@ -24,7 +24,7 @@ FEW = 20
 FOLDERS: dict[str, tuple[int, str]] = {
     "client/c/example": (20, "an example, written as a user would"),
     "client/c/fortran": (10, "an example, written as a user would"),
-    "client/c/include": (40, "contactd.h: names of arguments in examples and macros"),
+    "client/c/include": (50, "contactd.h: names of arguments in examples and macros"),
     "client/c/matlab": (10, "arrays, which MATLAB has by name"),
     "client/c/src": (140, "paths of arrays and alternatives, which are hooks as those of the codec"),
     "client/cntc/src/edge": (10, WORD),

@@ -113,6 +113,17 @@ def test_the_guide_to_contact_problems(shared):
     assert names["free"].motion.eta < 0
 
 
+@pytest.mark.timeout(300)
+def test_the_guide_to_temperature(shared):
+    (example,) = re.findall(r"^```python\n(.*?)^```", (DOCS / "temperature.md").read_text(), re.MULTILINE | re.DOTALL)
+    names: dict[str, Any] = {"client": shared}
+    exec(compile(example, "docs/temperature.md", "exec"), names)
+    assert names["warm"].temperature.largest == pytest.approx(152, abs=3)
+    assert names["met"].temperature.heat_upper * 2 == pytest.approx(names["sliding"].frictional_power)
+    assert names["constant"][-1] == pytest.approx(0.3, rel=1e-4)
+    assert max(names["fallen"]) > names["fallen"][-1] + 0.01
+
+
 def test_the_guide_to_keys(daemons, tmp_path, monkeypatch):
     """Its commands with folders of the test's own, its configuration, its clients, and the word to revoke a key."""
     etc, home = tmp_path / "etc", tmp_path / ".config" / "contactd"
