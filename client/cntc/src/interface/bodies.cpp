@@ -119,7 +119,7 @@ GivenFriction friction_of(const Settings& settings, int method, const double* pa
     return same_friction(method, list(params, nparam, parameters_of(law), "params"), settings.units);
 }
 
-/// Of the flexibility thickness/gg3; tau_c0 = 0 or 1e10 and more never yields.
+/// The layer has the flexibility thickness/gg3; tau_c0 = 0 or 1e10 and more never yields.
 InterfacialLayer layer(double gg3, double thickness, double tau_c0, double k_tau, const Units& units) {
     constexpr double never = 1e10;
     if (!(gg3 > 0) || !(thickness >= 0) || !(tau_c0 >= 0))

@@ -24,9 +24,9 @@ ContactProblem falling_row() {
     return problem;
 }
 
-bool warns_of(const ContactSolution& solution, const std::string& words) {
+bool warns_of(const ContactSolution& solution, const std::string& part) {
     return std::ranges::any_of(solution.warnings,
-                               [&](const std::string& one) { return one.find(words) != std::string::npos; });
+                               [&](const std::string& one) { return one.find(part) != std::string::npos; });
 }
 
 }  // namespace

@@ -198,7 +198,7 @@ def _moved(before: State, grid: Grid, friction: Friction) -> Estimate:
     taken = np.ix_(rows[(rows >= 0) & (rows < before.grid.ny)], columns[(columns >= 0) & (columns < before.grid.nx)])
 
     def on_grid(array: npt.NDArray[np.float64], elsewhere: Any = 0.0) -> npt.NDArray[np.float64]:
-        placed = np.zeros(grid.shape) + elsewhere
+        placed: npt.NDArray[np.float64] = np.zeros(grid.shape) + elsewhere
         placed[there] = array[taken]
         return placed
 
