@@ -82,7 +82,7 @@ TEST_CASE("A solution whose arrays disagree is refused", "[codec]") {
         result["slip_y"].erase(0);
     }
     SECTION("element state") {
-        result["element_division"][0][0] = 3;
+        result["element_division"][0][0] = 4;
     }
     SECTION("no rows") {
         result["pressure"] = json::array();

@@ -292,7 +292,9 @@ TEST_CASE("friction that never falls because the velocity was left out is warned
     CHECK(warnings(Rolling{.xi = 4e-3, .velocity = 20000}).empty());
     REQUIRE(warnings(Shift{.rigid_shift = {.x = 0.008}}).size() == 1);
     CHECK(warnings(Shift{.rigid_shift = {.x = 0.008}}).front().find("friction.duration") != std::string::npos);
-    CHECK(warnings(Shift{.rigid_shift = {.x = 0.008}, .duration = 1e-5}).empty());
+    // Friction that falls that steeply in a step may have several answers, which is another warning.
+    for (const std::string& warning : warnings(Shift{.rigid_shift = {.x = 0.008}, .duration = 1e-5}))
+        CHECK(warning.find("hardly falls") == std::string::npos);
     CHECK(warnings(Rolling{}).empty());  // nothing slips
 }
 
