@@ -195,7 +195,7 @@ contains
         call tell_fields(contact, "forces", 4)
         call tell_field(contact, "approach")
         call tell_field(contact, "pmax")
-        call tell_fields(contact, "area", 3)
+        call tell_fields(contact, "area", 4)
         call tell_whole_field(contact, "elements.contact")
         call tell_whole_field(contact, "elements.adhesion")
         call tell_whole_field(contact, "elements.slip")

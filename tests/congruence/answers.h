@@ -102,7 +102,7 @@ static void tell_step(contactd_contact* contact) {
     tell_fields(contact, "forces", 4);
     tell_field(contact, "approach");
     tell_field(contact, "pmax");
-    tell_fields(contact, "area", 3);
+    tell_fields(contact, "area", 4);
     tell_whole_field(contact, "elements.contact");
     tell_whole_field(contact, "elements.adhesion");
     tell_whole_field(contact, "elements.slip");

@@ -19,7 +19,7 @@ class Teller {
         const ContactSolution& s = reply.solution;
         whole(reply.step);
         numbers({s.forces.Fn, s.forces.Fx, s.forces.Fy, s.forces.Mz, s.approach, s.pmax, s.area.contact,
-                 s.area.adhesion, s.area.slip});
+                 s.area.adhesion, s.area.slip, s.area.flow});
         for (const int n : {s.elements.contact, s.elements.adhesion, s.elements.slip, s.elements.border}) whole(n);
         motion(s.motion);
         maybe(s.frictional_work);

@@ -51,7 +51,7 @@ def halves(array: Any) -> Iterator[int]:
 def told(step: Any) -> Iterator[str]:
     yield whole(step.step)
     yield from map(bits, (step.Fn, step.Fx, step.Fy, step.Mz, step.approach, step.pmax))
-    yield from map(bits, (step.area.contact, step.area.adhesion, step.area.slip))
+    yield from map(bits, (step.area.contact, step.area.adhesion, step.area.slip, step.area.flow))
     yield from map(whole, (step.elements.contact, step.elements.adhesion, step.elements.slip, step.elements.border))
     match step.motion:
         case Rolling(xi=xi, eta=eta, phi=phi):

@@ -93,7 +93,7 @@ contains
         call tell_forces(wheel, prefix)
         call tell_field(wheel, prefix // "solution.approach")
         call tell_field(wheel, prefix // "solution.pmax")
-        call tell_object(wheel, prefix // "solution.area", 3)
+        call tell_object(wheel, prefix // "solution.area", 4)
         do i = 1, 4
             call tell_whole_field(wheel, prefix // "solution.elements." // counts(i))
         end do

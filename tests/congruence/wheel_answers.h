@@ -76,7 +76,7 @@ static void tell_patch(contactd_wheel* wheel, int patch) {
     tell_forces(wheel, prefix);
     tell_field(wheel, prefix, "solution.approach");
     tell_field(wheel, prefix, "solution.pmax");
-    tell_object(wheel, prefix, "solution.area", 3);
+    tell_object(wheel, prefix, "solution.area", 4);
     for (int i = 0; i < 4; ++i) tell_whole_field(wheel, prefix, counts[i]);
     tell_patch_arrays(wheel, prefix);
 }

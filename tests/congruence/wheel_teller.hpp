@@ -90,7 +90,7 @@ class WheelTeller {
         tell(patch.place);
         numbers({s.forces.Fn, s.forces.Fx, s.forces.Fy, s.forces.Mz});
         forces(patch.forces);
-        numbers({s.approach, s.pmax, s.area.contact, s.area.adhesion, s.area.slip});
+        numbers({s.approach, s.pmax, s.area.contact, s.area.adhesion, s.area.slip, s.area.flow});
         for (const int count : {s.elements.contact, s.elements.adhesion, s.elements.slip, s.elements.border})
             whole(count);
         std::uint64_t sum = 0;

@@ -71,7 +71,7 @@ def told(wheel: Any) -> Iterator[str]:
         yield from map(bits, (solution.Fn, solution.Fx, solution.Fy, solution.Mz))
         yield from of_wrenches([patch.forces.track, patch.forces.rail, patch.forces.wheelset])
         yield from map(bits, (solution.approach, solution.pmax))
-        yield from map(bits, (solution.area.contact, solution.area.adhesion, solution.area.slip))
+        yield from map(bits, (solution.area.contact, solution.area.adhesion, solution.area.slip, solution.area.flow))
         counts = solution.elements
         yield from map(whole, (counts.contact, counts.adhesion, counts.slip, counts.border))
         yield str(digest(iter(solution.element_division.ravel().tolist())))

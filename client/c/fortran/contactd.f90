@@ -19,7 +19,7 @@ module contactd
         contactd_failed_precondition = 9, contactd_aborted = 10, contactd_out_of_range = 11, &
         contactd_unimplemented = 12, contactd_internal = 13, contactd_unavailable = 14, &
         contactd_data_loss = 15, contactd_unauthenticated = 16
-    integer(c_int32_t), parameter :: contactd_exterior = 0, contactd_adhesion = 1, contactd_slip = 2
+    integer(c_int32_t), parameter :: contactd_exterior = 0, contactd_adhesion = 1, contactd_slip = 2, contactd_flow = 3
     integer(c_int32_t), parameter :: contactd_log_debug = 0, contactd_log_info = 1, &
         contactd_log_warning = 2, contactd_log_error = 3
 

@@ -68,8 +68,9 @@ TEST_CASE("A contact in C shifts as one in C++ does, array by array", "[c]") {
         const contactd::Counts& elements_of = solution.elements;
         const contactd::Areas& area = solution.area;
         CHECK(get_array(contact, "elements") == Numbers{double(elements_of.contact), double(elements_of.adhesion),
-                                                        double(elements_of.slip), double(elements_of.border)});
-        CHECK(get_array(contact, "area") == Numbers{area.contact, area.adhesion, area.slip});
+                                                        double(elements_of.slip), double(elements_of.flow),
+                                                        double(elements_of.border)});
+        CHECK(get_array(contact, "area") == Numbers{area.contact, area.adhesion, area.slip, area.flow});
         CHECK(get(contact, "frictional_work") == *solution.frictional_work);
         CHECK(get(contact, "step") == static_cast<double>(session.step_number()));
         CHECK(get(contact, "motion.rigid_shift.x") == x);

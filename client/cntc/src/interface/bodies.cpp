@@ -32,15 +32,15 @@ FrictionLaw coulomb_of(const std::vector<double>& given) {
     return {{given[0]}};
 }
 
-/// Slip velocity of a term of core's law over the one at which it has halved.
-double scale_of(int law) {
-    return law == linear ? 2 : law == exponential ? 1 / std::numbers::ln2 : 1;
+/// Slip velocity of a term of core's law that has halved at s.
+double slip_velocity_of(int law, double s) {
+    return law == linear ? 2 * s : law == exponential ? s / std::numbers::ln2 : s;
 }
 
 /// Terms f1 and f2 that have halved at s1 and s2: max(0, 1 - v/(2 s)), 2^(-v/s), or 1/(1 + v/s) and 1/(1 + (v/s)^2).
 FrictionLaw falling_of(int law, const std::vector<double>& given) {
     const double fkin = given[0], distance = given[5], least_velocity = given[6];
-    SecondTerm first{given[1], scale_of(law) * given[2]}, second{given[3], scale_of(law) * given[4]};
+    SecondTerm first{given[1], slip_velocity_of(law, given[2])}, second{given[3], slip_velocity_of(law, given[4])};
     if (fkin < 0 || first.fall < 0 || second.fall < 0) refuse_friction("fkin, f1 or f2 is negative.");
     if (first.fall == 0 && second.fall == 0) return {{fkin}};
     if (first.fall == 0 && law != rational) std::swap(first, second);

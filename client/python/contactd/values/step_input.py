@@ -9,7 +9,7 @@ from typing import TypedDict
 
 import numpy.typing as npt
 
-from .friction import Friction, InterfacialLayer
+from .friction import Friction
 from .friction_methods import Force
 from .grid import Paraboloid, SemiAxes
 from .motion import RollingKind
@@ -44,4 +44,3 @@ class StepInput(TypedDict, total=False):
     displacements: bool | None
     fields: Fields
     again: bool
-    layer: InterfacialLayer | None

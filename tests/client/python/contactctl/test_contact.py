@@ -27,10 +27,10 @@ SECOND = """\
  0101201
  50000.  0.0020  0.0  0.0001
 """
-LAYER = """\
+VISCOUS = """\
  3  MODULE
   202100
-  102400
+  102100
  0100201
  50000.  0.0020  0.0  0.0001
    0.0   0.5   20000.
@@ -38,7 +38,7 @@ LAYER = """\
   100.0  0.01   0.0  0.0
  3  MODULE
   002100
-  100400
+  100100
  0100201
  50000.  0.0020  0.0  0.0001
 """
@@ -53,13 +53,13 @@ def test_a_file_that_can_be_computed_is_said_to_be(ctl):
 
 
 def test_what_cannot_be_computed_is_told_by_case_line_and_feature(ctl):
-    ctl.write("layer.inp", FIRST + LAYER + END)
-    ended = ctl("contact", "check", "layer.inp", "--json")
+    ctl.write("viscous.inp", FIRST + VISCOUS + END)
+    ended = ctl("contact", "check", "viscous.inp", "--json")
     assert ended.code == Code.REFUSED
     first, second, third = ended.json["cases"]
     assert (first["status"], first["line"]) == ("can be computed", 2)
     assert (second["status"], second["line"]) == ("refused", 13)
-    assert "interfacial layer (M = 4)" in second["why"]
+    assert "viscoelastic bodies (M = 1)" in second["why"]
     assert third["status"] == "refused"
 
 
