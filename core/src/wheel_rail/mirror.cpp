@@ -59,10 +59,9 @@ void mirror(Motion& motion) {
 
 void mirror(ContactSolution& solution, const Grid& grid) {
     mirror_rows(solution.element_division, grid);
-    for (auto* values :
-         {&solution.pressure, &solution.traction_x, &solution.slip_x, &solution.flow_x, &solution.yield_stress,
-          &solution.friction_coefficient, &solution.displacement_x, &solution.displacement_z,
-          &solution.upper_temperature, &solution.lower_temperature})
+    for (auto* values : {&solution.pressure, &solution.traction_x, &solution.slip_x, &solution.flow_x,
+                         &solution.yield_stress, &solution.friction_coefficient, &solution.displacement_x,
+                         &solution.displacement_z, &solution.upper_temperature, &solution.lower_temperature})
         mirror_rows(*values, grid);
     for (auto* values : {&solution.traction_y, &solution.slip_y, &solution.flow_y, &solution.displacement_y})
         mirror_across(*values, grid);

@@ -130,7 +130,8 @@ WheelRailFriction friction_of(const Settings& settings, const RailSettings& rail
     if (settings.digits(flag::friction_law) != given.method % 10)
         throw Refused(error_code::friction, "Flag 1976 and cntc_setfrictionmethod name different laws.");
     constexpr int along_track = 2;
-    if (given.varying.empty()) return {{{0, given.law.mu[0]}}, false, given.law.kinetic, layer_of(settings), given.law.temperature};
+    if (given.varying.empty())
+        return {{{0, given.law.mu[0]}}, false, given.law.kinetic, layer_of(settings), given.law.temperature};
     if (given.method / 10 != along_track) return by_angle(settings, given.varying, rail.position.roll);
     const FrictionLaw law = law_at(given.varying, rail.position.x);
     return {{{0, law.mu[0]}}, false, law.kinetic, layer_of(settings), law.temperature};

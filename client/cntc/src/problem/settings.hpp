@@ -86,7 +86,7 @@ struct Settings {
     SlopeReduction slope;  ///< of the simplified theory
     std::optional<GivenFriction> friction;
     std::optional<InterfacialLayer> layer;  ///< between the bodies
-    std::optional<ThermalBodies> heat;  ///< where it counts, the flag 1982 says
+    std::optional<ThermalBodies> heat;      ///< where it counts, the flag 1982 says
     std::variant<std::monostate, HertzArea, Grid> area;
     std::optional<Distance> distance;
     std::optional<double> pen, fn;    ///< (mm), (N)

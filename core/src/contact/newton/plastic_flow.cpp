@@ -6,9 +6,11 @@
 namespace contactd {
 namespace {
 
-constexpr double on_bound = 1e-9;   // relative distance from a bound that counts as being on it
-constexpr double from_push = 10;    // the end of flow over that of slip
-constexpr double with_close = 1.5;  // times the self-influence: of an element with its close neighbours
+constexpr double on_bound = 1e-9;    // relative distance from a bound that counts as being on it
+constexpr double near_bound = 1e-3;  // the same, of tractions that have come back to it
+constexpr double stiff = 1e3;        // hardening over the stiffness of an element
+constexpr double from_push = 10;     // the end of flow over that of slip
+constexpr double with_close = 1.5;   // times the self-influence: of an element with its close neighbours
 
 }  // namespace
 
@@ -62,24 +64,30 @@ void PlasticFlow::divide_by_size(Field& p, std::vector<char>& slips) {
     law_.travel(divide, behind_);
 }
 
-void PlasticFlow::divide_by_slip(const Field& p, const Field& s, double push, std::vector<char>& slips) {
-    // An element is let adhere only where it clearly slips along its traction: a converged one must not.
+void PlasticFlow::divide_by_slip(Field& p, const Field& s, double push, std::vector<char>& slips) {
+    // Where an element slips along its traction flow ends, but not before the traction is back at the yield stress.
+    // Hardening that is much stiffer than the bodies is nearly adhesion, and ends at once.
     const double k = law_.hardening / law_.diagonal(), held = from_push * push;
     const auto divide = [&](std::size_t e, double v) {
         incoming_[e] = v;
         const double length = size(p, e), g = g_[e];
         const double flow = length > 0 ? -(s.x[e] * p.x[e] + s.y[e] * p.y[e]) / length : 0;
-        if (flows_[e] && flow < -held) flows_[e] = 0;
+        const bool is_stiff = law_.hardening * self_[e] > stiff;
+        if (flows_[e] && flow < -held && (is_stiff || length <= v * (1 + near_bound))) {
+            flows_[e] = 0;
+            if (!is_stiff && length > v) scale(p, e, v);
+        }
         if (flows_[e] && v >= g) {
             flows_[e] = 0;
             slips[e] = 1;
         } else if (slips[e] && v < g && (k < 0 || v + k * flow < g * (1 - on_bound))) {
             slips[e] = 0;
             flows_[e] = 1;
-        } else if (!slips[e] && v < g && length > v * (1 + on_bound) && flow >= -held) {
+        } else if (!slips[e] && v < g && length > v * (1 + on_bound) &&
+                   (flow >= -held || (!is_stiff && length > v * (1 + near_bound)))) {
             flows_[e] = 1;
         }
-        return behind(e, v, length, slips[e] != 0);
+        return behind(e, v, size(p, e), slips[e] != 0);
     };
     law_.travel(divide, behind_);
 }

@@ -45,7 +45,7 @@ class PlasticFlow {
     void divide_by_size(Field& p, std::vector<char>& slips);
     // Divides it by the slip, too: flow ends where t is along the traction by more than `push`, slip begins where the
     // yield stress has risen to the bound of friction.
-    void divide_by_slip(const Field& p, const Field& s, double push, std::vector<char>& slips);
+    void divide_by_slip(Field& p, const Field& s, double push, std::vector<char>& slips);
     // Divides it by what tractions and slip together say, `stiffness` (N/mm^3) turning slip into traction; returns how
     // many tractions moved.
     std::size_t divide_at_start(Field& p, const Field& s, const std::vector<double>& flexibility,
