@@ -293,7 +293,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactInflue
     find_displacements(problem, *bodies.current, solution);
     solution.evidence.discretisation = discretisation(problem, solution, problem.friction && bodies.current->coupled());
     warn(problem, solution);
-    for (std::string& warning : friction_warnings(problem, *bodies.current, solution))
+    for (std::string& warning : friction_warnings(problem, *bodies.current, solution, observer))
         solution.warnings.push_back(std::move(warning));
     solution.warnings.insert(solution.warnings.end(), influence.warnings.begin(), influence.warnings.end());
     return solution;

@@ -14,12 +14,14 @@ using Values = std::vector<double>;
 constexpr int products = 20;  // of the power iteration, whose error falls to less than a tenth
 
 /// The largest compliance to tangential tractions on the elements in contact (mm^3/N), from below, by power iteration.
-double largest_compliance(const InfluenceOperator& influence, const ContactSolution& solution) {
+double largest_compliance(const InfluenceOperator& influence, const ContactSolution& solution,
+                          const Observer& observer) {
     const std::size_t n = solution.pressure.size();
     Values px(n), py(n), ux(n), uy(n);
     for (std::size_t i = 0; i < n; ++i) px[i] = solution.pressure[i] > 0 ? 1 : 0;
     double norm = 0;
     for (int k = 0; k < products; ++k) {
+        observer.throw_if_cancelled();
         double square = 0;
         for (std::size_t i = 0; i < n; ++i) square += px[i] * px[i] + py[i] * py[i];
         const double length = std::sqrt(square);
@@ -75,7 +77,8 @@ double rolling_compliance(const Bodies& bodies) {
 
 }  // namespace
 
-double loop_gain(const ContactProblem& problem, const InfluenceOperator& influence, const ContactSolution& solution) {
+double loop_gain(const ContactProblem& problem, const InfluenceOperator& influence, const ContactSolution& solution,
+                 const Observer& observer) {
     if (!problem.friction || solution.elements.contact == 0) return 0;
     const auto& [layer, kinetic] = std::tie(problem.friction->layer, problem.friction->kinetic);
     const bool softens = layer && layer->hardens() && layer->hardening < 0 && !is_steady(problem);
@@ -87,14 +90,14 @@ double loop_gain(const ContactProblem& problem, const InfluenceOperator& influen
     const double per_slip =
         rolling != nullptr ? rolling->velocity / step_length(*rolling, problem.grid) : velocity_per_slip(problem);
     const double softening = softens ? -layer->hardening : 0;
-    return largest_compliance(influence, solution) * std::max(softening, fall * per_slip);
+    return largest_compliance(influence, solution, observer) * std::max(softening, fall * per_slip);
 }
 
 std::vector<std::string> friction_warnings(const ContactProblem& problem, const InfluenceOperator& influence,
-                                           const ContactSolution& solution) {
+                                           const ContactSolution& solution, const Observer& observer) {
     std::vector<std::string> warnings;
     if (!problem.friction || problem.model != Model::full) return warnings;
-    if (const double gain = loop_gain(problem, influence, solution); gain > 1)
+    if (const double gain = loop_gain(problem, influence, solution, observer); gain > 1)
         warnings.push_back("Friction may have several answers here: what falls feeds back on the slip with a gain of " +
                            short_text(gain) +
                            ", where below 1 there is one. Take friction.kinetic.memory, or less softening.");

@@ -39,8 +39,20 @@ TEST_CASE("steady rolling with falling friction has the gain and the force that 
     REQUIRE(solution.converged());
     CHECK_THAT(solution.forces.Fx / (0.3 * 622216), Catch::Matchers::WithinAbs(0.594070, 4e-6));
     CHECK(solution.elements.slip == 36);
-    CHECK_THAT(loop_gain(problem, *bodies.current, solution), Catch::Matchers::WithinAbs(0.32, 0.06));
+    CHECK_THAT(loop_gain(problem, *bodies.current, solution, observer), Catch::Matchers::WithinAbs(0.32, 0.06));
     CHECK_FALSE(warns_of(solution, "several answers"));
+}
+
+TEST_CASE("the search for several answers can be cancelled", "[uniqueness]") {
+    ContactProblem problem = falling_row();
+    const ContactInfluence bodies = operators_of(problem, pair_table(problem));
+    Observer willing;
+    const ContactSolution solution = solve_contact(problem, bodies, willing);
+    problem.motion = Shift{{1e-3, 0}};
+    class Impatient : public Observer {
+        bool cancelled() const override { return true; }
+    };
+    CHECK_THROWS_AS(loop_gain(problem, *bodies.current, solution, Impatient()), Cancelled);
 }
 
 TEST_CASE("a transient step with falling friction warns of several answers", "[uniqueness]") {
