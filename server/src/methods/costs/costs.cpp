@@ -15,12 +15,13 @@ using nlohmann::json;
 namespace {
 
 // Bytes for each element, measured as the growth of a daemon (tests/integration/test_bounds.py holds them to that).
-constexpr double bytes_of_normal = 600;         // normal contact: a table, its symbols, and the solver's arrays
-constexpr double bytes_of_tangential = 1700;    // friction, too
-constexpr double bytes_of_rolling = 2600;       // and what a step of rolling changes
-constexpr double bytes_of_simplified = 400;     // closed forms, which have fields and no operators
-constexpr double bytes_of_answer = 150;         // all fields, as arrays of an answer and its frames
-constexpr double bytes_of_displacements = 100;  // likewise, and what they are summed up from
+constexpr double bytes_of_normal = 600;          // normal contact: a table, its symbols, and the solver's arrays
+constexpr double bytes_of_tangential = 1700;     // friction, too
+constexpr double bytes_of_rolling = 2600;        // and what a step of rolling changes
+constexpr double bytes_of_simplified = 400;      // closed forms, which have fields and no operators
+constexpr double bytes_of_answer = 150;          // all fields, as arrays of an answer and its frames
+constexpr double bytes_of_displacements = 100;   // likewise, and what they are summed up from
+constexpr double bytes_of_friction_state = 500;  // what layers and memory carry, and their arrays of an answer
 // Numbers for each offset along x and pair of strips: the table and its copy, symbols, boxes.
 constexpr double bytes_of_strips = 30 * sizeof(double), bytes_of_rolling_strips = 60 * sizeof(double);
 
@@ -55,6 +56,9 @@ WorkCost cost_of_solve(const json& params, const Config& config) {
         friction != nullptr ? products_of_friction + products_of_step * (steps - 1) : products_of_normal;
     double seconds = product * products;
     if (any_body(params, "layered")) seconds += seconds_of_layered_offset * elements * (rolls ? 5 : 1);
+    const json* kinetic = friction != nullptr ? member(*friction, "kinetic") : nullptr;
+    if (friction != nullptr && (friction->contains("layer") || (kinetic != nullptr && kinetic->contains("memory"))))
+        bytes += elements * bytes_of_friction_state;
     if (params.value("displacements", false)) bytes += elements * bytes_of_displacements;
     return {bytes_beside + bytes + elements * bytes_of_answer, seconds};
 }
