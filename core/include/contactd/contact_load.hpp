@@ -12,7 +12,7 @@ namespace contactd {
 /// Pressure and tractions on the upper body, each empty (zero) or of shape [ny, nx] (N/mm^2).
 struct SurfaceState {
     std::vector<double> pressure, traction_x, traction_y;
-    /// Of a layer that hardens or softens, likewise; empty: it has not flowed yet. Of estimates of no meaning.
+    /// A layer that hardens or softens has it, likewise; empty: it has not flowed yet. Estimates need none.
     std::vector<double> yield_stress{};
     std::vector<double> friction_coefficient{};  ///< with memory, likewise; empty: the static one
 

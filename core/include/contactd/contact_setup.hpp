@@ -52,7 +52,7 @@ struct SlopeReduction {
     bool operator==(const SlopeReduction&) const = default;
 };
 
-/// Of FASTSIM in an ellipse: mu 2 Fn/(pi a b) (1 - x^2/a^2 - y^2/b^2), or mu times Hertz's pressure.
+/// FASTSIM's bound in an ellipse is mu 2 Fn/(pi a b) (1 - x^2/a^2 - y^2/b^2), or mu times Hertz's pressure.
 enum class TractionBound { parabolic, elliptic };
 
 /// Kalker's coefficients as computed here, or as printed in his book (1990, table E.3), between its lines.

@@ -63,7 +63,7 @@ struct InterfacialLayer {
     double residual = 0.1;  ///< part of yield_stress that softening leaves, 0 to 1
 
     bool yields() const { return yield_stress < std::numeric_limits<double>::infinity(); }
-    /// Whether the yield stress changes as the layer flows, so that it is part of the state of a step.
+    /// Tells whether the yield stress changes with flow, so that it is part of the state of a step.
     bool hardens() const { return yields() && hardening != 0; }
     bool operator==(const InterfacialLayer&) const = default;
 };

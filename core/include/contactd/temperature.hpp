@@ -66,7 +66,7 @@ struct TemperatureRequest {
     std::vector<double> slip_x, slip_y;  ///< relative slip of the upper body over the lower, per distance rolled
 };
 
-/// Whether chi is 0 or pi to 1e-9: rolling along rows.
+/// Tells whether chi is 0 or pi to 1e-9, so that particles roll along rows.
 bool rolls_along_x(double chi);
 
 /// Throws InvalidArgument (`field` and below, such as "temperature.upper.density").

@@ -171,7 +171,7 @@ struct WheelRailSetup {
     bool operator==(const WheelRailSetup&) const = default;
 };
 
-/// Whether patches have distances of their own on a grid, as pressures that are no ellipses need them.
+/// Tells whether patches have distances of their own on a grid, as pressures that are no ellipses need.
 bool has_distances(const WheelRailSetup& setup);
 
 /// Both wheels of a wheelset. `side` means nothing in the parts.

@@ -20,7 +20,7 @@ class LayerFlow {
     /// particle has flowed.
     void begin(const std::vector<double>& yield_stress);
 
-    /// Of a layer that hardens or softens, for solvers; else null.
+    /// Solvers take this of a layer that hardens or softens; else it is null.
     const FlowTask* task() const { return layer_.hardens() ? &task_ : nullptr; }
     /// Limits what friction can bear (N/mm^2) to what the layer bears, where that never changes.
     void limit(std::vector<double>& bound) const;

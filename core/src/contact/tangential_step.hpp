@@ -19,7 +19,7 @@ namespace contactd {
 struct Tractions {
     std::vector<double> pressure;
     Field tangential;
-    /// Of a layer that yields (N/mm^2) and of kinetic friction, at the end of the step; else empty.
+    /// A layer that yields (N/mm^2) and kinetic friction have these at the end of the step; else empty.
     std::vector<double> yield_stress{}, friction_coefficient{};
 };
 

@@ -1,4 +1,4 @@
-// Whether temperatures of a contact are known.
+// Checks whether temperatures of a contact are known.
 #pragma once
 
 #include "contactd/contact.hpp"

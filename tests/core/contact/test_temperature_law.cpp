@@ -18,7 +18,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// Of a thermal effusivity (N/(mm s^0.5 K)).
+/// Makes a body of a thermal effusivity (N/(mm s^0.5 K)).
 ThermalBody body_of(double effusivity, double bulk_temperature = 0) {
     ThermalBody body;
     body.bulk_temperature = bulk_temperature;
@@ -210,7 +210,7 @@ TEST_CASE("The own heat of an element has a temperature in each part of the law"
                 const double mu = coefficient_of_own_heat(law, 0.3, T0, rise);
                 CHECK_THAT(friction_coefficient(law, 0.3, T0 + rise * mu), WithinAbs(mu, 1e-12));
             }
-    // Of rising friction with several solutions the coldest is found.
+    // Where friction rises and has several solutions the coldest is found.
     CHECK(coefficient_of_own_heat({1, 20, 1}, 0.1, 0, 100) == 0.1);
 }
 

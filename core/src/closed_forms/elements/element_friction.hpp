@@ -9,11 +9,11 @@
 
 namespace contactd {
 
-/// Whether FASTSIM has to go by elements: for falling friction, a reduced slope, an elliptic bound, blended or printed
+/// Tells whether FASTSIM goes by elements: for falling friction, a reduced slope, an elliptic bound, blended or printed
 /// flexibilities, or because it is asked to.
 bool needs_elements(const ContactSetup& setup);
 
-/// Whether a model of rolling is one of those of this file, for this set-up.
+/// Tells whether a model of rolling is one of those of this file, for this set-up.
 bool rolls_on_elements(const ContactSetup& setup);
 
 /// Steady rolling of `problem`, which has friction of one coefficient, on a patch. That falls with the velocity

@@ -35,7 +35,7 @@ class DistanceRows {
     /// From the first to the last element below the threshold (mm), and on to where it is crossed between elements;
     /// nothing where no element is below.
     std::optional<RowExtent> below(int iy, double threshold) const;
-    /// The same across: of the least distances of rows.
+    /// Returns that across, by the least distances of rows.
     std::optional<RowExtent> rows_below(double threshold) const;
 
    private:

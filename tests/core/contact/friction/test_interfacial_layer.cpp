@@ -188,7 +188,7 @@ TEST_CASE("between stiff bodies a layer is a brush", "[interfacial_layer]") {
 TEST_CASE("without hardening flow is friction with a smaller bound", "[interfacial_layer]") {
     ContactProblem problem = rolling_steel({0, 120, 0});
     const ContactSolution flowing = solved(problem);
-    // The same bound by coefficients of the elements.
+    // Coefficients of the elements make the same bound.
     problem.friction->layer.reset();
     problem.friction->mu.assign(problem.grid.size(), 0.35);
     for (std::size_t i = 0; i < problem.grid.size(); ++i)

@@ -74,7 +74,7 @@ def gs_row(*values: float) -> str:
 
 
 def interfacial_layer(values: Mapping[str, Any]) -> Iterator[str]:
-    """Of M = 4."""
+    """The constants of M = 4."""
     yield " INTERFACIAL LAYER PARAMETERS"
     yield "     GG3         LAYTHK      TAU_C0      K_TAU"
     yield g_row(*(values[name] for name in ("GG3", "LAYTHK", "TAU_C0", "K_TAU")))

@@ -19,7 +19,7 @@ _TANGENTIAL: dict[int, Model] = {3: "fastsim", 5: "fastrip"}
 
 
 def is_parabolic(case: Case) -> bool:
-    """Whether tractions are bounded by a paraboloid, whose values the program prints as pressures."""
+    """Tells whether tractions are bounded by a paraboloid, whose values the program prints as pressures."""
     return case.digits["B"] == _PARABOLIC
 
 
