@@ -6,6 +6,7 @@
 
 #include "contact_columns_check.hpp"
 #include "contactd/error.hpp"
+#include "contactd/fields/contact_setup.hpp"
 #include "heat/contact_temperature_check.hpp"
 #include "magnitude.hpp"
 #include "number_text.hpp"

@@ -87,9 +87,6 @@ struct ContactSetup {
     std::optional<ContactColumns> columns{};  ///< where the surface is curved along y; absent: a plane
 };
 
-/// The keyword of a model, as on the wire.
-const char* name_of(Model model);
-
 /// Throws InvalidArgument ("simplified.*", "normal_model") for options that do not go with the model.
 void validate_models(const ContactSetup& setup);
 

@@ -11,7 +11,7 @@ namespace {
 
 [[noreturn]] void not_of(const ContactSetup& setup, const char* field, const std::string& value, const char* models) {
     throw InvalidArgument(std::string("simplified.") + field, "is " + value + ", which means something with " + models +
-                                                                  ", and model is " + name_of(setup.model) +
+                                                                  ", and model is " + std::string(name_of(setup.model)) +
                                                                   ": leave it out, or take another model");
 }
 
@@ -23,10 +23,6 @@ void check_reductions(const SimplifiedSettings& settings) {
 }
 
 }  // namespace
-
-const char* name_of(Model model) {
-    return enum_words<Model>[static_cast<std::size_t>(model)].data();
-}
 
 void validate_models(const ContactSetup& setup) {
     const SimplifiedSettings& settings = setup.simplified;

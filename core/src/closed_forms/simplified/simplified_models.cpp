@@ -11,6 +11,7 @@
 #include "closed_forms/elliptic_contact.hpp"
 #include "closed_forms/hertz.hpp"
 #include "contactd/error.hpp"
+#include "contactd/fields/contact_setup.hpp"
 #include "fastsim.hpp"
 #include "simplified_derivatives.hpp"
 #include "vermeulen_johnson.hpp"
