@@ -74,13 +74,6 @@ RightWheel::RightWheel(const WheelRailSetup& setup, const geometry::Profiles& pr
         throw InvalidArgument("state.motion",
                               "is not steady_rolling, and setup.temperature is given; temperatures are those of "
                               "steady rolling");
-    // What particles carry beside their tractions is not kept on the rail.
-    const bool carries = setup_.friction && ((setup_.friction->layer && setup_.friction->layer->hardens()) ||
-                                             (setup_.friction->kinetic && setup_.friction->kinetic->memory));
-    if (state_.motion != WheelRailMotion::steady_rolling && carries)
-        throw InvalidArgument("state.motion",
-                              "is not steady_rolling, and friction.kinetic.memory or friction.layer.hardening travel "
-                              "with the particles, which transient steps of a wheel do not carry yet");
 }
 
 WheelRailSolution RightWheel::solve(Observer& observer) {
@@ -182,7 +175,9 @@ WheelRailSolution RightWheel::at(double z, std::vector<CandidatePatch> candidate
             solution.warnings.push_back(apart_along_normal(found.place.reference, setup_.side));
             continue;
         }
-        solution.patches.push_back(solve(found, history.on(i, found.place.grid), z, observer));
+        ContactProblem problem = problem_of(found);
+        problem.previous = history.on(i, problem);
+        solution.patches.push_back(solve(found, std::move(problem), z, observer));
         if (estimates_ && setup_.model == Model::full)
             estimates.push_back(estimate_of(found, state_.position.x, solution.patches.back().solution));
         const WheelRailPatch& patch = solution.patches.back();
@@ -218,10 +213,8 @@ ContactSolution RightWheel::solve(ContactProblem problem, const CandidatePatch& 
     });
 }
 
-WheelRailPatch RightWheel::solve(CandidatePatch& found, SurfaceState previous, double z, Observer& observer) const {
+WheelRailPatch RightWheel::solve(CandidatePatch& found, ContactProblem problem, double z, Observer& observer) const {
     WheelRailPatch patch;
-    ContactProblem problem = problem_of(found);
-    problem.previous = std::move(previous);
     problem.displacements = state_.displacements;
     if (has_tractions_) problem.initial = estimate_for(found.place, estimates_->patches);
     patch.solution = solve(std::move(problem), found, observer);
@@ -237,7 +230,7 @@ double RightWheel::simplified_force(double z, std::vector<CandidatePatch> candid
     for (CandidatePatch& found : candidates) {
         // Forces of a whole ellipse need no elements, and those that are sums over elements all of them.
         if (!rolls_on_elements(problem_of(found))) found.place.grid = Grid::centred(1, 1, setup_.dx, setup_.dy);
-        force += solve(found, {}, z, observer).forces.track.Fz;
+        force += solve(found, problem_of(found), z, observer).forces.track.Fz;
     }
     return force;
 }

@@ -61,7 +61,7 @@ class RightWheel {
     double expected_height();
     WheelRailSolution at_height(Observer& observer);
     WheelRailSolution at(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer);
-    WheelRailPatch solve(geometry::CandidatePatch& found, SurfaceState previous, double z, Observer& observer) const;
+    WheelRailPatch solve(geometry::CandidatePatch& found, ContactProblem problem, double z, Observer& observer) const;
     TractionHistory history_of(const std::vector<geometry::CandidatePatch>& candidates) const;
     /// Returns the force by a simplified model, which does not depend on elements, and costs less than their arrays.
     double simplified_force(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer) const;

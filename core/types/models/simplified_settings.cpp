@@ -10,9 +10,9 @@ namespace contactd {
 namespace {
 
 [[noreturn]] void not_of(const ContactSetup& setup, const char* field, const std::string& value, const char* models) {
-    throw InvalidArgument(std::string("simplified.") + field, "is " + value + ", which means something with " + models +
-                                                                  ", and model is " + std::string(name_of(setup.model)) +
-                                                                  ": leave it out, or take another model");
+    throw InvalidArgument(std::string("simplified.") + field,
+                          "is " + value + ", which means something with " + models + ", and model is " +
+                              std::string(name_of(setup.model)) + ": leave it out, or take another model");
 }
 
 void check_reductions(const SimplifiedSettings& settings) {

@@ -11,7 +11,7 @@ namespace {
 
 // Bytes of a point of a profile, as given and in its curves; bytes of an element of a patch, in a state with its answer
 // and with the one before it.
-constexpr std::size_t bytes_per_point = 400, bytes_per_element_state = 152, bytes_beside = 65536;
+constexpr std::size_t bytes_per_point = 400, bytes_per_element_state = 184, bytes_beside = 65536;
 constexpr std::size_t points_of_formulae = 2000;  // of what is generated
 
 /// Counts points, which of a file are not known before it is read: a point takes four bytes at least. Its text is kept,

@@ -1,4 +1,5 @@
 // Layers and friction with memory between a wheel and its rail.
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
@@ -8,6 +9,7 @@
 
 using namespace contactd;
 using namespace contactd::test;
+using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
 namespace {
@@ -71,15 +73,54 @@ TEST_CASE("Flow and coefficients of a left wheel are those of a right one in a m
     CHECK(a.plastic_power == b.plastic_power);
 }
 
-TEST_CASE("What particles carry beside their tractions is refused in transient steps of a wheel") {
-    WheelRailState state = creeping();
-    state.motion = WheelRailMotion::transient_rolling;
-    state.time_step = 1e-5;
+TEST_CASE("Transient rolling with memory and a layer that hardens ends as steady rolling") {
     KineticFriction kinetic{SlipLaw::exponential, 0.2, 100};
     kinetic.memory = FrictionMemory{0.01, 1};
-    CHECK(refused(coarse_setup({{{0, 0.35}}, false, kinetic, {}}), state) == "state.motion");
-    CHECK(refused(coarse_setup({{{0, 0.35}}, false, {}, InterfacialLayer{0, 80, 500}}), state) == "state.motion");
-    CHECK(refused(coarse_setup({{{0, 0.35}}, false, {}, InterfacialLayer{1e-5}}), state).empty());
+    WheelRailSetup setup = coarse_setup({{{0, 0.35}}, false, kinetic, InterfacialLayer{1e-5, 80, 5000}});
+    setup.dx = setup.dy = 1;
+    const WheelRailContact contact(setup);
+    WheelRailState state = creeping();
+    state.Fz.reset();
+    Observer observer;
+    state.position.z = contact.solve(creeping(), observer).z;
+    const WheelRailSolution steady = contact.solve(state, observer);
+    state.motion = WheelRailMotion::transient_rolling;
+    state.time_step = 1 / steady.patches.at(0).place.creepages.velocity;
+    WheelRailEstimates left;
+    WheelRailSolution last;
+    for (int step = 0; step < 60; ++step) last = contact.solve(state, left, observer);
+    REQUIRE(last.converged());
+    const ContactSolution &rolling = last.patches.at(0).solution, &expected = steady.patches.at(0).solution;
+    REQUIRE(expected.elements.flow > 0);
+    const double scale = 0.35 * expected.forces.Fn;
+    CHECK_THAT(rolling.forces.Fx, WithinAbs(expected.forces.Fx, 0.01 * scale));
+    CHECK_THAT(rolling.forces.Fy, WithinAbs(expected.forces.Fy, 0.01 * scale));
+    CHECK_THAT(rolling.largest_flow.value(), WithinRel(expected.largest_flow.value(), 0.1));
+    const auto least = [](const ContactSolution& of) {
+        return *std::min_element(of.friction_coefficient.begin(), of.friction_coefficient.end());
+    };
+    CHECK_THAT(least(rolling), WithinAbs(least(expected), 0.005));
+}
+
+TEST_CASE("A layer on a rail hardens by each shift to and fro") {
+    const WheelRailContact contact(coarse_setup({{{0, 0.6}}, false, {}, InterfacialLayer{0, 80, 500}}));
+    Observer observer;
+    WheelRailEstimates left;
+    double before = 80;
+    for (const double y : {0.05, -0.05, 0.05}) {
+        WheelRailState shift = creeping();
+        shift.position.yaw = 0;
+        shift.velocity = {};
+        shift.velocity.y = y;
+        shift.motion = WheelRailMotion::shift;
+        shift.time_step = 1;
+        const WheelRailSolution solution = contact.solve(shift, left, observer);
+        REQUIRE(solution.converged());
+        const std::vector<double>& stress = solution.patches.at(0).solution.yield_stress;
+        const double largest = *std::max_element(stress.begin(), stress.end());
+        CHECK(largest > before + 1);
+        before = largest;
+    }
 }
 
 TEST_CASE("Simplified models of wheels know no layer") {

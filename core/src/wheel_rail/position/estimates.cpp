@@ -54,7 +54,8 @@ Patch estimate_of(const geometry::CandidatePatch& found, double x, const Contact
             found.place.reference.y,
             found.place.on_rail,
             x,
-            {solution.pressure, solution.traction_x, solution.traction_y}};
+            {solution.pressure, solution.traction_x, solution.traction_y, solution.yield_stress,
+             solution.friction_coefficient}};
 }
 
 }  // namespace contactd

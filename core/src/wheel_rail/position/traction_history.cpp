@@ -12,6 +12,20 @@ double value_at(const std::vector<double>& values, std::size_t i) {
     return values.empty() ? 0 : values[i];
 }
 
+std::optional<double> value_if_any(const std::vector<double>& values, std::size_t i) {
+    if (values.empty()) return {};
+    return values[i];
+}
+
+/// What particles bring that have not been in contact, where the friction of the problem carries something.
+void begin_friction_state(SurfaceState& state, const ContactProblem& problem) {
+    if (!problem.friction) return;
+    const FrictionLaw& law = *problem.friction;
+    if (law.layer && law.layer->hardens()) state.yield_stress.assign(problem.grid.size(), law.layer->yield_stress);
+    if (!law.kinetic || !law.kinetic->memory) return;
+    for (std::size_t i = 0; i < problem.grid.size(); ++i) state.friction_coefficient.push_back(law.mu_of(i));
+}
+
 }  // namespace
 
 TractionHistory::TractionHistory(const std::vector<WheelRailEstimates::Patch>& before,
@@ -37,7 +51,9 @@ TractionHistory::TractionHistory(const std::vector<WheelRailEstimates::Patch>& b
             const long long ix = elements.x + static_cast<int>(i) % elements.nx;
             const long long iy = elements.y + static_cast<int>(i) / elements.nx;
             if (Patch* owner = nearest(ix, iy))
-                owner->tractions.push_back({ix, iy, pressure, along, across});
+                owner->tractions.push_back({ix, iy, pressure, along, across,
+                                            value_if_any(patch.tractions.yield_stress, i),
+                                            value_if_any(patch.tractions.friction_coefficient, i)});
             else
                 left_behind_ += std::hypot(along, across) * patch.grid.element_area();
         }
@@ -85,12 +101,14 @@ Grid TractionHistory::widened(std::size_t patch) const {
     return grid;
 }
 
-SurfaceState TractionHistory::on(std::size_t patch, const Grid& grid) const {
+SurfaceState TractionHistory::on(std::size_t patch, const ContactProblem& problem) const {
+    const Grid& grid = problem.grid;
     const Patch& now = patches_[patch];
     if (now.tractions.empty()) return {};
     const Elements elements = elements_of(grid, now.on_rail);
     SurfaceState state;
     for (auto* values : {&state.pressure, &state.traction_x, &state.traction_y}) values->resize(grid.size());
+    begin_friction_state(state, problem);
     for (const Traction& traction : now.tractions) {
         if (elements.beside(traction.x, traction.y) > 0) continue;
         const std::size_t i =
@@ -99,6 +117,9 @@ SurfaceState TractionHistory::on(std::size_t patch, const Grid& grid) const {
         state.pressure[i] = traction.pressure;
         state.traction_x[i] = traction.along;
         state.traction_y[i] = traction.across;
+        if (traction.yield_stress && !state.yield_stress.empty()) state.yield_stress[i] = *traction.yield_stress;
+        if (traction.friction_coefficient && !state.friction_coefficient.empty())
+            state.friction_coefficient[i] = *traction.friction_coefficient;
     }
     return state;
 }

@@ -1,9 +1,10 @@
 // Tractions that a step which is not steady goes on from.
 #pragma once
 
+#include <optional>
 #include <vector>
 
-#include "contactd/contact_load.hpp"
+#include "contactd/contact.hpp"
 #include "contactd/wheel_rail_estimates.hpp"
 #include "contactd/wheel_rail_state.hpp"
 #include "geometry/position.hpp"
@@ -21,8 +22,9 @@ class TractionHistory {
 
     /// Returns the grid of a patch with the elements that its tractions lie on.
     Grid widened(std::size_t patch) const;
-    /// On the elements of a patch, whose grid is `grid` now; empty where there are none.
-    SurfaceState on(std::size_t patch, const Grid& grid) const;
+    /// On the elements of the problem of a patch; empty where there are none. What particles carry beside tractions is
+    /// there if its friction asks for that.
+    SurfaceState on(std::size_t patch, const ContactProblem& problem) const;
     /// How large a force (N) is left behind, on elements too far away.
     double force_left_behind() const { return left_behind_; }
 
@@ -37,6 +39,7 @@ class TractionHistory {
     struct Traction {
         long long x, y;
         double pressure, along, across;
+        std::optional<double> yield_stress{}, friction_coefficient{};
     };
     struct Patch {
         Grid grid;
