@@ -74,9 +74,11 @@ class _Description:
         for unit in units:
             if unit["name"] not in used:
                 continue
-            exponents = {base: str(unit[base]) for base in ("kg", "m", "s", "rad") if unit[base]}
+            exponents = {base: str(unit[base]) for base in ("kg", "m", "s", "K", "rad") if unit[base]}
             factor = {} if unit["factor"] == 1 else {"factor": repr(float(unit["factor"]))}
-            ET.SubElement(ET.SubElement(definitions, "Unit", name=unit["name"]), "BaseUnit", {**exponents, **factor})
+            offset = {"offset": repr(float(unit["offset"]))} if unit["offset"] else {}
+            base = {**exponents, **factor, **offset}
+            ET.SubElement(ET.SubElement(definitions, "Unit", name=unit["name"]), "BaseUnit", base)
 
     def enumerations(self) -> Iterator[Json]:
         """Each once."""

@@ -48,7 +48,9 @@ int main() {
                                 {"kg", unit.kg},
                                 {"m", unit.m},
                                 {"s", unit.s},
-                                {"rad", unit.rad}});
+                                {"rad", unit.rad},
+                                {"K", unit.K},
+                                {"offset", unit.offset}});
     for (const Kind& kind : kinds()) {
         ordered_json variables = ordered_json::array();
         for (const Variable& variable : kind.variables) variables.push_back(described(variable));

@@ -77,8 +77,9 @@ std::uint64_t digest_of(std::span<const std::byte> bytes) {
     return digest.value();
 }
 
-constexpr std::vector<double> Carried::* parts[] = {&Carried::solved, &Carried::pressure, &Carried::traction_x,
-                                                    &Carried::traction_y};
+constexpr std::vector<double> Carried::* parts[] = {&Carried::solved,       &Carried::pressure,
+                                                    &Carried::traction_x,   &Carried::traction_y,
+                                                    &Carried::yield_stress, &Carried::friction_coefficient};
 
 }  // namespace
 

@@ -19,8 +19,18 @@ consteval std::size_t at(std::string_view name) {
 enum { steady, transient, shift };  // motion_keywords
 enum { full };                      // model_keywords
 
-/// These a step leaves to the next.
-constexpr const char* arrays[] = {"pressure", "traction_x", "traction_y"};
+/// These a step may leave to the next.
+constexpr struct {
+    const char* name;
+    std::vector<double> Carried::* values;
+} arrays[] = {
+    {"pressure", &Carried::pressure},
+    {"traction_x", &Carried::traction_x},
+    {"traction_y", &Carried::traction_y},
+    {"yield_stress", &Carried::yield_stress},
+    {"friction_coefficient", &Carried::friction_coefficient},
+};
+constexpr std::size_t yield_stress = 3, friction_coefficient = 4;
 
 }  // namespace
 
@@ -29,22 +39,23 @@ void ContactModel::start(const Values& values, const Carried& from) {
     ContactHandle contact = made(values);
     contactd_contact* c = contact.get();
     const bool goes_on = !from.pressure.empty();
-    if (goes_on) {
-        const std::vector<double>* const carried[] = {&from.pressure, &from.traction_x, &from.traction_y};
-        for (std::size_t i = 0; i < std::size(arrays); ++i) {
-            const std::string path = std::string("previous.") + arrays[i];
-            check(
-                contactd_set_array(c, path.c_str(), carried[i]->data(), static_cast<std::int32_t>(carried[i]->size())),
-                c);
-        }
+    has_history_ = values.whole(at("model")) == full;
+    const bool rubs = has_history_ && !values.is(at("friction.none")) && values.whole(at("motion.kind")) != steady;
+    hardens_ = rubs && values[at("friction.layer.yield_stress")] != 0 && values[at("friction.layer.hardening")] != 0;
+    remembers_ = rubs && values.is(at("friction.kinetic.law")) && values[at("friction.kinetic.memory.distance")] != 0;
+    for (std::size_t i = 0; goes_on && i < std::size(arrays); ++i) {
+        const std::vector<double>& carried = from.*arrays[i].values;
+        const std::string path = std::string("previous.") + arrays[i].name;
+        if (carries(i))
+            check(contactd_set_array(c, path.c_str(), carried.data(), static_cast<std::int32_t>(carried.size())), c);
     }
     set_load(c, values, values.whole(at("motion.kind")), {});
-    for (const char* array : arrays) check(contactd_want(c, array, goes_on), c);
+    for (std::size_t i = 0; i < std::size(arrays); ++i)
+        if (carries(i)) check(contactd_want(c, arrays[i].name, goes_on), c);
     check(contactd_start(c), c);
     contact_ = std::move(contact);
     from_ = from;
     elements_ = static_cast<std::size_t>(values[at("grid.nx")]) * static_cast<std::size_t>(values[at("grid.ny")]);
-    has_history_ = values.whole(at("model")) == full;
     requests_arrays_ = goes_on;
     requests_derivatives_ = made_ = failed_ = false;
     by_force_ = values.whole(at("load.kind")) == 0;
@@ -57,6 +68,7 @@ ContactHandle ContactModel::made(const Values& values) const {
     check(contactd_new(connection_.get(), &made), connection_.get());
     ContactHandle contact(made);
     set_up(made, values);
+    set_temperature({made, "", contact_variables, values});
     return contact;
 }
 
@@ -101,9 +113,7 @@ void ContactModel::set_load(contactd_contact* c, const Values& values, int motio
         set_field(c, "friction.kinetic.mu", values[at("friction.kinetic.mu")]);
         set_field(c, "friction.kinetic.slip_velocity", values[at("friction.kinetic.slip_velocity")]);
     }
-    set_friction_laws(c, "friction.", values.is(law), [&](const std::string& name) {
-        return values[reference_in(contact_variables, "friction." + name)];
-    });
+    set_friction_laws({c, "", contact_variables, values}, values.is(law));
     if (motion == shift)
         set_shift(c, values, size);
     else
@@ -158,6 +168,10 @@ void ContactModel::read(contactd_contact* c, Values& values) {
         {"motion.eta", at("eta")},
         {"frictional_power", at("power")},
         {"frictional_work", at("work")},
+        {"temperature.largest", at("temperature.largest")},
+        {"temperature.rise", at("temperature.rise")},
+        {"temperature.heat_upper", at("temperature.heat_upper")},
+        {"temperature.heat_lower", at("temperature.heat_lower")},
         {"converged", at("converged")},
     };
     for (const auto& [path, place] : outputs) values[place] = read_field(c, path);
@@ -179,14 +193,22 @@ std::vector<double> ContactModel::array(const char* which) {
     return values;
 }
 
+bool ContactModel::carries(std::size_t array) const {
+    return (array != yield_stress || hardens_) && (array != friction_coefficient || remembers_);
+}
+
 Carried ContactModel::carried() {
     if (!has_history_ || !made_) return from_;
     if (!requests_arrays_) {
-        for (const char* which : arrays) check(contactd_want(contact_.get(), which, 1), contact_.get());
+        for (std::size_t i = 0; i < std::size(arrays); ++i)
+            if (carries(i)) check(contactd_want(contact_.get(), arrays[i].name, 1), contact_.get());
         step_again("tractions");
         requests_arrays_ = true;
     }
-    return {{}, array(arrays[0]), array(arrays[1]), array(arrays[2])};
+    Carried carried;
+    for (std::size_t i = 0; i < std::size(arrays); ++i)
+        if (carries(i)) carried.*arrays[i].values = array(arrays[i].name);
+    return carried;
 }
 
 void ContactModel::cancel() {

@@ -28,6 +28,8 @@ class ContactModel final : public Model {
     static void read(contactd_contact* c, Values& values);
     ContactHandle made(const Values& values) const;
     std::vector<double> array(const char* which);
+    /// The arrays that a step leaves to the next.
+    bool carries(std::size_t array) const;
     /// The last step, solved anew for what it has to bring along. `what` for the sentence when that cannot be.
     void step_again(const char* what);
 
@@ -35,7 +37,8 @@ class ContactModel final : public Model {
     ConnectionHandle connection_;
     ContactHandle contact_;
     std::size_t elements_ = 0;
-    bool has_history_ = false;  // simplified models have none
+    bool has_history_ = false;                  // simplified models have none
+    bool hardens_ = false, remembers_ = false;  // what particles carry beside tractions, but in steady rolling
     bool requests_arrays_ = false, requests_derivatives_ = false;
     bool by_force_ = true, shifts_ = false, force_is_prescribed_ = false;
     double step_size_ = 0;

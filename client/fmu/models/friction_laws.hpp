@@ -1,31 +1,54 @@
-// The laws of friction beside the coefficient, of both models alike.
+// The laws of friction beside the coefficient, and what bodies have to do with heat, of both models alike.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "handles.hpp"
+#include "variables/variable.hpp"
 
 namespace contactd::fmu {
 
-/// Sets what of a second term, of memory and of a layer the variables ask for. `value` gives that of a variable below
-/// "friction.", whose name is its path below `prefix`, too.
-template <class Value>
-void set_friction_laws(void* handle, const std::string& prefix, bool falls, const Value& value) {
-    const auto set = [&](const char* name) { set_field(handle, prefix + name, value(name)); };
-    const auto is_there = [&](const char* name) { return value(name) != 0; };
-    if (falls && is_there("kinetic.second.fall")) {
-        set("kinetic.second.fall");
-        set("kinetic.second.slip_velocity");
+/// Numbers by their variables, of which the names are paths of fields below a prefix, too.
+class NamedValues {
+   public:
+    NamedValues(void* handle, std::string prefix, std::span<const Variable> variables, const Values& values)
+        : handle_(handle), prefix_(std::move(prefix)), variables_(variables), values_(values) {}
+
+    bool is_there(std::string_view name) const { return values_[reference_in(variables_, name)] != 0; }
+    void set(std::string_view name) const {
+        set_field(handle_, prefix_ + std::string(name), values_[reference_in(variables_, name)]);
     }
-    if (falls && is_there("kinetic.memory.distance")) {
-        set("kinetic.memory.distance");
-        set("kinetic.memory.least_velocity");
+    /// Sets all that is no output and has a name that begins so.
+    void set_below(std::string_view group) const {
+        for (const Variable& variable : variables_)
+            if (variable.role != Role::output && variable.name.starts_with(group)) set(variable.name);
     }
-    if (is_there("layer.flexibility")) set("layer.flexibility");
-    if (!is_there("layer.yield_stress")) return;
-    set("layer.yield_stress");
-    set("layer.hardening");
-    set("layer.residual");
+
+   private:
+    void* handle_;
+    std::string prefix_;
+    std::span<const Variable> variables_;
+    const Values& values_;
+};
+
+/// Sets what of a second term, of memory, of a layer and of temperature the variables ask for.
+inline void set_friction_laws(const NamedValues& values, bool falls) {
+    if (falls && values.is_there("friction.kinetic.second.fall")) values.set_below("friction.kinetic.second.");
+    if (falls && values.is_there("friction.kinetic.memory.distance")) values.set_below("friction.kinetic.memory.");
+    if (values.is_there("friction.temperature.change")) values.set_below("friction.temperature.");
+    if (values.is_there("friction.layer.yield_stress"))
+        values.set_below("friction.layer.");
+    else if (values.is_there("friction.layer.flexibility"))
+        values.set("friction.layer.flexibility");
+}
+
+/// Sets what both bodies have to do with heat, where temperatures are asked for.
+inline void set_temperature(const NamedValues& values) {
+    if (!values.is_there("temperature.computed")) return;
+    for (const char* body : {"temperature.upper.", "temperature.lower."}) values.set_below(body);
 }
 
 }  // namespace contactd::fmu

@@ -17,9 +17,9 @@ namespace contactd::fmu {
 using Tell = std::function<void(Status status, const std::string& sentence)>;
 
 /// A step leaves these behind, beside the values: the numbers that it was solved with; and of a contact the tractions
-/// of each element, in the order of contactd.h. Empty before the first step.
+/// of each element, in the order of contactd.h, and what its particles carry beside these. Empty before the first step.
 struct Carried {
-    std::vector<double> solved, pressure, traction_x, traction_y;
+    std::vector<double> solved{}, pressure{}, traction_x{}, traction_y{}, yield_stress{}, friction_coefficient{};
 };
 
 /// Which derivatives a model has: rows are outputs, columns inputs, by their value references.

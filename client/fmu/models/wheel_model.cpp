@@ -82,13 +82,14 @@ void WheelModel::say(const Values& v) {
     set_fields(w, v, Role::input);
     v.whole(at("vertical")) == 0 ? set("state.Fz", v[at("load.Fz")]) : clear("state.Fz");
     v.is(at("prescribe_Fx")) ? set("state.Fx", v[at("load.Fx")]) : clear("state.Fx");
+    const NamedValues named(w, "setup.", wheel_variables, v);
+    set_temperature(named);
     if (v.is(at("friction.none"))) return clear("setup.friction");
     if (const std::int32_t angles = v.whole(at("friction.angles"));
         angles != 0)  // each angle is beside its coefficient
         check(contactd_set_array(w, "setup.friction.mu", &v.numbers[at("friction.angle[1]")], 2 * angles), w);
     const bool falls = v.whole(at("friction.kinetic.law")) != 0;
-    set_friction_laws(w, "setup.friction.", falls,
-                      [&](const std::string& name) { return v[reference_in(wheel_variables, "friction." + name)]; });
+    set_friction_laws(named, falls);
     if (!falls) return;
     const std::string law(keyword_of(wheel_variables[at("friction.kinetic.law")], v[at("friction.kinetic.law")]));
     check(contactd_set_word(w, "setup.friction.kinetic.law", law.c_str()), w);
@@ -110,16 +111,30 @@ void WheelModel::read(Values& values) {
 void WheelModel::read_patches(Values& values) {
     contactd_wheel* w = wheel_.get();
     constexpr std::size_t first = at("patch[1].x");
-    constexpr std::size_t sums[] = {at("pmax"), at("area.contact"), at("area.adhesion"), at("area.slip"), at("power")};
-    for (const std::size_t sum : sums) values[sum] = 0;
+    static constexpr struct {
+        std::size_t at;
+        const char* path;
+        bool is_largest;
+    } of_patches[] = {
+        {at("pmax"), "solution.pmax", true},
+        {at("area.contact"), "solution.area.contact", false},
+        {at("area.adhesion"), "solution.area.adhesion", false},
+        {at("area.slip"), "solution.area.slip", false},
+        {at("power"), "solution.frictional_power", false},
+        {at("temperature.largest"), "solution.temperature.largest", true},
+        {at("temperature.rise"), "solution.temperature.rise", true},
+        {at("temperature.heat_upper"), "solution.temperature.heat_upper", false},
+        {at("temperature.heat_lower"), "solution.temperature.heat_lower", false},
+    };
+    for (const auto& output : of_patches) values[output.at] = 0;
     std::fill(values.numbers.begin() + first, values.numbers.end(), 0);
     for (int patch = 0; patch < values.whole(at("patches")); ++patch) {
         const std::string path = "patches[" + std::to_string(patch) + "].";
-        values[at("pmax")] = std::max(values[at("pmax")], read_field(w, path + "solution.pmax"));
-        values[at("area.contact")] += read_field(w, path + "solution.area.contact");
-        values[at("area.adhesion")] += read_field(w, path + "solution.area.adhesion");
-        values[at("area.slip")] += read_field(w, path + "solution.area.slip");
-        values[at("power")] += read_field(w, path + "solution.frictional_power");
+        for (const auto& output : of_patches) {
+            const double part = read_field(w, path + output.path);
+            double& whole = values[output.at];
+            whole = patch == 0 ? part : output.is_largest ? std::max(whole, part) : whole + part;
+        }
         if (patch >= patches_reported) continue;
         for (std::size_t part = 0; part < detail::patch_values; ++part)
             values[first + static_cast<std::size_t>(patch) * detail::patch_values + part] =

@@ -13,7 +13,7 @@ class WheelModel final : public Model {
     void start(const Values& values, const Carried& from) override;
     void solve_start(Values& values) override;
     void step(Values& values, double size) override;
-    Carried carried() override { return {solved_, {}, {}, {}}; }
+    Carried carried() override { return {.solved = solved_}; }
     const DerivativePlaces& derivative_places() const override;
     std::vector<double> derivatives() override;
     void cancel() override;

@@ -34,20 +34,36 @@ struct Variable {
     bool zero_is_absent = false;               ///< of such a field: it may be left out, and is where it is 0
 };
 
-/// In the base units of SI: kg^kg m^m s^s rad^rad, times the factor.
+/// In the base units of SI: kg^kg m^m s^s rad^rad K^K, times the factor, and the offset added.
 struct Unit {
     std::string_view name;
     double factor;
     int kg, m, s, rad;
+    int K = 0;
+    double offset = 0;
 };
 
 /// N and mm, as everywhere in contactd; importers convert by the factors.
 inline constexpr Unit units[] = {
-    {"mm", 1e-3, 0, 1, 0, 0},      {"mm2", 1e-6, 0, 2, 0, 0},    {"rad", 1, 0, 0, 0, 1},
-    {"rad/mm", 1e3, 0, -1, 0, 1},  {"s", 1, 0, 0, 1, 0},         {"mm/s", 1e-3, 0, 1, -1, 0},
-    {"rad/s", 1, 0, 0, -1, 1},     {"N", 1, 1, 1, -2, 0},        {"N.mm", 1e-3, 1, 2, -2, 0},
-    {"N.mm/s", 1e-3, 1, 2, -3, 0}, {"N/mm2", 1e6, 1, -1, -2, 0}, {"N/mm", 1e3, 1, 0, -2, 0},
-    {"mm3/N", 1e-9, -1, 2, 2, 0},  {"N/mm3", 1e9, 1, -2, -2, 0},
+    {"mm", 1e-3, 0, 1, 0, 0},
+    {"mm2", 1e-6, 0, 2, 0, 0},
+    {"rad", 1, 0, 0, 0, 1},
+    {"rad/mm", 1e3, 0, -1, 0, 1},
+    {"s", 1, 0, 0, 1, 0},
+    {"mm/s", 1e-3, 0, 1, -1, 0},
+    {"rad/s", 1, 0, 0, -1, 1},
+    {"N", 1, 1, 1, -2, 0},
+    {"N.mm", 1e-3, 1, 2, -2, 0},
+    {"N.mm/s", 1e-3, 1, 2, -3, 0},
+    {"N/mm2", 1e6, 1, -1, -2, 0},
+    {"N/mm", 1e3, 1, 0, -2, 0},
+    {"mm3/N", 1e-9, -1, 2, 2, 0},
+    {"N/mm3", 1e9, 1, -2, -2, 0},
+    {"K", 1, 0, 0, 0, 0, 1},
+    {"degC", 1, 0, 0, 0, 0, 1, 273.15},
+    {"W/(m.K)", 1, 1, 1, -3, 0, -1},
+    {"J/(kg.K)", 1, 0, 2, -2, 0, -1},
+    {"kg/m3", 1, 1, -3, 0, 0},
 };
 
 constexpr Variable real(std::string_view name, Role role, std::string_view unit, double start, std::string_view says) {

@@ -107,6 +107,27 @@ def test_a_layer_a_rigid_body_and_falling_friction_are_taken(contact):
         assert [outputs[name] for name in NAMES] == c_answers(direct)
 
 
+def test_temperatures_and_friction_that_follows_them_are_those_of_the_c_interface(contact):
+    fmu = contact().start({
+        "temperature.computed": True, "temperature.lower.conductivity": 20.0, "temperature.upper.bulk_temperature": 150.0,
+        "friction.temperature.change": -0.1, "friction.temperature.reference": 20.0, "friction.temperature.range": 300.0,
+    })  # fmt: skip
+    outputs = fmu.step({"motion.xi": 0.01})
+    with c_interface.contact() as direct:
+        set_up(direct)
+        direct.set({"Fn": 50e3, "friction.rolling.xi": 0.01, "friction.rolling.velocity": 20e3})
+        direct.set({"friction.temperature.change": -0.1, "friction.temperature.reference": 20, "friction.temperature.range": 300})
+        direct.set({"temperature.upper.bulk_temperature": 150, "temperature.lower.conductivity": 20})
+        direct.start()
+        direct.step()
+        assert [outputs[name] for name in NAMES] == c_answers(direct)
+        for name in ("largest", "rise", "heat_upper", "heat_lower"):
+            assert outputs[f"temperature.{name}"] == direct.get(f"temperature.{name}")
+    assert outputs["temperature.largest"] > 100
+    assert abs(outputs["Fx"]) < 0.29 * 50e3
+    assert contact(name="cold").start({}).step({"motion.xi": 0.01})["temperature.largest"] == 0
+
+
 def test_ten_instances_at_once_do_not_meet(contact):
     several = [contact(name=f"contact {k}").start({"model": 2}) for k in range(10)]
     alone = [contact(name="alone").start({"model": 2}).step({"motion.xi": 1e-4 * k})["Fx"] for k in range(10)]

@@ -10,7 +10,14 @@ KINDS = {
     "shift": {"motion.kind": 2},
     "unlike bodies": {"lower.G": 20000.0, "motion.kind": 1, "motion.velocity": 560.0},
     "fastsim": {"model": 2},
-}
+    "a layer that hardens": {
+        "motion.kind": 1, "motion.velocity": 560.0, "friction.layer.yield_stress": 40.0, "friction.layer.hardening": 2e3,
+    },
+    "memory": {
+        "motion.kind": 1, "motion.velocity": 560.0, "friction.kinetic.law": 2, "friction.kinetic.slip_velocity": 0.1,
+        "friction.kinetic.memory.distance": 1e-3,
+    },
+}  # fmt: skip
 SMALL = {"grid.nx": 15, "grid.ny": 15, "grid.dx": 1.0, "grid.dy": 1.0}
 
 

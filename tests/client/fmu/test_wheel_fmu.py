@@ -233,3 +233,16 @@ def test_fields_are_those_of_the_c_interface_to_the_last_bit(wheel):
         direct.solve()
         assert [outputs[name] for name in FORCES] == direct.array("forces.track")
         assert outputs["rail_deflection.z"] == direct.get("rail_deflection.z")
+
+
+def test_temperatures_of_rail_and_wheel_are_those_of_the_hottest_patch(wheel):
+    fmu = wheel().start({**COARSE, "temperature.computed": True})
+    outputs = fmu.step({**values_at(2), "temperature.lower.bulk_temperature": 120.0})
+    with c_interface.wheel() as direct:
+        set_up(direct, 2)
+        direct.set({"setup.temperature.upper.bulk_temperature": 0, "setup.temperature.lower.bulk_temperature": 120})
+        direct.solve()
+        patches = [f"patches[{patch}].solution" for patch in range(int(direct.get("patches")))]
+        assert outputs["temperature.largest"] == max(direct.get(f"{patch}.temperature.largest") for patch in patches) > 60
+        assert outputs["temperature.heat_lower"] == sum(direct.get(f"{patch}.temperature.heat_lower") for patch in patches)
+        assert outputs["power"] == sum(direct.get(f"{patch}.frictional_power") for patch in patches)
