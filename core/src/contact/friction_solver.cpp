@@ -95,7 +95,8 @@ class FrictionSolver::Area {
     }
 
     void start_on_coarser(const FrictionTask& task, const Observer& observer) {
-        const FrictionStart start = contactd::start_on_coarser(bodies_, contact_, task.forces, task.uniform, observer);
+        const FrictionStart start = contactd::start_on_coarser(bodies_, contact_, task.forces, task.uniform,
+                                                               flow_ ? &*flow_ : nullptr, observer);
         newton_.start(start.tractions, start.uniform);
     }
 

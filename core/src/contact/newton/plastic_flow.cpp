@@ -66,7 +66,8 @@ void PlasticFlow::divide_by_size(Field& p, std::vector<char>& slips) {
 
 void PlasticFlow::divide_by_slip(Field& p, const Field& s, double push, std::vector<char>& slips) {
     // Where an element slips along its traction flow ends, but not before the traction is back at the yield stress.
-    // Hardening that is much stiffer than the bodies is nearly adhesion, and ends at once.
+    // Hardening that is much stiffer than the bodies is nearly adhesion, and ends at once. In steady rolling elements
+    // that begin to flow from the bound of friction leave it at once: it would be the yield stress of all behind them.
     const double k = law_.hardening / law_.diagonal(), held = from_push * push;
     const auto divide = [&](std::size_t e, double v) {
         incoming_[e] = v;
@@ -83,9 +84,11 @@ void PlasticFlow::divide_by_slip(Field& p, const Field& s, double push, std::vec
         } else if (slips[e] && v < g && (k < 0 || v + k * flow < g * (1 - on_bound))) {
             slips[e] = 0;
             flows_[e] = 1;
+            if (k > 0 && law_.upstream) scale(p, e, v + k * std::max(flow, 0.0));
         } else if (!slips[e] && v < g && length > v * (1 + on_bound) &&
                    (flow >= -held || (!is_stiff && length > v * (1 + near_bound)))) {
             flows_[e] = 1;
+            if (flow < -held && k > 0 && law_.upstream) scale(p, e, v);
         }
         return behind(e, v, size(p, e), slips[e] != 0);
     };

@@ -22,10 +22,21 @@ std::optional<RowExtent> extent_below(int count, double first, double step, doub
     return RowExtent{0.5 * (low + high), 0.5 * (high - low)};
 }
 
+/// Sums of the powers 0 to 4 of the whole numbers from `from` to `to`.
+std::array<double, 5> power_sums(int from, int to) {
+    const auto up_to = [](double n) -> std::array<double, 5> {
+        const double first = 0.5 * n * (n + 1);
+        return {n, first, first * (2 * n + 1) / 3, first * first, first * (2 * n + 1) * (3 * n * n + 3 * n - 1) / 15};
+    };
+    const auto all = up_to(to), below = up_to(from - 1);
+    std::array<double, 5> sums{};
+    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = all[k] - below[k];
+    return sums;
+}
+
 // The parabola by least squares of the values that lie less than `depth` above the least one, three of them at least.
 // Sums are taken about the element of the least one, in units of elements.
-RowParabola parabola_of(const Grid& grid, std::span<const double> row, double depth) {
-    const auto lowest = static_cast<int>(std::ranges::min_element(row) - row.begin());
+RowParabola parabola_of(const Grid& grid, std::span<const double> row, int lowest, double depth) {
     const double least = row[static_cast<std::size_t>(lowest)];
     RowParabola result{grid.x(lowest), least, 0};
     if (grid.nx < 3) return result;
@@ -33,15 +44,13 @@ RowParabola parabola_of(const Grid& grid, std::span<const double> row, double de
     int from = std::clamp(lowest - 1, 0, grid.nx - 3), to = from + 2;
     while (from > 0 && value(from - 1) < depth) --from;
     while (to < grid.nx - 1 && value(to + 1) < depth) ++to;
-    std::array<double, 5> t{};
+    const std::array<double, 5> t = power_sums(from - lowest, to - lowest);
     std::array<double, 3> f{};
     for (int ix = from; ix <= to; ++ix) {
-        const double s = ix - lowest;
-        double power = 1;
-        for (std::size_t k = 0; k < 5; ++k, power *= s) {
-            t[k] += power;
-            if (k < 3) f[k] += power * value(ix);
-        }
+        const double s = ix - lowest, h = value(ix);
+        f[0] += h;
+        f[1] += s * h;
+        f[2] += s * s * h;
     }
     // Cramer's rule for c0 + c1 s + c2 s^2.
     const auto determinant = [](double a, double b, double c, double d, double e, double g, double h, double i,
@@ -60,18 +69,46 @@ RowParabola parabola_of(const Grid& grid, std::span<const double> row, double de
 
 }  // namespace
 
-DistanceRows::DistanceRows(const Grid& grid, std::span<const double> distance, double depth)
-    : grid_(grid), distance_(distance.begin(), distance.end()) {
-    deepest_element_ = static_cast<std::size_t>(std::ranges::min_element(distance_) - distance_.begin());
-    deepest_row_ = static_cast<int>(deepest_element_ / static_cast<std::size_t>(grid.nx));
-    parabolas_.reserve(static_cast<std::size_t>(grid.ny));
-    for (int iy = 0; iy < grid.ny; ++iy) parabolas_.push_back(parabola_of(grid, row(iy), depth));
+DistanceRows::DistanceRows(const Grid& grid, std::span<const double> distance)
+    : grid_(grid), distance_(distance), parabolas_(static_cast<std::size_t>(grid.ny)) {
+    lowest_.reserve(parabolas_.size());
+    double least = distance[0];
+    for (int iy = 0; iy < grid.ny; ++iy) {
+        const auto values = row(iy);
+        const auto lowest = std::ranges::min_element(values);
+        lowest_.push_back(static_cast<int>(lowest - values.begin()));
+        if (iy > 0 && !(*lowest < least)) continue;
+        least = *lowest;
+        deepest_row_ = iy;
+    }
+    deepest_element_ = static_cast<std::size_t>(deepest_row_) * static_cast<std::size_t>(grid.nx) +
+                       static_cast<std::size_t>(lowest_[static_cast<std::size_t>(deepest_row_)]);
+    take_parabolas(0);
+}
+
+void DistanceRows::take_parabolas(double depth) {
+    for (int iy = 0; iy < grid_.ny; ++iy) {
+        const auto at = static_cast<std::size_t>(iy);
+        parabolas_[at] = parabola_of(grid_, row(iy), lowest_[at], depth);
+    }
     least_ = std::min(parabola(deepest_row_).least, distance_[deepest_element_]);
+}
+
+double DistanceRows::curvature_across(int iy) const {
+    if (grid_.ny < 3) return 0;
+    const int inner = std::clamp(iy, 1, grid_.ny - 2);
+    const double second = parabola(inner + 1).least - 2 * parabola(inner).least + parabola(inner - 1).least;
+    return 0.5 * second / (grid_.dy * grid_.dy);
+}
+
+std::array<double, 2> DistanceRows::curvatures() const {
+    return {std::max(parabola(deepest_row_).curvature, least_along),
+            std::max(curvature_across(deepest_row_), least_across)};
 }
 
 std::span<const double> DistanceRows::row(int iy) const {
     const auto columns = static_cast<std::size_t>(grid_.nx);
-    return std::span(distance_).subspan(static_cast<std::size_t>(iy) * columns, columns);
+    return distance_.subspan(static_cast<std::size_t>(iy) * columns, columns);
 }
 
 std::optional<RowExtent> DistanceRows::below(int iy, double threshold) const {

@@ -8,9 +8,6 @@
 namespace contactd {
 namespace {
 
-// Curvatures below are not those of a body that touches at a point.
-constexpr double least_across = 1e-4, least_along = 1e-7;  // 1/mm
-
 HertzContact hertz(double along, double across, double compliance, double approach) {
     return hertz_of_approach({0.5 / along, 0.5 / across}, compliance, approach);
 }
@@ -69,15 +66,14 @@ PenetrationPressures analyn_pressures(const DistanceRows& rows, double d, double
     constexpr double everywhere = 1e300;
     for (int iy = 0; iy < grid.ny; ++iy) {
         if (!(height(iy) < d)) continue;  // the divisor of Hertz's contact below is smaller than d
-        const int inner = std::clamp(iy, 1, grid.ny - 2);
-        const double second = height(inner + 1) - 2 * height(inner) + height(inner - 1);
-        const double curvature = 0.5 * second / (grid.dy * grid.dy);
+        const double curvature = rows.curvature_across(iy);
         const double A = std::max(rows.parabola(iy).curvature, least_along), B = std::max(curvature, least_across);
         const HertzContact ellipse = hertz(A, B, compliance, d);
         const double rest = d - d / (B * ellipse.b * ellipse.b) * height(iy);
         if (!(rest > 0)) continue;
         found.is_beyond = found.is_beyond || !(curvature > least_across);
-        const double half = ellipse.a * std::sqrt(rest / d), pmax = hertz(A, B, compliance, rest).pmax;
+        // Hertz's contacts of the same surfaces are alike.
+        const double size = std::sqrt(rest / d), half = ellipse.a * size, pmax = ellipse.pmax * size;
         add_half_ellipse(rows, iy, {rows.parabola(iy).middle, half}, pmax / half, everywhere, found.pressure);
     }
     return found;

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 
-#include "contactd/half_space.hpp"
+#include "closed_forms/hertz.hpp"
 #include "penetration_models.hpp"
 #include "types/number_text.hpp"
 
@@ -17,31 +18,38 @@ constexpr int most_rounds = 100;
 class Penetration {
    public:
     Penetration(const ContactProblem& problem, std::span<const double> distance)
-        : problem_(problem), distance_(distance), compliance_(problem.bodies.materials().normal_compliance()) {
-        least_ = DistanceRows(problem.grid, distance, 0).least();
+        : problem_(problem),
+          distance_(distance),
+          rows_(problem.grid, distance),
+          compliance_(problem.bodies.materials().normal_compliance()),
+          least_(rows_.least()) {
         for (const double h : distance) rounding_ = std::max(rounding_, 1e-14 * std::abs(h));
     }
 
     double least() const { return least_; }
+    /// The depth that Hertz's theory expects of a force, by the curvatures where the surfaces are nearest.
+    double expected_depth(double Fn) const {
+        const auto [along, across] = rows_.curvatures();
+        return hertz_of_force({0.5 / along, 0.5 / across}, compliance_, Fn).approach;
+    }
     /// Overlaps up to this are none (mm).
     double rounding() const { return rounding_; }
 
     /// Pressures for d, the approach less the least distance; returns the force (N).
     double solve(double d) {
-        const DistanceRows rows(problem_.grid, distance_, d);
+        rows_.take_parabolas(d);
         switch (problem_.normal_model) {
             case NormalModel::kp:
-                found_ = kp_shape(rows, d);
+                found_ = kp_shape(rows_, d);
                 break;
             case NormalModel::kpec:
-                found_ = kpec_shape(rows, d, compliance_);
+                found_ = kpec_shape(rows_, d, compliance_);
                 break;
             default:
-                found_ = analyn_pressures(rows, d, compliance_);
+                found_ = analyn_pressures(rows_, d, compliance_);
                 break;
         }
-        if (problem_.normal_model != NormalModel::analyn)
-            scale(rows, d + rows.least() - distance_[rows.deepest_element()]);
+        if (problem_.normal_model != NormalModel::analyn) scale(d + rows_.least() - distance_[rows_.deepest_element()]);
         double sum = 0;
         for (const double p : found_.pressure) sum += p;
         return sum * problem_.grid.element_area();
@@ -51,11 +59,11 @@ class Penetration {
 
    private:
     /// Gives the pressures the size whose displacement at the deepest element is `overlap`.
-    void scale(const DistanceRows& rows, double overlap) {
+    void scale(double overlap) {
         const Grid& grid = problem_.grid;
         const auto columns = static_cast<std::size_t>(grid.nx);
-        const std::size_t deepest = rows.deepest_element();
-        make_coefficients();
+        const std::size_t deepest = rows_.deepest_element();
+        make_coefficients(deepest);
         double displacement = 0;
         for (std::size_t i = 0; i < found_.pressure.size(); ++i) {
             if (!(found_.pressure[i] > 0)) continue;
@@ -67,38 +75,55 @@ class Penetration {
         for (double& p : found_.pressure) p *= overlap / displacement;
     }
 
-    /// Those of both bodies together, by distance in elements: a half-space with the sum of their compliances.
-    void make_coefficients() {
+    /// Those of both bodies together, by distance from an element in elements, as far as the grid goes on from there: a
+    /// half-space with the sum of their compliances.
+    void make_coefficients(std::size_t from) {
         if (!coefficients_.empty()) return;
         const Grid& grid = problem_.grid;
-        const Material both{1 / (2 * compliance_), 0};
-        coefficients_.reserve(grid.size());
-        for (int iy = 0; iy < grid.ny; ++iy)
-            for (int ix = 0; ix < grid.nx; ++ix)
-                coefficients_.push_back(
-                    half_space_coefficient(Axis::z, Axis::z, ix * grid.dx, iy * grid.dy, grid.dx, grid.dy, both));
+        const auto ix0 = static_cast<int>(from) % grid.nx, iy0 = static_cast<int>(from) / grid.nx;
+        const int nx = std::max(ix0, grid.nx - 1 - ix0) + 1, ny = std::max(iy0, grid.ny - 1 - iy0) + 1;
+        // By Love's formula for a rectangle (Johnson, section 3.3), a sum over its corners.
+        std::vector<double> corners;
+        corners.reserve(static_cast<std::size_t>(nx + 1) * static_cast<std::size_t>(ny + 1));
+        for (int iy = 0; iy <= ny; ++iy)
+            for (int ix = 0; ix <= nx; ++ix) {
+                const double x = (ix - 0.5) * grid.dx, y = (iy - 0.5) * grid.dy;
+                corners.push_back(x * std::asinh(y / std::abs(x)) + y * std::asinh(x / std::abs(y)));
+            }
+        coefficients_.resize(grid.size());
+        for (int iy = 0; iy < ny; ++iy)
+            for (int ix = 0; ix < nx; ++ix) {
+                const auto low = static_cast<std::size_t>(iy * (nx + 1) + ix),
+                           high = low + static_cast<std::size_t>(nx) + 1;
+                coefficients_[static_cast<std::size_t>(iy * grid.nx + ix)] =
+                    compliance_ / std::numbers::pi *
+                    (corners[high + 1] - corners[high] - corners[low + 1] + corners[low]);
+            }
     }
 
     const ContactProblem& problem_;
     std::span<const double> distance_;
-    double compliance_, least_ = 0, rounding_ = 0;
+    DistanceRows rows_;
+    double compliance_, least_, rounding_ = 0;
     std::vector<double> coefficients_;
     PenetrationPressures found_;
 };
 
-/// d for a force, by the rule of false position on a force that grows as d^(3/2), within brackets that are doubled.
+/// d for a force, by the rule of false position on a force that grows as d^(3/2), within brackets that grow from
+/// `start` on, the faster the longer it takes.
 double depth_for(Penetration& penetration, double Fn, double start, SolverEvidence& evidence) {
     const auto excess = [&](double d) {
         ++evidence.iterations;
         const double force = penetration.solve(d);
         evidence.residual = std::abs(force - Fn) / Fn;
-        return std::cbrt(force / Fn) - 1;
+        return std::cbrt((force / Fn) * (force / Fn)) - 1;
     };
     double low = 0, high = start, at_low = -1, at_high = excess(high);
-    while (at_high < 0 && evidence.iterations < most_rounds) {
+    for (double beyond = 1.02; at_high < 0 && evidence.iterations < most_rounds;
+         beyond = std::min(beyond * beyond, 2.0)) {
         low = high;
         at_low = at_high;
-        high *= 2;
+        high *= beyond / (1 + at_high > 0.5 ? 1 + at_high : 0.5);
         at_high = excess(high);
     }
     double d = high;
@@ -149,10 +174,7 @@ PenetrationContact penetration_contact(const ContactProblem& problem, std::span<
     contact.pressure.resize(problem.grid.size());
     double d = problem.approach ? *problem.approach - penetration.least() : 0;
     if (problem.Fn && *problem.Fn > 0) {
-        const Grid& grid = problem.grid;
-        const double across = std::sqrt(grid.element_area() * static_cast<double>(grid.size()));
-        const double start = *problem.Fn * problem.bodies.materials().normal_compliance() / across;
-        d = depth_for(penetration, *problem.Fn, start, contact.evidence);
+        d = depth_for(penetration, *problem.Fn, penetration.expected_depth(*problem.Fn), contact.evidence);
         contact.evidence.converged = contact.evidence.residual <= tolerance;
     } else if (d > penetration.rounding()) {
         penetration.solve(d);

@@ -24,7 +24,7 @@ std::optional<FrictionBodies> coarser(const FrictionBodies& bodies) {
 }  // namespace
 
 FrictionStart start_on_coarser(const FrictionBodies& fine, const Contact& contact,
-                               const std::optional<ForcesGiven>& forces, const Pair& uniform,
+                               const std::optional<ForcesGiven>& forces, const Pair& uniform, const FlowLaw* flow,
                                const Observer& observer) {
     const FrictionStart none{Field(fine.grid.size()), uniform};
     const std::optional<FrictionBodies> bodies = coarser(fine);
@@ -49,9 +49,18 @@ FrictionStart start_on_coarser(const FrictionBodies& fine, const Contact& contac
         coarse_forces->sum /= grid.ratio();
         coarse_forces->tolerance = coarse_tolerance;
     }
+    std::optional<FlowLaw> coarse_flow;
+    if (flow != nullptr) {
+        coarse_flow.emplace(FlowLaw{flow->first, flow->hardening, flow->least, Values(coarse.size()), {}});
+        if (flow->upstream)
+            coarse_flow->upstream.emplace(bodies->grid, bodies->step_x, bodies->step_y, coarse.elements);
+        else
+            coarse.gather(mean(flow->before), coarse_flow->before);
+    }
+    const FlowLaw* law = coarse_flow ? &*coarse_flow : nullptr;
     const auto compliance = compliance_of(*bodies, coarse);
-    FrictionNewton newton(*compliance, coarse, coarse_forces);
-    const FrictionStart start = start_on_coarser(*bodies, coarse, coarse_forces, uniform, observer);
+    FrictionNewton newton(*compliance, coarse, coarse_forces, law);
+    const FrictionStart start = start_on_coarser(*bodies, coarse, coarse_forces, uniform, law, observer);
     newton.start(start.tractions, start.uniform);
     SilentObserver silent(observer);
     if (!newton.iterate(most_coarse_iterations, {coarse_tolerance, most_coarse_iterations}, silent)) return none;

@@ -71,9 +71,11 @@ std::vector<double> ThinSheet::weighted(Axis i, std::span<const double> r) const
 // Makes of M W r, in z, what the whole preconditioner makes of r.
 void ThinSheet::complete(Axis i, std::span<const double> r, std::span<double> z) const {
     const std::vector<double>& bodies = share(i);
+    if (bodies.empty()) return;
+    const double stiffness = 1 / flexibility_.along(i);
     for (std::size_t at = 0; at < bodies.size(); ++at) {
         const double rest = 1 - bodies[at];
-        z[at] = bodies[at] * z[at] + rest * rest * r[at] / flexibility_.along(i);
+        z[at] = bodies[at] * z[at] + stiffness * rest * rest * r[at];
     }
 }
 

@@ -225,6 +225,23 @@ TEST_CASE("a layer that hardens looks the same from both sides", "[interfacial_l
     CHECK_THAT(back.forces.Fx, WithinRel(-right.forces.Fx, 1e-8));
 }
 
+// Elements that slip where all of a row flows in the end begin to flow together, not one an iteration.
+TEST_CASE("a layer that hardens takes no more iterations on many elements than on few", "[interfacial_layer]") {
+    const auto forces_of = [](int n) {
+        ContactProblem problem =
+            steel(Grid::centred(n, n, 13.2 / n, 8.8 / n), 460, 300, 50000, 0.3, InterfacialLayer{2e-5, 100, 5000});
+        problem.motion = Rolling{.xi = 2e-3, .eta = 1e-3, .phi = 1e-4};
+        problem.settings = {};
+        const ContactSolution solution = solved(problem);
+        CHECK(solution.evidence.tangential->iterations < 25);
+        CHECK(solution.elements.flow > solution.elements.contact / 2);
+        return solution.forces;
+    };
+    const Forces few = forces_of(50), many = forces_of(200);
+    CHECK_THAT(many.Fx, WithinRel(few.Fx, 0.02));
+    CHECK_THAT(many.Fy, WithinRel(few.Fy, 0.02));
+}
+
 TEST_CASE("prescribed forces are met through a layer that hardens", "[interfacial_layer]") {
     ContactProblem problem = rolling_steel({2e-5, 120, 9000});
     std::get<Rolling>(problem.motion).force = {-3952.53203, 1455.92558};
