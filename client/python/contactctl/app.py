@@ -13,6 +13,7 @@ from contactd import __version__
 from .codes import Code
 from .commands import (
     bench,
+    compare,
     completion,
     contact,
     dashboard,
@@ -43,7 +44,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
-for family in (info, tables, solve, wheelrail, profile, contact, session, jobs, watch, bench, dashboard, keys, study, completion):
+for family in (info, tables, solve, wheelrail, profile, contact, compare, session, jobs, watch, bench, dashboard, keys, study, completion):
     family.add_to(app)
 
 

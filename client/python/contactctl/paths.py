@@ -3,65 +3,39 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Iterable
 from typing import Any
 
 import click
 
-__all__ = ["changed", "copied", "get", "parts", "put"]
+from contactd.values import field_paths
+from contactd.values.field_paths import copied
 
-_PART = re.compile(r"([A-Za-z_$][\w$]*)((?:\[[0-9]{1,9}\])*)")
+__all__ = ["changed", "copied", "get", "parts", "put"]
 
 
 def parts(path: str) -> list[str | int]:
     """Names and indices. Raises click.UsageError."""
-    found: list[str | int] = []
-    for piece in path.strip().split("."):
-        matched = _PART.fullmatch(piece)
-        if matched is None:
-            raise click.UsageError(f"{path!r} is no path of a field; one is like friction.rolling.xi or ics.layers[0].G.")
-        found.append(matched[1])
-        found.extend(int(index) for index in re.findall(r"\d+", matched[2]))
-    return found
+    try:
+        return field_paths.parts(path)
+    except ValueError as error:
+        raise click.UsageError(str(error)) from None
 
 
 def put(document: Any, path: str, value: Any) -> None:
-    """Changes `document`; objects on the way are made where they are missing or null."""
-    *way, last = parts(path)
-    at = document
-    for part in way:
-        if isinstance(part, str) and isinstance(at, dict):
-            if at.get(part) is None:
-                at[part] = {}
-            at = at[part]
-        else:
-            at = _member(at, part, path)
-    if isinstance(last, str) and isinstance(at, dict):
-        at[last] = value
-    else:
-        _member(at, last, path)
-        at[last] = value
+    """Changes `document`; objects on the way are made where they are missing or null. Raises click.UsageError."""
+    try:
+        field_paths.put(document, path, value)
+    except ValueError as error:
+        raise click.UsageError(str(error)) from None
 
 
 def get(document: Any, path: str) -> Any:
-    """The value there; None where there is none."""
-    at = document
-    for part in parts(path):
-        try:
-            at = at[part]
-        except (KeyError, IndexError, TypeError):
-            return None
-    return at
-
-
-def copied(document: Any) -> Any:
-    """A copy of objects and lists; arrays stay the same ones."""
-    if isinstance(document, dict):
-        return {name: copied(member) for name, member in document.items()}
-    if isinstance(document, list):
-        return [copied(member) for member in document]
-    return document
+    """The value there; None where there is none. Raises click.UsageError for what is no path."""
+    try:
+        return field_paths.get(document, path)
+    except ValueError as error:
+        raise click.UsageError(str(error)) from None
 
 
 def changed(document: dict[str, Any], settings: Iterable[str]) -> dict[str, Any]:
@@ -80,11 +54,3 @@ def _value(text: str) -> Any:
         return json.loads(text)
     except ValueError:
         return text
-
-
-def _member(at: Any, part: str | int, path: str) -> Any:
-    try:
-        return at[part]
-    except (KeyError, IndexError, TypeError):
-        what = f"no [{part}]" if isinstance(part, int) else f"nothing that has {part}"
-        raise click.UsageError(f"{path} cannot be set: there is {what} on the way.") from None

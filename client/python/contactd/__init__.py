@@ -80,6 +80,7 @@ from .values.subsurface import LargestStress, StressBlock, SubsurfaceStress
 from .values.tables import IcTable, TableIcs, combined_modulus
 from .values.temperature import SurfaceTemperatures
 from .values.thermal import ThermalBodies, ThermalBody
+from .values.wheel_rail.comparison import ComparedModel, ModelComparison, ModelErrors
 from .values.wheel_rail.solution import WheelRailStepSolution
 from .values.wheel_rail.step_input import WheelRailStepInput
 
@@ -94,6 +95,7 @@ __all__ = [
     "AsyncWheelRailSession",
     "Cancelled",
     "Client",
+    "ComparedModel",
     "ConnectionFailed",
     "ContactColumns",
     "ContactProblem",
@@ -124,6 +126,8 @@ __all__ = [
     "LineContact",
     "LocalDaemon",
     "Material",
+    "ModelComparison",
+    "ModelErrors",
     "NotFound",
     "Paraboloid",
     "PartialSolution",

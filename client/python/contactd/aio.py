@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, overload
 from .calls.any_session import AnySession
 from .calls.call import Awaits, Pause
 from .calls.caller import Caller, ProgressCallback
+from .calls.comparison import ComparisonCalls
 from .calls.contact import ContactCalls, solved, solved_many
 from .calls.contact_files import ContactFileCalls
 from .calls.contact_session import AnyContactSession
@@ -79,6 +80,7 @@ class AsyncClient(
     ServerCalls,
     TableCalls,
     ContactCalls,
+    ComparisonCalls,
     ContactFileCalls,
     WheelRailCalls,
     SessionCalls[AsyncSession, AsyncWheelRailSession],

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, TypedDict, overload
 
 from .calls.call import Pause, Waits
 from .calls.caller import Caller, ProgressCallback
+from .calls.comparison import ComparisonCalls
 from .calls.contact import ContactCalls, solved, solved_many
 from .calls.contact_files import ContactFileCalls
 from .calls.contact_session import Session
@@ -41,7 +42,14 @@ __all__ = ["Client", "ClientOptions"]
 
 
 class Client(
-    ServerCalls, TableCalls, ContactCalls, ContactFileCalls, WheelRailCalls, SessionCalls[Session, WheelRailSession], Waits
+    ServerCalls,
+    TableCalls,
+    ContactCalls,
+    ComparisonCalls,
+    ContactFileCalls,
+    WheelRailCalls,
+    SessionCalls[Session, WheelRailSession],
+    Waits,
 ):
     """Speaks with the daemon at `endpoint`, such as ``tcp://127.0.0.1:5555`` or ``ipc:///run/contactd.socket``.
 

@@ -8,6 +8,7 @@ __all__ = ["FUNCTIONS"]
 FUNCTIONS = {
     "IcTable.plot": "contactd.pictures.tables:draw_table",
     "IcTable.to_xarray": "contactd.xarray_datasets:table_array",
+    "ModelComparison.plot": "contactd.pictures.comparison:draw_comparison",
     "ProfileFile.text": "contactd.files.profile_text:read_profile_text",
     "Saved.load": "contactd.files.saved:load",
     "Saved.save": "contactd.files.saved:save",

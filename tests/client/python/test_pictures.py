@@ -198,3 +198,22 @@ def test_a_picture_without_matplotlib_says_what_to_install(monkeypatch, rolling)
     monkeypatch.delitem(sys.modules, "matplotlib.pyplot")
     with pytest.raises(ImportError, match=r'pictures need matplotlib: pip install "contactd\[pictures\]"'):
         rolling.plot()
+
+
+def test_models_are_drawn_side_by_side(client):
+    compared = client.compare(PROBLEM, models=["fastsim", "kpec+full", "hertz"], repeats=1)
+    figure = compared.plot()
+    titles = [axes.get_title() for axes in figure.findobj(matplotlib.axes.Axes) if axes.get_visible()]
+    assert [title for title in titles if title in ("full", "fastsim", "kpec+full", "hertz")] == ["full", "fastsim", "kpec+full"]
+    forces, costs = (axes for axes in figure.findobj(matplotlib.axes.Axes) if axes.get_title().startswith(("Tangential", "Errors")))
+    assert forces.get_xlabel() == "$F_x$ (kN)"
+    assert "% of $\\mu F_n$" in costs.get_ylabel()
+    assert [text.get_text() for text in costs.get_legend().get_texts()] == ["full", "fastsim", "kpec+full"]
+    expected = [one.solution.Fx / 1e3 for one in compared.computed]
+    assert [line.get_xdata()[0] for line in forces.lines] == expected
+
+
+def test_a_wheel_without_contact_is_drawn_by_all_models(client):
+    state = WheelRailState(position=WheelsetPosition(z=-5))
+    figure = client.compare_wheel_rail(WheelRailSetup(dx=1, dy=1, friction=None), state, repeats=1).plot()
+    assert any(axes.get_title() == "Areas and pressures" for axes in figure.findobj(matplotlib.axes.Axes))

@@ -19,23 +19,26 @@ from contactd.values.wheel_rail.params import setup_params, state_params
 
 from ..output import plain_json
 
-__all__ = ["as_python", "as_yaml"]
+__all__ = ["as_python", "as_yaml", "case_params"]
 
 
-def as_yaml(case: Case, client: Client, profiles: Profiles) -> str:
+def case_params(case: Case, client: Client, profiles: Profiles) -> dict[str, Any]:
     """The parameters of contact.solve or of wheelrail.solve. Raises click.UsageError for a case that has none."""
     contact = _made(case, client, profiles)
     if isinstance(contact, str):
         raise click.UsageError(contact)
     if goes_on(case):
         raise click.UsageError(f"Case {case.number} in line {case.line} goes on from the one before: convert to Python.")
+    if isinstance(contact, RailContact):
+        return {"setup": setup_params(contact.setup), "state": state_params(contact.state, "state")}
+    return problem_params(contact.problem)
+
+
+def as_yaml(case: Case, client: Client, profiles: Profiles) -> str:
+    """The same as text. Raises click.UsageError for a case that has none."""
     import yaml
 
-    params: dict[str, Any]
-    if isinstance(contact, RailContact):
-        params = {"setup": setup_params(contact.setup), "state": state_params(contact.state, "state")}
-    else:
-        params = problem_params(contact.problem)
+    params = case_params(case, client, profiles)
     text: str = yaml.safe_dump(plain_json(params), sort_keys=False, default_flow_style=None, width=120)
     return f"# Case {case.number}, line {case.line}.\n{text}"
 

@@ -1,0 +1,207 @@
+"""One case by several contact models, and how far each is from the full theory."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, get_args
+
+import numpy as np
+
+from ..evidence import Model, NormalModel
+from ..registry import extra
+from ..representation import Rows, Shown
+from ..solution import ContactSolution, PartialSolution
+from .result import WheelRailPatch, WheelRailSolution
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+__all__ = ["FULL", "ComparedModel", "ModelComparison", "ModelErrors", "combinations", "errors_of", "model_names"]
+
+FULL = "full"  #: the model that all others are compared with
+_NO_PRESSURES_OF_OTHERS = ("hertz",)  #: a normal_model takes the place of theirs, and so they do not go with one
+_OF_MODEL = "of_model"
+
+
+def combinations() -> dict[str, tuple[str, str]]:
+    """Model and normal_model of each that there is, by its name: ``fastsim``, ``kpec+fastsim``."""
+    found = {model: (model, _OF_MODEL) for model in get_args(Model)}
+    for normal in get_args(NormalModel):
+        if normal != _OF_MODEL:
+            models = [model for model in get_args(Model) if model not in _NO_PRESSURES_OF_OTHERS]
+            found.update({f"{normal}+{model}": (model, normal) for model in models})
+    return found
+
+
+def model_names(models: Iterable[str] | None, has_friction: bool) -> list[str]:
+    """The full theory first, and then those of `models`, None: all. Without friction those that find tractions only find what
+    others do, and are left out of all. Raises ValueError for a name that is none."""
+    known = combinations()
+    if models is None:
+        chosen = [
+            name for name, (model, _) in known.items() if has_friction or model in (FULL, *_NO_PRESSURES_OF_OTHERS)
+        ]
+    else:
+        chosen = [models] if isinstance(models, str) else list(models)
+    if unknown := [name for name in chosen if name not in known]:
+        raise ValueError(f"models has {unknown[0]!r}; it must be names of {', '.join(known)}")
+    return list(dict.fromkeys([FULL, *chosen]))
+
+
+@dataclass(frozen=True)
+class ModelErrors:
+    """Errors of a model against the full theory.
+
+    Attributes:
+        Fn: Of the normal force, relative; of a wheel that of the vertical force.
+        Fx: Of the longitudinal force, over mu Fn; None without friction.
+        Fy: Of the lateral force, over mu Fn.
+        Mz: Of the spin moment, over mu Fn sqrt(A/pi), A the area of contact; None of wheels.
+        pmax: Of the largest pressure, relative.
+        area: Of the area of contact, relative.
+        patch: Area where one of both has contact and the other has none, over the area of contact; None of wheels.
+        approach: Of the approach, relative; of a wheel of its height (mm).
+        creepage: Of the creepages that prescribed forces need, over their size; None where motion is prescribed.
+    """
+
+    Fn: float
+    Fx: float | None
+    Fy: float | None
+    Mz: float | None
+    pmax: float
+    area: float
+    patch: float | None
+    approach: float
+    creepage: float | None = None
+
+    @property
+    def force(self) -> float | None:
+        """Size of the error of the tangential force over mu Fn; None without friction."""
+        return None if self.Fx is None or self.Fy is None else float(np.hypot(self.Fx, self.Fy))
+
+
+@dataclass(frozen=True, eq=False)
+class ComparedModel:
+    """What one model makes of the case.
+
+    Attributes:
+        name: Such as ``fastsim``, or ``kpec+fastsim``, pressures by the first and tractions by the second.
+        model: Its model.
+        normal_model: How it finds pressures, "of_model" where that follows from the model.
+        solution: Its solution; look at `converged`. None where the model does not compute the case.
+        refusal: Why it does not; empty where it does.
+        seconds: Duration of a request without arrays (s), the shortest of some.
+        left_out: Options of `simplified` that the case has, and that are not those of this model.
+        errors: Errors against the full theory, where both have a solution.
+    """
+
+    name: str
+    model: str
+    normal_model: str
+    solution: ContactSolution | PartialSolution | WheelRailSolution | None = None
+    refusal: str = ""
+    seconds: float | None = None
+    left_out: tuple[str, ...] = ()
+    errors: ModelErrors | None = None
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ModelComparison(Shown):
+    """One case by several models: `comparison["fastsim"]` is one of them.
+
+    Attributes:
+        models: The full theory first; those that refuse the case are among them, with their reasons.
+        request_seconds: Duration of a request that computes nothing (s), which is part of all others.
+    """
+
+    models: tuple[ComparedModel, ...]
+    request_seconds: float
+
+    def __getitem__(self, name: str) -> ComparedModel:
+        for one in self.models:
+            if one.name == name:
+                return one
+        raise KeyError(name)
+
+    @property
+    def computed(self) -> tuple[ComparedModel, ...]:
+        """Those that have a solution."""
+        return tuple(one for one in self.models if one.solution is not None)
+
+    @property
+    def refused(self) -> tuple[ComparedModel, ...]:
+        """Those that have none."""
+        return tuple(one for one in self.models if one.solution is None)
+
+    def plot(self) -> Figure:
+        """Draws pressures, forces, costs and errors of all models. Needs matplotlib ("contactd[pictures]")."""
+        drawn: Figure = extra("ModelComparison.plot")(self)
+        return drawn
+
+    def _rows(self) -> Rows:
+        return [(one.name, one.refusal or _summary(one)) for one in self.models]
+
+
+def _summary(one: ComparedModel) -> str:
+    error = ""
+    if one.errors is not None and one.name != FULL:
+        what, value = ("pmax", one.errors.pmax) if one.errors.force is None else ("force", one.errors.force)
+        error = f"{what} off by {100 * abs(value):.2g} %, "
+    return f"{error}{1e3 * (one.seconds or 0):.3g} ms"
+
+
+def errors_of(found: Any, full: Any, mu: float | None) -> ModelErrors:
+    """Errors of one solution against another, both of a contact or both of a wheel; `mu` is the largest coefficient of
+    friction, None without."""
+    if isinstance(full, WheelRailSolution):
+        return _errors_of_wheel(found, full, mu)
+    bound = None if not mu else mu * full.forces.Fn
+    arm = float(np.sqrt(full.area.contact / np.pi))
+
+    def off(name: str, scale: float | None) -> float | None:
+        return None if not scale else (getattr(found.forces, name) - getattr(full.forces, name)) / scale
+
+    return ModelErrors(
+        Fn=_relative(found.forces.Fn, full.forces.Fn), Fx=off("Fx", bound), Fy=off("Fy", bound), Mz=off("Mz", bound and bound * arm),
+        pmax=_relative(found.pmax, full.pmax), area=_relative(found.area.contact, full.area.contact), patch=_patch_error(found, full),
+        approach=_relative(found.approach, full.approach), creepage=_creepage_error(found.motion, full.motion),
+    )  # fmt: skip
+
+
+def _relative(value: float, right: float) -> float:
+    return value / right - 1 if right else (0.0 if not value else float("inf"))
+
+
+def _patch_error(found: Any, full: Any) -> float | None:
+    if found.pressure is None or full.pressure is None or not full.elements.contact:
+        return None
+    return float(np.count_nonzero((found.pressure > 0) != (full.pressure > 0)) / np.count_nonzero(full.pressure > 0))
+
+
+def _creepage_error(found: Any, full: Any) -> float | None:
+    force = getattr(full, "force", None)
+    if force is None or not hasattr(full, "xi") or all(part is None for part in force):
+        return None
+    size = float(np.hypot(full.xi, full.eta))
+    return float(np.hypot(found.xi - full.xi, found.eta - full.eta)) / size if size else None
+
+
+def _errors_of_wheel(found: WheelRailSolution, full: WheelRailSolution, mu: float | None) -> ModelErrors:
+    right, forces = full.forces.track, found.forces.track
+    normal = sum(patch.solution.forces.Fn for patch in full.patches)
+    bound = None if not mu or not normal else mu * normal
+
+    def largest(patches: Iterable[WheelRailPatch]) -> float:
+        return max((patch.solution.pmax for patch in patches), default=0.0)
+
+    def area(patches: Iterable[WheelRailPatch]) -> float:
+        return sum(patch.solution.area.contact for patch in patches)
+
+    return ModelErrors(
+        Fn=_relative(forces.Fz, right.Fz),
+        Fx=None if bound is None else (forces.Fx - right.Fx) / bound,
+        Fy=None if bound is None else (forces.Fy - right.Fy) / bound,
+        Mz=None, pmax=_relative(largest(found.patches), largest(full.patches)), area=_relative(area(found.patches), area(full.patches)),
+        patch=None, approach=found.z - full.z,
+    )  # fmt: skip
