@@ -86,7 +86,7 @@ set(CPACK_DEBIAN_CLI_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_CLI_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_CLI_PACKAGE_DEPENDS "python3-contactd (= ${PROJECT_VERSION}), \
 python3 (>= 3.10), python3-numpy, python3-rich, python3-typer, python3-yaml, python3-zmq")
-set(CPACK_DEBIAN_CLI_PACKAGE_SUGGESTS "contactd, python3-contactd-local, python3-distributed, python3-h5py, python3-matplotlib")
+set(CPACK_DEBIAN_CLI_PACKAGE_SUGGESTS "contactd, python3-contactd-local, python3-distributed, python3-h5py, python3-matplotlib, python3-scipy")
 set(CPACK_DEBIAN_CLI_DESCRIPTION "command line of contactd, elastic contact as a service
 Contact problems, wheels on rails, tables of influence coefficients and
 parameter studies from a terminal and from scripts: tables or JSON out.")

@@ -8,6 +8,7 @@ ROOT = Path(__file__).parents[2]
 READERS = {
     "client/python/contactctl/array_files.py": "`.npy`",
     "client/python/contactctl/cases/files.py": "`.out`",
+    "client/python/contactctl/commands/fit.py": "`.csv`",
     "client/python/contactctl/commands/keys.py": "keys",
     "client/python/contactctl/commands/session.py": "`.csv`",
     "client/python/contactctl/files.py": "`.yaml`",

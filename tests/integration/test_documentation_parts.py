@@ -113,6 +113,17 @@ def test_a_builder_is_run_by_hand_as_the_guide_to_changes_says(tmp_path):
     assert "evidence" in json.loads(built.stdout.splitlines()[-1])
 
 
+def test_the_fit_of_the_page_on_friction_finds_a_layer(capsys):
+    page = (ROOT / "docs" / "friction.md").read_text()
+    (code,) = [code for code in re.findall(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL) if "contactd.fit(" in code]
+    names: dict[str, Any] = {}
+    exec(compile(code, "docs/friction.md", "exec"), names)
+    found = names["found"]
+    assert found.converged
+    assert found.rms < 0.004
+    assert found["friction.layer.flexibility"].standard_error is not None
+
+
 def test_the_simplified_models_of_their_page_are_near_the_full_theory(capsys):
     page = (ROOT / "docs" / "simplified-models.md").read_text()
     side_by_side, near = re.findall(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL)

@@ -17,6 +17,7 @@ from .commands import (
     completion,
     contact,
     dashboard,
+    fit,
     info,
     jobs,
     keys,
@@ -44,7 +45,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
-for family in (info, tables, solve, wheelrail, profile, contact, compare, session, jobs, watch, bench, dashboard, keys, study, completion):
+for family in (info, tables, solve, wheelrail, profile, contact, compare, fit, session, jobs, watch, bench, dashboard, keys, study, completion):
     family.add_to(app)
 
 

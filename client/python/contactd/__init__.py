@@ -50,6 +50,8 @@ from .errors import (
 from .extras import FUNCTIONS
 from .files.saved import load, save
 from .files.table_files import load_table, save_table
+from .fits.fit import fit
+from .fits.search import FitFailed
 from .local import LocalDaemon, local
 from .values.dictionaries import from_dict, to_dict
 from .values.evidence import (
@@ -62,6 +64,7 @@ from .values.evidence import (
     TangentialSettings,
 )
 from .values.fem_ics import FemIcs
+from .values.fit import Fit, FittedCurve, FittedParameter
 from .values.friction import Friction, InterfacialLayer
 from .values.grid import Grid, Paraboloid, SemiAxes
 from .values.ics import AnalyticIcs, LineContact
@@ -108,6 +111,10 @@ __all__ = [
     "Estimate",
     "FailedPrecondition",
     "FemIcs",
+    "Fit",
+    "FitFailed",
+    "FittedCurve",
+    "FittedParameter",
     "Friction",
     "FrictionMemory",
     "Grid",
@@ -177,6 +184,7 @@ __all__ = [
     "WheelRailStepSolution",
     "__version__",
     "combined_modulus",
+    "fit",
     "from_dict",
     "load",
     "load_table",

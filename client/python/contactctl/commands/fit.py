@@ -1,0 +1,239 @@
+"""fit: parameters of friction from a measured creep curve."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+from pathlib import Path
+from typing import Annotated, Any
+
+import click
+import numpy as np
+import typer
+
+import contactd
+from contactd import Fit, FitFailed, Progress
+from contactd.calls.timeouts import may_build
+from contactd.files.whole import read_whole, write_whole
+
+from ..asking import OwnBuilds
+from ..codes import Code, Ended, code_of
+from ..common import Command, connected, setting
+from ..files import read_object, writable, write_text
+from ..number_text import number_in, rows_of
+from ..output import emit, facts, listing, number, plain_json, warn
+from ..paths import changed
+from ..progress import Bar
+from ..saving import need
+from .solve import Set
+
+__all__ = ["add_to"]
+
+_PICTURES = (".png", ".svg", ".pdf")
+_MOST_BYTES = 1 << 24  #: of a file with a curve
+_BETWEEN = 61  #: creepages of the curve that is drawn
+
+
+def add_to(app: typer.Typer) -> None:
+    """Adds the commands of this family."""
+    app.command(cls=Command)(fit)
+
+
+def fit(
+    measured: Annotated[Path, typer.Argument(help="The curve: a line a point with creepage, value and, if known, its standard uncertainty.")],
+    case: Annotated[str, typer.Option("--case", metavar="FILE", help="The contact: JSON or YAML with the parameters of contact.solve.")],
+    parameter: Annotated[list[str], typer.Option("--parameter", "-p", metavar="PATH=LOW:HIGH", help="A field to be found and its bounds, as friction.mu=0.1:0.6; as often as wanted.")],
+    start: Annotated[list[str] | None, typer.Option("--start", metavar="PATH=VALUE", help="Where a parameter begins; else as the case says, or the best of some.")] = None,
+    starts: Annotated[int | None, typer.Option("--starts", min=1, max=10000, help="How many beginnings are tried; 16 where nobody says one.")] = None,
+    sets: Set = None,
+    by: Annotated[str, typer.Option("--by", metavar="CREEPAGE", help="What varies: xi, eta or phi, or a path such as friction.rigid_shift[0].")] = "xi",
+    quantity: Annotated[str, typer.Option("--quantity", help="Measured is the coefficient of traction, or the force (N).")] = "coefficient",
+    force: Annotated[str | None, typer.Option("--force", help="Fx or Fy; else that of the creepage.")] = None,
+    columns: Annotated[str | None, typer.Option("--columns", metavar="N,N[,N]", help="Columns of creepage, value and uncertainty; else the first ones.")] = None,
+    percent: Annotated[bool, typer.Option("--percent", help="Creepages are in per cent.")] = False,
+    confidence: Annotated[float, typer.Option("--confidence", help="Probability of intervals and of the band.")] = 0.95,
+    evaluations: Annotated[int, typer.Option("--max-evaluations", min=1, max=100000, help="Most curves that the search may compute, beside those of derivatives.")] = 100,
+    plot: Annotated[str | None, typer.Option("--plot", metavar="FILE", help="A picture, .png, .svg or .pdf.")] = None,
+    table: Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write points, computed values and residuals to a CSV file.")] = None,
+    output: Annotated[str | None, typer.Option("--output", "-o", metavar="FILE", help="Write the case with the values found, .json, .yaml or .yml.")] = None,
+) -> None:  # fmt: skip
+    """Find parameters of friction for a measured creep curve, by least squares.
+
+    Ends with 5 when the search did not converge.
+    """
+    _check_outputs(plot, table, output)
+    points = _points(measured, columns, percent)
+    bounds = dict(_bounds(text) for text in parameter)
+    if len(bounds) < len(parameter):
+        raise click.UsageError("--parameter: a field is there twice.")
+    begin = dict(_start(text) for text in start or ())
+    params = changed(read_object(case), sets or ())
+    between = _between(points[0]) if plot else None
+    with connected() as client, Bar("fitting") as bar:
+        builds = OwnBuilds(client) if may_build(params) else None
+
+        def report(progress: Progress) -> None:
+            if builds is not None:
+                builds.notice(progress)
+            if progress.job:
+                bar.report(progress)
+            else:
+                bar.show(progress.fraction, progress.stage)
+
+        try:
+            found = contactd.fit(
+                client, params, points[0], points[1], bounds, uncertainty=points[2] if len(points) > 2 else None, start=begin, starts=starts,
+                by=by, quantity=quantity, force=force, confidence=confidence, curve=between, max_evaluations=evaluations,
+                on_progress=report,
+            )  # fmt: skip
+        except KeyboardInterrupt:
+            if builds is not None:
+                builds.cancel()
+            raise
+        except FitFailed as error:
+            raise Ended(Code.NOT_CONVERGED if error.__cause__ is None else code_of(error.__cause__), str(error)) from None
+        except contactd.StatusError:
+            raise
+        except ValueError as error:
+            raise click.UsageError(str(error)) from None
+    _write(found, plot, table, output)
+    emit(setting().json, _as_json(found), *_shown(found, measured))
+    warn(found.warnings)
+    if not found.converged:
+        raise Ended(Code.NOT_CONVERGED, f"the search did not converge: {found.reason}.")
+
+
+def _check_outputs(plot: str | None, table: Path | None, output: str | None) -> None:
+    try:
+        import scipy  # noqa: F401
+    except ImportError:
+        raise click.UsageError("Fits need SciPy: pip install scipy, or on Debian python3-scipy.") from None
+    if plot is not None:
+        if Path(plot).suffix not in _PICTURES:
+            raise click.UsageError(f"--plot {plot}: the name must end in {', '.join(_PICTURES)}.")
+        writable("--plot", plot)
+        need("matplotlib", "pictures", "python3-matplotlib")
+    if table is not None:
+        writable("--csv", table)
+    if output is not None:
+        if Path(output).suffix not in (".json", ".yaml", ".yml"):
+            raise click.UsageError(f"--output {output}: the name must end in .json, .yaml or .yml.")
+        writable("--output", output)
+
+
+def _points(file: Path, columns: str | None, percent: bool) -> list[np.ndarray[Any, Any]]:
+    """Creepages, values and, where the file has a third column, uncertainties."""
+    try:
+        rows = np.array(rows_of(read_whole(file, _MOST_BYTES).decode("utf-8-sig")))
+    except OSError as error:
+        raise click.UsageError(f"{file} cannot be read: {error.strerror or error}.") from None
+    except UnicodeDecodeError:
+        raise click.UsageError(f"{file} is no text in UTF-8.") from None
+    except ValueError as error:
+        raise click.UsageError(f"{file} holds no curve: {error}.") from None
+    chosen = list(range(min(3, rows.shape[1]))) if columns is None else _columns(columns, rows.shape[1], file)
+    if len(chosen) < 2:
+        raise click.UsageError(f"{file} has one column; a curve has creepages and values.")
+    found = [rows[:, index] for index in chosen]
+    if percent:
+        found[0] = found[0] / 100
+    return found
+
+
+def _columns(text: str, count: int, file: Path) -> list[int]:
+    try:
+        found = [int(word) - 1 for word in text.split(",")]
+    except ValueError:
+        found = []
+    if len(found) not in (2, 3) or not all(0 <= index < count for index in found):
+        raise click.UsageError(f"--columns {text}: it must be two or three numbers of columns, 1 to {count} in {file}, such as 1,2.")
+    return found
+
+
+def _bounds(text: str) -> tuple[str, tuple[float, float]]:
+    path, _, rest = text.partition("=")
+    low, _, high = rest.partition(":")
+    found = number_in(low.strip()), number_in(high.strip())
+    if found[0] is None or found[1] is None:
+        raise click.UsageError(f"--parameter {text}: it must be PATH=LOW:HIGH, such as friction.layer.flexibility=1e-6:1e-3.")
+    return path.strip(), (found[0], found[1])
+
+
+def _start(text: str) -> tuple[str, float]:
+    path, _, value = text.partition("=")
+    found = number_in(value.strip())
+    if found is None:
+        raise click.UsageError(f"--start {text}: it must be PATH=VALUE, such as friction.mu=0.3.")
+    return path.strip(), found
+
+
+def _between(creepage: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    """Creepages of the curve that is drawn: from zero on, close to each other where measured ones are."""
+    ends = np.unique([0.0, *creepage])
+    found: np.ndarray[Any, Any] = np.interp(np.linspace(0, len(ends) - 1, _BETWEEN), np.arange(len(ends)), ends)
+    return found
+
+
+def _write(found: Fit, plot: str | None, table: Path | None, output: str | None) -> None:
+    if plot is not None:
+        _draw(Path(plot), found)
+    if table is not None:
+        written = io.StringIO()
+        table_writer = csv.writer(written, lineterminator="\n")
+        table_writer.writerow(["creepage", "measured", "computed", "residual"])
+        for row in np.stack([found.creepage, found.measured, found.computed, found.residuals], axis=1):
+            table_writer.writerow([float(value) for value in row])
+        write_text(table, written.getvalue())
+    if output is not None:
+        write_text(output, _case_text(Path(output), plain_json(found.params)))
+
+
+def _case_text(path: Path, params: Any) -> str:
+    if path.suffix == ".json":
+        return json.dumps(params, allow_nan=False) + "\n"
+    import yaml
+
+    return str(yaml.safe_dump(params, sort_keys=False, default_flow_style=None, width=120))
+
+
+def _draw(path: Path, found: Fit) -> None:
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(6.4, 4.8), layout="constrained")
+    found.plot(figure.subplots())
+    write_whole(path, lambda file: figure.savefig(file, format=path.suffix[1:], dpi=150))
+
+
+def _as_json(found: Fit) -> dict[str, Any]:
+    members: dict[str, Any] = plain_json(found)
+    return {**members, "correlation": plain_json(found.correlation)}
+
+
+def _shown(found: Fit, measured: Path) -> list[Any]:
+    percent = f"{100 * found.confidence:g} %"
+    rows = []
+    for one in found.parameters:
+        low, high = one.interval or (None, None)
+        interval = None if low is None or high is None else f"{_short(low)} to {_short(high)}"
+        bound = f"at its {'lower' if one.at_bound == 'low' else 'upper'} bound" if one.at_bound else None
+        error = None if one.standard_error is None else float(f"{one.standard_error:.2g}")
+        rows.append([one.path, one.value, error, interval or bound, f"{one.low:g} to {one.high:g}"])
+    title = f"{measured.name}: {len(found.measured)} points, {found.evaluations} curves, {found.solves} solves"
+    shown: list[Any] = [listing(title, ["parameter", "value", "standard error", f"{percent} interval", "bounds"], rows)]
+    pairs = [
+        (f"correlation of {one.path} and {other.path}", float(f"{found.correlation[i, j]:.4f}"))
+        for i, one in enumerate(found.parameters)
+        for j, other in enumerate(found.parameters)
+        if j > i and math.isfinite(found.correlation[i, j])
+    ]
+    unit = " (N)" if found.quantity == "force" else ""
+    worst = int(np.argmax(np.abs(found.residuals)))
+    largest = f"{_short(float(found.residuals[worst]))} at creepage {_short(float(found.creepage[worst]))}"
+    ends: list[tuple[str, Any]] = [(f"rms residual{unit}", float(f"{found.rms:.4g}")), (f"largest residual{unit}", largest), *pairs]
+    return [*shown, "", facts("", [*ends, ("converged", found.converged)])]
+
+
+def _short(value: float) -> str:
+    return number(float(f"{value:.4g}"))

@@ -1,0 +1,1 @@
+"""Parameters of friction from measured creep curves."""

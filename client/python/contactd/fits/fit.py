@@ -1,0 +1,173 @@
+"""Finds parameters of friction, or of anything else, by which a contact has a measured creep curve."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ..calls.answer_warnings import ContactWarning
+from ..calls.caller import ProgressCallback
+from ..client import Client
+from ..errors import invalid
+from ..refusals import check_type, public
+from ..values.arrays import Array
+from ..values.contact_params import problem_params
+from ..values.fit import Fit, FittedCurve, FittedParameter
+from ..values.problem import ContactProblem
+from ..values.service import Progress
+from .creep_curves import CreepCurves, Response
+from .measured_curve import MeasuredCurve
+from .parameter import VariedParameter, varied
+from .search import FitFailed, Found, Search
+from .statistics import Certainty, certainty_of
+
+__all__ = ["fit"]
+
+_STARTS = 16  #: where nobody says where to begin
+
+
+@public
+def fit(
+    client: Client,
+    problem: ContactProblem | Mapping[str, Any],
+    creepage: npt.ArrayLike,
+    measured: npt.ArrayLike,
+    parameters: Mapping[str, tuple[float, float]],
+    *,
+    uncertainty: npt.ArrayLike | None = None,
+    start: Mapping[str, float] | None = None,
+    starts: int | None = None,
+    by: str = "xi",
+    quantity: str = "coefficient",
+    force: str | None = None,
+    confidence: float = 0.95,
+    curve: npt.ArrayLike | None = None,
+    max_evaluations: int = 100,
+    timeout: float | None = None,
+    on_progress: ProgressCallback | None = None,
+) -> Fit:
+    """Finds parameters by which a contact has a measured creep curve, by least squares::
+
+        found = contactd.fit(client, problem, creepage, coefficient,
+                             {"friction.mu": (0.1, 0.6), "friction.layer.flexibility": (1e-6, 1e-3)})
+        print(found["friction.mu"].value, found["friction.mu"].interval, found.warnings)
+
+    `problem` is a ContactProblem, or the parameters of contact.solve; steady rolling is meant, any contact with a motion
+    serves. `creepage` and `measured` are the curve: creepages `by` "xi", "eta" or "phi", or by any path, and the coefficient of
+    traction, or with `quantity` "force" the force (N), positive where it opposes a positive creepage. It is Fx, or Fy where
+    `by` is lateral or spin; `force` says otherwise. `parameters` are fields by their paths on the wire, each with its bounds.
+    Of what is positive the logarithm is varied. `start` says where to begin; else the problem does, and for what has no value
+    there the best of some places between the bounds is taken, `starts` in number (16). `uncertainty` are standard
+    uncertainties of the measured values: points have weights by them.
+
+    Errors are those of a linear theory: from the covariance by the residuals' own scatter, with Student's quantile for the
+    `confidence`. Parameters at bounds, and those that the curve does not tell, have none, and `warnings` says so. With `curve`,
+    creepages, there is a curve with its band.
+
+    Solves run on all workers of the daemon, in batches. Where the daemon knows derivatives they are taken; others are
+    differences. A curve with a solve that failed or did not converge is none: the search turns back there.
+
+    `timeout` is that of each batch. `on_progress` is told of each curve. Needs scipy ("contactd[fit]").
+
+    Raises InvalidArgument for what is no curve or no parameter, and FitFailed, a ContactdError, where no curve can be computed.
+    """
+    check_type("client", client, Client)
+    check_type("problem", problem, ContactProblem, Mapping)
+    params = problem_params(problem) if isinstance(problem, ContactProblem) else dict(problem)
+    points = MeasuredCurve.of(creepage, measured, uncertainty)
+    fields = varied(parameters, start or {}, params)
+    response = Response.of(by, force, quantity)
+    _check(fields, points, response, confidence, starts, max_evaluations)
+    asked = None if curve is None else MeasuredCurve.of(curve, np.ones(len(np.atleast_1d(curve))), None).creepage
+
+    def report(evaluations: int, rms: float) -> None:
+        if on_progress is not None:
+            rest = "" if rms == float("inf") else f", residual {rms:.2e}"
+            on_progress(Progress(f"curve {evaluations}{rest}", min(0.99, evaluations / max_evaluations)))
+
+    def forward(progress: Progress) -> None:
+        if on_progress is not None and progress.job:
+            on_progress(progress)
+
+    curves = CreepCurves(client.call, params, [one.path for one in fields], response, timeout, forward)
+    search = Search(fields, points, curves, report)
+    has_no_start = any(one.start is None for one in fields)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ContactWarning)  # the last curve tells what its answers warn of
+        found = search.run(starts or (_STARTS if has_no_start else 1), max_evaluations)
+        return _made(found, fields, points, search, curves, response, confidence, asked)
+
+
+def _check(
+    fields: list[VariedParameter], points: MeasuredCurve, response: Response, confidence: float, starts: int | None, most: int
+) -> None:  # fmt: skip
+    if len(points.creepage) < len(fields):
+        raise invalid("measured", f"has {len(points.creepage)} points for {len(fields)} parameters; there must be as many at least")
+    if not 0 < confidence < 1:
+        raise ValueError(f"confidence is {confidence}; it must be between 0 and 1, such as 0.95")
+    if starts is not None and (not isinstance(starts, int) or starts < 1):
+        raise ValueError(f"starts is {starts!r}; it must be a whole number, 1 or more")
+    if not isinstance(most, int) or most < 1:
+        raise ValueError(f"max_evaluations is {most!r}; it must be a whole number, 1 or more")
+    if any(one.path == response.by for one in fields):
+        raise invalid("parameters", f"has {response.by}, which is the creepage of the curve")
+
+
+def _made(
+    found: Found, fields: list[VariedParameter], points: MeasuredCurve, search: Search, curves: CreepCurves, response: Response,
+    confidence: float, asked: Array | None,
+) -> Fit:  # fmt: skip
+    values = search.values(found.places)
+    computed, sentences = curves.curve_with_warnings(values, points.creepage)
+    if not np.all(np.isfinite(computed)):
+        raise FitFailed(f"The curve of the values found cannot be computed again: {curves.trouble}")
+    residuals = points.residuals(computed)
+    certainty = certainty_of(fields, found.places, found.jacobian * points.weight[:, None], residuals, confidence)
+    own = list(certainty.sentences)
+    if not found.converged:
+        own.insert(0, f"The search did not converge: {found.reason}.")
+    if found.trouble:
+        own.append(f"Curves on the way could not be computed, and the search turned back there: {found.trouble}.")
+    return Fit(
+        parameters=tuple(_parameter(index, fields, found, certainty) for index in range(len(fields))),
+        correlation=certainty.correlation(), creepage=points.creepage, measured=points.value, computed=computed,
+        residuals=points.value - computed, rms=float(np.sqrt(np.mean(residuals**2)) / _usual_weight(points)), confidence=confidence,
+        converged=found.converged, reason=found.reason, evaluations=found.evaluations, solves=curves.solves,
+        params=_final(curves.problem(values)), quantity="coefficient" if response.is_coefficient else "force", by=response.by,
+        curve=None if asked is None else _curve(asked, found, search, curves, certainty), warnings=(*own, *sentences),
+    )  # fmt: skip
+
+
+def _usual_weight(points: MeasuredCurve) -> float:
+    """By which weighted residuals are as large as the curve's values again."""
+    return float(np.sqrt(np.mean(points.weight**2)))
+
+
+def _final(params: dict[str, Any]) -> dict[str, Any]:
+    params.pop("fields", None)
+    return params
+
+
+def _parameter(index: int, fields: list[VariedParameter], found: Found, certainty: Certainty) -> FittedParameter:
+    one, place = fields[index], float(found.places[index])
+    at_bound = certainty.at_bound[index]
+    made = FittedParameter(
+        path=one.path, value=one.value(place), start=one.value(float(found.start[index])), low=one.low, high=one.high,
+        is_logarithmic=one.is_logarithmic, at_bound=at_bound,
+    )  # fmt: skip
+    if not certainty.is_known[index] or certainty.quantile is None:
+        return made
+    error = float(np.sqrt(certainty.covariance[index, index]))
+    reach = certainty.quantile * error
+    known = {"standard_error": error * one.slope(place), "interval": (one.value(place - reach), one.value(place + reach))}
+    return FittedParameter(**{**vars(made), **known})
+
+
+def _curve(creepage: Array, found: Found, search: Search, curves: CreepCurves, certainty: Certainty) -> FittedCurve:
+    value = curves.curves([search.values(found.places)], creepage)[0]
+    half = certainty.band(search.jacobian(found.places, creepage))
+    return FittedCurve(creepage, value, value - half, value + half)

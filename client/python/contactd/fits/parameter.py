@@ -1,0 +1,93 @@
+"""A parameter that is varied, between its bounds: its place there is a number from 0 to 1."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from ..errors import invalid
+from ..values.field_paths import get, parts
+
+__all__ = ["VariedParameter", "varied"]
+
+_RELATIVE_STEP = 1e-2  #: of differences: above the jumps of curves where elements begin to slip, below what they bend over
+_LINEAR_STEP = 3e-3
+
+
+@dataclass(frozen=True)
+class VariedParameter:
+    """A field and its bounds.
+
+    Attributes:
+        path: Its field.
+        low: Least value.
+        high: Largest value.
+        start: Where the search begins, None: nobody says it.
+    """
+
+    path: str
+    low: float
+    high: float
+    start: float | None
+
+    @property
+    def is_logarithmic(self) -> bool:
+        return self.low > 0
+
+    @property
+    def _span(self) -> float:
+        return math.log(self.high / self.low) if self.is_logarithmic else self.high - self.low
+
+    def value(self, place: float) -> float:
+        """The value at a place, which may lie outside of the bounds."""
+        try:
+            return self.low * math.exp(place * self._span) if self.is_logarithmic else self.low + place * self._span
+        except OverflowError:
+            return math.inf
+
+    def place(self, value: float) -> float:
+        """The place of a value."""
+        return (math.log(value / self.low) if self.is_logarithmic else value - self.low) / self._span
+
+    def slope(self, place: float) -> float:
+        """Derivative of the value by the place."""
+        return self._span * (self.value(place) if self.is_logarithmic else 1.0)
+
+    @property
+    def step(self) -> float:
+        """Step of differences, as a change of the place."""
+        return min(0.05, _RELATIVE_STEP / self._span) if self.is_logarithmic else _LINEAR_STEP
+
+
+def varied(
+    parameters: Mapping[str, tuple[float, float]], start: Mapping[str, float], params: Mapping[str, Any]
+) -> list[VariedParameter]:
+    """The parameters of a fit; where `start` does not say where to begin, the problem does, if it has a value within the bounds.
+    Raises InvalidArgument."""
+    if not parameters:
+        raise invalid("parameters", "has none; name at least one field with its bounds, such as friction.mu: (0.1, 0.6)")
+    if unknown := [path for path in start if path not in parameters]:
+        raise invalid("start", f"has {unknown[0]}, which is none of the parameters {', '.join(parameters)}")
+    return [_varied(path, bounds, start.get(path), params) for path, bounds in parameters.items()]
+
+
+def _varied(path: str, bounds: Any, start: float | None, params: Mapping[str, Any]) -> VariedParameter:
+    try:
+        parts(path)
+    except ValueError as error:
+        raise invalid("parameters", f"has a name that is none: {error}") from None
+    try:
+        low, high = (float(bound) for bound in bounds)
+    except (TypeError, ValueError):
+        raise invalid(f"parameters[{path!r}]", f"is {bounds!r}; it must be two numbers, the bounds") from None
+    if not (math.isfinite(low) and math.isfinite(high) and low < high):
+        raise invalid(f"parameters[{path!r}]", f"is {low:g} to {high:g}; it must be two finite numbers, the lower one first")
+    if start is not None:
+        if not low <= start <= high:
+            raise invalid(f"start[{path!r}]", f"is {start:g}, outside of its bounds {low:g} to {high:g}")
+        return VariedParameter(path, low, high, float(start))
+    there = get(params, path)
+    is_number = isinstance(there, (int, float)) and not isinstance(there, bool)
+    return VariedParameter(path, low, high, float(there) if is_number and low <= there <= high else None)
