@@ -49,9 +49,10 @@ struct EllipticFriction {
     /// Relative slip of the upper body over the lower (slip velocity over rolling velocity); empty where the theory
     /// does not tell it.
     std::vector<double> slip_x, slip_y;
-    std::optional<double> frictional_power;  ///< of rolling (N mm/s)
-    Motion motion;                           ///< as asked, with what prescribed forces made of it
-    std::optional<SolverEvidence> force;     ///< of the search for the motion: |F - prescribed|/(mu Fn)
+    std::vector<double> friction_coefficient;  ///< of kinetic friction, static outside of the contact; else empty
+    std::optional<double> frictional_power;    ///< of rolling (N mm/s)
+    Motion motion;                             ///< as asked, with what prescribed forces made of it
+    std::optional<SolverEvidence> force;       ///< of the search for the motion: |F - prescribed|/(mu Fn)
 };
 
 }  // namespace contactd

@@ -3,6 +3,8 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+#include <vector>
 
 #include "client/cntc/calls.hpp"
 
@@ -59,6 +61,21 @@ TEST_CASE("a reduced slope makes forces smaller, and elastic bodies take it back
     CHECK(contact.get_flag(1979) == 0);
     REQUIRE(contact.calculate() == 0);
     CHECK_THAT(contact.forces().fx, WithinRel(all, 0.1));
+}
+
+TEST_CASE("the simplified theory tells the one coefficient of falling friction, by which its tractions are bounded") {
+    Case contact = published();
+    simplified(contact, GENERATE(3, 5));
+    contact.flag(1971, 2);
+    contact.friction(4, {0.1, 0.2, 20, 0, 0, 0, 0});
+    contact.velocity(20000);
+    contact.creepages(0.004, 0, 0);
+    REQUIRE(contact.calculate() == 0);
+    const double fallen = 0.1 + 0.2 * std::pow(2, -0.004 * 20000 / 20);
+    const Values mu = contact.field(2);
+    const std::vector<int> division = contact.division();
+    for (std::size_t i = 0; i < mu.size(); ++i) CHECK_THAT(mu[i], WithinRel(division[i] == 0 ? 0.3 : fallen, 1e-12));
+    CHECK_THAT(contact.forces().fx, WithinRel(-fallen * 82000, 0.01));
 }
 
 TEST_CASE("KPEC and ANALYN have pressures near those of the full theory") {

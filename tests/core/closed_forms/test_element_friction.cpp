@@ -323,6 +323,24 @@ TEST_CASE("Friction of all of a contact has no memory", "[elements]") {
     CHECK_THROWS_WITH(solved(problem), ContainsSubstring("friction.kinetic.memory"));
 }
 
+TEST_CASE("The one coefficient of falling friction is answered", "[elements]") {
+    ContactProblem problem = given_case(GENERATE(Model::fastsim, Model::fastrip, Model::polach));
+    CHECK(solved(problem).friction_coefficient.empty());
+    problem.friction->kinetic = KineticFriction{SlipLaw::exponential, 0.1, 30};
+    motion_of(problem).velocity = 20000;
+    const Rolling& rolling = motion_of(problem);
+    const double mu = problem.friction->mu[0], v = 20000 * std::hypot(rolling.xi, rolling.eta);
+    const double fallen = friction_coefficient(*problem.friction->kinetic, mu, v);
+    REQUIRE(fallen < 0.9 * mu);
+    const ContactSolution solution = solved(problem);
+    REQUIRE(solution.friction_coefficient.size() == problem.grid.size());
+    for (std::size_t i = 0; i < problem.grid.size(); ++i)
+        CHECK(solution.friction_coefficient[i] ==
+              (solution.element_division[i] == ElementState::exterior ? mu : fallen));
+    problem.motion = Rolling{};
+    CHECK(solved(problem).friction_coefficient == std::vector<double>(problem.grid.size(), mu));
+}
+
 TEST_CASE("Spin that is too much for strips, and slopes that rise, are told", "[elements]") {
     ContactProblem problem = rolling_ellipse(Model::fastrip, {6, 4}, 5e4, {0.001, 0, 0.003}, 66, 44);
     auto warnings = solved(problem).warnings;

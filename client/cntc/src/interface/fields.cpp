@@ -68,17 +68,9 @@ Values friction_of(const Solved& solved) {
     const FrictionLaw& law = *problem.friction;
     Values mu(problem.grid.size(), law.mu_of(0));
     if (!solved.solution.friction_coefficient.empty()) return solved.solution.friction_coefficient;
-    if (law.temperature) {
-        for (std::size_t i = 0; i < mu.size(); ++i)
-            mu[i] = friction_coefficient(*law.temperature, mu[i], solved.solution.upper_temperature[i]);
-        return mu;
-    }
-    if (!law.kinetic) return mu;
-    const auto* rolling = std::get_if<Rolling>(&problem.motion);
-    const double per_slip = rolling ? rolling->velocity : 1 / std::get<Shift>(problem.motion).duration;
+    if (!law.temperature) return mu;
     for (std::size_t i = 0; i < mu.size(); ++i)
-        mu[i] = friction_coefficient(*law.kinetic, mu[i],
-                                     std::hypot(solved.solution.slip_x[i], solved.solution.slip_y[i]) * per_slip);
+        mu[i] = friction_coefficient(*law.temperature, mu[i], solved.solution.upper_temperature[i]);
     return mu;
 }
 

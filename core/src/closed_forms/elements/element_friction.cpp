@@ -160,6 +160,7 @@ EllipticFriction element_friction(const ContactProblem& problem, const ElementPa
     for (auto* values : {&result.traction_x, &result.traction_y, &result.slip_x, &result.slip_y})
         values->resize(problem.grid.size());
     result.element_division = all_slip(patch.bound);
+    if (problem.friction->kinetic) result.friction_coefficient.assign(problem.grid.size(), problem.friction->mu[0]);
     result.frictional_power = 0;
     result.motion = rolling;
     if (patch.empty()) {
@@ -174,7 +175,8 @@ EllipticFriction element_friction(const ContactProblem& problem, const ElementPa
     std::get<Rolling>(result.motion).xi = w[0];
     std::get<Rolling>(result.motion).eta = w[1];
 
-    const ElementSums<double> sum = model.sums(model.local(w), model.mu(w));
+    const double mu = model.mu(w);
+    const ElementSums<double> sum = model.sums(model.local(w), mu);
     result.Fx = model.frame().x_of(sum.Fx, sum.Fy);
     result.Fy = model.frame().y_of(sum.Fx, sum.Fy);
     result.Mz = sum.Mz;
@@ -187,7 +189,9 @@ EllipticFriction element_friction(const ContactProblem& problem, const ElementPa
         result.slip_x.clear();
         result.slip_y.clear();
     }
-    warn(problem, model, model.mu(w), warnings);
+    for (std::size_t i = 0; i < result.friction_coefficient.size(); ++i)
+        if (result.element_division[i] != ElementState::exterior) result.friction_coefficient[i] = mu;
+    warn(problem, model, mu, warnings);
     return result;
 }
 

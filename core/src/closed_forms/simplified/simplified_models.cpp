@@ -100,6 +100,7 @@ void take_friction(EllipticFriction friction, ContactSolution& solution) {
     solution.traction_y = std::move(friction.traction_y);
     solution.slip_x = std::move(friction.slip_x);
     solution.slip_y = std::move(friction.slip_y);
+    solution.friction_coefficient = std::move(friction.friction_coefficient);
     solution.frictional_power = friction.frictional_power;
     solution.motion = friction.motion;
     solution.evidence.force = friction.force;
