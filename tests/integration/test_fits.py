@@ -142,3 +142,20 @@ def test_what_does_not_converge_is_no_curve(shared):
     stopped = BARE.replace(tangential=SolverSettings(max_iterations=1))
     with pytest.raises(FitFailed, match="a solve did not converge"):
         contactd.fit(shared, stopped, CREEPAGE, 0.3 + 0 * CREEPAGE, {"friction.mu": (0.1, 0.6)})
+
+
+def test_layer_and_law_of_a_published_curve_come_back(shared):
+    """Four forces that the CONTACT program prints of its example tractcurv, second series: an elastic layer of 1.25 mm and
+    8200 N/mm^2, and 0.14 + 0.19 2^(-v/1250 mm/s) with memory, after Polach's Eurosprinter (Wear 2005)."""
+    creepage = np.array([1e-5, 0.003, 0.015, 0.15])
+    printed = 0.33 * np.array([1.869e-3, 0.4928, 0.9442, 0.6755])
+    a, b = 6.30360, 12.60719
+    grid = Grid.centred(48, 44, 2.2 * a, 2.2 * b)
+    kinetic = KineticFriction(0.1, 1000, memory=FrictionMemory(0.003, 1))
+    friction = Friction(0.33, rolling=Rolling(dq=grid.dx, velocity=10000), kinetic=kinetic, layer=InterfacialLayer(5e-5))
+    start = ContactProblem(grid=grid, upper=Material(82000, 0.28), gap=Paraboloid(1 / (2 * 8e-4), 1 / (2 * 2.814173e-4)), Fn=106700, friction=friction)
+    bounds = {"friction.layer.flexibility": (1e-5, 1e-3), "friction.kinetic.mu": (0.05, 0.3), "friction.kinetic.slip_velocity": (300, 10000)}
+    found = contactd.fit(shared, start, creepage, printed, bounds, uncertainty=1e-3 * printed)
+    values = [one.value for one in found.parameters]
+    assert values == pytest.approx([1.25 / 8200, 0.14, 1250 / np.log(2)], rel=5e-3)
+    assert found.rms < 1e-4

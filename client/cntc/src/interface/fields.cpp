@@ -1,6 +1,5 @@
 // Results with one number an element.
 #include <algorithm>
-#include <cmath>
 
 #include "closed_forms/undeformed_distance.hpp"
 #include "contact/rolling/rolling.hpp"

@@ -127,7 +127,7 @@ def _compared(
     if len(refusals) == len(names):
         raise refusals[0]
     full = found[0].solution
-    if full is not None:
+    if full is not None and full.converged:
         found = [
             one if one.solution is None else replace(one, errors=errors_of(one.solution, full, mu)) for one in found
         ]

@@ -132,4 +132,7 @@ def test_a_model_that_does_not_converge_ends_with_its_code(ctl, case):
     ended = ctl("compare", case, "--models", "fastsim", "--set", "settings.tangential.max_iterations=1")
     assert ended.code == Code.NOT_CONVERGED
     assert "not converged: full." in ended.err
+    assert "off by" in ended.out
+    (line,) = (line for line in ended.out.splitlines() if line.startswith("fastsim"))
+    assert " - " in line
     assert "NO" in ended.out

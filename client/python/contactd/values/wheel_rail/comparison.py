@@ -93,7 +93,7 @@ class ComparedModel:
         refusal: Why it does not; empty where it does.
         seconds: Duration of a request without arrays (s), the shortest of some.
         left_out: Options of `simplified` that the case has, and that are not those of this model.
-        errors: Errors against the full theory, where both have a solution.
+        errors: Errors against the full theory, where both have a solution, and that of the full theory converged.
     """
 
     name: str
