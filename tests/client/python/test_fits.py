@@ -249,6 +249,7 @@ def test_an_interrupt_ends_it():
         ({"confidence": 95}, ValueError, "between 0 and 1"),
         ({"starts": 0}, ValueError, "starts is 0"),
         ({"max_evaluations": 0}, ValueError, "max_evaluations is 0"),
+        ({"problem": {"setup": {}, "state": {}}}, InvalidArgument, "problem has setup, as wheelrail.solve takes it"),
         ({"problem": 3}, TypeError, "problem is 3"),
         ({"client": "tcp://"}, TypeError, "client is 'tcp://'"),
     ],

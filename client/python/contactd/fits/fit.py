@@ -78,6 +78,8 @@ def fit(
     check_type("client", client, Client)
     check_type("problem", problem, ContactProblem, Mapping)
     params = problem_params(problem) if isinstance(problem, ContactProblem) else dict(problem)
+    if "setup" in params:
+        raise invalid("problem", "has setup, as wheelrail.solve takes it; a curve is fitted by one contact, as of contact.solve")
     points = MeasuredCurve.of(creepage, measured, uncertainty)
     fields = varied(parameters, start or {}, params)
     response = Response.of(by, force, quantity)

@@ -137,6 +137,8 @@ def test_curves_that_do_not_converge_end_with_their_code(files):
         ((*MU, "--plot", "fit.gif"), Code.USAGE, ".png, .svg, .pdf"),
         ((*MU, "--output", "fit.txt"), Code.USAGE, ".json, .yaml or .yml"),
         ((*MU, "--set", "grid.nx=0"), Code.REFUSED, "grid.nx"),
+        (("--parameter", "friction.layr.flexibility=1e-6:1e-3"), Code.REFUSED, "friction.layr"),
+        (("--parameter", "friction.mu[0]=0.1:0.6"), Code.USAGE, "friction.mu[0] cannot be set"),
     ],
 )
 def test_what_cannot_be_fitted_is_refused(files, words, code, said):
