@@ -5,12 +5,15 @@
 
 #define Py_LIMITED_API 0x030A0000
 #include <Python.h>
+#include <cxxabi.h>
 
+#include <chrono>
 #include <exception>
 #include <memory>
 #include <new>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 #include "contactd/error.hpp"
@@ -42,7 +45,16 @@ class Reference {
 class Unlocked {
    public:
     Unlocked() : state_(PyEval_SaveThread()) {}
-    ~Unlocked() { PyEval_RestoreThread(state_); }
+    /// Up to Python 3.13 a thread that asks for the lock of an interpreter that ends is ended there, by unwinding,
+    /// which must not go through a destructor, and would drop references without the lock. It sleeps until the process
+    /// ends.
+    ~Unlocked() {
+        try {
+            PyEval_RestoreThread(state_);
+        } catch (const abi::__forced_unwind&) {
+            for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
+        }
+    }
     Unlocked(const Unlocked&) = delete;
     Unlocked& operator=(const Unlocked&) = delete;
 

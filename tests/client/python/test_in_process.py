@@ -397,6 +397,23 @@ def test_the_interpreter_ends_whatever_is_open(program, tmp_path):
     assert "Fatal" not in ended.stderr
 
 
+def test_the_interpreter_ends_while_threads_ask(tmp_path):
+    """They come back from a call when there is no interpreter any more, one in ten times: so it ends a dozen times."""
+    program = """
+client = contactd.local(in_process=True)
+def ask():
+    while True:
+        client.health()
+for _ in range(4):
+    threading.Thread(target=ask, daemon=True).start()
+time.sleep(0.05)
+"""
+    for _ in range(12):
+        ended = run(program, cwd=tmp_path)
+        assert (ended.returncode, ended.stdout) == (0, ""), ended.stderr
+
+
+
 def test_a_program_that_is_interrupted_ends(tmp_path):
     ended = run(
         "threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()\n"
