@@ -139,6 +139,10 @@ def _row(one: ComparedModel) -> dict[str, Any]:
         track = found.forces.track
         patches = [patch.solution for patch in found.patches]
         row |= {"z": found.z, "Fx": track.Fx, "Fy": track.Fy, "Fz": track.Fz, "patches": len(patches)}
+        row["contacts"] = [
+            {"y": patch.place.reference.y, "Fn": one.Fn, "Fx": one.Fx, "Fy": one.Fy, "Mz": one.Mz, "pmax": one.pmax, "area": one.area.contact}
+            for patch, one in zip(found.patches, patches)
+        ]
         row |= {"pmax": max((patch.pmax for patch in patches), default=0.0), "area": sum(patch.area.contact for patch in patches)}
     else:
         forces = {name: getattr(found, name) for name in ("Fn", "Fx", "Fy", "Mz")}
@@ -155,7 +159,7 @@ def _write_table(path: Path, rows: list[dict[str, Any]]) -> None:
     flat = []
     for row in rows:
         errors = {f"error of {name}": value for name, value in row.get("errors", {}).items()}
-        flat.append({**{name: value for name, value in row.items() if name not in ("errors", "motion", "left_out")}, **errors})
+        flat.append({**{name: value for name, value in row.items() if name not in ("errors", "motion", "left_out", "contacts")}, **errors})
     columns = [*dict.fromkeys(name for row in flat for name in row if name != "refusal"), "refusal"]
     written = io.StringIO()
     csv.writer(written, lineterminator="\n").writerows([columns, *([row.get(name, "") for name in columns] for row in flat)])

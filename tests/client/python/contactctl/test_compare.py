@@ -88,6 +88,10 @@ def test_a_wheel_is_compared(ctl):
     assert shown.code == 0, shown.err
     assert "Fz (N)" in shown.out
     assert (ctl.folder / "wheel.png").exists()
+    told = ctl("compare", "wheel.yaml", "--models", "fastsim", "--json", "--csv", "wheel.csv").json
+    for one in told["models"]:
+        assert one["patches"] == len(one["contacts"]) == 1
+        assert one["contacts"][0]["pmax"] == one["pmax"]
 
 
 def test_without_friction_pressures_are_compared(ctl):
