@@ -1,6 +1,7 @@
-// What layers, memory, temperature and simplified models add to a solve of steady rolling: the elliptic contact of the
-// reference values, n x n elements, from nothing. Counter over_plain: the median time of a solve over that of a plain
-// one, by the same law of Coulomb without them, which alternates with it. Row curve: products a point of a creep curve.
+// Layers, memory, temperature and models of virtual penetration, and how much they add to a solve of steady rolling:
+// the elliptic contact of the reference values, n x n elements, from nothing. Counter over_plain: the median time of a
+// solve over that of a plain one, by the same law of Coulomb without them, which alternates with it. Row curve:
+// products a point of a creep curve.
 #include <algorithm>
 #include <functional>
 #include <memory>

@@ -95,6 +95,24 @@ TEST_CASE("bodies that change places press alike and rub the other way") {
         CHECK_THAT(other.traction_x[i], WithinAbs(-one.traction_x[i], 1e-4 * one.pmax));
 }
 
+TEST_CASE("a thin incompressible layer tends to one that only shears, as fast as it gets thinner") {
+    constexpr double flexibility = 2e-5, alone = -4167.20124;  // Fx of friction.layer, test_interfacial_layer.cpp
+    const auto [thickness, off] = GENERATE(std::pair(0.02, 15.6), std::pair(0.005, 3.9), std::pair(0.001, 0.79));
+    const Layers coated{{{thickness, thickness / flexibility, 0.5}}, steel};
+    ContactProblem problem;
+    problem.grid = Grid::centred(17, 15, 0.65, 0.6);
+    problem.bodies = {{steel}, Body::of(coated)};
+    problem.gap = Paraboloid{460, 300};
+    problem.Fn = 30000;
+    problem.friction = FrictionLaw{{0.35}};
+    problem.motion = Rolling{.xi = 1.1e-3, .eta = -7e-4, .phi = 1.5e-4, .dq = 0.65};
+    problem.settings.tangential.tolerance = problem.settings.outer.tolerance = 1e-7;
+    const ContactSolution solution = solve_layers(problem);
+    REQUIRE(solution.converged());
+    CHECK_THAT(std::abs(solution.forces.Fx - alone), WithinRel(off, 0.05));
+    CHECK(solution.elements.adhesion == 117);
+}
+
 TEST_CASE("a thin incompressible layer holds the contact that its stiffness asks for") {
     // Beneath a wide contact it hardly yields; the equations are nearly singular there.
     const double thickness = GENERATE(0.3, 0.1, 0.02);
