@@ -8,8 +8,8 @@
 #include "contactd/fields/wheel_rail_solution.hpp"
 #include "contactd/fields/wheel_rail_state.hpp"
 
-// The signs of numbers are those of their fields (x-parity in proto/schema); what lists, arrays and ends become is
-// here.
+// The signs of numbers and arrays are those of their fields (x-parity in proto/schema); what lists, rows and ends
+// become is here.
 namespace contactd {
 namespace {
 
@@ -39,11 +39,6 @@ void mirror_rows(std::vector<Value>& values, const Grid& grid) {
         std::swap_ranges(values.begin() + low * nx, values.begin() + (low + 1) * nx, values.begin() + high * nx);
 }
 
-void mirror_across(std::vector<double>& values, const Grid& grid) {
-    mirror_rows(values, grid);
-    for (double& value : values) flip_sign(value);
-}
-
 void mirror(Motion& motion) {
     if (auto* rolling = std::get_if<Rolling>(&motion)) {
         flip_sign(rolling->eta);
@@ -59,12 +54,13 @@ void mirror(Motion& motion) {
 
 void mirror(ContactSolution& solution, const Grid& grid) {
     mirror_rows(solution.element_division, grid);
-    for (auto* values : {&solution.pressure, &solution.traction_x, &solution.slip_x, &solution.flow_x,
-                         &solution.yield_stress, &solution.friction_coefficient, &solution.displacement_x,
-                         &solution.displacement_z, &solution.upper_temperature, &solution.lower_temperature})
-        mirror_rows(*values, grid);
-    for (auto* values : {&solution.traction_y, &solution.slip_y, &solution.flow_y, &solution.displacement_y})
-        mirror_across(*values, grid);
+    for (const Field& field : type_of<ContactSolution>().fields) {
+        if (&field.type() != &custom_type<std::vector<double>>()) continue;
+        auto& values = *static_cast<std::vector<double>*>(field.make(&solution));
+        mirror_rows(values, grid);
+        if (field.parity == MirrorParity::odd)
+            for (double& value : values) flip_sign(value);
+    }
     if (solution.motion) mirror(*solution.motion);
 }
 
