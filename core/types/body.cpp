@@ -2,13 +2,17 @@
 
 #include <array>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "contactd/error.hpp"
 #include "contactd/fields/ic_spec.hpp"
+#include "number_text.hpp"
 
 namespace contactd {
 namespace {
+
+constexpr double largest_creep = 1e6;
 
 bool takes_incompressible(const Body& body) {
     const Ics* ics = body.computed();
@@ -37,6 +41,31 @@ void check_agreement(const Bodies& bodies) {
             throw InvalidArgument(field,
                                   "stands beside a table of the other body; a line contact takes computed coefficients "
                                   "of both bodies, or a table of the pair");
+}
+
+void check_creep(const Body& body, const std::string& field) {
+    if (!body.viscoelastic) return;
+    if (body.material.is_rigid())
+        throw InvalidArgument(field, "is given, and the body is rigid; a rigid body does not creep: leave it out");
+    const auto [f, tau] = *body.viscoelastic;
+    for (const auto& [value, name, most] : {std::tuple(f, ".f", largest_creep), std::tuple(tau, ".tau", 1e100)})
+        if (!(value >= 0 && value <= most))
+            throw InvalidArgument(field + name,
+                                  "is " + number_text(value) + "; it must lie in [0, " + number_text(most) + "]");
+}
+
+/// Coefficients of a body that creeps are known of half-spaces by their closed form, and so must be those beside them.
+void check_half_space(const Body& body, const std::string& field) {
+    if (body.material.is_rigid()) return;
+    const std::string why =
+        body.viscoelastic ? ", and the body is viscoelastic" : ", and the other one is viscoelastic";
+    const Ics* ics = body.computed();
+    if (ics == nullptr) throw InvalidArgument(field, "is a table" + why + "; take source analytic");
+    if (ics->body != BodyShape::half_space)
+        throw InvalidArgument(field + ".body", "is " + std::string(name_of(ics->body)) + why +
+                                                   "; take half_space, or leave viscoelastic out");
+    if (ics->source != IcSource::analytic)
+        throw InvalidArgument(field + ".source", "is fem" + why + "; take analytic, the closed form");
 }
 
 }  // namespace
@@ -71,12 +100,25 @@ bool Bodies::any_layered() const {
     return !pair && (upper.layered() != nullptr || lower.layered() != nullptr);
 }
 
+bool Bodies::any_viscoelastic() const {
+    return !pair && (upper.viscoelastic || lower.viscoelastic);
+}
+
 bool Bodies::any_uniform() const {
     return !pair && (upper.section() != nullptr || lower.section() != nullptr);
 }
 
 bool Bodies::any_given() const {
     return pair || upper.given() != nullptr || lower.given() != nullptr;
+}
+
+Bodies without_instant_creep(Bodies bodies) {
+    for (Body* body : {&bodies.upper, &bodies.lower}) {
+        if (!body->viscoelastic || (body->viscoelastic->f > 0 && body->viscoelastic->tau > 0)) continue;
+        if (body->viscoelastic->tau == 0) body->material.G /= 1 + body->viscoelastic->f;
+        body->viscoelastic.reset();
+    }
+    return bodies;
 }
 
 std::optional<LineContactSpec> line_contact_of(const Bodies& bodies) {
@@ -98,6 +140,10 @@ void validate(const Bodies& bodies, const Grid& grid) {
     for (const auto& [name, body] : named)
         if (const GivenIcs* given = body->given()) validate(*given, grid, std::string(name) + ".ics");
     check_agreement(bodies);
+    for (const auto& [name, body] : named) {
+        check_creep(*body, std::string(name) + ".viscoelastic");
+        if (bodies.any_viscoelastic()) check_half_space(*body, std::string(name) + ".ics");
+    }
 }
 
 }  // namespace contactd

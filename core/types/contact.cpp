@@ -287,6 +287,44 @@ void check_closed_form(const ContactSetup& setup) {
                      "; closed forms know half-spaces only, and a body has layers or a section: take model full");
 }
 
+constexpr const char* creeps = ", and a body is viscoelastic, of which rolling is known that is steady along x";
+
+void check_creep_motion(const ContactProblem& problem) {
+    const auto* rolling = std::get_if<Rolling>(&problem.motion);
+    if (rolling == nullptr)
+        throw InvalidArgument("friction.rolling",
+                              std::string("is missing") + creeps + ": give it, with its velocity; mu may be 0");
+    if (!rolling->steady())
+        throw InvalidArgument("friction.rolling.kind", std::string("is transient") + creeps + ": take steady");
+    if (constexpr double rounding = 1e-9; std::abs(std::sin(rolling->chi)) > rounding)
+        throw InvalidArgument("friction.rolling.chi",
+                              "is " + number_text(rolling->chi) + creeps + ": 0 or pi; turn the grid");
+}
+
+/// Refuses what is not known of bodies that creep.
+void check_viscoelastic(const ContactProblem& problem, bool complete) {
+    if (!problem.bodies.any_viscoelastic()) return;
+    const auto refuse = [](const char* field, const std::string& why) {
+        throw InvalidArgument(field, why + ", and a body is viscoelastic: leave one of them out");
+    };
+    if (problem.model != Model::full)
+        throw InvalidArgument("model", "is " + std::string(name_of(problem.model)) +
+                                           ", a closed form of elastic bodies, and a body is viscoelastic: take full");
+    if (problem.normal_model != NormalModel::of_model)
+        refuse("normal_model", "is given, which knows elastic bodies only");
+    if (problem.columns) refuse("columns", "are given, of curved strips");
+    if (problem.derivatives) refuse("derivatives", "are those of elastic bodies");
+    if (problem.gap && std::holds_alternative<SemiAxes>(*problem.gap))
+        throw InvalidArgument("gap.semi_axes",
+                              "are those of a contact of elastic half-spaces, and a body is viscoelastic; give a "
+                              "paraboloid or an array");
+    if (problem.friction)
+        check_creep_motion(problem);
+    else if (complete)
+        throw InvalidArgument(
+            "friction", std::string("is missing") + creeps + ": give friction.rolling with its velocity; mu may be 0");
+}
+
 void check(const ContactProblem& problem, bool complete) {
     validate(problem.grid, "grid");
     validate(problem.bodies, problem.grid);
@@ -304,6 +342,7 @@ void check(const ContactProblem& problem, bool complete) {
     check_displacements(problem);
     check_tangential_solver(problem);
     check_layer(problem);
+    check_viscoelastic(problem, complete);
     check_columns(problem);
     check_temperature(problem, complete);
     check_state(problem.previous, size, "previous");
@@ -324,6 +363,12 @@ std::array<double, 2> step_of(const ContactProblem& problem) {
     if (rolling == nullptr) return {0, 0};
     const double dq = step_length(*rolling, problem.grid);
     return {dq * std::cos(rolling->chi), dq * std::sin(rolling->chi)};
+}
+
+std::array<double, 3> rolling_of_operators(const ContactProblem& problem) {
+    const auto [x, y] = step_of(problem);
+    const auto* rolling = problem.friction ? std::get_if<Rolling>(&problem.motion) : nullptr;
+    return {x, y, rolling != nullptr && problem.bodies.any_viscoelastic() ? rolling->velocity : 0};
 }
 
 bool is_line_contact(const ContactSetup& setup) {

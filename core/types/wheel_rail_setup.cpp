@@ -184,6 +184,10 @@ void validate(const WheelRailSetup& setup) {
     check(setup.wheelset);
     // The grid is known at each contact only; bodies that need one are checked there.
     validate(setup.bodies, Grid::centred(2, 2, 1, 1));
+    for (const auto& [body, name] : {std::pair(&setup.bodies.upper, "bodies.upper.viscoelastic"),
+                                     std::pair(&setup.bodies.lower, "bodies.lower.viscoelastic")})
+        if (body->viscoelastic)
+            throw InvalidArgument(name, "is given; wheels on rails are known of elastic bodies: leave it out");
     if (setup.bodies.any_uniform())
         throw InvalidArgument("bodies",
                               "have a section of their own, which contacts of wheels on rails do not lie on "

@@ -109,8 +109,9 @@ def _path(path: str, field: Schema) -> str:
     unit = f" /* {field['x-unit']} */" if "x-unit" in field else ""
     name = path.removesuffix("[%d]") + "_at" * path.endswith("[%d]")
     line = f'#define CONTACTD_PATH_{_upper(name.replace("[%d]", ""))} "{path}"'
-    # A unit of two words that does not fit is broken by clang-format, and broken again the next time.
-    return line if " " in field.get("x-unit", "") and len(line + unit) >= _LONGEST else line + unit
+    # A unit of two words that does not fit, or any that just does, is broken by clang-format, and broken again the next time.
+    length = len(line + unit)
+    return line if length == _LONGEST - 1 or (" " in field.get("x-unit", "") and length >= _LONGEST) else line + unit
 
 
 def _upper(name: str) -> str:

@@ -32,6 +32,7 @@ named there has a form of its own on the wire, and so has an object with fields 
                of_fields x-python of fields that are otherwise in this class
                order, positional  the fields that come first, and those that are given by place in a class of keywords
                adds      fields that the client fills in, with their types and sentences
+               beside    fields that the class has and that stand beside the object on the wire, likewise
                sends_defaults  fields that are left out have the defaults of the schema, not None
                fixed     a field of the wire and the value that it always has;  key: the object in which all others are
 """

@@ -15,7 +15,7 @@ from .python_modules import Module
 OF_FIELDS = {"type", "default", "keys", "array", "flat", "spread", "required", "says"}
 OF_CLASSES = {
     "name", "description", "bases", "dataclass", "public", "keywords", "typed_dict", "examples", "adds", "sends_defaults",
-    "fields", "without", "of_fields", "order", "positional", "key", "fixed",
+    "beside", "fields", "without", "of_fields", "order", "positional", "key", "fixed",
 }  # fmt: skip
 BOUNDS = {"minimum": ">=", "exclusiveMinimum": ">", "maximum": "<=", "exclusiveMaximum": "<"}
 MEANT_BY_NOBODY = 1000
@@ -77,6 +77,8 @@ class Collected:
         members = {member.name: member for member in self._members(schema, options)}
         for added, (kind, says) in options.get("adds", {}).items():
             members[added] = Member(added, f"{kind} | None", "None", says, {})
+        for named, (kind, says) in options.get("beside", {}).items():
+            members[named] = Member(named, kind, None, says, {})
         order = {member: place for place, member in enumerate(options.get("order", ()))}
         if lacking := {*options.get("positional", ()), *order} - members.keys():
             raise DeclarationError(f"{name} has no {', '.join(sorted(lacking))}, which x-python-class names")

@@ -44,6 +44,7 @@ MODULES = [
         (
             "definitions.json#/definitions/material",
             "definitions.json#/definitions/body/properties/rigid",
+            "definitions.json#/definitions/body/properties/viscoelastic",
             "definitions.json#/definitions/ics/properties/layers/items",
             "definitions.json#/definitions/ics LayeredBody",
         ),
@@ -124,6 +125,7 @@ MODULES = [
             "definitions.json#/definitions/fields/items",
             "definitions.json#/definitions/derivatives_of_answer",
             "definitions.json#/definitions/contact_temperature",
+            "definitions.json#/definitions/rolling_resistance",
             "contact.solve.result.json#",
         ),
     ),

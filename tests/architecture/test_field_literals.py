@@ -19,12 +19,12 @@ FOLDERS = ["values", "calls", "transport"]
 #: File: the most literals, and why there are any.
 HOOKS: dict[str, tuple[int, str]] = {
     "values/answers.py": (1, '"result", where errors of answers stand'),
-    "values/contact_params.py": (70, "bodies, coefficients and tractions, which depend on each other on the wire; tables and stresses"),
+    "values/contact_params.py": (76, "bodies, coefficients and tractions, which depend on each other on the wire; tables and stresses"),
     "values/dictionaries.py": (7, '"type", the kind of a value in files'),
     "values/fit.py": (1, "rows of representations"),
     "values/friction_methods.py": (2, "a pair of arrays, x and y on the wire"),
     "values/grid_methods.py": (1, "the name of a type"),
-    "values/material_methods.py": (6, "Young's modulus; values that are set when they are made"),
+    "values/material_methods.py": (13, "Young's modulus; values that are set when they are made"),
     "values/params.py": (2, "the metadata of fields"),
     "values/partial_solution.py": (13, "arrays that answers lack where nothing asks for them"),
     "values/problem_methods.py": (3, "fields in whose place a solution may stand"),

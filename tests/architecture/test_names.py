@@ -51,6 +51,8 @@ SAME = [
     ("definitions", "thermal_body", "ThermalBody", "ThermalBody"),
     ("definitions", "thermal_bodies", "ThermalBodies", "ThermalBodies"),
     ("definitions", "contact_temperature", "ContactTemperature", "ContactTemperature"),
+    ("definitions", "rolling_resistance", "RollingResistance", "RollingResistance"),
+    ("definitions", "body/viscoelastic", "Viscoelasticity", "ViscoelasticBody"),
     ("definitions", "wheel_rail_setup", "WheelRailSetup", ""),
     ("definitions", "wheel_rail_setup/wheelset", "Wheelset", "Wheelset"),
     ("definitions", "wheel_rail_setup/track", "Track", "Track"),

@@ -68,14 +68,14 @@ from .values.fit import Fit, FittedCurve, FittedParameter
 from .values.friction import Friction, InterfacialLayer
 from .values.grid import Grid, Paraboloid, SemiAxes
 from .values.ics import AnalyticIcs, LineContact
-from .values.materials import Layer, LayeredBody, Material, RigidBody
+from .values.materials import Layer, LayeredBody, Material, RigidBody, ViscoelasticBody
 from .values.motion import FrictionMemory, KineticFriction, Rolling, SecondTerm, Shift, TemperatureFriction
 from .values.partial_solution import PartialSolution, SavedState, StepSolution
 from .values.problem import ContactColumns, ContactProblem, Estimate
 from .values.profile_shapes import ProfileFile
 from .values.records import ImportedIc, QuarantinedIc, RecentPatch, RecentSolve, StoredIc
 from .values.registry import register
-from .values.result import ContactTemperature
+from .values.result import ContactTemperature, RollingResistance
 from .values.service import Job, Limits, Progress, ServerInfo, SessionSummary
 from .values.solution import ContactSolution
 from .values.step_input import StepInput
@@ -148,6 +148,7 @@ __all__ = [
     "ResourceExhausted",
     "RigidBody",
     "Rolling",
+    "RollingResistance",
     "SavedFileError",
     "SavedState",
     "SecondTerm",
@@ -179,6 +180,7 @@ __all__ = [
     "Unavailable",
     "Unimplemented",
     "Violation",
+    "ViscoelasticBody",
     "WheelRailSession",
     "WheelRailStepInput",
     "WheelRailStepSolution",

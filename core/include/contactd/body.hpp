@@ -10,12 +10,23 @@
 
 namespace contactd {
 
+/// The standard linear solid: its creep compliance is J(t) = (1 + f (1 - exp(-t/tau)))/G, G and nu those of its
+/// material at once; Poisson's ratio stays. The relaxation time of its stress is tau/(1 + f). Of steady rolling along
+/// x.
+struct Viscoelasticity {
+    double f = 0;    ///< delayed compliance over that at once, >= 0
+    double tau = 0;  ///< retardation time of creep (s), >= 0
+
+    bool operator==(const Viscoelasticity&) const = default;
+};
+
 /// By a source that makes them, or a table that the request brings along.
 using Coefficients = std::variant<Ics, GivenIcs>;
 
 struct Body {
-    Material material;   ///< or rigid; of layers that of their surface
-    Coefficients ics{};  ///< of the body alone; of no meaning when it is rigid
+    Material material;                              ///< or rigid; of layers that of their surface
+    Coefficients ics{};                             ///< of the body alone; of no meaning when it is rigid
+    std::optional<Viscoelasticity> viscoelastic{};  ///< of half-spaces by their closed form
 
     /// A table that the request brings along, or null: a rigid body has none.
     const GivenIcs* given() const;
@@ -45,11 +56,16 @@ struct Bodies {
     bool any_given() const;
     /// Whether one of them is made of layers, of which the closed forms of half-spaces say nothing.
     bool any_layered() const;
+    /// Whether one of them creeps.
+    bool any_viscoelastic() const;
     /// Whether one of them is a longitudinally uniform body, of which they say nothing either.
     bool any_uniform() const;
 
     bool operator==(const Bodies&) const = default;
 };
+
+/// Returns the bodies with what creeps at once, or not at all, made elastic: of tau = 0 the modulus is G/(1 + f).
+Bodies without_instant_creep(Bodies bodies);
 
 /// The line contact that the bodies' coefficients are computed for; nothing where there is none, or they are a pair's.
 std::optional<LineContactSpec> line_contact_of(const Bodies& bodies);

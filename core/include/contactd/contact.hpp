@@ -68,6 +68,21 @@ struct Forces {
     double Mz = 0;          ///< moment about z at the origin, sum of x p_y - y p_x (N mm)
 };
 
+/// What the creep of viscoelastic bodies takes of rolling.
+struct RollingResistance {
+    /// Sum of pressures times the slopes of the undeformed distance along the rolling direction (N): it resists
+    /// rolling.
+    double force = 0;
+    double power = 0;               ///< that the bodies dissipate, the force times the velocity (N mm/s)
+    double centre_of_pressure = 0;  ///< its x (mm)
+    double moment = 0;              ///< of the pressures about the axis y, sum of x p (N mm)
+    /// What the force is off by the slopes of the surfaces, whose work is the hysteresis: over the sum of pressures
+    /// times the sizes of the slopes.
+    double defect = 0;
+
+    bool operator==(const RollingResistance&) const = default;
+};
+
 /// How the solvers of a contact problem ended.
 struct ContactEvidence {
     SolverEvidence normal;
@@ -107,16 +122,17 @@ struct ContactSolution {
     /// Temperatures of both surfaces (degrees Celsius), in contact and behind it. Where asked for; elsewhere empty.
     std::vector<double> upper_temperature, lower_temperature;
     std::optional<ContactTemperature> temperature;  ///< with these
-    /// The energy that the tractions have stored, half the sum of traction times displacement (N mm); with
+    /// Half the sum of traction times displacement (N mm), which is the energy that elastic bodies have stored; with
     /// displacements.
     std::optional<double> elastic_energy;
     /// The energy that friction dissipates: in the step of a shift (N mm), or the power of rolling (N mm/s).
     std::optional<double> frictional_work, frictional_power;
     /// What of that the flow of a layer dissipates, and the largest length of flow, as flow_x; where a layer yields.
     std::optional<double> plastic_work, plastic_power, largest_flow;
-    std::optional<Motion> motion;            ///< as asked, with what a prescribed force made of it
-    std::optional<Derivatives> derivatives;  ///< where asked for, of a converged solution with contact
-    std::vector<std::string> warnings;       ///< sentences: what a user of the solution should know
+    std::optional<RollingResistance> rolling_resistance;  ///< of viscoelastic bodies
+    std::optional<Motion> motion;                         ///< as asked, with what a prescribed force made of it
+    std::optional<Derivatives> derivatives;               ///< where asked for, of a converged solution with contact
+    std::vector<std::string> warnings;                    ///< sentences: what a user of the solution should know
     ContactEvidence evidence;
 
     /// True when every solver of the problem that ran reached its tolerance; derivatives that did not are left out.
@@ -168,6 +184,10 @@ double step_length(const Rolling& rolling, const Grid& grid);
 
 /// The way from a particle to where it was one step ago (mm): dq (cos chi, sin chi); zero unless the bodies roll.
 std::array<double, 2> step_of(const ContactProblem& problem);
+
+/// Returns what the operators of a problem depend on beside its set-up: the step, and of viscoelastic bodies that roll
+/// the velocity, else zero.
+std::array<double, 3> rolling_of_operators(const ContactProblem& problem);
 
 /// Throws InvalidArgument naming the field as on the wire when the problem cannot be solved as stated.
 void validate(const ContactProblem& problem);

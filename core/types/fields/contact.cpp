@@ -12,9 +12,9 @@ namespace {
     [[maybe_unused]] const auto& [approach_, forces_, resultant_, pmax_, area_, elements_, element_division_, pressure_,
                                   traction_x_, traction_y_, slip_x_, slip_y_, flow_x_, flow_y_, yield_stress_,
                                   friction_coefficient_, displacement_x_, displacement_y_, displacement_z_,
-                                  upper_temperature_, lower_temperature_, temperature_, elastic_energy_,
-                                  frictional_work_, frictional_power_, plastic_work_, plastic_power_, largest_flow_,
-                                  motion_, derivatives_, warnings_, evidence_] = all;
+                                  upper_temperature_, lower_temperature_, temperature_, rolling_resistance_,
+                                  elastic_energy_, frictional_work_, frictional_power_, plastic_work_, plastic_power_,
+                                  largest_flow_, motion_, derivatives_, warnings_, evidence_] = all;
 }
 [[maybe_unused]] void all_of(const Forces& all) {
     [[maybe_unused]] const auto& [Fn_, Fx_, Fy_, Mz_] = all;
@@ -32,6 +32,9 @@ namespace {
 [[maybe_unused]] void all_of(const Discretisation& all) {
     [[maybe_unused]] const auto& [elements_across_, force_error_, pmax_error_, source_, rolling_error_,
                                   compliance_ratio_] = all;
+}
+[[maybe_unused]] void all_of(const RollingResistance& all) {
+    [[maybe_unused]] const auto& [force_, power_, centre_of_pressure_, moment_, defect_] = all;
 }
 [[maybe_unused]] void all_of(const SolverEvidence& all) {
     [[maybe_unused]] const auto& [iterations_, residual_, converged_, seconds_] = all;
@@ -92,6 +95,7 @@ const FieldType& type_of<ContactSolution>() {
         fields::custom_field<&ContactSolution::upper_temperature>("upper_temperature"),
         fields::custom_field<&ContactSolution::lower_temperature>("lower_temperature"),
         fields::field<&ContactSolution::temperature>("temperature"),
+        fields::field<&ContactSolution::rolling_resistance>("rolling_resistance"),
         fields::field<&ContactSolution::elastic_energy>("elastic_energy", {.unit = "N mm"}),
         fields::field<&ContactSolution::frictional_work>("frictional_work", {.unit = "N mm"}),
         fields::field<&ContactSolution::frictional_power>("frictional_power", {.unit = "N mm/s"}),
@@ -168,6 +172,19 @@ const FieldType& type_of<Discretisation>() {
         fields::field<&Discretisation::source>("source", {.required = true}),
         fields::field<&Discretisation::rolling_error>("rolling_error", {.bounds = {.least = 0}}),
         fields::field<&Discretisation::compliance_ratio>("compliance_ratio"),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<RollingResistance>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&RollingResistance::force>("force", {.unit = "N", .required = true}),
+        fields::field<&RollingResistance::power>("power", {.unit = "N mm/s", .required = true}),
+        fields::field<&RollingResistance::centre_of_pressure>("centre_of_pressure", {.unit = "mm", .required = true}),
+        fields::field<&RollingResistance::moment>("moment", {.unit = "N mm", .required = true}),
+        fields::field<&RollingResistance::defect>("defect", {.bounds = {.least = 0}, .required = true}),
     });
     static const FieldType type = fields::object_type(list);
     return type;

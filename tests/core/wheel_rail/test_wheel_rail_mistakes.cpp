@@ -36,6 +36,8 @@ TEST_CASE("Mistakes in a set-up are refused by name") {
     refused([](auto& setup) { std::swap(setup.wheel, setup.rail); }, "wheel.kind is rail");
     refused([](auto& setup) { setup.rail.shape = ProfilePoints{{{0, 0}}}; }, "rail.points");
     refused([](auto& setup) { setup.bodies.upper.material.G = -1; }, "bodies.upper.G is -1");
+    refused([](auto& setup) { setup.bodies.lower.viscoelastic = Viscoelasticity{1, 1}; },
+            "bodies.lower.viscoelastic is given");
 }
 
 TEST_CASE("A set-up is not valid with a profile that is none") {

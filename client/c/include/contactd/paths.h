@@ -19,11 +19,17 @@
 #define CONTACTD_PATH_BODIES_UPPER_G "bodies.upper.G" /* N/mm^2 */
 #define CONTACTD_PATH_BODIES_UPPER_NU "bodies.upper.nu"
 #define CONTACTD_PATH_BODIES_UPPER_ICS "bodies.upper.ics"
+#define CONTACTD_PATH_BODIES_UPPER_VISCOELASTIC "bodies.upper.viscoelastic"
+#define CONTACTD_PATH_BODIES_UPPER_VISCOELASTIC_F "bodies.upper.viscoelastic.f"
+#define CONTACTD_PATH_BODIES_UPPER_VISCOELASTIC_TAU "bodies.upper.viscoelastic.tau" /* s */
 #define CONTACTD_PATH_BODIES_UPPER_RIGID "bodies.upper.rigid"
 #define CONTACTD_PATH_BODIES_LOWER "bodies.lower"
 #define CONTACTD_PATH_BODIES_LOWER_G "bodies.lower.G" /* N/mm^2 */
 #define CONTACTD_PATH_BODIES_LOWER_NU "bodies.lower.nu"
 #define CONTACTD_PATH_BODIES_LOWER_ICS "bodies.lower.ics"
+#define CONTACTD_PATH_BODIES_LOWER_VISCOELASTIC "bodies.lower.viscoelastic"
+#define CONTACTD_PATH_BODIES_LOWER_VISCOELASTIC_F "bodies.lower.viscoelastic.f"
+#define CONTACTD_PATH_BODIES_LOWER_VISCOELASTIC_TAU "bodies.lower.viscoelastic.tau" /* s */
 #define CONTACTD_PATH_BODIES_LOWER_RIGID "bodies.lower.rigid"
 #define CONTACTD_PATH_ICS "ics"
 #define CONTACTD_PATH_ICS_SOURCE "ics.source"
@@ -357,6 +363,12 @@
 #define CONTACTD_PATH_TEMPERATURE_HEAT_UPPER "temperature.heat_upper" /* N mm/s */
 #define CONTACTD_PATH_TEMPERATURE_HEAT_LOWER "temperature.heat_lower" /* N mm/s */
 #define CONTACTD_PATH_TEMPERATURE_PECLET "temperature.peclet"
+#define CONTACTD_PATH_ROLLING_RESISTANCE "rolling_resistance"
+#define CONTACTD_PATH_ROLLING_RESISTANCE_FORCE "rolling_resistance.force"                           /* N */
+#define CONTACTD_PATH_ROLLING_RESISTANCE_POWER "rolling_resistance.power"                           /* N mm/s */
+#define CONTACTD_PATH_ROLLING_RESISTANCE_CENTRE_OF_PRESSURE "rolling_resistance.centre_of_pressure" /* mm */
+#define CONTACTD_PATH_ROLLING_RESISTANCE_MOMENT "rolling_resistance.moment"                         /* N mm */
+#define CONTACTD_PATH_ROLLING_RESISTANCE_DEFECT "rolling_resistance.defect"
 #define CONTACTD_PATH_ELASTIC_ENERGY "elastic_energy" /* N mm */
 #define CONTACTD_PATH_DERIVATIVES_FX "derivatives.Fx"
 #define CONTACTD_PATH_DERIVATIVES_FX_XI "derivatives.Fx.xi"
@@ -869,6 +881,13 @@
 #define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_HEAT_UPPER "patches[%d].solution.temperature.heat_upper"
 #define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_HEAT_LOWER "patches[%d].solution.temperature.heat_lower"
 #define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_PECLET "patches[%d].solution.temperature.peclet"
+#define CONTACTD_PATH_PATCHES_SOLUTION_ROLLING_RESISTANCE "patches[%d].solution.rolling_resistance"
+#define CONTACTD_PATH_PATCHES_SOLUTION_ROLLING_RESISTANCE_FORCE "patches[%d].solution.rolling_resistance.force"
+#define CONTACTD_PATH_PATCHES_SOLUTION_ROLLING_RESISTANCE_POWER "patches[%d].solution.rolling_resistance.power"
+#define CONTACTD_PATH_PATCHES_SOLUTION_ROLLING_RESISTANCE_CENTRE_OF_PRESSURE \
+    "patches[%d].solution.rolling_resistance.centre_of_pressure" /* mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_ROLLING_RESISTANCE_MOMENT "patches[%d].solution.rolling_resistance.moment"
+#define CONTACTD_PATH_PATCHES_SOLUTION_ROLLING_RESISTANCE_DEFECT "patches[%d].solution.rolling_resistance.defect"
 #define CONTACTD_PATH_PATCHES_SOLUTION_ELASTIC_ENERGY "patches[%d].solution.elastic_energy"     /* N mm */
 #define CONTACTD_PATH_PATCHES_SOLUTION_FRICTIONAL_WORK "patches[%d].solution.frictional_work"   /* N mm */
 #define CONTACTD_PATH_PATCHES_SOLUTION_FRICTIONAL_POWER "patches[%d].solution.frictional_power" /* N mm/s */

@@ -17,7 +17,7 @@ from .arrays import array_of
 from .fem_ics import FemIcs
 from .grid import Grid
 from .ics import AnalyticIcs, Ics
-from .materials import LayeredBody, Material, RigidBody
+from .materials import LayeredBody, Material, RigidBody, ViscoelasticBody
 from .params import fields_of, params_of
 from .problem import ContactProblem, Estimate
 from .profiles import profile_params
@@ -77,12 +77,12 @@ def _influence_params(given: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def body_params(
-    body: Material | RigidBody | LayeredBody, ics: Ics | TableIcs | None, grid: Grid, both: Ics | TableIcs
+    body: Material | RigidBody | LayeredBody | ViscoelasticBody, ics: Ics | TableIcs | None, grid: Grid, both: Ics | TableIcs
 ) -> dict[str, Any]:
     """`bodies.upper` or `bodies.lower`; `ics` is the body's own, where it is not that of both."""
     if isinstance(body, LayeredBody):
         return {"ics": layered_params(body, both if ics is None else ics)}
-    params: dict[str, Any] = params_of(body)
+    params: dict[str, Any] = viscoelastic_params(body) if isinstance(body, ViscoelasticBody) else params_of(body)
     return params if ics is None else {**params, "ics": coefficient_params(ics, grid)}
 
 
@@ -131,6 +131,11 @@ def layered_params(body: LayeredBody, ics: Ics | TableIcs) -> dict[str, Any]:
         raise TypeError("a table says all of a body; give it with a Material instead of a LayeredBody")
     kept: dict[str, Any] = params_of(AnalyticIcs(load_shape=ics.load_shape, line_contact=getattr(ics, "line_contact", None)))
     return {**kept, **body.params()}
+
+
+def viscoelastic_params(body: ViscoelasticBody) -> dict[str, Any]:
+    """A body of the standard linear solid: its material at once, and what creeps."""
+    return {"G": body.G, "nu": body.nu, "viscoelastic": {"f": body.f, "tau": body.tau}}
 
 
 def table_shape(grid: Grid, ics: Ics) -> tuple[int, ...]:
@@ -183,6 +188,10 @@ def subsurface_params(
 def shear_modulus_of(problem: ContactProblem, body: Literal["lower", "upper"]) -> float:
     """That of a half-space, whose displacements are known."""
     material = _material_of(problem, body)
+    if isinstance(material, ViscoelasticBody):
+        raise invalid(
+            "displacements", f"are wanted, and body {body!r} creeps; below the surface only its stresses are known"
+        )
     if not isinstance(material, Material):
         raise invalid("displacements", f"are wanted, and body {body!r} is no half-space; its displacements are not known")
     return material.G
@@ -212,7 +221,7 @@ def _ics_of(problem: ContactProblem, body: str) -> dict[str, Any]:
     return {} if params == params_of(AnalyticIcs()) else {"ics": params}
 
 
-def _material_of(problem: ContactProblem, body: str) -> Material | RigidBody | LayeredBody | None:
+def _material_of(problem: ContactProblem, body: str) -> Material | RigidBody | LayeredBody | ViscoelasticBody | None:
     return problem.upper if body == "upper" or problem.lower is None else problem.lower
 
 

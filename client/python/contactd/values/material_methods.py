@@ -1,4 +1,4 @@
-"""How materials and bodies of layers are made, whose fields are in `materials`."""
+"""How materials and bodies of layers and of the standard linear solid are made, whose fields are in `materials`."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any, Generic, TypeVar
 from ..errors import invalid
 from ..refusals import public
 
-__all__ = ["LayeredBodyMethods", "MaterialMethods"]
+__all__ = ["LayeredBodyMethods", "MaterialMethods", "ViscoelasticBodyMethods"]
 
 
 L = TypeVar("L")  #: a layer
@@ -32,6 +32,37 @@ class MaterialMethods:
     @property
     def E(self: Any) -> float:
         """Young's modulus 2 G (1 + nu) (N/mm^2)."""
+        modulus: float = 2 * self.G * (1 + self.nu)
+        return modulus
+
+
+class ViscoelasticBodyMethods:
+    """A ViscoelasticBody is made of its shear modulus or of Young's, both at once, as a Material is."""
+
+    @public
+    def __init__(
+        self: Any,
+        G: float | None = None,
+        nu: float | None = None,
+        f: float | None = None,
+        tau: float | None = None,
+        *,
+        E: float | None = None,
+    ) -> None:
+        for name, value in (("nu", nu), ("f", f), ("tau", tau)):
+            if value is None:
+                raise TypeError(f"ViscoelasticBody() lacks {name}")
+        if (G is None) == (E is None):
+            raise TypeError("ViscoelasticBody() takes either G, the shear modulus at once, or E, Young's modulus")
+        assert nu is not None
+        values = {"G": _shear_modulus(E, nu) if E is not None else G, "nu": nu, "f": f, "tau": tau}
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
+        self.__post_init__()
+
+    @property
+    def E(self: Any) -> float:
+        """Young's modulus at once, 2 G (1 + nu) (N/mm^2)."""
         modulus: float = 2 * self.G * (1 + self.nu)
         return modulus
 

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .material_methods import LayeredBodyMethods, MaterialMethods
+from .material_methods import LayeredBodyMethods, MaterialMethods, ViscoelasticBodyMethods
 from .params import Checked, HasParams
 
-__all__ = ["Layer", "LayeredBody", "Material", "RigidBody"]
+__all__ = ["Layer", "LayeredBody", "Material", "RigidBody", "ViscoelasticBody"]
 
 
 @dataclass(frozen=True, init=False)
@@ -36,6 +36,31 @@ class RigidBody:
     """A body that does not deform; the other one must be elastic. Influence coefficients mean nothing to it."""
 
     _fixed = ("rigid", True)
+
+
+@dataclass(frozen=True, init=False)
+class ViscoelasticBody(ViscoelasticBodyMethods, Checked):
+    """A half-space of the standard linear solid, in steady rolling along x (docs/viscoelastic.md).
+
+    Its creep compliance is J(t) = (1 + f (1 - exp(-t/tau)))/G. What it does depends on how far it rolls in the time
+    tau, so that the velocity of Rolling means something.
+
+    ::
+
+        ViscoelasticBody(G=1143, nu=0.4, f=1, tau=0.009)
+        ViscoelasticBody(E=3200, nu=0.4, f=1, tau=0.009)  # G = E / (2 (1 + nu))
+
+    Attributes:
+        G: Shear modulus at once (N/mm^2), > 0; after long it is G/(1 + f).
+        nu: Poisson's ratio (0 to 0.5), the same at all times.
+        f: Delayed compliance over that at once (>= 0); 0 is elastic of modulus G.
+        tau: Retardation time of creep (s), >= 0; 0 is elastic of modulus G/(1 + f). Stress relaxes in tau/(1 + f).
+    """
+
+    G: float
+    nu: float
+    f: float
+    tau: float
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ from .evidence import Model, NormalModel, SimplifiedSettings, SolverSettings
 from .friction import Friction
 from .grid import Grid, Paraboloid, SemiAxes
 from .ics import Ics
-from .materials import LayeredBody, Material, RigidBody
+from .materials import LayeredBody, Material, RigidBody, ViscoelasticBody
 from .params import HasParams, instead
 from .problem_methods import CLOSED_FORMS, REQUIRED, ProblemMethods
 from .solution import ContactSolution
@@ -126,10 +126,14 @@ class ContactProblem(ProblemMethods, Saved):
     """
 
     grid: Grid
-    upper: Material | RigidBody | LayeredBody | None = field(default=None, metadata={"within": "bodies"})
+    upper: Material | RigidBody | LayeredBody | ViscoelasticBody | None = field(
+        default=None, metadata={"within": "bodies"}
+    )
     gap: Paraboloid | SemiAxes | npt.ArrayLike = field(default=REQUIRED, metadata={"array": "array"})
     approach: float | None = None
-    lower: Material | RigidBody | LayeredBody | None = field(default=None, metadata={"within": "bodies"})
+    lower: Material | RigidBody | LayeredBody | ViscoelasticBody | None = field(
+        default=None, metadata={"within": "bodies"}
+    )
     ics: Ics | TableIcs = CLOSED_FORMS
     friction: Friction | None = None
     normal: SolverSettings | None = field(default=None, metadata={"within": "settings"})
@@ -159,10 +163,10 @@ class ProblemFields(TypedDict, total=False):
     """Keywords of ContactProblem."""
 
     grid: Grid
-    upper: Material | RigidBody | LayeredBody | None
+    upper: Material | RigidBody | LayeredBody | ViscoelasticBody | None
     gap: Paraboloid | SemiAxes | npt.ArrayLike
     approach: float | None
-    lower: Material | RigidBody | LayeredBody | None
+    lower: Material | RigidBody | LayeredBody | ViscoelasticBody | None
     ics: Ics | TableIcs
     friction: Friction | None
     normal: SolverSettings | None

@@ -25,6 +25,7 @@ __all__ = [
     "Field",
     "Forces",
     "Resultant",
+    "RollingResistance",
     "Solution",
 ]
 
@@ -80,6 +81,27 @@ class ContactTemperature:
     heat_upper: float
     heat_lower: float
     peclet: float
+
+
+@dataclass(frozen=True)
+class RollingResistance:
+    """What the creep of viscoelastic bodies takes of rolling.
+
+    Attributes:
+        force: Force that resists rolling (N): the sum of pressures times the slopes of the undeformed distance along
+            the rolling direction.
+        power: Power that the bodies dissipate by hysteresis, the force times the velocity of rolling (N mm/s).
+        centre_of_pressure: x of the centre of pressure (mm).
+        moment: Moment of the pressures about the axis y, the sum of x p dx dy (N mm).
+        defect: Evidence of the force: its difference to minus the sum of pressures times the slopes of the surfaces,
+            which is the hysteresis, over the sum of pressures times the sizes of the slopes.
+    """
+
+    force: float
+    power: float
+    centre_of_pressure: float
+    moment: float
+    defect: float
 
 
 @dataclass(frozen=True)
@@ -218,8 +240,9 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
             Celsius); where asked for.
         lower_temperature: Temperature of the lower body's surface, as upper_temperature.
         temperature: The largest temperature, and the heat; where temperatures were asked for.
-        elastic_energy: Energy that the tractions have stored, half the sum of traction times displacement (N mm); with
-            displacements.
+        rolling_resistance: What the creep of viscoelastic bodies takes of rolling; of contact with such a body.
+        elastic_energy: Half the sum of traction times displacement, the energy that elastic bodies have stored (N mm);
+            with displacements.
         frictional_work: Energy that friction dissipates in a shift (N mm).
         frictional_power: Power that friction dissipates in rolling (N mm/s).
         plastic_work: What of frictional_work the flow of a layer dissipates (N mm).
@@ -262,6 +285,7 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
     upper_temperature: Array | None = None
     lower_temperature: Array | None = None
     temperature: ContactTemperature | None = None
+    rolling_resistance: RollingResistance | None = None
     elastic_energy: float | None = None
     frictional_work: float | None = None
     frictional_power: float | None = None

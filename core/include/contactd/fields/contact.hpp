@@ -56,6 +56,8 @@ const FieldType& type_of<ContactEvidence>();
 template <>
 const FieldType& type_of<Discretisation>();
 template <>
+const FieldType& type_of<RollingResistance>();
+template <>
 const FieldType& type_of<SolverEvidence>();
 
 }  // namespace contactd
