@@ -43,9 +43,13 @@ class InfluenceOperator {
         std::fill(uy.begin(), uy.end(), 0.0);
     }
 
+    /// Whether the products are those of symmetric matrices. Those of bodies that creep as they roll are not; they are
+    /// positive definite all the same, and so is their preconditioner.
+    virtual bool is_symmetric() const { return true; }
+
     /// A[i,i] of every element on itself (mm^3/N), > 0.
     virtual std::vector<double> diagonal(Axis i) const = 0;
-    /// z ~ A[i,i]^-1 r, symmetric and positive definite; any approximation serves, even a scaled identity.
+    /// z ~ A[i,i]^-1 r, symmetric (where A is) and positive definite; any approximation serves, even a scaled identity.
     virtual void precondition(Axis i, std::span<const double> r, std::span<double> z) const = 0;
     /// Preconditions both tangential components at once, with their coupling where an implementation knows it.
     virtual void precondition_tangential(std::span<const double> rx, std::span<const double> ry, std::span<double> zx,

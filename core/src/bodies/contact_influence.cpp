@@ -12,8 +12,10 @@
 #include "operators/strips/strip_parts.hpp"
 #include "operators/sum_operator.hpp"
 #include "operators/sum_step.hpp"
+#include "operators/viscoelastic/viscoelastic_operator.hpp"
 #include "strip_influence.hpp"
 #include "uniform_strips.hpp"
+#include "viscoelastic_influence.hpp"
 
 namespace contactd {
 namespace {
@@ -160,8 +162,9 @@ std::size_t ContactInfluence::bytes() const {
 }
 
 std::size_t influence_bytes(const Grid& grid, const Bodies& bodies) {
-    const std::size_t flat =
-        grid.size() * (ConvolutionOperator::bytes_per_element + ShiftedOperator::bytes_per_element);
+    const std::size_t flat = grid.size() * ((bodies.any_viscoelastic() ? ViscoelasticOperator::bytes_per_element
+                                                                       : ConvolutionOperator::bytes_per_element) +
+                                            ShiftedOperator::bytes_per_element);
     if (!bodies.any_uniform()) return flat;
     // A step that is not of whole elements has two tables of its own; one of an element reads one offset more.
     const std::size_t strips = 3 * StripParts::bytes_of(grid.nx + 1, grid.ny);
@@ -170,6 +173,12 @@ std::size_t influence_bytes(const Grid& grid, const Bodies& bodies) {
 }
 
 ContactInfluence make_influence(const ContactProblem& problem, IcTable pair, const Observer& observer) {
+    if (problem.bodies.any_viscoelastic()) {
+        ContactProblem rolling = problem;
+        rolling.bodies = without_instant_creep(problem.bodies);
+        return rolling.bodies.any_viscoelastic() ? viscoelastic_influence(rolling, std::move(pair), observer)
+                                                 : make_influence(rolling, std::move(pair), observer);
+    }
     const auto [x, y] = step_of(problem);
     if (x == 0 && y == 0) return influence_of(problem, std::move(pair), std::optional<ShiftedTable>());
     ShiftedTable change = problem.bodies.any_layered()
@@ -181,6 +190,9 @@ ContactInfluence make_influence(const ContactProblem& problem, IcTable pair, con
 ContactInfluence make_influence(const ContactProblem& problem, BodyTable upper, BodyTable lower,
                                 const Observer& observer) {
     check_strips_of_uniform(problem);
+    if (problem.bodies.any_viscoelastic())  // half-spaces both
+        return make_influence(problem, pair_of(std::get<IcTable>(std::move(upper)), std::get<IcTable>(lower)),
+                              observer);
     return std::visit(
         [&]<class Upper, class Lower>(Upper& above, Lower& below) {
             if constexpr (std::is_same_v<Upper, Lower>)

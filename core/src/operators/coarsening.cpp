@@ -39,6 +39,13 @@ double mean_offset(int factor_x, int factor_y, const At& at) {
     return sum;
 }
 
+std::span<const std::array<Axis, 2>> components(bool coupled) {
+    using enum Axis;
+    static constexpr std::array<std::array<Axis, 2>, 9> all = {
+        {{x, x}, {y, y}, {z, z}, {x, y}, {y, x}, {x, z}, {y, z}, {z, x}, {z, y}}};
+    return std::span(all).first(coupled ? 9 : 5);
+}
+
 }  // namespace
 
 Coarsening::Coarsening(int nx, int ny)
@@ -50,12 +57,8 @@ Coarsening::Coarsening(int nx, int ny)
       coarse_ny_((ny + factor_y_ - 1) / factor_y_) {}
 
 IcTable Coarsening::coarse(const IcTable& fine, bool coupled) const {
-    using enum Axis;
-    constexpr std::array<std::array<Axis, 2>, 9> all = {
-        {{x, x}, {y, y}, {z, z}, {x, y}, {y, x}, {x, z}, {y, z}, {z, x}, {z, y}}};
-    const auto components = std::span(all).first(coupled ? 9 : 5);
     IcTable result(coarse_nx_, coarse_ny_);
-    for (const auto& [i, j] : components)
+    for (const auto& [i, j] : components(coupled))
         for (int L = 0; L < coarse_ny_; ++L)
             for (int K = 0; K < coarse_nx_; ++K) {
                 result(i, j, K, L) = mean_offset(factor_x_, factor_y_, [&](int a, int b) {
@@ -66,18 +69,31 @@ IcTable Coarsening::coarse(const IcTable& fine, bool coupled) const {
     return result;
 }
 
+namespace {
+
+/// Of a table of offsets of both signs, for the components `pairs`.
+template <class Table, class Pairs>
+Table coarse_signed(const Table& fine, Table coarse, int factor_x, int factor_y, const Pairs& pairs) {
+    const auto inside = [](int offset, int n) { return std::clamp(offset, 1 - n, n - 1); };
+    for (const auto& [i, j] : pairs)
+        for (int L = 1 - coarse.ny; L < coarse.ny; ++L)
+            for (int K = 1 - coarse.nx; K < coarse.nx; ++K)
+                coarse(i, j, K, L) = mean_offset(factor_x, factor_y, [&](int a, int b) {
+                    return fine(i, j, inside(K * factor_x + a, fine.nx), inside(L * factor_y + b, fine.ny));
+                });
+    return coarse;
+}
+
+}  // namespace
+
 ShiftedTable Coarsening::coarse(const ShiftedTable& fine) const {
     using enum Axis;
-    const auto inside = [](int offset, int n) { return std::clamp(offset, 1 - n, n - 1); };
-    ShiftedTable result(coarse_nx_, coarse_ny_);
-    for (const Axis i : {x, y})
-        for (const Axis j : {x, y, z})
-            for (int L = 1 - coarse_ny_; L < coarse_ny_; ++L)
-                for (int K = 1 - coarse_nx_; K < coarse_nx_; ++K)
-                    result(i, j, K, L) = mean_offset(factor_x_, factor_y_, [&](int a, int b) {
-                        return fine(i, j, inside(K * factor_x_ + a, fine.nx), inside(L * factor_y_ + b, fine.ny));
-                    });
-    return result;
+    constexpr std::array<std::array<Axis, 2>, 6> pairs = {{{x, x}, {x, y}, {x, z}, {y, x}, {y, y}, {y, z}}};
+    return coarse_signed(fine, ShiftedTable(coarse_nx_, coarse_ny_), factor_x_, factor_y_, pairs);
+}
+
+RollingTable Coarsening::coarse(const RollingTable& fine, bool coupled) const {
+    return coarse_signed(fine, RollingTable(coarse_nx_, coarse_ny_), factor_x_, factor_y_, components(coupled));
 }
 
 void Coarsening::average(std::span<const double> fine, std::span<double> coarse) const {

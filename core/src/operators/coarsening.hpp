@@ -5,6 +5,7 @@
 
 #include "contactd/ic_table.hpp"
 #include "influence/shifted_table.hpp"
+#include "influence/viscoelastic/rolling_table.hpp"
 
 namespace contactd {
 
@@ -20,6 +21,7 @@ class Coarsening {
     /// and, where asked for, xz, yz, zx, zy.
     IcTable coarse(const IcTable& fine, bool coupled) const;
     ShiftedTable coarse(const ShiftedTable& fine) const;
+    RollingTable coarse(const RollingTable& fine, bool coupled) const;
     void average(std::span<const double> fine, std::span<double> coarse) const;
     /// Bilinear between centres, constant beyond the outermost ones.
     void interpolate(std::span<const double> coarse, std::span<double> fine) const;

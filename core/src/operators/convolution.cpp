@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <string>
 #include <utility>
@@ -12,17 +11,12 @@
 #include "contactd/error.hpp"
 #include "contactd/given_ics.hpp"
 #include "lazy.hpp"
+#include "operators/fft/inverse_symbols.hpp"
 #include "operators/fft/padded_fft.hpp"
 #include "operators/fft/padded_size.hpp"
 
 namespace contactd {
 namespace {
-
-// The symbol of a half-space stays above 0.08 times the diagonal even for elements of 1:1000. This part of the diagonal
-// is its least value here: the reciprocal stays positive where truncation or errors of the table made it negative.
-constexpr double smallest_symbol = 0.02;
-// Most of the symbol of xy in units of sqrt(xx yy): a half-space has nu/(2 - nu), 1/3 at most.
-constexpr double largest_coupling = 0.6;
 
 bool is_zero(const IcTable& table, Axis i, Axis j) {
     const double* values = &table.values[table.index(i, j, 0, 0)];
@@ -111,9 +105,6 @@ struct ConvolutionOperator::Impl {
     struct Tangential {
         PaddedFft::Symbol xx, yy, xy, yx;  // xy and yx are empty when both are zero
     };
-    struct TangentialInverse {
-        PaddedFft::Symbol xx, yy, xy;
-    };
     struct Coupling {
         PaddedFft::Symbol xz, yz, zx, zy;
     };
@@ -151,42 +142,15 @@ struct ConvolutionOperator::Impl {
     }
 
     const PaddedFft::Symbol& reciprocal_symbol(Axis i) {
-        return reciprocal[static_cast<std::size_t>(i)].get([&] {
-            PaddedFft::Symbol values = inverse.symbol(kernel(i, i));
-            const double factor = inverse.norm_factor();
-            const double least = smallest_symbol * table(i, i, 0, 0) * factor;
-            for (double& value : values) value = factor * factor / std::max(value, least);
-            return values;
-        });
+        return reciprocal[static_cast<std::size_t>(i)].get(
+            [&] { return contactd::reciprocal_symbol(inverse, table, i); });
     }
 
-    // Inverse of the 2 x 2 symbol of the tangential components, made symmetric and positive definite.
     const TangentialInverse& tangential_inverse_symbols() {
-        return tangential_inverse.get([&] {
-            using enum Axis;
-            TangentialInverse made{inverse.symbol(kernel(x, x)), inverse.symbol(kernel(y, y)),
-                                   inverse.symbol(kernel(x, y))};
-            const PaddedFft::Symbol yx = inverse.symbol(kernel(y, x));
-            const double factor = inverse.norm_factor();
-            const double least_x = smallest_symbol * table(x, x, 0, 0) * factor;
-            const double least_y = smallest_symbol * table(y, y, 0, 0) * factor;
-            for (std::size_t at = 0; at < yx.size(); ++at) {
-                const double a = std::max(made.xx[at], least_x), b = std::max(made.yy[at], least_y);
-                const double most = largest_coupling * std::sqrt(a * b);
-                const double c = std::clamp(0.5 * (made.xy[at] + yx[at]), -most, most);
-                const double scale = factor * factor / (a * b - c * c);
-                made.xx[at] = scale * b;
-                made.yy[at] = scale * a;
-                made.xy[at] = -scale * c;
-            }
-            return made;
-        });
+        return tangential_inverse.get([&] { return contactd::tangential_inverse(inverse, table); });
     }
 
-    PaddedFft::Kernel kernel(Axis i, Axis j) const {
-        return {&table.values[table.index(i, j, 0, 0)], table.nx, table.ny, parity(i, j)};
-    }
-    PaddedFft::Symbol symbol(Axis i, Axis j) const { return product.symbol(kernel(i, j)); }
+    PaddedFft::Symbol symbol(Axis i, Axis j) const { return product.symbol(kernel_of(table, i, j)); }
 };
 
 ConvolutionOperator::ConvolutionOperator(const IcTable& table, int nx, int ny) {

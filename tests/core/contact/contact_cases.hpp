@@ -39,7 +39,7 @@ inline IcTable body_table(const Grid& grid, const Material& material, const Ics&
     return half_space_table({ics, material, grid.dx, grid.dy, grid.nx, grid.ny});
 }
 
-/// Returns the table of the problem's bodies, as half-spaces whatever it says of their shape.
+/// Returns the table of the problem's bodies at once, as half-spaces whatever it says of their shape.
 inline IcTable pair_table(const ContactProblem& problem) {
     const auto table = [&](const Body& body) {
         Ics ics = std::get<Ics>(body.ics);
@@ -47,7 +47,8 @@ inline IcTable pair_table(const ContactProblem& problem) {
         ics.body = BodyShape::half_space;
         return body_table(problem.grid, body.material, ics);
     };
-    return pair_of(table(problem.bodies.upper), table(problem.bodies.lower));
+    const Bodies bodies = without_instant_creep(problem.bodies);
+    return pair_of(table(bodies.upper), table(bodies.lower));
 }
 
 inline ContactSolution solve_half_spaces(const ContactProblem& problem) {

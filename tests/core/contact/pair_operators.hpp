@@ -66,7 +66,7 @@ class PairOperator final : public InfluenceOperator {
 /// of given tables nothing is known but they: these step as half-spaces do.
 inline ContactInfluence operators_of(const ContactProblem& problem, const IcTable& pair) {
     ContactInfluence influence = make_influence(problem, pair);
-    if (!on_flat_strips()) return influence;
+    if (!on_flat_strips() || problem.bodies.any_viscoelastic()) return influence;
     const Grid& grid = problem.grid;
     const auto [x, y] = step_of(problem);
     const bool along_x = std::abs(y) <= 1e-9 * std::abs(x) && std::abs(x) <= grid.nx * grid.dx;

@@ -237,6 +237,12 @@ void PaddedFft::apply(const Symbol& symbol, In in, Out out) const {
     });
 }
 
+void PaddedFft::apply(const ComplexSymbol& symbol, In in, Out out) const {
+    convolve<1, 1>({in}, {out}, [&](Complex* x, Complex*, std::size_t first, std::size_t size) {
+        multiply(size, parts(x), {&symbol.real[first], &symbol.imag[first]});
+    });
+}
+
 void PaddedFft::apply(const PairSymbols& symbols, In in_x, In in_y, Out out_x, Out out_y) const {
     const auto& [xx, xy, yx, yy] = symbols;
     if (xy.empty() && yx.empty()) {
@@ -266,6 +272,14 @@ void PaddedFft::apply(const ComplexPairSymbols& symbols, In in_x, In in_y, Out o
 void PaddedFft::gather(const Symbol& of_x, const Symbol& of_y, In in_x, In in_y, Out out) const {
     convolve<2, 1>({in_x, in_y}, {out}, [&](Complex* x, Complex* y, std::size_t first, std::size_t size) {
         for (std::size_t at = 0; at < size; ++at) x[at] = times_i(of_x[first + at] * x[at] + of_y[first + at] * y[at]);
+    });
+}
+
+void PaddedFft::gather(const ComplexSymbol& of_x, const ComplexSymbol& of_y, In in_x, In in_y, Out out) const {
+    convolve<2, 1>({in_x, in_y}, {out}, [&](Complex* x, Complex* y, std::size_t first, std::size_t size) {
+        for (std::size_t at = 0; at < size; ++at)
+            x[at] = times(of_x.real[first + at], of_x.imag[first + at], x[at]) +
+                    times(of_y.real[first + at], of_y.imag[first + at], y[at]);
     });
 }
 

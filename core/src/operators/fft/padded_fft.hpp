@@ -46,8 +46,14 @@ class PaddedFft {
     /// Offsets beyond half the period are left out; at half the period both signs share one place: their mean.
     ComplexSymbol symbol(const SignedKernel& kernel) const;
 
+    /// Returns the symbol times a function of the wavenumber along x, of which `factor` has the value for each number
+    /// of periods, 0 to padded_nx/2.
+    ComplexSymbol times_along_x(const Symbol& symbol, std::span<const std::complex<double>> factor) const;
+
     /// Convolution of one array; the symbol is real.
     void apply(const Symbol& symbol, std::span<const double> in, std::span<double> out) const;
+    /// Convolution with a kernel without parity.
+    void apply(const ComplexSymbol& symbol, std::span<const double> in, std::span<double> out) const;
     /// Convolution of a pair of arrays: out_x = xx in_x + xy in_y, out_y = yx in_x + yy in_y. All symbols are real; xy
     /// and yx may both be empty, which stands for zero.
     struct PairSymbols {
@@ -64,6 +70,9 @@ class PaddedFft {
     /// out = x in_x + y in_y, both symbols imaginary.
     void gather(const Symbol& x, const Symbol& y, std::span<const double> in_x, std::span<const double> in_y,
                 std::span<double> out) const;
+    /// Gathers with symbols of kernels without parity.
+    void gather(const ComplexSymbol& x, const ComplexSymbol& y, std::span<const double> in_x,
+                std::span<const double> in_y, std::span<double> out) const;
     /// out_x = x in, out_y = y in, both symbols imaginary.
     void spread(const Symbol& x, const Symbol& y, std::span<const double> in, std::span<double> out_x,
                 std::span<double> out_y) const;

@@ -131,4 +131,17 @@ PaddedFft::ComplexSymbol PaddedFft::symbol(const SignedKernel& kernel) const {
     return symbol;
 }
 
+PaddedFft::ComplexSymbol PaddedFft::times_along_x(const Symbol& symbol,
+                                                  std::span<const std::complex<double>> factor) const {
+    const auto& plans = *plans_;
+    ComplexSymbol result{symbol, std::vector<double>(symbol.size())};
+    for (std::size_t at = 0; at < symbol.size(); ++at) {
+        const std::size_t column = at / plans.block_size() * block + at % block;
+        if (column >= factor.size()) continue;  // filled up to whole blocks
+        result.real[at] = symbol[at] * factor[column].real();
+        result.imag[at] = symbol[at] * factor[column].imag();
+    }
+    return result;
+}
+
 }  // namespace contactd

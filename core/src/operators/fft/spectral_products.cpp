@@ -31,6 +31,20 @@ static void multiply(std::size_t n, double* __restrict x, double* __restrict y, 
     }
 }
 
+CONTACTD_SIMD
+static void multiply(std::size_t n, double* __restrict x, const double* __restrict real,
+                     const double* __restrict imag) {
+    for (std::size_t i = 0; i < n; ++i) {
+        const double xr = x[2 * i], xi = x[2 * i + 1];
+        x[2 * i] = real[i] * xr - imag[i] * xi;
+        x[2 * i + 1] = real[i] * xi + imag[i] * xr;
+    }
+}
+
+void multiply(std::size_t n, double* x, const ComplexFactor& symbol) {
+    multiply(n, x, symbol.real, symbol.imag);
+}
+
 void multiply_pair(std::size_t n, double* x, double* y, const ComplexFactor& xx, const ComplexFactor& xy,
                    const ComplexFactor& yx, const ComplexFactor& yy) {
     multiply(n, x, y, xx.real, xx.imag, xy.real, xy.imag, yx.real, yx.imag, yy.real, yy.imag);

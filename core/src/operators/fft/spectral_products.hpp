@@ -12,6 +12,8 @@ void multiply_pair(std::size_t n, double* x, double* y, const double* xx, const 
 struct ComplexFactor {
     const double *real, *imag;
 };
+/// x = symbol x
+void multiply(std::size_t n, double* x, const ComplexFactor& symbol);
 /// Multiplies by complex symbols.
 void multiply_pair(std::size_t n, double* x, double* y, const ComplexFactor& xx, const ComplexFactor& xy,
                    const ComplexFactor& yx, const ComplexFactor& yy);

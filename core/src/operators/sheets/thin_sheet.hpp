@@ -30,6 +30,7 @@ class ThinSheet final : public InfluenceOperator {
     void tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
                     std::span<double> uy) const override;
     bool coupled() const override { return bodies_->coupled(); }
+    bool is_symmetric() const override { return bodies_->is_symmetric(); }
     void normal_of_tangential(std::span<const double> px, std::span<const double> py,
                               std::span<double> uz) const override {
         bodies_->normal_of_tangential(px, py, uz);
