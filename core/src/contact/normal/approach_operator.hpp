@@ -23,6 +23,7 @@ class ApproachOperator final : public InfluenceOperator {
     std::vector<double> over_cosine(std::vector<double> values) const;
 
     std::size_t size() const override { return inner_.size(); }
+    bool is_symmetric() const override { return inner_.is_symmetric(); }
     void normal(std::span<const double> pz, std::span<double> uz) const override;
     void tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
                     std::span<double> uy) const override;

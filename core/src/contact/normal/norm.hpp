@@ -28,6 +28,7 @@ class Norm {
    public:
     Norm(const InfluenceOperator& influence, const NormProblem& problem, const SolverSettings& settings,
          Observer& observer);
+    virtual ~Norm() = default;
 
     // Takes the estimate and returns how far it is from a solution, in the measure of the stopping criterion.
     // `set_is_good`: the elements with pressure are the best guess of the contact, for the estimate is too rough to
@@ -41,7 +42,7 @@ class Norm {
     const std::vector<double>& pressure() const { return p_; }
     double approach() const { return approach_; }  // 0 where it was prescribed
 
-   private:
+   protected:
     using Values = std::vector<double>;
     static constexpr double rounding = 1e-14;
 
@@ -64,11 +65,12 @@ class Norm {
     void find_approach();
     Check advance(double alpha);
     bool good_enough(const Check& check, int iteration) const;
-    bool change_set(Check check, bool change_all);
+    virtual bool change_set(Check check, bool change_all);
     void clip();
-    bool watch();
+    /// Looks at f, and returns false where it has moved the pressures.
+    virtual bool watch();
     void projected_gradient_step();
-    double choose_step();
+    virtual double choose_step();
     void go_along_last_change();
     void weigh_sum();
     void keep_sum_of_residual();
@@ -90,6 +92,9 @@ class Norm {
     double approach_ = 0;
     Check check_;  // at the present pressures
     bool set_is_good_ = false;
+    // Violations larger than this part of the defect change the set; smaller ones wait until the iteration, which
+    // starts again with every change, has brought the defect down.
+    double weighty_ = 0.1;
     Values last_p_, last_u_;  // the solution for the distance before, or empty
     Values best_p_, best_u_;
     double best_f_ = std::numeric_limits<double>::infinity();  // lowest at a change of the set

@@ -61,6 +61,12 @@ void update_direction(std::size_t n, const double* __restrict in, const double* 
 }
 
 CONTACTD_SIMD
+void add_multiple(std::size_t n, double factor, const double* __restrict x, double* __restrict y) {
+#pragma omp simd
+    for (std::size_t i = 0; i < n; ++i) y[i] += factor * x[i];
+}
+
+CONTACTD_SIMD
 double triple_product(std::size_t n, const double* a, const double* b, const double* c) {
     double sum = 0;
 #pragma omp simd reduction(+ : sum)

@@ -31,6 +31,8 @@ double potential(const NormState& state);
 
 /// v = in z + beta v
 void update_direction(std::size_t n, const double* in, const double* z, double beta, double* v);
+/// y += factor x
+void add_multiple(std::size_t n, double factor, const double* x, double* y);
 /// The sum of a b c.
 double triple_product(std::size_t n, const double* a, const double* b, const double* c);
 

@@ -10,10 +10,6 @@ namespace contactd {
 namespace {
 
 constexpr int most_failures = 8;  // changes of the set that do not lower f
-// Violations larger than this part of the defect change the set; smaller ones wait until conjugate gradients, which
-// start again with every change, have brought the defect down.
-constexpr double weighty = 0.1;
-
 // Moves p to the nearest point of p >= 0, sum(p) = sum (Michelot 1986).
 void project_on_simplex(std::vector<double>& p, double sum) {
     double shift = -std::numeric_limits<double>::infinity();
@@ -73,7 +69,7 @@ void Norm::clip() {
 
 bool Norm::change_set(Check check, bool change_all) {
     const auto matters = [&](double violation) {
-        return violation > 0 && (change_all || violation > weighty * weighty * check.defect);
+        return violation > 0 && (change_all || violation > weighty_ * weighty_ * check.defect);
     };
     bool changed = false;
     if (matters(check.suction)) {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "asymmetric_norm.hpp"
 #include "contact/support/solver_support.hpp"
-#include "norm.hpp"
 #include "operators/restriction.hpp"
 
 namespace contactd {
@@ -30,24 +30,24 @@ class NormalBox {
         : influence_(influence),
           restriction_(influence, needed, true),
           distance_(restriction_.crop(task.problem.distance)),
-          norm_(restriction_.influence(), here(task.problem), task.settings, observer) {}
+          norm_(make_norm(restriction_.influence(), here(task.problem), task.settings, observer)) {}
 
     // Starts like Norm::start.
     double start(std::span<const double> estimate, bool set_is_good) {
-        return norm_.start(restriction_.crop(estimate), set_is_good);
+        return norm_->start(restriction_.crop(estimate), set_is_good);
     }
 
     void go_on(const NormTask& task, Observer& observer) {
         distance_ = restriction_.crop(task.problem.distance);
-        norm_.go_on(here(task.problem), task.settings, observer);
+        norm_->go_on(here(task.problem), task.settings, observer);
     }
 
     NormalSolution solve() {
         NormalSolution solution;
-        solution.evidence = norm_.solve();
-        solution.approach = norm_.approach();
+        solution.evidence = norm_->solve();
+        solution.approach = norm_->approach();
         solution.pressure.resize(influence_.size());
-        restriction_.paste(norm_.pressure(), solution.pressure);
+        restriction_.paste(norm_->pressure(), solution.pressure);
         return solution;
     }
 
@@ -75,7 +75,7 @@ class NormalBox {
     const InfluenceOperator& influence_;
     const Restriction restriction_;
     Values distance_;
-    Norm norm_;
+    std::unique_ptr<Norm> norm_;
 };
 
 namespace {
@@ -164,10 +164,12 @@ std::optional<Found> solve_from(const InfluenceOperator& influence, const NormTa
 
 Found solve_from_best(const InfluenceOperator& influence, const NormTask& task, std::span<const double> initial,
                       const PressureEstimate& closed_form, Observer& observer) {
-    const auto is_poor = [&](double error) { return error > poor_estimate && influence.coarser() != nullptr; };
+    // A closed form knows nothing of what creep makes of a contact; coarser grids do.
+    const double poor = influence.is_symmetric() ? poor_estimate : poor_beside_closed_form;
+    const auto is_poor = [&](double error) { return error > poor && influence.coarser() != nullptr; };
     Values known;
     const auto is_known = [&] {
-        if (closed_form) known = closed_form();
+        if (closed_form && influence.is_symmetric()) known = closed_form();
         return any_pressure(known);
     };
     if (any_pressure(initial)) {
