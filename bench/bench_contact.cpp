@@ -91,6 +91,28 @@ void run_derivatives(benchmark::State& state, ContactProblem problem) {
     state.counters["derivatives_iterations"] = solution.evidence.derivatives->iterations;
 }
 
+// Pressures of bodies that creep as they roll. Counters: their time over that of NORM on the same bodies without creep,
+// alternately with it, and iterations of both.
+void run_creep(benchmark::State& state, const ContactProblem& problem) {
+    Observer observer;
+    ContactProblem elastic = problem;
+    for (Body* body : {&elastic.bodies.upper, &elastic.bodies.lower}) body->viscoelastic.reset();
+    const ContactInfluence influence = make_influence(problem, pair_of_bodies(problem)),
+                           of_elastic = make_influence(elastic, pair_of_bodies(elastic));
+    std::vector<double> seconds, elastic_seconds;
+    SolverEvidence of_creep, of_norm;
+    for ([[maybe_unused]] auto _ : state) {
+        of_creep = solve_contact(problem, influence, observer).evidence.normal;
+        of_norm = solve_contact(elastic, of_elastic, observer).evidence.normal;
+        seconds.push_back(of_creep.seconds);
+        elastic_seconds.push_back(of_norm.seconds);
+    }
+    state.counters["of_elastic"] = bench::median(seconds) / bench::median(elastic_seconds);
+    state.counters["iterations"] = of_creep.iterations;
+    state.counters["elastic_iterations"] = of_norm.iterations;
+    state.counters["converged"] = of_creep.converged;
+}
+
 ContactSolution solved(const ContactProblem& problem) {
     Observer observer;
     const IcTable pair = bench::pair_table(problem.grid, problem.bodies.upper.material);
@@ -105,6 +127,16 @@ void normal_by_force(benchmark::State& state) {
     ContactProblem problem = on_ellipse(size_of(state), {});
     problem.friction.reset();
     run(state, problem);
+}
+
+void normal_of_bodies_that_creep(benchmark::State& state) {
+    Rolling motion = rolling();
+    motion.velocity = 1000;
+    ContactProblem problem = on_ellipse(size_of(state), motion);
+    problem.friction->mu = {0};
+    // Where a contact resists rolling most.
+    for (Body* body : {&problem.bodies.upper, &problem.bodies.lower}) body->viscoelastic = Viscoelasticity{1, 6e-3};
+    run_creep(state, problem);
 }
 
 void shift_problem(benchmark::State& state) {
@@ -213,6 +245,7 @@ void more_sizes(benchmark::internal::Benchmark* rows) {
 }
 
 BENCHMARK(normal_by_force)->Apply(more_sizes);
+BENCHMARK(normal_of_bodies_that_creep)->Apply(more_sizes);
 BENCHMARK(shift_problem)->Apply(sizes);
 BENCHMARK(shift_by_force)->Apply(sizes);
 BENCHMARK(shift_of_unlike_bodies)->Apply(sizes);

@@ -10,11 +10,12 @@
 namespace contactd::engine {
 namespace {
 
+/// Of what a body does at once: tables are elastic, and operators make of them what creep makes.
 std::optional<IcSpec> spec_of(const ContactSetup& setup, const Body& body) {
     const Ics* ics = body.computed();
     if (ics == nullptr) return {};
     const Grid& grid = setup.grid;
-    return IcSpec{*ics, body.material, grid.dx, grid.dy, grid.nx, grid.ny};
+    return IcSpec{*ics, without_instant_creep({body, body}).upper.material, grid.dx, grid.dy, grid.nx, grid.ny};
 }
 
 BodyTable table_of(const ContactSetup& setup, const Body& body, const IcAnswer& answer, const Observer& observer) {

@@ -23,7 +23,7 @@ ContactSteps::ContactSteps(SessionSpec spec, IcAnswers ics, CachedInfluence infl
       ics_(std::move(ics)),
       problem_(opened),
       influence_(std::move(influence)),
-      rolling_step_(step_of(opened)) {}
+      rolling_step_(rolling_of_operators(opened)) {}
 
 ContactSolution ContactSteps::solve(const StepState& before, const Overlay& overlay, InfluenceCache& cache,
                                     Observer& observer) {
@@ -55,8 +55,8 @@ StepState ContactSteps::after(const StepState& before, ContactSolution&& solutio
 }
 
 void ContactSteps::fit_influence(InfluenceCache& cache, const Observer& observer) {
-    const auto request = step_of(problem_);
-    if (problem_.model != Model::full || request == std::array<double, 2>{} || request == rolling_step_) return;
+    const auto request = rolling_of_operators(problem_);
+    if (problem_.model != Model::full || request == std::array<double, 3>{} || request == rolling_step_) return;
     validate(problem_);
     influence_ = influence_of(problem_, ics_, cache, observer);
     rolling_step_ = request;

@@ -51,7 +51,7 @@ class ContactSteps {
     const IcAnswers ics_;
     ContactProblem problem_;  // of the step that runs
     CachedInfluence influence_;
-    std::array<double, 2> rolling_step_;  // that influence_ is for
+    std::array<double, 3> rolling_step_;  // that influence_ is for
 };
 
 /// Overrides a problem by the typed fields of a step, those of `session.step` on the wire. Throws InvalidArgument

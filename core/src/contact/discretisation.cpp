@@ -89,7 +89,8 @@ bool are_half_spaces(const Bodies& bodies) {
 
 /// The whole ellipse under the approach of the solution, where Hertz's theory holds.
 std::optional<HertzContact> hertz_of(const ContactProblem& problem, const ContactSolution& solution, bool coupled) {
-    if (!are_half_spaces(problem.bodies) || coupled || solution.elements.border > 0 || !(solution.approach > 0))
+    if (!are_half_spaces(problem.bodies) || problem.bodies.any_viscoelastic() || coupled ||
+        solution.elements.border > 0 || !(solution.approach > 0))
         return {};
     const auto paraboloid = paraboloid_of(problem);
     const auto is_curved = [](double radius) { return radius > 0 && std::isfinite(radius); };

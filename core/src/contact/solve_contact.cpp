@@ -24,6 +24,7 @@
 #include "operators/sheets/thin_sheet.hpp"
 #include "types/number_text.hpp"
 #include "uniqueness.hpp"
+#include "viscoelastic_rolling.hpp"
 
 namespace contactd {
 namespace {
@@ -231,6 +232,7 @@ void warn(const ContactProblem& problem, ContactSolution& solution) {
     warn_of_friction_in_percent(problem, solution);
     warn_of_rigid_slip_that_is_no_creepage(problem, solution);
     warn_of_friction_that_never_falls(problem, solution);
+    for (std::string& warning : creep_warnings(problem, solution)) solution.warnings.push_back(std::move(warning));
     if (problem.model == Model::full)
         for (std::string& warning : discretisation_warnings(problem, solution))
             solution.warnings.push_back(std::move(warning));
@@ -267,10 +269,7 @@ ContactSolution simplified(const ContactProblem& problem) {
     return solve_by_simplified_model(problem, &penetration);
 }
 
-}  // namespace
-
-ContactSolution solve_contact(const ContactProblem& problem, const ContactInfluence& influence, Observer& observer) {
-    validate(problem);
+ContactSolution solve_valid(const ContactProblem& problem, const ContactInfluence& influence, Observer& observer) {
     if (problem.model != Model::full) {
         ContactSolution solution = simplified(problem);
         count_elements(problem, solution);
@@ -296,6 +295,18 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactInflue
     for (std::string& warning : friction_warnings(problem, *bodies.current, solution, observer))
         solution.warnings.push_back(std::move(warning));
     solution.warnings.insert(solution.warnings.end(), influence.warnings.begin(), influence.warnings.end());
+    return solution;
+}
+
+}  // namespace
+
+ContactSolution solve_contact(const ContactProblem& problem, const ContactInfluence& influence, Observer& observer) {
+    validate(problem);
+    if (!problem.bodies.any_viscoelastic()) return solve_valid(problem, influence, observer);
+    ContactProblem rolling = problem;
+    rolling.bodies = without_instant_creep(problem.bodies);
+    ContactSolution solution = solve_valid(rolling, influence, observer);
+    solution.rolling_resistance = rolling_resistance(problem, *influence.current, solution);
     return solution;
 }
 

@@ -80,6 +80,7 @@ Field field_of(std::span<const double> x, std::span<const double> y, std::size_t
 RollingSolution march_to_steady_state(const FrictionBodies& bodies, const FrictionTask& task,
                                       const RollingSolution& found, Observer& observer) {
     RollingSolution solution = found;
+    if (!bodies.influence.is_symmetric()) return solution;  // TangCG marches
     for (int round = 0; round < most_rounds && !solution.evidence.converged; ++round) {
         const SolverEvidence before = solution.evidence;
         const int left = task.settings.max_iterations - before.iterations;

@@ -70,7 +70,8 @@ double rolling_compliance(const Bodies& bodies) {
     double sum = 0;
     for (const Body* body : {&bodies.upper, &bodies.lower}) {
         if (body->computed() == nullptr || body->material.is_rigid()) continue;
-        sum += (1 - body->material.nu) / body->material.G;
+        const double creep = body->viscoelastic ? body->viscoelastic->f : 0;
+        sum += (1 + creep) * (1 - body->material.nu) / body->material.G;
     }
     return sum;
 }

@@ -54,12 +54,18 @@ std::string influence_key(const ContactProblem& problem, const std::string& uppe
         const auto* bytes = reinterpret_cast<const char*>(&value);
         key.append(bytes, sizeof value);
     };
-    const auto [sx, sy] = step_of(problem);
+    const auto [sx, sy, velocity] = rolling_of_operators(problem);
     const auto [upper, lower] = problem.bodies.materials();
     for (const double value : {upper.G, upper.nu, lower.G, lower.nu, problem.grid.dx, problem.grid.dy, sx, sy})
         add(value);
     add(problem.grid.nx);
     add(problem.grid.ny);
+    for (const Body* body : {&problem.bodies.upper, &problem.bodies.lower}) {
+        if (!body->viscoelastic) continue;
+        add(body == &problem.bodies.upper ? 1 : 2);
+        add(body->viscoelastic->f);
+        add(body->viscoelastic->tau * velocity);
+    }
     // Products do not depend on where strips lie, but whether they are those of a section is looked at once for each.
     if (problem.columns && problem.bodies.any_uniform())
         for (const StripFrame& frame : problem.columns->frames)

@@ -4,6 +4,7 @@
 
 #include "contact/tangential/friction_law.hpp"
 #include "influence/layered/layered_table.hpp"
+#include "influence/viscoelastic/rolling_table.hpp"
 #include "random_problems.hpp"
 
 namespace contactd::test {
@@ -110,10 +111,24 @@ class BodyCoefficients {
             layers_ = layered_coefficients(*layers, body.computed()->load_shape, lattice_);
     }
 
+    /// Of a body that creeps as it rolls, one step ahead where the points are not the centres.
+    BodyCoefficients(const ContactProblem& problem, const Body& body, double shift_x, double shift_y)
+        : BodyCoefficients(problem.grid, body, shift_x, shift_y) {
+        if (!body.viscoelastic || body.material.is_rigid()) return;
+        const auto& rolling = std::get<Rolling>(problem.motion);
+        const RollingHalfSpaces alone{{{Material::rigid()}, body}, rolling.velocity, std::cos(rolling.chi) > 0};
+        if (shift_x == 0)
+            rolls_ = rolling_table(alone, problem.grid);
+        else
+            ahead_ = rolling_table_ahead(alone, problem.grid, std::abs(shift_x));
+    }
+
     /// 0 <= k < 2 nx - 1, 0 <= l < 2 ny - 1.
     double at(Axis i, Axis j, int k, int l) const {
         using enum Axis;
         if (body_.material.is_rigid()) return 0;
+        if (rolls_.nx > 0) return rolls_(i, j, k - grid_.nx + 1, l - grid_.ny + 1);
+        if (ahead_.nx > 0) return i == z ? 0 : ahead_(i, j, k - grid_.nx + 1, l - grid_.ny + 1);
         if (layers_.empty())
             return half_space_coefficient(i, j, (k - grid_.nx + 1) * grid_.dx + shift_x_,
                                           (l - grid_.ny + 1) * grid_.dy + shift_y_, grid_.dx, grid_.dy, body_.material);
@@ -129,14 +144,17 @@ class BodyCoefficients {
     double shift_x_, shift_y_;
     OffsetLattice lattice_;
     std::vector<SurfaceCoefficients> layers_;
+    RollingTable rolls_;
+    ShiftedTable ahead_;
 };
 
 inline Surface displacements(const ContactProblem& problem, const Values& pz, const Values& px, const Values& py,
                              double shift_x, double shift_y) {
     const Grid& grid = problem.grid;
     const int mx = 2 * grid.nx - 1, my = 2 * grid.ny - 1;
-    const BodyCoefficients upper(grid, problem.bodies.upper, shift_x, shift_y);
-    const BodyCoefficients lower(grid, problem.bodies.lower, shift_x, shift_y);
+    const Bodies bodies = without_instant_creep(problem.bodies);
+    const BodyCoefficients upper(problem, bodies.upper, shift_x, shift_y);
+    const BodyCoefficients lower(problem, bodies.lower, shift_x, shift_y);
     const auto coefficients = [&](Axis i, Axis j) {
         const bool couples = (i == Axis::z) != (j == Axis::z);
         Values table;

@@ -1,6 +1,7 @@
 // Operators that are kept between solves, also where they are larger than the budget.
 #include <catch2/catch_test_macros.hpp>
 
+#include <cmath>
 #include <string>
 
 #include "engine/engine.hpp"
@@ -71,6 +72,44 @@ TEST_CASE("The operators used last are cached beyond the budget") {
     for (const int n : {12, 14, 12}) CHECK(engine.solve(problem_of(n), observer).operators->made);
     CHECK_FALSE(engine.solve(problem_of(12), observer).operators->made);
     CHECK(engine.influences().usage().entries == 1);
+}
+
+TEST_CASE("Operators of bodies that creep are those of their speed") {
+    Engine engine(with_budget(1 << 28));
+    Observer observer;
+    ContactProblem problem = problem_of(12);
+    problem.bodies.upper.viscoelastic = Viscoelasticity{1, 1e-3};
+    problem.friction = FrictionLaw{{0.3}};
+    const auto rolled = [&](double velocity, double tau = 1e-3) {
+        problem.motion = Rolling{.xi = 1e-3, .velocity = velocity};
+        problem.bodies.upper.viscoelastic->tau = tau;
+        return engine.solve(problem, observer).solution;
+    };
+    const ContactSolution slow = rolled(500), fast = rolled(2000);
+    CHECK(fast.pmax > 1.01 * slow.pmax);
+    CHECK(engine.influences().usage().entries == 2);
+    CHECK(rolled(500).pressure == slow.pressure);
+    CHECK(rolled(1000, 5e-4).pressure == slow.pressure);  // the same way of creep
+    CHECK(engine.influences().usage().entries == 2);
+}
+
+TEST_CASE("The steps of bodies that creep follow their speed") {
+    Engine engine(with_budget(1 << 28));
+    Observer observer;
+    ContactProblem problem = problem_of(12);
+    for (Body* body : {&problem.bodies.upper, &problem.bodies.lower}) body->viscoelastic = Viscoelasticity{1, 1e-3};
+    problem.friction = FrictionLaw{{0.3}};
+    problem.motion = Rolling{.xi = 1e-3, .velocity = 500};
+    const auto steps = engine.open(SessionSpec{problem, problem}, observer);
+    for (const double velocity : {500.0, 2000.0, 500.0}) {
+        const auto faster = [&](const std::optional<Motion>&, ContactProblem& step) {
+            std::get<Rolling>(step.motion).velocity = velocity;
+        };
+        std::get<Rolling>(problem.motion).velocity = velocity;
+        CHECK(std::abs(engine.solve(*steps, steps->start(), faster, observer).pmax /
+                           engine.solve(problem, observer).solution.pmax -
+                       1) < 1e-9);
+    }
 }
 
 TEST_CASE("The steps of a simulation tell of operators beyond the budget once") {
