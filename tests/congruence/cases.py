@@ -51,6 +51,9 @@ CASES = {
     "a-rubber-layer": f"{SPHERE}; layers upper constant 0 0 0.5 20 0.5; start; step",
     "coatings-that-shift": f"{SPHERE}; layers both bilinear 200 0.42 0.05 800 0.3 0.2 100 0.45; {SHIFT}; start; step; step",
     "a-layer-that-rolls": f"{WHEEL}; layers lower constant 82000 0.28 0.5 40000 0.3; {CREEP}; start; step",
+    "cylinders-that-creep": f"{LINE}; line_contact 20; creep both 1 0.25; mu 0.3; rolling steady 0.001 0 0; velocity 4; start;"
+    " step; velocity 1; step; velocity 4; step",
+    "a-ball-that-creeps": f"{UNLIKE}; creep lower 2 0.125; mu 0.3; rolling steady 0.004 -0.001 0; velocity 4; start; step",
     "a-line": f"{LINE}; line_contact 20; start; step",
     "a-line-that-rolls": f"{LINE}; line_contact 20; mu 0.3; rolling steady 0.001 0 0; start; step",
     # sections, and curved columns
@@ -151,6 +154,8 @@ CASES = {
     "a-table-that-is-too-small": f"{SPHERE}; table pair 1 1 0.2 0.2 0.001; start",
     "a-table-of-other-elements": f"{SPHERE}; table pair 12 12 0.3 0.2 0.001; start",
     "finite-elements-that-cannot-be": f"{SPHERE}; material upper 200 0.5; fem upper 0.01; start",
+    "creep-that-shifts": f"{SPHERE}; creep both 1 0.125; {SHIFT}; start",
+    "creep-that-takes-less-than-no-time": f"{SPHERE}; creep upper 1 -1; {STEADY}; start",
     "a-layer-without-thickness": f"{SPHERE}; layers upper constant 200 0.42 0 100 0.3; start",
     "a-layer-that-grows-when-pressed": f"{SPHERE}; layers lower constant 0 0 0.1 100 0.3 0.1 100 0.6; start",
     "a-section-past-its-corner": f"{STEEL_UNDER_A_RIGID_BODY}; section lower edge_block 9 50 1; section_accuracy lower 0; start",

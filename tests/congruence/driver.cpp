@@ -100,6 +100,8 @@ void Case::say(const Words& w) {
             ics.load_shape = w[2] == "bilinear" ? LoadShape::bilinear : LoadShape::constant;
             body.ics = ics;
         });
+    else if (w[0] == "creep")
+        each_body(w[1], [&](Body& body) { body.viscoelastic = Viscoelasticity{number(w[2]), number(w[3])}; });
     else if (w[0] == "layers")
         each_body(w[1], [&](Body& body) { body = layered(w); });
     else if (w[0] == "fem")

@@ -33,6 +33,7 @@ from contactd import (
     SolverSettings,
     StatusError,
     TableIcs,
+    ViscoelasticBody,
 )
 
 CALLS = ("start", "step", "again", "save", "restore", "forget")
@@ -95,6 +96,11 @@ class Case(Sections):
 
     def half_space(self, body: str, load_shape: Any) -> None:
         self._body(body, AnalyticIcs(load_shape=load_shape), "_ics")
+
+    def creep(self, body: str, f: str, tau: str) -> None:
+        for name in ("upper", "lower") if body == "both" else (body,):
+            material = self.opening[name]
+            self._body(name, ViscoelasticBody(material.G, material.nu, float(f), float(tau)))
 
     def layers(self, body: str, load_shape: Any, base_G: str, base_nu: str, *layers: str) -> None:
         base = Material(G=float(base_G), nu=float(base_nu)) if float(base_G) else RigidBody()

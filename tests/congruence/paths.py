@@ -63,6 +63,9 @@ class Case:
     def half_space(self, body: str, load_shape: str) -> list[str]:
         return [f"word {above}.ics.load_shape {load_shape}" for above in bodies(body)]
 
+    def creep(self, body: str, f: str, tau: str) -> list[str]:
+        return [line for above in bodies(body) for line in settings(f"{above}.viscoelastic", f=f, tau=tau)]
+
     def layers(self, body: str, load_shape: str, base_G: str, base_nu: str, *layers: str) -> list[str]:
         lines = []
         for above in bodies(body):

@@ -85,6 +85,11 @@ def solves() -> Iterator[tuple[dict[str, Any], list[bytes]]]:
         "temperature": {"upper": steel, "lower": {"bulk_temperature": 90}},
         "friction": {"mu": 0.3, "temperature": {"change": -0.1, "reference": 20, "range": 300}, "rolling": steady},
     }, []
+    creep = {"upper": {"G": 200, "nu": 0.42, "viscoelastic": {"f": 1, "tau": 0.01}}, "lower": {"rigid": True}}
+    yield {
+        **base, "bodies": creep, "ics": {"source": "analytic"}, "gap": {"paraboloid": {"Rx": 10}}, "Fn": 2,
+        "friction": {"mu": 0.3, "rolling": steady},
+    }, []
     table = np.zeros((3, 3, 2, 3))
     table[range(3), range(3), 0, 0] = 1
     yield {

@@ -12,6 +12,7 @@ import textwrap
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 import zmq
 import zmq.auth
@@ -122,6 +123,18 @@ def test_the_guide_to_temperature(shared):
     assert names["met"].temperature.heat_upper * 2 == pytest.approx(names["sliding"].frictional_power)
     assert names["constant"][-1] == pytest.approx(0.3, rel=1e-4)
     assert max(names["fallen"]) > names["fallen"][-1] + 0.01
+
+
+@pytest.mark.timeout(300)
+def test_the_guide_to_viscoelastic_bodies(shared):
+    (example,) = re.findall(r"^```python\n(.*?)^```", (DOCS / "viscoelastic.md").read_text(), re.MULTILINE | re.DOTALL)
+    names: dict[str, Any] = {"client": shared}
+    exec(compile(example, "docs/viscoelastic.md", "exec"), names)
+    forces = [solution.rolling_resistance.force / solution.Fn for solution in names["curve"]]
+    assert names["stiff"].rolling_resistance is None
+    assert names["soft"].pmax < names["rolling"].pmax < names["stiff"].pmax
+    assert 0.3 < names["lengths"][int(np.argmax(forces))] / names["a"] < 3
+    assert max(forces) > 10 * max(forces[0], forces[-1])
 
 
 def test_the_guide_to_keys(daemons, tmp_path, monkeypatch):

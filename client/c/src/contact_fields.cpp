@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "contactd/fields/body.hpp"
 #include "contactd/fields/contact.hpp"
 #include "contactd/fields/ic_spec.hpp"
 #include "fields_with.hpp"
@@ -127,6 +128,7 @@ const FieldType& body_type() {
     static const std::vector<Field> list = [] {
         const auto material = material_fields<BodyInput>();
         std::vector<Field> fields(material.begin(), material.end());
+        fields.push_back(field<&BodyInput::viscoelastic>("viscoelastic"));
         fields.push_back(ics_field<BodyInput>());
         return fields;
     }();

@@ -52,6 +52,7 @@ Coefficients stated(const Coefficients& given, const std::string& name) {
 
 Body stated(const BodyInput& given, const std::optional<Coefficients>& of_both, const std::string& name) {
     Body body{given.material};
+    body.viscoelastic = given.viscoelastic;
     if (body.material.is_rigid()) return body;
     if (given.ics)
         body.ics = stated(*given.ics, name + ".ics");

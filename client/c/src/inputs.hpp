@@ -19,6 +19,7 @@ namespace contactd::c {
 struct BodyInput {
     Material material = no_material;
     std::optional<Coefficients> ics{};  ///< absent: those of both bodies
+    std::optional<Viscoelasticity> viscoelastic{};
 };
 
 /// In whatever order they are named: bodies, friction and motion are put together when a call needs the problem.

@@ -71,8 +71,9 @@ void cntc_readinpfile(int* ire, int* itype, const char* name, int* len_name, int
 
 /* --- bodies and friction -------------------------------------------------------------------------------------- */
 
-/* With imeth 0 rparam is [nu1, nu2, G1, G2]; with 3, FASTSIM, and 5, FaStrip, also [.., k0, alpha, beta], a reduction
- * of the slope: 1, 1, 0 for none. It sets flag 1979. */
+/* With imeth 0 rparam is [nu1, nu2, G1, G2]; with 1, viscoelastic bodies in steady rolling, also [.., fg1, fg2, tc1,
+ * tc2], delayed compliances over those at once and retardation times (s); with 3, FASTSIM, and 5, FaStrip, also [..,
+ * k0, alpha, beta], a reduction of the slope: 1, 1, 0 for none. It sets flag 1979. */
 void cntc_setmaterialparameters(int* ire, int* icp, int* imeth, int* nparam, double* rparam);
 /* imeth 0: [fstat, fkin], which must be equal; 2 and 4: [fkin, f1, s1, f2, s2, memdst, mem_s0], f2 = memdst = 0. Of a
  * wheel on a rail 10 more: [number, and for each the rail's angle and these]; 20 more: places along the track. */

@@ -172,6 +172,7 @@ void ContactModel::read(contactd_contact* c, Values& values) {
         {"temperature.rise", at("temperature.rise")},
         {"temperature.heat_upper", at("temperature.heat_upper")},
         {"temperature.heat_lower", at("temperature.heat_lower")},
+        {"rolling_resistance.force", at("resistance")},
         {"converged", at("converged")},
     };
     for (const auto& [path, place] : outputs) values[place] = read_field(c, path);

@@ -15,13 +15,15 @@ consteval std::size_t at(std::string_view name) {
 /// Where the list has what a body is made of, and the path of the body.
 struct BodyPlaces {
     std::string_view path;
-    std::size_t G, nu, rigid, coefficients, thickness, layer_G, layer_nu;
+    std::size_t G, nu, rigid, coefficients, thickness, layer_G, layer_nu, creep_f, creep_tau;
 };
 constexpr BodyPlaces bodies[] = {
     {"bodies.upper", at("upper.G"), at("upper.nu"), at("upper.rigid"), at("upper.coefficients"),
-     at("upper.layer.thickness"), at("upper.layer.G"), at("upper.layer.nu")},
+     at("upper.layer.thickness"), at("upper.layer.G"), at("upper.layer.nu"), at("upper.viscoelastic.f"),
+     at("upper.viscoelastic.tau")},
     {"bodies.lower", at("lower.G"), at("lower.nu"), at("lower.rigid"), at("lower.coefficients"),
-     at("lower.layer.thickness"), at("lower.layer.G"), at("lower.layer.nu")},
+     at("lower.layer.thickness"), at("lower.layer.G"), at("lower.layer.nu"), at("lower.viscoelastic.f"),
+     at("lower.viscoelastic.tau")},
 };
 
 void set_material(contactd_contact* c, const Values& values, const BodyPlaces& of, const std::string& path) {
@@ -41,7 +43,11 @@ void set_up_body(contactd_contact* c, const Values& values, const BodyPlaces& of
         return set_material(c, values, of, ics + ".base");
     }
     set_material(c, values, of, body);
-    if (kind == 0) return;
+    if (kind == 4) {
+        set_field(c, body + ".viscoelastic.f", values[of.creep_f]);
+        set_field(c, body + ".viscoelastic.tau", values[of.creep_tau]);
+    }
+    if (kind == 0 || kind == 4) return;
     const bool block = kind == 2;
     set_keyword(c, ics + ".source", "fem");
     set_keyword(c, ics + ".body", block ? "block" : "half_space");

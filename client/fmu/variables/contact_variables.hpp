@@ -12,7 +12,7 @@ inline constexpr Enumeration loads{"Load", load_keywords};
 inline constexpr std::string_view motion_keywords[] = {"steady", "transient", "shift"};
 inline constexpr Enumeration motions{"Motion", motion_keywords};
 inline constexpr std::string_view coefficient_keywords[] = {"half_space", "half_space_by_elements", "block_by_elements",
-                                                            "layer"};
+                                                            "layer", "viscoelastic"};
 inline constexpr Enumeration coefficients{"Coefficients", coefficient_keywords};
 
 namespace detail {
@@ -25,14 +25,17 @@ inline constexpr auto contact_alone = std::to_array<Variable>({
     real("upper.nu", Role::parameter, "", 0.28, "Poisson's ratio of the upper body."),
     boolean("upper.rigid", Role::parameter, false, "The upper body does not deform."),
     keyword("upper.coefficients", coefficients, 0,
-            "What the upper body is: in closed form, by finite elements, or layered."),
+            "What the upper body is: in closed form, by finite elements, layered, or viscoelastic."),
     number("upper.coefficients_number", "upper.coefficients", coefficients,
-           "In the place of upper.coefficients: 0 half_space, 1 half_space_by_elements, 2 block_by_elements, 3 layer; "
-           "-1: as upper.coefficients says."),
+           "In the place of upper.coefficients: 0 half_space, 1 half_space_by_elements, 2 block_by_elements, 3 layer, "
+           "4 viscoelastic; -1: as upper.coefficients says."),
     real("upper.layer.thickness", Role::parameter, "mm", 1,
          "Of the layer on the upper body, whose base has upper.G and upper.nu."),
     real("upper.layer.G", Role::parameter, "N/mm2", 82000, "Shear modulus of this layer."),
     real("upper.layer.nu", Role::parameter, "", 0.28, "Poisson's ratio of this layer."),
+    real("upper.viscoelastic.f", Role::parameter, "", 1,
+         "Of a viscoelastic upper body: its delayed compliance over that at once, which upper.G has."),
+    real("upper.viscoelastic.tau", Role::parameter, "s", 0.01, "Retardation time of its creep."),
     real("lower.G", Role::parameter, "N/mm2", 82000, "The same of the lower body."),
     real("lower.nu", Role::parameter, "", 0.28, "The same of the lower body."),
     boolean("lower.rigid", Role::parameter, false, "The same of the lower body."),
@@ -42,6 +45,8 @@ inline constexpr auto contact_alone = std::to_array<Variable>({
     real("lower.layer.thickness", Role::parameter, "mm", 1, "The same of the lower body."),
     real("lower.layer.G", Role::parameter, "N/mm2", 82000, "The same of the lower body."),
     real("lower.layer.nu", Role::parameter, "", 0.28, "The same of the lower body."),
+    real("lower.viscoelastic.f", Role::parameter, "", 1, "The same of the lower body."),
+    real("lower.viscoelastic.tau", Role::parameter, "s", 0.01, "The same of the lower body."),
     real("elements.accuracy", Role::parameter, "", 1e-3, "Largest relative error of coefficients by finite elements."),
     real("elements.L_over_h", Role::parameter, "", 640, "Of a block: half its width over the size of an element."),
     keyword("gap.kind", gaps, 0,
@@ -92,6 +97,7 @@ inline constexpr auto contact_alone = std::to_array<Variable>({
     real("eta", Role::output, "", 0, "Lateral creepage of rolling, as prescribed or found."),
     real("power", Role::output, "N.mm/s", 0, "What friction takes in rolling."),
     real("work", Role::output, "N.mm", 0, "What friction took in the last step of a shift."),
+    real("resistance", Role::output, "N", 0, "Force by which the creep of viscoelastic bodies resists rolling."),
     integer("patches", Role::output, 0, "1 in contact, 0 apart."),
     boolean("converged", Role::output, false, "All solvers reached their tolerance."),
 });

@@ -1,9 +1,11 @@
 // `bodies` and `ics` of a request: the bodies' own coefficients, or a shorthand for both beside them.
 #include "codec_parts.hpp"
 #include "codec_section.hpp"
+#include "contactd/fields/body.hpp"
 #include "contactd/fields/ic_spec.hpp"
 #include "contactd/proto/object.hpp"
 #include "contactd/proto/status.hpp"
+#include "field_codec.hpp"
 
 namespace contactd::proto {
 namespace {
@@ -49,6 +51,7 @@ json encode_coefficients(const Body& body, ArrayWriter& arrays) {
 json encode_body(const Body& body, bool with_ics, ArrayWriter& arrays) {
     if (body.material.is_rigid()) return {{"rigid", true}};
     json result = body.layered() != nullptr ? json::object() : encode_material(body.material);
+    if (body.viscoelastic) result["viscoelastic"] = write_fields(*body.viscoelastic, MemberPath("viscoelastic"));
     if (with_ics || body.layered() != nullptr) result["ics"] = encode_coefficients(body, arrays);
     return result;
 }
@@ -73,6 +76,8 @@ Body decode_body(const json& source, const json* shorthand, const std::string& f
         return body;
     }
     body.material = decode_material(source);
+    if (source.contains("viscoelastic"))
+        read_fields(source["viscoelastic"], body.viscoelastic.emplace(), MemberPath(MemberPath(field), "viscoelastic"));
     if (setup.model != Model::full) {
         body.ics = ics_of_simplified_model(source.contains("ics") ? &source["ics"] : shorthand);
         return body;
@@ -106,7 +111,8 @@ void encode_bodies(const ContactSetup& setup, json& params, ArrayWriter& arrays)
     const Ics* both = shared_source(bodies);
     const bool apart = full && both == nullptr;
     params["bodies"] = object({{"upper", encode_body(bodies.upper, apart, arrays)}});
-    if (apart || bodies.lower.material != bodies.upper.material || bodies.any_layered())
+    if (apart || bodies.lower.material != bodies.upper.material ||
+        bodies.lower.viscoelastic != bodies.upper.viscoelastic || bodies.any_layered())
         params["bodies"]["lower"] = encode_body(bodies.lower, apart, arrays);
     if (full && both != nullptr) params["ics"] = encode_ics(*both);
     if (const auto line = line_contact_of(bodies); !full && line) {

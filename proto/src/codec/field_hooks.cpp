@@ -78,6 +78,8 @@ json write_body(const Body& body, const std::string& field) {
     if (const Ics* ics = body.computed(); ics == nullptr || *ics != Ics{})
         throw InvalidArgument(field + ".ics",
                               "is no half-space in closed form; the daemon knows wheels and rails as such only");
+    if (body.viscoelastic)
+        throw InvalidArgument(field + ".viscoelastic", "is given; the daemon knows wheels and rails as elastic only");
     return encode_material(body.material);
 }
 

@@ -128,6 +128,24 @@ def test_temperatures_and_friction_that_follows_them_are_those_of_the_c_interfac
     assert contact(name="cold").start({}).step({"motion.xi": 0.01})["temperature.largest"] == 0
 
 
+def test_bodies_that_creep_are_taken(contact):
+    """The same as the C interface does with them."""
+    bodies = {f"{body}.{name}": value for body in ("upper", "lower") for name, value in
+              {"coefficients": 4, "G": 1143.0, "nu": 0.4, "viscoelastic.f": 1.0, "viscoelastic.tau": 2e-4}.items()}  # fmt: skip
+    fmu = contact().start({**bodies, "grid.nx": 15, "grid.ny": 15, "grid.dx": 0.8, "grid.dy": 0.8})
+    outputs = fmu.step({"motion.xi": 0.002, "load.Fn": 200.0})
+    with c_interface.contact() as direct:
+        direct.set({"grid.nx": 15, "grid.ny": 15, "grid.dx": 0.8, "grid.dy": 0.8})
+        creep = {"G": 1143, "nu": 0.4, "viscoelastic.f": 1, "viscoelastic.tau": 2e-4}
+        direct.set({f"bodies.{body}.{name}": value for body in ("upper", "lower") for name, value in creep.items()})
+        direct.set({"gap.paraboloid.Rx": 460, "gap.paraboloid.Ry": 300, "Fn": 200, "friction.mu": 0.3})
+        direct.set({"friction.rolling.xi": 0.002, "friction.rolling.velocity": 20e3})
+        direct.start()
+        direct.step()
+        assert [outputs[name] for name in NAMES] == c_answers(direct)
+        assert outputs["resistance"] == direct.get("rolling_resistance.force") > 0
+
+
 def test_ten_instances_at_once_do_not_meet(contact):
     several = [contact(name=f"contact {k}").start({"model": 2}) for k in range(10)]
     alone = [contact(name="alone").start({"model": 2}).step({"motion.xi": 1e-4 * k})["Fx"] for k in range(10)]

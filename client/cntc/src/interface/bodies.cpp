@@ -1,5 +1,6 @@
 // Materials of the bodies, and the friction between them.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -132,6 +133,15 @@ InterfacialLayer layer(double gg3, double thickness, double tau_c0, double k_tau
     return layer;
 }
 
+/// [fg1, fg2, tc1, tc2], the last two in s.
+std::array<Viscoelasticity, 2> creep(const std::vector<double>& given) {
+    const std::array<Viscoelasticity, 2> bodies{{{given[4], given[6]}, {given[5], given[7]}}};
+    for (const auto& [f, tau] : bodies)
+        if (!(f >= 0 && tau >= 0))
+            throw Refused(error_code::input, "Viscoelastic bodies have fg1, fg2, tc1 and tc2 not below 0.");
+    return bodies;
+}
+
 /// Nothing is reduced at large creepages where k0 is not, whatever beta is.
 SlopeReduction slope(double k0, double alpha, double beta) {
     if (!(k0 > 0 && alpha > 0 && beta >= 0))
@@ -143,7 +153,12 @@ std::vector<double> material_back(const Settings& settings) {
     if (!settings.materials) throw Refused(error_code::input, "No material was set.");
     const auto& [upper, lower] = *settings.materials;
     const double stress = settings.units.stress();
-    return {upper.nu, lower.nu, upper.G / stress, lower.G / stress};
+    std::vector<double> back{upper.nu, lower.nu, upper.G / stress, lower.G / stress};
+    if (settings.creep) {
+        const auto& [above, below] = *settings.creep;
+        back.insert(back.end(), {above.f, below.f, above.tau, below.tau});
+    }
+    return back;
 }
 
 std::vector<double> friction_back(const Settings& settings) {
@@ -156,16 +171,19 @@ std::vector<double> friction_back(const Settings& settings) {
 extern "C" void cntc_setmaterialparameters(int* ire, int* icp, int* imeth, int* nparam, double* rparam) {
     set("cntc_setmaterialparameters", ire, icp, "material", [&](Settings& settings) {
         const int method = integer(imeth, "imeth");
-        constexpr int fastsim = 3, layered = 4, fastrip = 5;
-        const bool is_simplified = method == fastsim || method == fastrip;
-        if (method != 0 && method != layered && !is_simplified)
+        constexpr int viscoelastic = 1, fastsim = 3, layered = 4, fastrip = 5;
+        const bool is_simplified = method == fastsim || method == fastrip,
+                   has_eight = method == viscoelastic || method == layered;
+        if (method != 0 && !has_eight && !is_simplified)
             throw Refused(error_code::input,
                           "Method " + std::to_string(method) +
-                              " is asked for; contactd has elastic bodies here, 0, these with an interfacial layer, "
-                              "4, and with the simplified theory, 3 or 5.");
-        std::vector<double> given = list(rparam, nparam, is_simplified ? 7 : method == layered ? 8 : 4, "rparam");
+                              " is asked for; contactd has elastic bodies here, 0, viscoelastic ones, 1, elastic ones "
+                              "with an interfacial layer, 4, and with the simplified theory, 3 or 5.");
+        std::vector<double> given = list(rparam, nparam, is_simplified ? 7 : has_eight ? 8 : 4, "rparam");
         settings.slope = {};
         settings.layer.reset();
+        settings.creep.reset();
+        if (method == viscoelastic) settings.creep = creep(given);
         if (method == layered) settings.layer = layer(given[4], given[5], given[6], given[7], settings.units);
         if (is_simplified) settings.slope = slope(given[4], given[5], given[6]);
         given.resize(4);

@@ -43,9 +43,13 @@ void FileSetting::solvers() {
 
 void FileSetting::material() {
     auto values = reals({"POISS1", "POISS2", "GG1", "GG2"});
-    constexpr int fastsim = 3, layered = 4, fastrip = 5;
+    constexpr int viscoelastic = 1, fastsim = 3, layered = 4, fastrip = 5;
     const bool is_simplified = digit("M") == fastsim || digit("M") == fastrip;
-    int method = is_simplified || digit("M") == layered ? digit("M") : 0;
+    int method = is_simplified || digit("M") == viscoelastic || digit("M") == layered ? digit("M") : 0;
+    if (method == viscoelastic) {
+        const auto creep = reals({"FG1", "FG2", "TC1", "TC2"});
+        values.insert(values.end(), creep.begin(), creep.end());
+    }
     if (method == layered) {
         const auto layer = reals({"GG3", "LAYTHK", "TAU_C0", "K_TAU"});
         values.insert(values.end(), layer.begin(), layer.end());

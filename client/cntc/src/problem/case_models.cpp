@@ -6,7 +6,7 @@ namespace contactd::cntc {
 namespace {
 
 enum Bound { from_pressures = 0, elliptic = 2, parabolic = 3, kpec = 5, analyn = 6 };
-enum Bodies { elastic = 0, fastsim = 3, layered = 4, fastrip = 5 };
+enum Bodies { elastic = 0, viscoelastic = 1, fastsim = 3, layered = 4, fastrip = 5 };
 
 }  // namespace
 
@@ -16,7 +16,7 @@ CaseModels models_of(const Settings& settings) {
     if (bound == kpec) found.normal_model = NormalModel::kpec;
     if (bound == analyn) found.normal_model = NormalModel::analyn;
     const bool is_plain = bound == elliptic || bound == parabolic;
-    if (bodies == elastic || bodies == layered) {
+    if (bodies == elastic || bodies == viscoelastic || bodies == layered) {
         if (is_plain)
             throw Refused(error_code::input,
                           "Flag 1971 is 2 or 3, a bound by Hertz's ellipse, which contactd has with the simplified "

@@ -11,7 +11,7 @@ namespace {
 BodyTable table_of(const Grid& grid, const Body& body) {
     const Ics* ics = body.computed();
     if (ics == nullptr) return IcTable(grid.nx, grid.ny);
-    const IcSpec spec{*ics, body.material, grid.dx, grid.dy, grid.nx, grid.ny};
+    const IcSpec spec{*ics, without_instant_creep({body, body}).upper.material, grid.dx, grid.dy, grid.nx, grid.ny};
     IcRecord record;  // as closed_form_record makes it, but for the evidence: nobody asks for that
     record.spec = dimensionless(spec);
     record.tables = half_space_table(record.spec);
@@ -23,8 +23,8 @@ BodyTable table_of(const Grid& grid, const Body& body) {
 const ContactInfluence& ContactSolver::influence_of(const ContactProblem& problem) {
     const Grid& grid = problem.grid;
     const Key key{grid.nx, grid.ny, grid.dx, grid.dy, problem.bodies};
-    constexpr std::array<double, 2> none{};
-    const auto step = step_of(problem);
+    constexpr std::array<double, 3> none{};
+    const auto step = rolling_of_operators(problem);
     if (key_ == key && (step == step_ || step == none)) return influence_;  // with a step it serves without one, too
     key_.reset();
     const Bodies& bodies = problem.bodies;

@@ -35,7 +35,7 @@ class ContactSolver {
     const ContactInfluence& influence_of(const ContactProblem& problem);
 
     std::optional<Key> key_;
-    std::array<double, 2> step_{};  ///< of rolling (mm)
+    std::array<double, 3> step_{};  ///< of rolling_of_operators
     ContactInfluence influence_;
 };
 

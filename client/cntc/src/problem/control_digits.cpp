@@ -66,10 +66,10 @@ const std::vector<Digit>& digits() {
          "of a wheel on a rail contactd has half-spaces (2), and those that turn where the contact is curved (4)"},
         {flag::material,
          0,
+         {0, 1, 3, 4, 5},
          {0, 3, 4, 5},
-         {0, 3, 4, 5},
-         "contactd has elastic bodies here, 0, with an interfacial layer, 4, and of these the simplified theory by "
-         "FASTSIM, 3, or FaStrip, 5",
+         "contactd has elastic bodies here, 0, viscoelastic ones, 1, elastic ones with an interfacial layer, 4, and of "
+         "these the simplified theory by FASTSIM, 3, or FaStrip, 5",
          "contactd has elastic bodies here, 0, with an interfacial layer, 4, and of these the simplified theory by "
          "FASTSIM, 3, or FaStrip, 5"},
         {flag::extra_slip,

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "closed_forms/undeformed_distance.hpp"
 #include "edge/codes.hpp"
 #include "problem/area.hpp"
 #include "problem/case_models.hpp"
@@ -40,10 +41,10 @@ Force force_of(const Settings& settings, const ContactProblem& problem,
     if (prescribed == 0) return {};
     if (!settings.force)
         throw Refused(error_code::input, "No tangential force was set; call cntc_settangentialforces.");
-    if (!problem.Fn && !problem.bodies.materials().quasi_identical())
+    if (!problem.Fn && (problem.bodies.any_viscoelastic() || !problem.bodies.materials().quasi_identical()))
         throw Refused(error_code::input,
                       "Tangential forces are relative to the normal force, which is not known before the solve where "
-                      "the penetration is prescribed and the bodies differ; prescribe the normal force.");
+                      "the penetration is prescribed and the bodies differ or creep; prescribe the normal force.");
     const double unit = friction_of(settings).law.mu[0] * (problem.Fn ? *problem.Fn : normal_force(problem));
     // A force beyond friction becomes that of full slip along it, which only ever larger creepages come near.
     constexpr double full_slip = 1 - 1e-6;
@@ -180,7 +181,13 @@ ContactProblem problem_of(const Settings& settings, const LastCase* last,
         if (!settings.pen) throw Refused(error_code::input, "No penetration was set; call cntc_setpenetration.");
         problem.approach = settings.pen;
     }
-    validate(problem);
+    if (settings.creep) {
+        // The curvatures of an ellipse are those of the bodies at once.
+        if (const auto paraboloid = paraboloid_of(problem)) problem.gap = *paraboloid;
+        problem.bodies.upper.viscoelastic = settings.creep->front();
+        problem.bodies.lower.viscoelastic = settings.creep->back();
+    }
+    validate_opening(problem);  // friction comes
     add_friction(problem, settings, normal_force);
     if (last != nullptr) continue_from(problem, settings, *last);
     validate(problem);

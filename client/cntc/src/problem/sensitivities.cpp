@@ -121,9 +121,10 @@ Sensitivities sensitivities(const ContactProblem& problem, const ContactSolution
                             bool tangential) {
     const bool rubs = tangential && problem.friction && problem.friction->mu_of(0) > 0 && solution.forces.Fn > 0;
     ContactProblem base = at_solution(problem, solution);
-    if (!rubs) base.friction.reset();
-    // With a slip law core has no derivatives.
-    if (rubs && problem.friction->kinetic) return by_differences(base, solution, solver);
+    const bool creeps = problem.bodies.any_viscoelastic();
+    if (!rubs && !creeps) base.friction.reset();
+    // With a slip law, and of viscoelastic bodies, core has no derivatives.
+    if (creeps || (rubs && problem.friction->kinetic)) return by_differences(base, solution, solver);
     return by_derivatives(std::move(base), solver, rubs);
 }
 

@@ -83,7 +83,8 @@ struct Settings {
     ContactSettings solvers;
     std::map<int, double> metadata;
     std::optional<MaterialPair> materials;
-    SlopeReduction slope;  ///< of the simplified theory
+    std::optional<std::array<Viscoelasticity, 2>> creep;  ///< of the upper and the lower body
+    SlopeReduction slope;                                 ///< of the simplified theory
     std::optional<GivenFriction> friction;
     std::optional<InterfacialLayer> layer;  ///< between the bodies
     std::optional<ThermalBodies> heat;      ///< where it counts, the flag 1982 says

@@ -91,6 +91,7 @@ def contact_rows(answer: dict[str, Any]) -> list[tuple[str, Any]]:
         ("contact (mm^2)", f"{number(float(area['contact']))}, {division}"),
         ("frictional work (N mm)", answer.get("frictional_work")),
         ("frictional power (N mm/s)", answer.get("frictional_power")),
+        ("rolling resistance (N)", answer.get("rolling_resistance", {}).get("force")),
     ]
     if has_friction:
         rows.append(("motion", _motion(answer["motion"])))

@@ -1,5 +1,6 @@
 #include "cost_parts.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace contactd::server {
@@ -23,6 +24,12 @@ bool any_body(const json& params, const char* kind) {
     const json* bodies = member(params, "bodies");
     if (bodies == nullptr) return is_kind(&params);
     return is_kind(&params) || is_kind(member(*bodies, "upper")) || is_kind(member(*bodies, "lower"));
+}
+
+bool any_viscoelastic(const json& params) {
+    const json* bodies = member(params, "bodies");
+    if (bodies == nullptr) return false;
+    return std::any_of(bodies->begin(), bodies->end(), [](const json& body) { return body.contains("viscoelastic"); });
 }
 
 double length_of(const json& array) {

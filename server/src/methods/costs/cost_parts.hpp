@@ -6,7 +6,7 @@
 namespace contactd::server {
 
 constexpr double bytes_beside = 1e6;  // of a call, whatever it asks
-constexpr double seconds_of_offset = 1e-6, seconds_of_layered_offset = 4e-5;
+constexpr double seconds_of_offset = 1e-6, seconds_of_layered_offset = 4e-5, seconds_of_creep = 2e-5;
 
 /// Counts the elements of a grid.
 double elements_of(const nlohmann::json& grid);
@@ -14,6 +14,8 @@ double elements_of(const nlohmann::json& grid);
 const nlohmann::json* member(const nlohmann::json& params, const char* name);
 /// Tells whether any body of a contact, or its pair, has coefficients of this kind.
 bool any_body(const nlohmann::json& params, const char* kind);
+/// Tells whether any body of a contact creeps as it rolls.
+bool any_viscoelastic(const nlohmann::json& params);
 /// The length of the first axis of an array, a list or a frame.
 double length_of(const nlohmann::json& array);
 /// Counts all numbers of an array, a nested list or a frame.

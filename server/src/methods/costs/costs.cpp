@@ -22,6 +22,8 @@ constexpr double bytes_of_simplified = 400;      // closed forms, which have fie
 constexpr double bytes_of_answer = 150;          // all fields, as arrays of an answer and its frames
 constexpr double bytes_of_displacements = 100;   // likewise, and what they are summed up from
 constexpr double bytes_of_friction_state = 500;  // what layers and memory carry, and their arrays of an answer
+// Bodies that creep have tables of offsets of both signs, their symbols, and directions of the normal problem.
+constexpr double bytes_of_creep = 3000;
 // Numbers for each offset along x and pair of strips: the table and its copy, symbols, boxes.
 constexpr double bytes_of_strips = 30 * sizeof(double), bytes_of_rolling_strips = 60 * sizeof(double);
 
@@ -56,6 +58,10 @@ WorkCost cost_of_solve(const json& params, const Config& config) {
         friction != nullptr ? products_of_friction + products_of_step * (steps - 1) : products_of_normal;
     double seconds = product * products;
     if (any_body(params, "layered")) seconds += seconds_of_layered_offset * elements * (rolls ? 5 : 1);
+    if (any_viscoelastic(params)) {
+        bytes += elements * bytes_of_creep;
+        seconds += elements * seconds_of_creep;
+    }
     const json* kinetic = friction != nullptr ? member(*friction, "kinetic") : nullptr;
     if (friction != nullptr && (friction->contains("layer") || (kinetic != nullptr && kinetic->contains("memory"))))
         bytes += elements * bytes_of_friction_state;

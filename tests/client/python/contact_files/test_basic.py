@@ -21,6 +21,7 @@ from contactd import (
     TemperatureFriction,
     ThermalBodies,
     ThermalBody,
+    ViscoelasticBody,
 )
 from contactd.contact_files.problems.basic import BasicContact, State, goes_on
 from contactd.contact_files.problems.features import Missing, missing
@@ -256,11 +257,24 @@ def test_friction_may_follow_the_temperature() -> None:
         made(H=3, T=3, FRCLAW=6, VARFRC=3, friction=[*sets, {**sets[0], "TREF": 30.0}], **HEAT)
 
 
+CREEP = {"M": 1, "FG1": 1.0, "FG2": 1.0, "TC1": 0.009, "TC2": 0.009}
+
+
+def test_bodies_that_creep_alike_are_one_and_others_two() -> None:
+    alike = made(**CREEP).problem
+    assert (alike.upper, alike.lower) == (ViscoelasticBody(G=82000, nu=0.28, f=1, tau=0.009), None)
+    others = made(**{**CREEP, "FG2": 0.0}).problem
+    assert others.upper == alike.upper
+    assert others.lower == ViscoelasticBody(G=82000, nu=0.28, f=0, tau=0.009)
+    assert made(**{**CREEP, "M": 0}).problem.upper == Material(G=82000, nu=0.28)
+
+
 @pytest.mark.parametrize(
     ("changes", "name"),
     [
         ({"P": 1}, "P = 1"), ({"B": 2}, "elliptic traction bound"), ({"B": 3}, "parabolic"),
-        ({"B": 4}, "SDEC"), ({"M": 1}, "viscoelastic"), ({"M": 2}, "one flexibility"),
+        ({"B": 4}, "SDEC"), ({"M": 1, "T": 2}, "viscoelastic"), ({"M": 1, "CHI": 1.5}, "viscoelastic"),
+        ({"M": 1, "N": 0, "PEN": 0.02, "F": 1, "FX": 0.2, "FG1": 1.0, "FG2": 1.0, "TC1": 0.1, "TC2": 0.1}, "shares of a normal force"), ({"M": 2}, "one flexibility"),
         ({"M": 5, "B": 3, "K0": 1.0, "ALFA": 1.0, "BETA": 1.0}, "parabolic"), ({"FRCLAW": 6}, "temperature"),
         ({"H": 1, "INFLCF": 3}, "temperature"), ({"CDAMPN": 1.0, "CDAMPT": 0.0}, "damping"),
         ({"INFLCF": 4}, "half-spaces that turn"), ({"INFLCF": 9}, "from a file"), ({"IPOTCN": -6}, "half ellipses"),

@@ -18,7 +18,7 @@ from .out_laws import NAMES_OF_LAWS
 __all__ = ["mat_texts"]
 
 _COLUMNS = 11
-_OF_LAYER: tuple[tuple[str, ...], ...] = ((), ("GG3", "LAYTHK", "TAU_C0", "K_TAU"))
+_OF_MATERIAL: dict[int, tuple[str, ...]] = {1: ("FG1", "FG2", "TC1", "TC2"), 4: ("GG3", "LAYTHK", "TAU_C0", "K_TAU")}
 _FORMAT = 2410.0  #: the version of the format, which readers look for in the last column
 
 Cell = float | int
@@ -62,7 +62,7 @@ def _text(case: Any, places: PatchPlaces, motion: tuple[float, float, float], el
         header([grid.nx, grid.ny, *_corner(grid, places), grid.dx, grid.dy, chi, dq, digits.get("C1", 0), values["DISCNS"] if
                  case.module == 1 else digits["D"], places.nominal]),
         "% tang, mater, gg1, gg2, poiss1, poiss2",
-        header([digits["T"], digits["M"], *(values[name] for name in ("GG1", "GG2", "POISS1", "POISS2", *_OF_LAYER[digits["M"] == 4]))]),
+        header([digits["T"], digits["M"], *(values[name] for name in ("GG1", "GG2", "POISS1", "POISS2", *_OF_MATERIAL.get(digits["M"], ())))]),
         "% frclaw, heat, veloc, friction",
         header([law, digits["H"], velocity, *friction]),
         "%    I    IGS    H             MU            PN            PX            PY            UN            UX            UY"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ..answers.basic_results import BasicResult
+from ..problems.bodies import combined, is_viscoelastic
 from .numbers import fixed, fortran_g, general
 from .out_division import division, quantities
 from .out_heat import heat_lines, largest_temperature
@@ -28,6 +29,8 @@ def basic_lines(result: BasicResult) -> list[str]:
         lines += ["", *_hertz(result)]
     if digit["C"] >= 2:
         lines += ["", *_materials(result)]
+    if digit["C"] >= 2 and is_viscoelastic(case):
+        lines += ["", *_creep(result)]
     if digit["C"] >= 2 and digit["M"] == 4:
         lines += ["", *interfacial_layer(case.values)]
     if digit["L"] != 1:
@@ -96,6 +99,20 @@ def _materials(result: BasicResult) -> Iterator[str]:
     yield "    POISS(1)    POISS(2)     GG(1)       GG(2)"
     yield g_row(*(values[name] for name in ("POISS1", "POISS2", "GG1", "GG2")))
     yield from heat_lines(result.contact.case)
+
+
+def _creep(result: BasicResult) -> Iterator[str]:
+    """The pair as the program combines it: relaxed where the bodies do not take time to creep."""
+    values, velocity = result.contact.case.values, result.velocity
+    f1, f2, tau1, tau2 = (values[name] for name in ("FG1", "FG2", "TC1", "TC2"))
+    relaxed = [G if tau > 0 else G / (1 + f) for G, f, tau in ((values["GG1"], f1, tau1), (values["GG2"], f2, tau2))]
+    nu, G, difference = combined(values["POISS1"], values["POISS2"], *relaxed)
+    yield " VISCOELASTIC MATERIAL CONSTANTS"
+    yield "     NUV         GV          AKV"
+    yield g_row(nu, G, difference)
+    yield ""
+    yield "     FG(1)       FG(2)       TC(1)       TC(2)       VT(1)       VT(2)"
+    yield row([*map(fortran_g, (f1, f2)), *map(general, (tau1, tau2, tau1 * velocity, tau2 * velocity))])
 
 
 def _friction(result: BasicResult) -> Iterator[str]:

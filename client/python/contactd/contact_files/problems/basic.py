@@ -17,7 +17,7 @@ from ...values.ics import AnalyticIcs
 from ...values.motion import Rolling
 from ...values.problem import ContactProblem, Estimate
 from .areas import PotentialContact, potential_contact
-from .bodies import Pair, pair_of, sheet_of
+from .bodies import Pair, bodies_of, pair_of, sheet_of
 from .features import Missing, missing
 from .frictions import coefficients, layer, shares, static
 from .heat import temperature_friction, thermal_bodies
@@ -88,10 +88,11 @@ class BasicContact:
         values = case.values
         area = potential_contact(values, None if before is None else before.grid)
         pair = pair_of(values)
+        upper, lower = bodies_of(case, pair)
         load = {"Fn": values["FN"]} if case.digits["N"] == 1 else {"approach": values["PEN"]}
         ics = AnalyticIcs(load_shape="bilinear") if values["INFLCF"] == 3 else AnalyticIcs()
         problem = ContactProblem(
-            grid=area.grid, upper=pair.upper, lower=pair.lower, gap=area.gap, ics=ics, **load,
+            grid=area.grid, upper=upper, lower=lower, gap=area.gap, ics=ics, **load,
             **_settings(values, pair), **models_of(case), sheet_flexibility=sheet_of(case),
         )  # fmt: skip
         unit = 1.0 if values["VARFRC"] == 3 else static(values["FRCLAW"], case.friction[0])

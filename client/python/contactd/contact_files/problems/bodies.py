@@ -6,14 +6,17 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from ...values.materials import Material
+from ...values.materials import Material, ViscoelasticBody
 
 if TYPE_CHECKING:
     from ...values.contact_files import ContactCase as Case
 
-__all__ = ["Pair", "pair_of", "sheet_of"]
+__all__ = ["Pair", "bodies_of", "combined", "is_viscoelastic", "pair_of", "sheet_of"]
+
+Body = Material | ViscoelasticBody
 
 _SHEET = 1
+_VISCOELASTIC = 1
 _ALIKE = 1e-4  #: below this difference the program takes bodies as quasi-identical
 
 
@@ -44,12 +47,31 @@ class Pair:
 def pair_of(values: Mapping[str, Any]) -> Pair:
     """The bodies of a case. Where they hardly differ, both are of the combined material, as the program has them."""
     nu1, nu2, g1, g2 = (values[name] for name in ("POISS1", "POISS2", "GG1", "GG2"))
-    G = 2 / (1 / g1 + 1 / g2)
-    nu = G * (nu1 / g1 + nu2 / g2) / 2
-    difference = G / 4 * ((1 - 2 * nu1) / g1 - (1 - 2 * nu2) / g2)
+    nu, G, difference = combined(nu1, nu2, g1, g2)
     if abs(difference) < _ALIKE:
         return Pair(Material(G=G, nu=nu), None, nu, G, 0.0 if nu1 == nu2 and g1 == g2 else difference)
     return Pair(Material(G=g1, nu=nu1), Material(G=g2, nu=nu2), nu, G, difference)
+
+
+def combined(nu1: float, nu2: float, g1: float, g2: float) -> tuple[float, float, float]:
+    """Poisson's ratio, shear modulus and difference of two materials, as of a Pair."""
+    G = 2 / (1 / g1 + 1 / g2)
+    return G * (nu1 / g1 + nu2 / g2) / 2, G, G / 4 * ((1 - 2 * nu1) / g1 - (1 - 2 * nu2) / g2)
+
+
+def is_viscoelastic(case: Case) -> bool:
+    """Tells whether the bodies creep as they roll."""
+    return case.digits["M"] == _VISCOELASTIC
+
+
+def bodies_of(case: Case, pair: Pair) -> tuple[Body, Body | None]:
+    """The upper and the lower body of basic contact; without the lower one both are alike."""
+    if not is_viscoelastic(case):
+        return pair.upper, pair.lower
+    (f1, f2), (tau1, tau2) = ((case.values[f"{name}1"], case.values[f"{name}2"]) for name in ("FG", "TC"))
+    lower = pair.lower if (f1, tau1) == (f2, tau2) else pair.lower or pair.upper
+    creeps = ViscoelasticBody(G=pair.upper.G, nu=pair.upper.nu, f=f1, tau=tau1)
+    return creeps, None if lower is None else ViscoelasticBody(G=lower.G, nu=lower.nu, f=f2, tau=tau2)
 
 
 def sheet_of(case: Case) -> float:

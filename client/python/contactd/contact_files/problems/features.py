@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -10,6 +11,8 @@ if TYPE_CHECKING:
     from ...values.contact_files import ContactCase as Case
 
 __all__ = ["Missing", "missing"]
+
+_NEAR = 1e-6
 
 
 class Missing(Exception):
@@ -49,9 +52,14 @@ def _has_no_ellipse(case: Case) -> bool:
     return case.module == 3 and case.digits["B"] not in (5, 6) and case.values["IPOTCN"] not in (-1, -2, -3)
 
 
+def _rolls_along_x(case: Case) -> bool:
+    return case.digits["T"] == 3 and abs(math.sin(case.values["CHI"])) < _NEAR
+
+
 _BOTH = (
     _digit("tractions from the pressures of the case before", "P", 1),
-    _digit("viscoelastic bodies", "M", 1),
+    _Feature("viscoelastic bodies but in steady rolling along x (M = 1, T < 3, CHI)",
+             lambda case: case.module == 3 and case.digits["M"] == 1 and not _rolls_along_x(case)),
     _Feature("FASTSIM or FaStrip without Hertz's contact (M = 3, 5, IPOTCN > 0)",
              lambda case: _is_simplified(case) and _has_no_ellipse(case)),
     _digit("FASTSIM of one flexibility", "M", 2),
@@ -67,6 +75,8 @@ _BOTH = (
 )
 
 _BASIC = (
+    _Feature("shares of a normal force of viscoelastic bodies that is not known before the solve (M = 1, N = 0, F > 0)",
+             lambda case: case.digits["M"] == 1 and case.digits["N"] == 0 and case.digits["F"] > 0),
     _Feature("elliptic traction bound with the full theory (B = 2)",
              lambda case: case.digits["B"] == 2 and not _is_simplified(case)),
     _Feature("parabolic traction bound with the full theory or FaStrip (B = 3)",
@@ -80,6 +90,7 @@ _BASIC = (
 )  # fmt: skip
 
 _ON_RAILS = (
+    _digit("viscoelastic bodies on rails", "M", 1),
     _digit("elliptic or parabolic traction bound", "B", 2, 3, 4),
     _Feature("FASTSIM or FaStrip on rails with pressures of the full theory (M = 3, 5, B = 0)",
              lambda case: _is_simplified(case) and case.digits["B"] not in (5, 6)),
