@@ -15,10 +15,10 @@ using namespace contactd::test;
 
 namespace {
 
-/// A symmetric part that is positive definite, and a part that turns.
-class TurningOperator final : public InfluenceOperator {
+/// A symmetric part that is positive definite, and a skew-symmetric one.
+class SkewOperator final : public InfluenceOperator {
    public:
-    TurningOperator(std::size_t n, double turning, Dice& dice) : n_(n), a_(n * n) {
+    SkewOperator(std::size_t n, double skewness, Dice& dice) : n_(n), a_(n * n) {
         Values b(n * n);
         for (double& value : b) value = dice.uniform(-1, 1);
         for (std::size_t i = 0; i < n; ++i)
@@ -27,7 +27,7 @@ class TurningOperator final : public InfluenceOperator {
                     a_[i * n + j] += b[i * n + k] * b[j * n + k] / static_cast<double>(n);
                 if (i == j) a_[i * n + j] += 0.2;
                 if (i < j) {
-                    const double value = turning * dice.uniform(-1, 1);
+                    const double value = skewness * dice.uniform(-1, 1);
                     a_[i * n + j] += value;
                     a_[j * n + i] -= value;
                 }
@@ -59,12 +59,12 @@ class TurningOperator final : public InfluenceOperator {
 
 }  // namespace
 
-TEST_CASE("pressures are found for operators that turn as much as they yield", "[viscoelastic]") {
+TEST_CASE("pressures are found for operators of any skew-symmetric part", "[viscoelastic]") {
     for (std::uint64_t seed = 1; seed <= 300; ++seed) {
         CAPTURE(seed);
         Dice dice(seed);
         const auto n = static_cast<std::size_t>(dice.integer(2, 40));
-        const TurningOperator influence(n, dice.log_uniform(0.01, 10), dice);
+        const SkewOperator influence(n, dice.log_uniform(0.01, 10), dice);
         Values h(n), u(n);
         for (double& value : h) value = dice.uniform(-1, 1);
         Observer observer;
