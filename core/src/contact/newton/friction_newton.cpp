@@ -149,8 +149,8 @@ bool FrictionNewton::division_stands(double tolerance) const {
 
 void FrictionNewton::linearise() {
     linearise_law(m_, law_.slips.data(), p_, s_, inverse_g_.data(), law_.normal, law_.tangent_stiffness.data(), r_);
-    if (flow_) flow_->linearise(p_, s_, law_, r_);
-    const double sum = inner(r_, r_) + pushes(m_, law_.normal, s_);
+    const double back = flow_ ? flow_->linearise(p_, s_, law_, r_) : 0;
+    const double sum = inner(r_, r_) + pushes(m_, law_.normal, s_) + back;
     violation_ = sum > 0 ? std::sqrt(sum / static_cast<double>(m_)) / rms_w_ : 0;
     has_step_ = false;
 }

@@ -127,9 +127,10 @@ std::size_t PlasticFlow::divide_at_start(Field& p, const Field& s, const std::ve
     return moved;
 }
 
-void PlasticFlow::linearise(const Field& p, const Field& s, Linearisation& law, Field& r) {
+double PlasticFlow::linearise(const Field& p, const Field& s, Linearisation& law, Field& r) {
     Linearisation::Flow& flow = *law.flow;
     const double diagonal = law_.diagonal();
+    double back = 0;
     for (std::size_t e = 0; e < m_; ++e) {
         flow.direction.x[e] = flow.direction.y[e] = 0;
         if (!flows_[e]) continue;
@@ -137,6 +138,7 @@ void PlasticFlow::linearise(const Field& p, const Field& s, Linearisation& law, 
         const double against = -(s.x[e] * x + s.y[e] * y), free = std::max(against, 0.0);
         const double hardened = incoming_[e] + law_.hardening / diagonal * free;
         const bool is_least = hardened < law_.least;
+        back += (free - against) * (free - against);
         flow.direction.x[e] = x;
         flow.direction.y[e] = y;
         flow.slope[e] = is_least ? 0 : law_.hardening;
@@ -147,6 +149,7 @@ void PlasticFlow::linearise(const Field& p, const Field& s, Linearisation& law, 
         r.x[e] = -s.x[e] - against * x + along * x;
         r.y[e] = -s.y[e] - against * y + along * y;
     }
+    return back;
 }
 
 void PlasticFlow::correct_image(const Linearisation& law, const Vectors& step, const Vectors& response,

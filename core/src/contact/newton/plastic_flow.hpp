@@ -53,8 +53,8 @@ class PlasticFlow {
 
     // The direction of flow, its tangent stiffness, and the residual there: across the direction that of slip, along it
     // how far the traction is off, in units of slip. Adds to what linearise_law() found, for which these elements
-    // adhere.
-    void linearise(const Field& p, const Field& s, Linearisation& law, Field& r);
+    // adhere. Returns the sum of squares of slip along the tractions, which would be flow back.
+    double linearise(const Field& p, const Field& s, Linearisation& law, Field& r);
     // Makes of the image of a step, in which the elements that flow adhere, the right one.
     void correct_image(const Linearisation& law, const Vectors& step, const Vectors& response,
                        const MutableVectors& image) const;

@@ -151,7 +151,8 @@ inline std::string state_faults(const ContactProblem& problem, const ContactSolu
             continue;
         }
         if (std::abs(tx * py - ty * px) > p * unit) return where(i, "slip and traction are not aligned");
-        if (tx * px + ty * py > p * unit) return where(i, "slip along the traction");
+        if (tx * px + ty * py > p * unit)
+            return where(i, "slip along the traction by " + std::to_string((tx * px + ty * py) / (p * unit)));
         double bound = held;
         if (layer.hardens() && v[i] < g)
             bound = k > 0 ? std::min(g, v[i] + k * t) : std::max(v[i] + k * t, layer.residual * layer.yield_stress);
