@@ -1,6 +1,7 @@
 #include "expected.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <regex>
 #include <vector>
 
@@ -49,8 +50,9 @@ Bounds bounds_of(const json& schema) {
 }
 
 std::string number(double value) {
-    return value == static_cast<double>(static_cast<long long>(value)) ? dump(static_cast<long long>(value))
-                                                                       : dump(value);
+    constexpr double largest_exact = 9007199254740992;  // 2^53
+    return std::abs(value) <= largest_exact && value == std::trunc(value) ? dump(static_cast<long long>(value))
+                                                                          : dump(value);
 }
 
 std::string expected_integer(const json& schema) {

@@ -199,7 +199,7 @@ def test_who_interrupts_a_history_closes_its_session(own):
                "ics": {"source": "analytic"}, "gap": {"paraboloid": {"Rx": 50, "Ry": 50}}, "friction": {"mu": 0.4, "rolling": {}}}  # fmt: skip
     own.write("history.json", {"open": opening, "steps": [{"approach": 0.02}, {"approach": 0.02, "friction": endless}]})
     with own.start("session", "history.json", "--json") as replaying, Client(own.endpoint) as client:
-        eventually(lambda: any(session.step == 1 for session in client.sessions()))
+        eventually(lambda: any(session.step == 1 and session.idle_seconds == 0 for session in client.sessions()))
         replaying.send_signal(signal.SIGINT)
         out, _ = replaying.communicate(timeout=30)
         assert replaying.returncode == 130
