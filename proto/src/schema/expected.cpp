@@ -50,9 +50,8 @@ Bounds bounds_of(const json& schema) {
 }
 
 std::string number(double value) {
-    constexpr double largest_exact = 9007199254740992;  // 2^53
-    return std::abs(value) <= largest_exact && value == std::trunc(value) ? dump(static_cast<long long>(value))
-                                                                          : dump(value);
+    constexpr double largest = 9e18;  // of a whole number here
+    return std::abs(value) <= largest && value == std::trunc(value) ? dump(static_cast<long long>(value)) : dump(value);
 }
 
 std::string expected_integer(const json& schema) {
