@@ -10,7 +10,7 @@
 namespace contactd::engine {
 namespace {
 
-/// Of what a body does at once: tables are elastic, and operators make of them what creep makes.
+/// Takes what a body does at once: tables are elastic, and operators make of them what creep makes.
 std::optional<IcSpec> spec_of(const ContactSetup& setup, const Body& body) {
     const Ics* ics = body.computed();
     if (ics == nullptr) return {};

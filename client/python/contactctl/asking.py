@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 from contactd import Client, ContactdError, Job, Progress, StatusError, TimeoutExpired
@@ -13,7 +15,7 @@ from .interrupts import uninterrupted
 from .output import note
 from .progress import Bar
 
-__all__ = ["OwnBuilds", "ask"]
+__all__ = ["OwnBuilds", "ask", "reports_of_rounds"]
 
 _LONGEST_WAIT = 1.0  # seconds until the daemon has heard that the request is abandoned
 
@@ -67,24 +69,48 @@ class OwnBuilds:
         return [job for job in new if not job.callers]
 
 
-def ask(client: Client, method: str, params: dict[str, Any], what: str) -> dict[str, Any]:
-    """The result of a request, `what` being said beside its bar. Interrupted, it ends its builds, too."""
+@contextmanager
+def own_builds(client: Client, params: dict[str, Any]) -> Iterator[OwnBuilds | None]:
+    """The builds of requests with these parameters, None where they start none. Interrupted, it ends them."""
     builds = OwnBuilds(client) if may_build(params) else None
     try:
-        with Bar(what) as bar:
-
-            def report(progress: Progress) -> None:
-                if builds is not None:
-                    builds.notice(progress)
-                bar.report(progress)
-
-            return client.call(method, params, on_progress=report)
+        yield builds
     except KeyboardInterrupt:
         if builds is not None:
             builds.cancel()
         raise
-    except TimeoutExpired as error:
-        raise Ended(Code.TIMEOUT, _late(error, builds)) from None
+
+
+@contextmanager
+def reports_of_rounds(client: Client, params: dict[str, Any], bar: Bar) -> Iterator[Callable[[Progress], None]]:
+    """Shows how far many requests are together, and how far a build is that they wait for."""
+    with own_builds(client, params) as builds:
+
+        def report(progress: Progress) -> None:
+            if builds is not None:
+                builds.notice(progress)
+            if progress.job:
+                bar.report(progress)
+            else:
+                bar.show(progress.fraction, progress.stage)
+
+        yield report
+
+
+def ask(client: Client, method: str, params: dict[str, Any], what: str) -> dict[str, Any]:
+    """The result of a request, `what` being said beside its bar. Interrupted, it ends its builds, too."""
+    with own_builds(client, params) as builds:
+        try:
+            with Bar(what) as bar:
+
+                def report(progress: Progress) -> None:
+                    if builds is not None:
+                        builds.notice(progress)
+                    bar.report(progress)
+
+                return client.call(method, params, on_progress=report)
+        except TimeoutExpired as error:
+            raise Ended(Code.TIMEOUT, _late(error, builds)) from None
 
 
 def _late(error: TimeoutExpired, builds: OwnBuilds | None) -> str:

@@ -16,7 +16,7 @@ from contactd.wheel_rail import WheelRailSolution
 from .files import writable, write_text
 from .output import plain_json
 
-__all__ = ["ARRAYS", "check_outputs", "need", "save"]
+__all__ = ["ARRAYS", "check_outputs", "check_picture", "need", "save"]
 
 #: Arrays over the grid that an answer may have.
 ARRAYS = ["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y"]
@@ -35,8 +35,21 @@ def check_outputs(paths: Iterable[str]) -> list[Path]:
         if path.suffix == ".h5":
             need("h5py", "HDF5 files", "python3-h5py")
         elif path.suffix in _PICTURES:
-            need("matplotlib", "pictures", "python3-matplotlib")
+            _need_matplotlib()
     return checked
+
+
+def check_picture(option: str, name: str) -> Path:
+    """Before anything is solved: whether a picture can be drawn there. Raises click.UsageError."""
+    if Path(name).suffix not in _PICTURES:
+        raise click.UsageError(f"{option} {name}: the name must end in {', '.join(_PICTURES)}.")
+    path = writable(option, name)
+    _need_matplotlib()
+    return path
+
+
+def _need_matplotlib() -> None:
+    need("matplotlib", "pictures", "python3-matplotlib")
 
 
 def need(module: str, what: str, package: str) -> None:

@@ -56,7 +56,7 @@ struct Bodies {
     bool any_given() const;
     /// Whether one of them is made of layers, of which the closed forms of half-spaces say nothing.
     bool any_layered() const;
-    /// Whether one of them creeps.
+    /// Returns whether one of them creeps.
     bool any_viscoelastic() const;
     /// Whether one of them is a longitudinally uniform body, of which they say nothing either.
     bool any_uniform() const;

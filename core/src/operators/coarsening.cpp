@@ -71,7 +71,7 @@ IcTable Coarsening::coarse(const IcTable& fine, bool coupled) const {
 
 namespace {
 
-/// Of a table of offsets of both signs, for the components `pairs`.
+/// Coarsens a table of offsets of both signs, for the components `pairs`.
 template <class Table, class Pairs>
 Table coarse_signed(const Table& fine, Table coarse, int factor_x, int factor_y, const Pairs& pairs) {
     const auto inside = [](int offset, int n) { return std::clamp(offset, 1 - n, n - 1); };

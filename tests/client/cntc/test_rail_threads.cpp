@@ -18,7 +18,7 @@ namespace {
 constexpr int wheels = 8, few_steps = 12;
 constexpr int first_element = 800;
 
-/// Of all memory that the process has, what is in use (MiB).
+/// Returns how much memory of the process is in use (MiB).
 double resident_memory() {
     std::ifstream pages("/proc/self/statm");
     double all = 0, resident = 0;

@@ -72,7 +72,7 @@ def test_a_curve_gives_back_the_values_that_it_was_made_with():
 
 
 def test_intervals_hold_the_values_as_often_as_they_say():
-    """Of 200 curves with noise, 190 should; a binomial deviation of 3 is 9."""
+    """190 of 200 curves with noise should; a binomial deviation of 3 is 9."""
     inside = {MU: 0, FLEXIBILITY: 0}
     for seed in range(200):
         noisy = curve(tanh) + np.random.default_rng(seed).normal(0, 0.005, len(CREEPAGE))

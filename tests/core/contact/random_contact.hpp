@@ -111,7 +111,7 @@ class BodyCoefficients {
             layers_ = layered_coefficients(*layers, body.computed()->load_shape, lattice_);
     }
 
-    /// Of a body that creeps as it rolls, one step ahead where the points are not the centres.
+    /// Those of a body that creeps as it rolls are one step ahead where the points are not the centres.
     BodyCoefficients(const ContactProblem& problem, const Body& body, double shift_x, double shift_y)
         : BodyCoefficients(problem.grid, body, shift_x, shift_y) {
         if (!body.viscoelastic || body.material.is_rigid()) return;

@@ -100,7 +100,7 @@ TEST_CASE("on a coarser grid bodies that creep yield as much", "[viscoelastic]")
 TEST_CASE("the preconditioner of bodies that creep is as good as that of elastic ones", "[viscoelastic]") {
     const double chi = GENERATE(0.0, 3.14159265358979323846);
     ContactProblem problem = rolling_problem(64, 48, chi), elastic = problem;
-    // What is left behind the grid counts for little where creep is fast.
+    // Waves behind the grid count for little where creep is fast.
     problem.bodies.upper.viscoelastic->tau = 1e-3;
     problem.bodies.lower.viscoelastic->tau = 5e-4;
     for (Body* body : {&elastic.bodies.upper, &elastic.bodies.lower}) body->viscoelastic.reset();

@@ -35,7 +35,7 @@ def case_params(case: Case, client: Client, profiles: Profiles) -> dict[str, Any
 
 
 def as_yaml(case: Case, client: Client, profiles: Profiles) -> str:
-    """The same as text. Raises click.UsageError for a case that has none."""
+    """Returns it as text. Raises click.UsageError for a case that has none."""
     import yaml
 
     params = case_params(case, client, profiles)

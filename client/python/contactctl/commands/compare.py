@@ -10,15 +10,14 @@ from typing import Annotated, Any
 import click
 import typer
 
-from contactd import Client, ComparedModel, ModelComparison, Progress
-from contactd.calls.timeouts import may_build
+from contactd import Client, ComparedModel, ModelComparison
 from contactd.contact_files import read
 from contactd.contact_files.profile_files import ProfileFiles
 from contactd.files.whole import write_whole
 from contactd.values.wheel_rail.comparison import FULL, combinations
 from contactd.wheel_rail import WheelRailSolution
 
-from ..asking import OwnBuilds
+from ..asking import reports_of_rounds
 from ..cases.converting import case_params
 from ..codes import Code, Ended
 from ..common import Command, connected, setting
@@ -26,12 +25,11 @@ from ..files import read_object, writable, write_text
 from ..output import above_rounding, emit, listing, note, span, warn
 from ..paths import changed
 from ..progress import Bar
-from ..saving import need
+from ..saving import check_picture
 from .solve import Set
 
 __all__ = ["add_to"]
 
-_PICTURES = (".png", ".svg", ".pdf")
 _ERRORS = ("Fn", "Fx", "Fy", "Mz", "pmax", "area", "patch", "approach", "creepage")
 
 
@@ -64,7 +62,8 @@ def compare(
     with connected(local_unless_named=is_contact_file) as client, Bar("comparing") as bar:
         if is_contact_file:
             params = changed(_case_of(Path(file), case, client), sets or ())
-        found = _compared(client, params, names, repeats, bar)
+        with reports_of_rounds(client, params, bar) as report:
+            found = client.compare(params, models=names, repeats=repeats, on_progress=report)
     rows = [_row(one) for one in found.models]
     if table is not None:
         _write_table(table, rows)
@@ -74,26 +73,6 @@ def compare(
     warn(_left_out(found))
     if bad := [one.name for one in found.computed if one.solution is not None and not one.solution.converged]:
         raise Ended(Code.NOT_CONVERGED, f"not converged: {', '.join(bad)}.")
-
-
-def _compared(client: Client, params: dict[str, Any], names: list[str] | None, repeats: int, bar: Bar) -> ModelComparison:
-    """Interrupted, it ends the builds that it started."""
-    builds = OwnBuilds(client) if may_build(params) else None
-
-    def report(progress: Progress) -> None:
-        if builds is not None:
-            builds.notice(progress)
-        if progress.job:
-            bar.report(progress)
-        else:
-            bar.show(progress.fraction, progress.stage)
-
-    try:
-        return client.compare(params, models=names, repeats=repeats, on_progress=report)
-    except KeyboardInterrupt:
-        if builds is not None:
-            builds.cancel()
-        raise
 
 
 def _left_out(found: ModelComparison) -> list[str]:
@@ -109,10 +88,7 @@ def _left_out(found: ModelComparison) -> list[str]:
 
 def _check_outputs(plot: str | None, table: Path | None) -> None:
     if plot is not None:
-        if Path(plot).suffix not in _PICTURES:
-            raise click.UsageError(f"--plot {plot}: the name must end in {', '.join(_PICTURES)}.")
-        writable("--plot", plot)
-        need("matplotlib", "pictures", "python3-matplotlib")
+        check_picture("--plot", plot)
     if table is not None:
         writable("--csv", table)
 
@@ -130,7 +106,7 @@ def _case_of(file: Path, number: int | None, client: Client) -> dict[str, Any]:
 
 
 def _row(one: ComparedModel) -> dict[str, Any]:
-    """What is known of a model, all that is not there as None."""
+    """Returns all that is known of a model, with None for what is not."""
     row: dict[str, Any] = {"name": one.name, "model": one.model, "normal_model": one.normal_model}
     found = one.solution
     if found is None:

@@ -14,11 +14,10 @@ import numpy as np
 import typer
 
 import contactd
-from contactd import Fit, FitFailed, Progress
-from contactd.calls.timeouts import may_build
+from contactd import Fit, FitFailed
 from contactd.files.whole import read_whole, write_whole
 
-from ..asking import OwnBuilds
+from ..asking import reports_of_rounds
 from ..codes import Code, Ended, code_of
 from ..common import Command, connected, setting
 from ..files import read_object, writable, write_text
@@ -26,12 +25,11 @@ from ..number_text import number_in, rows_of
 from ..output import emit, facts, listing, number, plain_json, warn
 from ..paths import changed
 from ..progress import Bar
-from ..saving import need
+from ..saving import check_picture
 from .solve import Set
 
 __all__ = ["add_to"]
 
-_PICTURES = (".png", ".svg", ".pdf")
 _MOST_BYTES = 1 << 24  #: of a file with a curve
 _BETWEEN = 61  #: creepages of the curve that is drawn
 
@@ -72,26 +70,13 @@ def fit(
     params = changed(read_object(case), sets or ())
     between = _between(points[0]) if plot else None
     with connected() as client, Bar("fitting") as bar:
-        builds = OwnBuilds(client) if may_build(params) else None
-
-        def report(progress: Progress) -> None:
-            if builds is not None:
-                builds.notice(progress)
-            if progress.job:
-                bar.report(progress)
-            else:
-                bar.show(progress.fraction, progress.stage)
-
         try:
-            found = contactd.fit(
-                client, params, points[0], points[1], bounds, uncertainty=points[2] if len(points) > 2 else None, start=begin, starts=starts,
-                by=by, quantity=quantity, force=force, confidence=confidence, curve=between, max_evaluations=evaluations,
-                on_progress=report,
-            )  # fmt: skip
-        except KeyboardInterrupt:
-            if builds is not None:
-                builds.cancel()
-            raise
+            with reports_of_rounds(client, params, bar) as report:
+                found = contactd.fit(
+                    client, params, points[0], points[1], bounds, uncertainty=points[2] if len(points) > 2 else None, start=begin,
+                    starts=starts, by=by, quantity=quantity, force=force, confidence=confidence, curve=between,
+                    max_evaluations=evaluations, on_progress=report,
+                )  # fmt: skip
         except FitFailed as error:
             raise Ended(Code.NOT_CONVERGED if error.__cause__ is None else code_of(error.__cause__), str(error)) from None
         except contactd.StatusError:
@@ -111,10 +96,7 @@ def _check_outputs(plot: str | None, table: Path | None, output: str | None) -> 
     except ImportError:
         raise click.UsageError("Fits need SciPy: pip install scipy, or on Debian python3-scipy.") from None
     if plot is not None:
-        if Path(plot).suffix not in _PICTURES:
-            raise click.UsageError(f"--plot {plot}: the name must end in {', '.join(_PICTURES)}.")
-        writable("--plot", plot)
-        need("matplotlib", "pictures", "python3-matplotlib")
+        check_picture("--plot", plot)
     if table is not None:
         writable("--csv", table)
     if output is not None:

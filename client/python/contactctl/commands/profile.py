@@ -21,7 +21,7 @@ from contactd.wheel_rail_pictures import curvature_of, draw_curvature, draw_prof
 from ..common import Command, Group, connected, setting
 from ..files import writable, write_text
 from ..output import emit, facts, number, plain_json, warn
-from ..saving import need
+from ..saving import check_picture
 
 __all__ = ["add_to"]
 
@@ -35,7 +35,6 @@ MirrorZ = Annotated[bool | None, typer.Option("--mirror-z/--keep-z", help="Turn 
 ShiftY = Annotated[float, typer.Option("--shift-y", help="Added to y at last (mm).")]
 ShiftZ = Annotated[float, typer.Option("--shift-z", help="Added to z at last (mm).")]
 Smoothing = Annotated[float, typer.Option("--smoothing", help="Wavelength of which half is smoothed away (mm); 5 suits measured profiles.")]
-_PICTURES = (".png", ".svg", ".pdf")
 _WIDTHS_OF_WHEELS = (95, 180)  #: mm
 _BY_ENDING: dict[str, Kind] = {".whl": "wheel", ".prw": "wheel", ".ban": "rail", ".prr": "rail"}
 
@@ -55,10 +54,7 @@ def show(
 ) -> None:  # fmt: skip
     """What a file was taken for, how its points lie, their curvature, and what is doubtful about them."""
     if output is not None:
-        if Path(output).suffix not in _PICTURES:
-            raise click.UsageError(f"--output {output}: the name must end in .png, .svg or .pdf.")
-        writable("--output", output)
-        need("matplotlib", "pictures", "python3-matplotlib")
+        check_picture("--output", output)
     profile = _file(file, unit, mirror_y, mirror_z, shift_y, shift_z, smoothing)
     with connected(local_unless_named=True) as client:
         found = _Found(client, profile, _kind(wheel, rail))

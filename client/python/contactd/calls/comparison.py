@@ -225,7 +225,7 @@ def _largest_mu(friction: Any) -> float | None:
 
 
 def _named(steps: Answering[T], name: str) -> Answering[T]:
-    """The same steps, whose warnings say which model they are of."""
+    """Repeats these steps, with warnings that say which model they are of."""
     try:
         asked = next(steps)
         while True:

@@ -33,7 +33,7 @@ Ask = Callable[..., dict[str, Any]]
 
 @dataclass(frozen=True)
 class Response:
-    """What is read of each answer.
+    """Where a measured value stands in each answer.
 
     Attributes:
         by: Path of the creepage.

@@ -103,7 +103,7 @@ class Search:
         return Found(ended.x, start, jacobian, converged, reason, self._evaluations, trouble)
 
     def _is_stuck(self, places: Array, jacobian: Array, residuals: Array) -> bool:
-        """Whether a change of a parameter, within the bounds, would make residuals smaller."""
+        """Says whether a change of a parameter, within the bounds, would make residuals smaller."""
         weighted = jacobian * self._curve.weight[:, None]
         sizes = np.linalg.norm(weighted, axis=0) * np.linalg.norm(residuals)
         downhill = (weighted.T @ residuals) / np.where(sizes > 0, sizes, 1.0)  # by larger places

@@ -48,7 +48,7 @@ struct RollingHalfSpaces {
 /// particle at d was that long ago. Throws Cancelled when the observer, which is asked row by row, says so.
 RollingTable rolling_table(const RollingHalfSpaces& half_spaces, const Grid& grid, const Observer& observer = {});
 
-/// The same at the points `step` ahead of the elements (mm, > 0, in the rolling direction).
+/// Returns those at the points `step` ahead of the elements (mm, > 0, in the rolling direction).
 ShiftedTable rolling_table_ahead(const RollingHalfSpaces& half_spaces, const Grid& grid, double step,
                                  const Observer& observer = {});
 

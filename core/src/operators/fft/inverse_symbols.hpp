@@ -6,7 +6,7 @@
 
 namespace contactd {
 
-/// Of one component, positive: errors of the table and its end may have made the symbol negative.
+/// Returns that of one component, positive: errors of the table and its end may have made the symbol negative.
 PaddedFft::Symbol reciprocal_symbol(const PaddedFft& fft, const IcTable& table, Axis i);
 
 /// The inverse of the 2 x 2 symbol of the tangential components, made symmetric and positive definite.
