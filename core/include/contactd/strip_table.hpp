@@ -6,6 +6,7 @@
 
 #include "contactd/axis.hpp"
 #include "contactd/ic_table.hpp"
+#include "contactd/observer.hpp"
 
 namespace contactd {
 
@@ -39,8 +40,9 @@ struct StripTable {
 };
 
 /// Strips `first`..`first + strips - 1` and the offsets 0..nx-1, times `factor`. Throws InvalidArgument when the
-/// table is smaller.
-StripTable cropped(const StripTable& table, int first, int strips, int nx, double factor = 1);
+/// table is smaller, and Cancelled.
+StripTable cropped(const StripTable& table, int first, int strips, int nx, double factor = 1,
+                   const Observer& observer = {});
 
 /// That of a flat surface whose table is Toeplitz along y too: A(I,J,k) = A(k, l = I - J), on all offsets of the table.
 StripTable strip_table_of(const IcTable& flat);
@@ -53,10 +55,12 @@ double reciprocity_defect(const StripTable& table);
 StripTable symmetrised(StripTable table);
 
 /// That of the body's mirror image in a plane across y: strips in reverse order, and the signs of y.
-StripTable mirrored(const StripTable& table);
+/// Throws Cancelled.
+StripTable mirrored(const StripTable& table, const Observer& observer = {});
 
 /// Sums the tables as pair_of of IcTable does, in the frames of the lower body's strips, of which the upper body has as
-/// many, opposite and in reverse order. Throws InvalidArgument when the extents differ.
-StripTable pair_of(const StripTable& upper, StripTable lower);
+/// many, opposite and in reverse order. Throws InvalidArgument when the extents differ, and
+/// Cancelled.
+StripTable pair_of(const StripTable& upper, StripTable lower, const Observer& observer = {});
 
 }  // namespace contactd

@@ -85,7 +85,7 @@ ContactInfluence influence_of(const ContactProblem& problem, StripTable upper, S
                               const Observer& observer) {
     if (problem.bodies.upper.material.is_rigid()) return strip_influence(problem, std::move(lower), observer);
     if (problem.bodies.lower.material.is_rigid()) lower = StripTable(upper.nx, upper.strips);
-    return strip_influence(problem, pair_of(upper, std::move(lower)), observer);
+    return strip_influence(problem, pair_of(upper, std::move(lower), observer), observer);
 }
 
 ContactInfluence influence_of(const ContactProblem& problem, IcTable upper, const IcTable& lower,
@@ -113,7 +113,7 @@ ContactInfluence influence_alone(const ContactProblem& problem, const Body& body
     if (body.material.is_rigid()) return {};
     ContactProblem alone = problem;
     alone.bodies = {{Material::rigid()}, body};
-    return strip_influence(alone, is_upper ? mirrored(table) : std::move(table), observer);
+    return strip_influence(alone, is_upper ? mirrored(table, observer) : std::move(table), observer);
 }
 
 bool is_closed_half_space(const Body& body) {

@@ -74,9 +74,9 @@ void require_strips(int strips, const IcSpec& request) {
 }
 
 StripTable part_of(const StripTable& table, const IcRecord&, const IcSpec& request, double factor, int,
-                   const Observer&) {
+                   const Observer& observer) {
     require_strips(table.strips, request);
-    return cropped(table, 0, request.ny, request.nx, factor);
+    return cropped(table, 0, request.ny, request.nx, factor, observer);
 }
 
 StripTable part_of(const StripSpectrum& spectrum, const IcRecord&, const IcSpec& request, double, int threads,

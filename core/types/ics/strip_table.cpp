@@ -29,20 +29,25 @@ double StripTable::at(Axis i, Axis j, int I, int J, int k) const {
     return k < 0 ? parity(i, j).along_x * value : value;
 }
 
-StripTable cropped(const StripTable& table, int first, int strips, int nx, double factor) {
+StripTable cropped(const StripTable& table, int first, int strips, int nx, double factor, const Observer& observer) {
     if (first < 0 || strips > table.strips - first || nx > table.nx)
         throw InvalidArgument("grid", "needs " + std::to_string(strips) + " strips from strip " +
                                           std::to_string(first) + " on and " + std::to_string(nx) +
                                           " offsets along x; the table holds " + extent(table));
-    StripTable result(nx, strips);
+    StripTable result;  // whose values are set below, so that large ones are written once
+    result.nx = nx;
+    result.strips = strips;
+    result.values = UnsetArray(9 * result.component_size());
     for (const Axis i : axes)
         for (const Axis j : axes)
-            for (int I = 0; I < strips; ++I)
+            for (int I = 0; I < strips; ++I) {
+                observer.throw_if_cancelled();
                 for (int J = 0; J < strips; ++J) {
                     const double* from = &table.values[table.index(i, j, first + I, first + J, 0)];
                     std::transform(from, from + nx, &result.values[result.index(i, j, I, J, 0)],
                                    [factor](double value) { return value * factor; });
                 }
+            }
     return result;
 }
 
@@ -85,27 +90,30 @@ StripTable symmetrised(StripTable table) {
     return table;
 }
 
-StripTable mirrored(const StripTable& table) {
+StripTable mirrored(const StripTable& table, const Observer& observer) {
     StripTable result(table.nx, table.strips);
     const int last = table.strips - 1;
     for (const Axis i : axes)
         for (const Axis j : axes) {
             const double sign = sign_of(Axis::y, i, j);
-            for (int I = 0; I <= last; ++I)
+            for (int I = 0; I <= last; ++I) {
+                observer.throw_if_cancelled();
                 for (int J = 0; J <= last; ++J)
                     for (int k = 0; k < table.nx; ++k)
                         result(i, j, I, J, k) = sign * table(i, j, last - I, last - J, k);
+            }
         }
     return result;
 }
 
-StripTable pair_of(const StripTable& upper, StripTable lower) {
+StripTable pair_of(const StripTable& upper, StripTable lower, const Observer& observer) {
     if (upper.nx != lower.nx || upper.strips != lower.strips)
         throw InvalidArgument("lower", "has " + extent(lower) + ", and upper " + extent(upper) +
                                            "; the tables of a pair must have the same");
-    const StripTable above = mirrored(upper);
+    const StripTable above = mirrored(upper, observer);
     for (const Axis i : axes)
         for (const Axis j : axes) {
+            observer.throw_if_cancelled();
             const double sign = sign_of(Axis::z, i, j);
             for (std::size_t at = lower.index(i, j, 0, 0, 0), end = at + lower.component_size(); at < end; ++at)
                 lower.values[at] += sign * above.values[at];

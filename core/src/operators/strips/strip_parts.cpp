@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "contactd/error.hpp"
 #include "contactd/given_ics.hpp"
@@ -60,20 +61,24 @@ StripTable StripParts::coarse(const ElementBox& box, int along_x, int along_y) c
         return &table_->values[table_->index(i, j, at, from, 0)];
     };
     const int last = table_->nx - 1;
+    std::vector<double> sums(static_cast<std::size_t>(table_->nx));  // over the pairs of strips of one coarse pair
     const auto fill = [&](Axis i, Axis j, int I, int J) {
-        const double sign = parity(i, j).along_x;
-        double* mean = &result(i, j, I, J, 0);
+        std::fill(sums.begin(), sums.end(), 0.0);
         for (int a = 0; a < along_y; ++a)
             for (int b = 0; b < along_y; ++b) {
                 const double* values = values_of(i, j, I * along_y + a, J * along_y + b);
-                for (int k = 1 - along_x; k < along_x; ++k) {
-                    const double weight = static_cast<double>(along_x - std::abs(k)) / along_x / along_y;
-                    for (int K = 0; K < result.nx; ++K) {
-                        const int offset = std::min(K * along_x + k, last);
-                        mean[K] += weight * (offset < 0 ? sign * values[-offset] : values[offset]);
-                    }
-                }
+                for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += values[k];
             }
+        const double sign = parity(i, j).along_x;
+        double* mean = &result(i, j, I, J, 0);
+        for (int k = 1 - along_x; k < along_x; ++k) {
+            const double weight = static_cast<double>(along_x - std::abs(k)) / along_x / along_y;
+            for (int K = 0; K < result.nx; ++K) {
+                const int offset = std::min(K * along_x + k, last);
+                const double sum = sums[static_cast<std::size_t>(std::abs(offset))];
+                mean[K] += weight * (offset < 0 ? sign * sum : sum);
+            }
+        }
     };
     const auto components = coupled_ ? std::vector{x, y, z} : std::vector{x, y};
     for (int I = 0; I < result.strips; ++I)
