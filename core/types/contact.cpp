@@ -71,6 +71,24 @@ void check_radius(double radius, const char* field) {
     check_magnitude(radius, field);
 }
 
+bool prescribes_pressures(NormalModel model) {
+    return model == NormalModel::elliptic || model == NormalModel::parabolic;
+}
+
+void check_half_ellipses(const ContactProblem& problem, const HalfEllipses& halves) {
+    check_positive(halves.a, "gap.half_ellipses.a");
+    check_positive(halves.b_negative, "gap.half_ellipses.b_negative");
+    check_positive(halves.b_positive, "gap.half_ellipses.b_positive");
+    if (!prescribes_pressures(problem.normal_model))
+        throw InvalidArgument("gap.half_ellipses",
+                              "are given, and no surfaces are known that touch so: set normal_model to elliptic or "
+                              "parabolic, or give another gap");
+    if (problem.approach)
+        throw InvalidArgument("approach", "is given, and no approach of two half ellipses is known: give Fn");
+    if (problem.Fn && !(*problem.Fn > 0))
+        throw InvalidArgument("Fn", "is " + number_text(*problem.Fn) + "; with gap.half_ellipses it must be positive");
+}
+
 void check_gap(const ContactProblem& problem) {
     if (!problem.gap) return;
     if (const auto* array = std::get_if<std::vector<double>>(&*problem.gap))
@@ -79,6 +97,7 @@ void check_gap(const ContactProblem& problem) {
         check_radius(paraboloid->Rx, "gap.paraboloid.Rx");
         check_radius(paraboloid->Ry, "gap.paraboloid.Ry");
     }
+    if (const auto* halves = std::get_if<HalfEllipses>(&*problem.gap)) check_half_ellipses(problem, *halves);
     if (const auto* axes = std::get_if<SemiAxes>(&*problem.gap)) {
         check_positive(axes->a, "gap.semi_axes.a");
         check_positive(axes->b, "gap.semi_axes.b");
@@ -191,7 +210,7 @@ void check_derivatives(const ContactProblem& problem) {
 /// Pressures of virtual penetration do not follow the tractions, and change by whole rows of elements.
 void check_penetration(const ContactProblem& problem) {
     if (problem.normal_model == NormalModel::of_model) return;
-    const std::string model = "normal_model finds pressures from the overlap of half-spaces in a plane";
+    const std::string model = "normal_model has pressures of half-spaces in a plane";
     if (problem.bodies.pair || problem.bodies.any_given())
         throw InvalidArgument("ics", "holds a table of coefficients, and " + model + ": leave normal_model out");
     if (problem.bodies.any_layered() || problem.bodies.any_uniform())
@@ -201,6 +220,11 @@ void check_penetration(const ContactProblem& problem) {
         throw InvalidArgument("normal_model", "is given, and ics.line_contact says that nothing changes along y; " +
                                                   model + ": leave it out");
     if (problem.columns) throw InvalidArgument("columns", "are given, and " + model + ": leave one of them out");
+    if (prescribes_pressures(problem.normal_model) && problem.gap &&
+        std::holds_alternative<std::vector<double>>(*problem.gap))
+        throw InvalidArgument("gap.array",
+                              "has no ellipse, and normal_model prescribes pressures over one; give a paraboloid, "
+                              "semi-axes or half_ellipses");
     if (problem.sheet_flexibility > 0)
         throw InvalidArgument("sheet_flexibility", "is " + number_text(problem.sheet_flexibility) +
                                                        " mm^3/N, and normal_model knows no sheet: leave one of them "

@@ -132,6 +132,10 @@ void check_models(const WheelRailSetup& setup) {
     models.simplified = setup.simplified;
     validate_models(models);
     if (setup.normal_model == NormalModel::of_model) return;
+    if (setup.normal_model == NormalModel::elliptic || setup.normal_model == NormalModel::parabolic)
+        throw InvalidArgument("normal_model",
+                              "prescribes pressures over an ellipse, which patches on rails do not have; take kp, kpec "
+                              "or analyn, or leave it out");
     if (setup.conformal != Conformal::off)
         throw InvalidArgument("conformal",
                               "is not off, and normal_model finds pressures in a plane; leave one of them out");

@@ -35,6 +35,7 @@ MODULES = [
             "definitions.json#/definitions/grid",
             "contact.solve.params.json#/properties/gap/properties/paraboloid",
             "contact.solve.params.json#/properties/gap/properties/semi_axes",
+            "contact.solve.params.json#/properties/gap/properties/half_ellipses",
         ),
         is_asked=True,
     ),

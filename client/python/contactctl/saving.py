@@ -5,12 +5,13 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import click
 
 from contactd import ContactSolution, PartialSolution
 from contactd.files.whole import write_whole
+from contactd.values.result import Field
 from contactd.wheel_rail import WheelRailSolution
 
 from .files import writable, write_text
@@ -19,8 +20,7 @@ from .output import plain_json
 __all__ = ["ARRAYS", "check_outputs", "check_picture", "need", "save"]
 
 #: Arrays over the grid that an answer may have.
-ARRAYS = ["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y"]
-ARRAYS += ["displacement_x", "displacement_y", "displacement_z", "upper_temperature", "lower_temperature"]
+ARRAYS: tuple[str, ...] = get_args(Field)
 _PICTURES = (".png", ".svg", ".pdf")
 
 

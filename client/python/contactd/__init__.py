@@ -66,7 +66,7 @@ from .values.evidence import (
 from .values.fem_ics import FemIcs
 from .values.fit import Fit, FittedCurve, FittedParameter
 from .values.friction import Friction, InterfacialLayer
-from .values.grid import Grid, Paraboloid, SemiAxes
+from .values.grid import Grid, HalfEllipses, Paraboloid, SemiAxes
 from .values.ics import AnalyticIcs, LineContact
 from .values.materials import Layer, LayeredBody, Material, RigidBody, ViscoelasticBody
 from .values.motion import FrictionMemory, KineticFriction, Rolling, SecondTerm, Shift, TemperatureFriction
@@ -118,6 +118,7 @@ __all__ = [
     "Friction",
     "FrictionMemory",
     "Grid",
+    "HalfEllipses",
     "IcEvidence",
     "IcTable",
     "ImportedIc",

@@ -41,8 +41,9 @@ enum class Model { full, hertz, fastsim, fastrip, polach };
 
 /// of_model: pressures by boundary elements or Hertz, as the model says. The others find them from the overlap of the
 /// undeformed surfaces: kp (Piotrowski and Kik 2008), kpec (Piotrowski, Liu and Bruni 2017), analyn (Sichani, Enblom
-/// and Berg 2014).
-enum class NormalModel { of_model, kp, kpec, analyn };
+/// and Berg 2014); or prescribe them: elliptic, Hertz's in the ellipse of the gap, and parabolic, a paraboloid over the
+/// same ellipse under the same force.
+enum class NormalModel { of_model, kp, kpec, analyn, elliptic, parabolic };
 
 /// Reduction of the initial slope (Spiryagin, Polach, Cole 2013): flexibilities over k = k0 (alpha + (1 - alpha)/
 /// (1 + beta eps)), eps = G pi a b k0 C11 w/(4 mu Fn), w the size of the creepage with the share of spin.

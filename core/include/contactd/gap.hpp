@@ -25,8 +25,20 @@ struct SemiAxes {
     bool operator==(const SemiAxes&) const = default;
 };
 
-/// An array holds h per element, shape [ny, nx] (mm). Without the approach in all three.
-using Gap = std::variant<Paraboloid, SemiAxes, std::vector<double>>;
+/// Two half ellipses that pressures are prescribed over (mm), which join at y = (b_negative - b_positive)/2
+/// (Piotrowski, Liu, Bruni 2017: SDEC). The surfaces that touch so are not known.
+struct HalfEllipses {
+    double a = 0;           ///< along x
+    double b_negative = 0;  ///< across, towards -y
+    double b_positive = 0;  ///< across, towards +y
+
+    SemiAxes mean() const { return {a, (b_negative + b_positive) / 2}; }
+    double joint() const { return (b_negative - b_positive) / 2; }
+    bool operator==(const HalfEllipses&) const = default;
+};
+
+/// An array holds h per element, shape [ny, nx] (mm). Without the approach in all of them.
+using Gap = std::variant<Paraboloid, SemiAxes, std::vector<double>, HalfEllipses>;
 
 /// h at the element centres, shape [ny, nx] (mm).
 std::vector<double> sampled(const Paraboloid& paraboloid, const Grid& grid);

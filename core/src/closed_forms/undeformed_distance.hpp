@@ -8,7 +8,8 @@
 
 namespace contactd {
 
-/// The paraboloid of the gap, with the radii that semi-axes stand for under the load; nothing for an array. `problem`
+/// The paraboloid of the gap, with the radii that semi-axes stand for under the load; nothing for an array, and of
+/// half ellipses that of their mean width. `problem`
 /// has a gap and a load.
 std::optional<Paraboloid> paraboloid_of(const ContactProblem& problem);
 

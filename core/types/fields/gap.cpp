@@ -14,6 +14,9 @@ namespace {
 [[maybe_unused]] void all_of(const SemiAxes& all) {
     [[maybe_unused]] const auto& [a_, b_] = all;
 }
+[[maybe_unused]] void all_of(const HalfEllipses& all) {
+    [[maybe_unused]] const auto& [a_, b_negative_, b_positive_] = all;
+}
 
 }  // namespace
 
@@ -22,6 +25,7 @@ const FieldType& type_of<Gap>() {
     static const auto list = std::to_array<Field>({
         fields::field_along<Gap, fields::alternative<Paraboloid>>("paraboloid"),
         fields::field_along<Gap, fields::alternative<SemiAxes>>("semi_axes"),
+        fields::field_along<Gap, fields::alternative<HalfEllipses>>("half_ellipses"),
         fields::custom_field_along<Gap, fields::alternative<std::vector<double>>>("array"),
     });
     static const FieldType type = fields::object_type(list);
@@ -49,6 +53,22 @@ const FieldType& type_of<SemiAxes>() {
             "a", {.bounds = {.least = 0, .most = 1e+12, .least_excluded = true}, .unit = "mm", .required = true}),
         fields::field<&SemiAxes::b>(
             "b", {.bounds = {.least = 0, .most = 1e+12, .least_excluded = true}, .unit = "mm", .required = true}),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<HalfEllipses>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&HalfEllipses::a>(
+            "a", {.bounds = {.least = 0, .most = 1e+12, .least_excluded = true}, .unit = "mm", .required = true}),
+        fields::field<&HalfEllipses::b_negative>(
+            "b_negative",
+            {.bounds = {.least = 0, .most = 1e+12, .least_excluded = true}, .unit = "mm", .required = true}),
+        fields::field<&HalfEllipses::b_positive>(
+            "b_positive",
+            {.bounds = {.least = 0, .most = 1e+12, .least_excluded = true}, .unit = "mm", .required = true}),
     });
     static const FieldType type = fields::object_type(list);
     return type;

@@ -4,6 +4,7 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "closed_forms/hertz.hpp"
 #include "contact_cases.hpp"
@@ -167,4 +168,67 @@ TEST_CASE("What goes against pressures of virtual penetration is refused", "[pen
     problem = given_case(NormalModel::kpec);
     problem.sheet_flexibility = 1e-4;
     CHECK_THROWS_WITH(solved(problem), ContainsSubstring("sheet"));
+}
+
+TEST_CASE("Pressures over an ellipse are those prescribed, with tractions of the full theory", "[penetration]") {
+    const NormalModel normal = GENERATE(NormalModel::elliptic, NormalModel::parabolic);
+    const double q = GENERATE(0.0, 0.4, -0.4), a = 4, b = 2, Fn = 10000;
+    ContactProblem problem = pressed(normal, 81, 81, 0.1125, 0.0575);
+    problem.model = Model::full;
+    problem.gap = q == 0 ? Gap(SemiAxes{a, b}) : Gap(HalfEllipses{a, b * (1 - q), b * (1 + q)});
+    problem.Fn = Fn;
+    problem.friction.emplace();
+    problem.friction->mu = {0.3};
+    Rolling rolling;
+    rolling.xi = 1;  // full slip
+    problem.motion = rolling;
+    const ContactSolution solution = test::solve_half_spaces(problem);
+    CHECK(solution.converged());
+    const bool parabolic = normal == NormalModel::parabolic;
+    const double p0 = (parabolic ? 2 : 1.5) * Fn / (std::numbers::pi * a * b);
+    CHECK_THAT(solution.forces.Fn, WithinRel(Fn, parabolic ? 1e-3 : 3e-3));
+    CHECK_THAT(solution.pmax, WithinRel(p0, 3e-3));
+    CHECK_THAT(solution.forces.Fx, WithinRel(-0.3 * solution.forces.Fn, 1e-7));
+    const Grid& grid = problem.grid;
+    for (int iy = 0; iy < grid.ny; ++iy) {
+        const double y = grid.y(iy) + b * q, width = y > 0 ? b * (1 + q) : b * (1 - q);
+        const double e = 1 - y * y / (width * width), expected = parabolic ? p0 * e : p0 * std::sqrt(std::max(e, 0.0));
+        const double p = solution.pressure[static_cast<std::size_t>(iy * grid.nx + grid.nx / 2)];
+        CHECK_THAT(p, WithinAbs(std::max(expected, 0.0), 1e-9 * p0));
+    }
+}
+
+TEST_CASE("Pressures of Hertz's ellipse lead to the forces of the full theory", "[penetration]") {
+    ContactProblem problem = pressed(NormalModel::of_model, 61, 61, 0.15, 0.077);
+    problem.model = Model::full;
+    problem.gap = SemiAxes{4, 2};
+    problem.Fn = 10000;
+    problem.friction.emplace();
+    problem.friction->mu = {0.3};
+    Rolling rolling;
+    rolling.xi = 5e-4;
+    problem.motion = rolling;
+    const double full = test::solve_half_spaces(problem).forces.Fx;
+    problem.normal_model = NormalModel::elliptic;
+    CHECK_THAT(test::solve_half_spaces(problem).forces.Fx, WithinRel(full, 5e-3));
+}
+
+TEST_CASE("Two half ellipses that no pressures are prescribed over are refused", "[penetration]") {
+    ContactProblem problem = pressed(NormalModel::of_model, 21, 21, 0.5, 0.25);
+    problem.gap = HalfEllipses{4, 2, 3};
+    problem.Fn = 1000;
+    CHECK_THROWS_WITH(solved(problem), ContainsSubstring("gap.half_ellipses"));
+    problem.normal_model = NormalModel::elliptic;
+    CHECK_NOTHROW(solved(problem));
+    problem.Fn.reset();
+    problem.approach = 0.01;
+    CHECK_THROWS_WITH(solved(problem), ContainsSubstring("give Fn"));
+    problem.approach.reset();
+    problem.Fn = 1000;
+    problem.gap = HalfEllipses{4, 2, 0};
+    CHECK_THROWS_WITH(solved(problem), ContainsSubstring("gap.half_ellipses.b_positive"));
+    problem.gap = std::vector<double>(problem.grid.size(), 0.0);
+    CHECK_THROWS_WITH(solved(problem), ContainsSubstring("has no ellipse"));
+    problem.gap = Paraboloid{300, -300};
+    CHECK_THROWS_WITH(solved(problem), ContainsSubstring("flat or concave"));
 }

@@ -17,10 +17,7 @@ CaseModels models_of(const Settings& settings) {
     if (bound == analyn) found.normal_model = NormalModel::analyn;
     const bool is_plain = bound == elliptic || bound == parabolic;
     if (bodies == elastic || bodies == viscoelastic || bodies == layered) {
-        if (is_plain)
-            throw Refused(error_code::input,
-                          "Flag 1971 is 2 or 3, a bound by Hertz's ellipse, which contactd has with the simplified "
-                          "theory only: set flag 1979 to 3 or 5, or flag 1971 to 0.");
+        if (is_plain) found.normal_model = bound == elliptic ? NormalModel::elliptic : NormalModel::parabolic;
         return found;
     }
     if (settings.digits(flag::tangential) == 0) return found;

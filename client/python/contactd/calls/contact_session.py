@@ -11,7 +11,7 @@ from ..values.answers import read
 from ..values.evidence import IcUse
 from ..values.friction import Friction
 from ..values.friction_methods import Force
-from ..values.grid import Grid, Paraboloid, SemiAxes
+from ..values.grid import Grid, HalfEllipses, Paraboloid, SemiAxes
 from ..values.motion import Rolling, RollingKind
 from ..values.params import fields_of, names_of_fields
 from ..values.partial_solution import StepSolution, check_arrays, on_grid
@@ -104,7 +104,7 @@ class AnyContactSession(AnySession):
         *,
         approach: float | None = None,
         Fn: float | None = None,
-        gap: Paraboloid | SemiAxes | npt.ArrayLike | None = None,
+        gap: Paraboloid | SemiAxes | HalfEllipses | npt.ArrayLike | None = None,
         friction: Friction | None = None,
         mu: float | npt.ArrayLike | None = None,
         force: Force | None = None,

@@ -36,7 +36,7 @@ __all__ = [
 ]
 
 Model = Literal["full", "hertz", "fastsim", "fastrip", "polach"]
-NormalModel = Literal["of_model", "kp", "kpec", "analyn"]
+NormalModel = Literal["of_model", "kp", "kpec", "analyn", "elliptic", "parabolic"]
 TractionBound = Literal["parabolic", "elliptic"]
 CreepageCoefficients = Literal["computed", "printed"]
 TangentialSolver = Literal["newton", "tangcg"]

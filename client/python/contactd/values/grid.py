@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from .grid_methods import GridMethods
 
-__all__ = ["Grid", "Paraboloid", "SemiAxes"]
+__all__ = ["Grid", "HalfEllipses", "Paraboloid", "SemiAxes"]
 
 
 @dataclass(frozen=True)
@@ -65,3 +65,21 @@ class SemiAxes:
 
     a: float
     b: float
+
+
+@dataclass(frozen=True)
+class HalfEllipses:
+    """Two half ellipses that pressures are prescribed over, by normal_model elliptic or parabolic, under Fn (SDEC).
+    They join where y is half of b_negative - b_positive.
+
+    Attributes:
+        a: Semi-axis along x (mm), > 0.
+        b_negative: Semi-axis across, of the half towards -y (mm), > 0.
+        b_positive: Semi-axis across, of the half towards +y (mm), > 0.
+    """
+
+    _key = "half_ellipses"
+
+    a: float
+    b_negative: float
+    b_positive: float

@@ -16,7 +16,7 @@ from .arrays import Array
 from .dictionaries import Saved
 from .evidence import Model, NormalModel, SimplifiedSettings, SolverSettings
 from .friction import Friction
-from .grid import Grid, Paraboloid, SemiAxes
+from .grid import Grid, HalfEllipses, Paraboloid, SemiAxes
 from .ics import Ics
 from .materials import LayeredBody, Material, RigidBody, ViscoelasticBody
 from .params import HasParams, instead
@@ -82,7 +82,8 @@ class ContactProblem(ProblemMethods, Saved):
     Attributes:
         grid: The potential contact area, which must hold the whole contact.
         upper: The upper body; may be left out with TableIcs, which say all about the bodies.
-        gap: Undeformed distance without the approach (mm): a paraboloid, by radii or semi-axes, or an array [ny, nx].
+        gap: Undeformed distance without the approach (mm): a paraboloid, by radii or semi-axes, or an array [ny, nx];
+            or two half ellipses of prescribed pressures.
         approach: The approach delta (mm), > 0 in compression; the gap before deformation is h - delta.
         lower: The lower body; None: as the upper one.
         ics: Where the influence coefficients of both bodies come from: closed forms (default), finite elements, or a
@@ -129,7 +130,7 @@ class ContactProblem(ProblemMethods, Saved):
     upper: Material | RigidBody | LayeredBody | ViscoelasticBody | None = field(
         default=None, metadata={"within": "bodies"}
     )
-    gap: Paraboloid | SemiAxes | npt.ArrayLike = field(default=REQUIRED, metadata={"array": "array"})
+    gap: Paraboloid | SemiAxes | HalfEllipses | npt.ArrayLike = field(default=REQUIRED, metadata={"array": "array"})
     approach: float | None = None
     lower: Material | RigidBody | LayeredBody | ViscoelasticBody | None = field(
         default=None, metadata={"within": "bodies"}
@@ -164,7 +165,7 @@ class ProblemFields(TypedDict, total=False):
 
     grid: Grid
     upper: Material | RigidBody | LayeredBody | ViscoelasticBody | None
-    gap: Paraboloid | SemiAxes | npt.ArrayLike
+    gap: Paraboloid | SemiAxes | HalfEllipses | npt.ArrayLike
     approach: float | None
     lower: Material | RigidBody | LayeredBody | ViscoelasticBody | None
     ics: Ics | TableIcs

@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from .friction import Friction
 from .friction_methods import Force
-from .grid import Paraboloid, SemiAxes
+from .grid import HalfEllipses, Paraboloid, SemiAxes
 from .motion import RollingKind
 from .solution import Fields
 
@@ -23,7 +23,7 @@ class StepInput(TypedDict, total=False):
 
     approach: float | None
     Fn: float | None
-    gap: Paraboloid | SemiAxes | npt.ArrayLike | None
+    gap: Paraboloid | SemiAxes | HalfEllipses | npt.ArrayLike | None
     friction: Friction | None
     mu: float | npt.ArrayLike | None
     force: Force | None

@@ -22,11 +22,14 @@ static_assert(static_cast<int>(TangentialSolver::newton) == 0);
 static_assert(static_cast<int>(TangentialSolver::tangcg) == 1);
 
 template <>
-inline constexpr auto enum_words<NormalModel> = std::to_array<std::string_view>({"of_model", "kp", "kpec", "analyn"});
+inline constexpr auto enum_words<NormalModel> =
+    std::to_array<std::string_view>({"of_model", "kp", "kpec", "analyn", "elliptic", "parabolic"});
 static_assert(static_cast<int>(NormalModel::of_model) == 0);
 static_assert(static_cast<int>(NormalModel::kp) == 1);
 static_assert(static_cast<int>(NormalModel::kpec) == 2);
 static_assert(static_cast<int>(NormalModel::analyn) == 3);
+static_assert(static_cast<int>(NormalModel::elliptic) == 4);
+static_assert(static_cast<int>(NormalModel::parabolic) == 5);
 
 template <>
 inline constexpr auto enum_words<TractionBound> = std::to_array<std::string_view>({"parabolic", "elliptic"});

@@ -13,5 +13,7 @@ template <>
 const FieldType& type_of<Paraboloid>();
 template <>
 const FieldType& type_of<SemiAxes>();
+template <>
+const FieldType& type_of<HalfEllipses>();
 
 }  // namespace contactd

@@ -9,7 +9,7 @@
 #include "cattaneo_mindlin.hpp"
 #include "closed_forms/elements/element_friction.hpp"
 #include "closed_forms/elliptic_contact.hpp"
-#include "closed_forms/hertz.hpp"
+#include "closed_forms/hertz_of_problem.hpp"
 #include "contactd/error.hpp"
 #include "contactd/fields/contact_setup.hpp"
 #include "fastsim.hpp"
@@ -24,13 +24,6 @@ namespace {
         field, what + ", which model " + std::string(name_of(problem.model)) + " does not know; model full does");
 }
 
-void check_is_curved(double radius, const char* field) {
-    if (!(radius > 0 && std::isfinite(radius)))
-        throw InvalidArgument(field,
-                              "is flat or concave; Hertz's theory needs both radii of the gap positive and finite, "
-                              "or, of a contact that does not change along y, ics.line_contact and Rx");
-}
-
 HertzContact line_hertz(const ContactProblem& problem, const LineContactSpec& line) {
     const double compliance = problem.bodies.materials().normal_compliance();
     const auto& paraboloid = std::get<Paraboloid>(*problem.gap);
@@ -41,16 +34,8 @@ HertzContact line_hertz(const ContactProblem& problem, const LineContactSpec& li
 }
 
 HertzContact hertz(const ContactProblem& problem) {
-    if (const auto line = line_contact_of(problem.bodies)) return line_hertz(problem, *line);
-    const double compliance = problem.bodies.materials().normal_compliance();
-    if (const auto* axes = std::get_if<SemiAxes>(&*problem.gap))
-        return problem.Fn ? hertz_of_semi_axes_and_force(*axes, compliance, *problem.Fn)
-                          : hertz_of_semi_axes_and_approach(*axes, compliance, *problem.approach);
-    const auto& paraboloid = std::get<Paraboloid>(*problem.gap);
-    check_is_curved(paraboloid.Rx, "gap.paraboloid.Rx");
-    check_is_curved(paraboloid.Ry, "gap.paraboloid.Ry");
-    return problem.Fn ? hertz_of_force(paraboloid, compliance, *problem.Fn)
-                      : hertz_of_approach(paraboloid, compliance, *problem.approach);
+    const auto line = line_contact_of(problem.bodies);
+    return line ? line_hertz(problem, *line) : hertz_of(problem);
 }
 
 void check_is_elliptic(const ContactProblem& problem) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "closed_forms/hertz.hpp"
+#include "closed_forms/prescribed_pressures.hpp"
 #include "penetration_models.hpp"
 #include "types/number_text.hpp"
 
@@ -164,6 +165,8 @@ void warn(const ContactProblem& problem, const PenetrationPressures& found, std:
 }  // namespace
 
 PenetrationContact penetration_contact(const ContactProblem& problem, std::span<const double> distance) {
+    if (problem.normal_model == NormalModel::elliptic || problem.normal_model == NormalModel::parabolic)
+        return prescribed_contact(problem);
     const auto begin = std::chrono::steady_clock::now();
     if (problem.normal_model == NormalModel::analyn && problem.grid.ny < 3)
         throw InvalidArgument("grid.ny", "is " + std::to_string(problem.grid.ny) +

@@ -19,9 +19,9 @@ namespace contactd {
 /// analyn (Sichani, Enblom, Berg 2014): each row has its own A(y) and B(y) and what Hertz makes of these for d: contact
 /// where dy = d - d/(B b^2) h(y) > 0, of half-length a sqrt(dy/d), with Hertz's largest pressure for A, B, dy.
 /// Bodies are half-spaces. Rows lie along x. Hertz's contacts come out as Hertz has them, by kpec and analyn; kp errs
-/// by 4 per cent. Warns where a model leaves what it is made for: eps cut at 1, B that is not convex. Throws
-/// InvalidArgument ("grid.ny") for analyn of fewer than three rows, and ("Fn") for a force that no approach of less
-/// than the smallest radius brings.
+/// by 4 per cent. elliptic and parabolic are those of prescribed_pressures.hpp. Warns where a model leaves what it is
+/// made for: eps cut at 1, B that is not convex. Throws InvalidArgument ("grid.ny") for analyn of fewer than three
+/// rows, and ("Fn") for a force that no approach of less than the smallest radius brings.
 PenetrationContact penetration_contact(const ContactProblem& problem, std::span<const double> distance);
 
 }  // namespace contactd

@@ -65,7 +65,7 @@ class BasicResult:
     def of(cls, contact: BasicContact, solution: ContactSolution, stresses: Stresses) -> BasicResult:
         """The solution has displacements, unless its model is a simplified one. `stresses` makes those below the surface."""
         grid, case = contact.area.grid, contact.case
-        pressure = _parabola(contact, solution) if is_parabolic(case) else solution.pressure
+        pressure = _parabola(contact, solution) if is_parabolic(case) and contact.problem.normal_model is None else solution.pressure
         tractions = np.stack([solution.traction_x, solution.traction_y, pressure])
         energy = (solution.elastic_energy or 0.0) * _PER_THOUSAND
         lost = solution.frictional_power if case.digits["T"] > 1 else solution.frictional_work
@@ -101,6 +101,13 @@ class BasicResult:
             traction=(solution.traction_x, solution.traction_y), slip=(_or(solution.slip_x, none), _or(solution.slip_y, none)),
             rigid_slip=self._rigid_slip(), displacement=self.displacement, temperature=temperature_of(solution),
         )  # fmt: skip
+
+    @property
+    def _normal_force(self) -> float:
+        """The sum over the elements, but of pressures that are prescribed the force that is given with them (N)."""
+        problem = self.contact.problem
+        is_prescribed = problem.normal_model in ("elliptic", "parabolic") and problem.Fn is not None
+        return float(problem.Fn if is_prescribed else self.solution.Fn)  # type: ignore[arg-type]
 
     def _friction_coefficient(self) -> Floats:
         friction, none = self.contact.problem.friction, np.zeros(self.contact.area.grid.shape)
@@ -154,7 +161,7 @@ class BasicResult:
         adhesion, (slip, plastic) = (counts.adhesion, plastic_elements(solution)) if has_friction else (counts.contact, (0, 0))
         flows = {} if solution.flow_x is None else {"NPLAST": plastic}
         return {
-            "FN": solution.Fn, "FX": self.fx, "FY": self.fy, "MZ": self.mz, "ELAST.EN.": self.elastic_energy,
+            "FN": self._normal_force, "FX": self.fx, "FY": self.fy, "MZ": self.mz, "ELAST.EN.": self.elastic_energy,
             "FRIC": self.friction, **found, "APPROACH": solution.approach, "PMAX": float(np.max(self.pressure)),
             "NPOT": solution.pressure.size, "NCON": counts.contact, "NADH": adhesion, "NSLIP": slip,
             **flows,

@@ -81,6 +81,8 @@ def _hertz(result: BasicResult) -> Iterator[str]:
         yield line("CURVATURE PRESCRIBED, A1,B1:", values["A1"], values["B1"])
     elif option == -3:
         yield line("SEMIAXES PRESCRIBED, AA,BB:", values["AA"], values["BB"])
+    elif option == -6:
+        yield line("SEMIAXES PRESCRIBED, AA,BNEG,BPOS:", values["AA"], values["BNEG"], values["BPOS"])
     if option != -1:
         yield line("THE CURVATURES A1,B1 ARE:", ellipse.a1, ellipse.b1)
     if option != -3:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ...values.grid import Grid, Paraboloid
+from ...values.grid import Grid, HalfEllipses, Paraboloid
 from .distances import EXCLUDED, distance, excluded, quadratic_of
 from .hertz import Ellipse, Load, compliance_of, ellipse_of_axes, ellipse_of_curvatures, ellipse_of_ratio
 
@@ -31,7 +31,7 @@ class PotentialContact:
     """
 
     grid: Grid
-    gap: Paraboloid | npt.NDArray[np.float64]
+    gap: Paraboloid | HalfEllipses | npt.NDArray[np.float64]
     h: npt.NDArray[np.float64]
     ellipse: Ellipse | None = None
 
@@ -48,6 +48,8 @@ def potential_contact(values: Values, before: Grid | None = None) -> PotentialCo
     if values["IPOTCN"] in (-4, -5):
         h[np.abs(grid.y) > ellipse.bb, :] = EXCLUDED
         return PotentialContact(grid, h, h, ellipse)
+    if values["IPOTCN"] == -6:
+        return PotentialContact(grid, HalfEllipses(values["AA"], values["BNEG"], values["BPOS"]), h, ellipse)
     return PotentialContact(grid, Paraboloid(_radius(ellipse.a1), _radius(ellipse.b1)), h, ellipse)
 
 
@@ -63,6 +65,8 @@ def ellipse_of(values: Values) -> Ellipse:
             return ellipse_of_ratio(values["A1"], values["AOB"], load)
         case -3:
             return ellipse_of_axes(values["AA"], values["BB"], load)
+        case -6:
+            return ellipse_of_axes(values["AA"], (values["BPOS"] + values["BNEG"]) / 2, load)
         case _:
             return _line(values, load)
 

@@ -18,7 +18,7 @@ from ...values.motion import Rolling
 from ...values.problem import ContactProblem, Estimate
 from .areas import PotentialContact, potential_contact
 from .bodies import Pair, bodies_of, pair_of, sheet_of
-from .features import Missing, missing
+from .features import Missing, missing, prescribes_pressures
 from .frictions import coefficients, layer, shares, static
 from .heat import temperature_friction, thermal_bodies
 from .models import models_of, without_memory
@@ -88,6 +88,8 @@ class BasicContact:
         values = case.values
         area = potential_contact(values, None if before is None else before.grid)
         pair = pair_of(values)
+        if prescribes_pressures(case) and not pair.is_quasi_identical:
+            raise Missing("prescribed pressures of dissimilar bodies (B = 2, 3, 4)")
         upper, lower = bodies_of(case, pair)
         load = {"Fn": values["FN"]} if case.digits["N"] == 1 else {"approach": values["PEN"]}
         ics = AnalyticIcs(load_shape="bilinear") if values["INFLCF"] == 3 else AnalyticIcs()

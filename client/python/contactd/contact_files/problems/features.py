@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from ...values.contact_files import ContactCase as Case
 
-__all__ = ["Missing", "missing"]
+__all__ = ["Missing", "missing", "prescribes_pressures"]
 
 _NEAR = 1e-6
 
@@ -49,7 +49,12 @@ def _is_simplified(case: Case) -> bool:
 
 
 def _has_no_ellipse(case: Case) -> bool:
-    return case.module == 3 and case.digits["B"] not in (5, 6) and case.values["IPOTCN"] not in (-1, -2, -3)
+    return case.module == 3 and case.digits["B"] not in (5, 6) and case.values["IPOTCN"] not in (-1, -2, -3, -6)
+
+
+def prescribes_pressures(case: Case) -> bool:
+    """Tells whether the normal problem is skipped, for pressures over an ellipse or two half ellipses."""
+    return case.digits["B"] in (2, 3, 4) and not (_is_simplified(case) and case.digits["B"] != 4)
 
 
 def _rolls_along_x(case: Case) -> bool:
@@ -77,14 +82,14 @@ _BOTH = (
 _BASIC = (
     _Feature("shares of a normal force of viscoelastic bodies that is not known before the solve (M = 1, N = 0, F > 0)",
              lambda case: case.digits["M"] == 1 and case.digits["N"] == 0 and case.digits["F"] > 0),
-    _Feature("elliptic traction bound with the full theory (B = 2)",
-             lambda case: case.digits["B"] == 2 and not _is_simplified(case)),
-    _Feature("parabolic traction bound with the full theory or FaStrip (B = 3)",
-             lambda case: case.digits["B"] == 3 and case.digits["M"] != 3),
-    _digit("bound of two half ellipses, SDEC", "B", 4),
+    _Feature("parabolic traction bound with FaStrip (B = 3, M = 5)",
+             lambda case: case.digits["B"] == 3 and case.digits["M"] == 5),
+    _Feature("prescribed pressures of a line (B = 2, 3, IPOTCN = -4, -5)",
+             lambda case: prescribes_pressures(case) and case.values["IPOTCN"] in (-4, -5)),
+    _Feature("pressures of two half ellipses but prescribed ones (IPOTCN = -6, B = 0)",
+             lambda case: case.values.get("IPOTCN") == -6 and case.digits["B"] != 4),
     _Feature("half-spaces that turn (C = 4)", lambda case: case.values.get("INFLCF") == 4),
     _Feature("coefficients from a file (C = 9)", lambda case: case.values.get("INFLCF") == 9),
-    _Feature("two half ellipses (IPOTCN = -6)", lambda case: case.values.get("IPOTCN") == -6),
     _Feature("patches that share their displacements (IPLAN = 4)",
              lambda case: case.values.get("IPOTCN", 0) > 0 and case.values.get("IPLAN") == 4),
 )  # fmt: skip

@@ -14,7 +14,8 @@ if TYPE_CHECKING:
 __all__ = ["is_parabolic", "models_of", "without_memory"]
 
 _PARABOLIC = 3
-_NORMAL: dict[int, NormalModel] = {5: "kpec", 6: "analyn"}
+_NORMAL: dict[int, NormalModel] = {4: "elliptic", 5: "kpec", 6: "analyn"}
+_PRESCRIBED: dict[int, NormalModel] = {2: "elliptic", 3: "parabolic"}  #: of the full theory; simplified ones bound by them
 _TANGENTIAL: dict[int, Model] = {3: "fastsim", 5: "fastrip"}
 
 
@@ -33,6 +34,8 @@ def models_of(case: Case) -> dict[str, Any]:
     if case.digits["B"] in _NORMAL:
         found["normal_model"] = _NORMAL[case.digits["B"]]
     model = _TANGENTIAL.get(case.digits["M"])
+    if model is None and case.digits["B"] in _PRESCRIBED:
+        found["normal_model"] = _PRESCRIBED[case.digits["B"]]
     if model is None or case.digits["T"] == 0:
         return found
     found["model"] = model

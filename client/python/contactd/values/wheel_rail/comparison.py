@@ -22,13 +22,14 @@ __all__ = ["FULL", "ComparedModel", "ModelComparison", "ModelErrors", "combinati
 FULL = "full"  #: the model that all others are compared with
 _NO_PRESSURES_OF_OTHERS = ("hertz",)  #: a normal_model takes the place of theirs, and so they do not go with one
 _OF_MODEL = "of_model"
+_PRESCRIBED = ("elliptic", "parabolic")  #: pressures that no model finds
 
 
 def combinations() -> dict[str, tuple[str, str]]:
     """Model and normal_model of each that there is, by its name: ``fastsim``, ``kpec+fastsim``."""
     found = {model: (model, _OF_MODEL) for model in get_args(Model)}
     for normal in get_args(NormalModel):
-        if normal != _OF_MODEL:
+        if normal not in (_OF_MODEL, *_PRESCRIBED):
             models = [model for model in get_args(Model) if model not in _NO_PRESSURES_OF_OTHERS]
             found.update({f"{normal}+{model}": (model, normal) for model in models})
     return found
