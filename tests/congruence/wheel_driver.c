@@ -183,7 +183,7 @@ static int32_t set(void) {
 
 static void solve(void) {
     printf("%s solve", name);
-    if (refused == CONTACTD_OK) note(wheel, contactd_wheel_solve(wheel));
+    if (refused == CONTACTD_OK) note(wheel, contactd_step_again(wheel));
     if (refused != CONTACTD_OK)
         printf(" refused %" PRId32 " %s %s", refused, reason, field);
     else

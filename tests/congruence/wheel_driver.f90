@@ -184,7 +184,7 @@ contains
 
     subroutine solve()
         write (*, "(a)", advance="no") trim(name) // " solve"
-        if (refused == contactd_ok) call note(wheel, contactd_wheel_solve(wheel))
+        if (refused == contactd_ok) call note(wheel, contactd_step_again(wheel))
         if (refused /= contactd_ok) then
             call tell_refusal()
         else

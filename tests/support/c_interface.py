@@ -72,7 +72,7 @@ class Contact(Fields):
 
 class Wheel(Fields):
     def solve(self) -> None:
-        self._call("wheel_solve")
+        self._call("step_again")
 
 
 @contextmanager

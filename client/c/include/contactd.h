@@ -172,16 +172,8 @@ CONTACTD_API int32_t contactd_free(contactd_contact* contact);
 CONTACTD_API int32_t contactd_start(contactd_contact* contact);
 /* Solves the next step, which starts where the last one ended. One that fails leaves the contact as it was. */
 CONTACTD_API int32_t contactd_step(contactd_contact* contact);
-/* Solves the step that contactd_step asked for last anew, with what is set now: it is taken back first where it was
- * solved. So an integrator tries a step until it is content. */
-CONTACTD_API int32_t contactd_step_again(contactd_contact* contact);
 /* From any thread: the call that runs ends with CONTACTD_CANCELLED soon. Does nothing when none runs. */
 CONTACTD_API int32_t contactd_cancel(contactd_contact* contact);
-/* Where the contact is, its results with it; *state is the name of it, > 0. */
-CONTACTD_API int32_t contactd_save(contactd_contact* contact, int32_t* state);
-CONTACTD_API int32_t contactd_restore(contactd_contact* contact, int32_t state); /* as often as wanted */
-CONTACTD_API int32_t contactd_forget(contactd_contact* contact, int32_t state);
-
 /* Replaces the connection's timeout for steps (s). */
 CONTACTD_API int32_t contactd_set_step_timeout(contactd_contact* contact, double seconds);
 /* Coefficients that are given: of a body ("bodies.upper.ics", "bodies.lower.ics"), or of the pair ("ics").
@@ -202,6 +194,16 @@ CONTACTD_API int32_t contactd_get_frames(contactd_contact* contact, const char* 
  * "setup.rail.file.name" and "setup.rail.file.text". */
 CONTACTD_API int32_t contactd_read_profile(void* handle, const char* path, const char* file);
 
+/* --- steps of contacts and of wheels ------------------------------------------------------------------------- */
+/* Solves the step that contactd_step or contactd_wheel_solve asked for last anew, with what is set now: it is taken
+ * back first where it was solved. So an integrator tries a step until it is content. */
+CONTACTD_API int32_t contactd_step_again(void* handle);
+/* Where a contact or a wheel is, its results with it; *state is the name of it, > 0. Before the first step it is the
+ * start. States of a wheel last as long as its set-up stays. */
+CONTACTD_API int32_t contactd_save(void* handle, int32_t* state);
+CONTACTD_API int32_t contactd_restore(void* handle, int32_t state); /* as often as wanted */
+CONTACTD_API int32_t contactd_forget(void* handle, int32_t state);
+
 /* --- wheels on rails ----------------------------------------------------------------------------------------- */
 /* From profiles and the position of a wheelset to patches and forces (docs/wheel-rail.md has coordinates and signs).
  * All that is set and read is named by its path:
@@ -218,8 +220,11 @@ CONTACTD_API int32_t contactd_read_profile(void* handle, const char* path, const
  *
  * There is nothing to start: a wheel that was made is a right one, S1002 on 60E1 at 1/40, gauge 1435, of steel, with
  * mu = 0.3 and elements of 0.2 mm, and all of it can be set at any time. What is set holds until it is set anew. A
- * wheel whose set-up stays keeps its profiles and operators, with a daemon in a session of its own; a solve carries
- * nothing else over to the next one. Lengths are in mm, angles in rad, forces in N on the rail.
+ * wheel whose set-up stays keeps its profiles and operators, with a daemon in a session of its own, and a solve starts
+ * where the one before ended. Of "state.motion" steady_rolling that is an estimate: the answer is that of a fresh wheel
+ * within the tolerances; contactd_step_again in its place always starts anew, and has the same answers to the last bit
+ * whatever was solved before. Transient steps go on from the tractions of the solve before, also a steady one. Lengths
+ * are in mm, angles in rad, forces in N on the rail.
  *
  * Profiles are those of a right side, of left wheels, too: y to the field side, z down. Naming a field of a shape makes
  * the profile one: "setup.wheel.s1002" (1), "setup.rail.rail_60e1.inclination", "setup.rail.arc.radius", .slope and
@@ -233,7 +238,7 @@ CONTACTD_API int32_t contactd_wheel_new(contactd_connection* connection, contact
 /* The handle is none afterwards, unless another thread uses it (CONCURRENT_USE). */
 CONTACTD_API int32_t contactd_wheel_free(contactd_wheel* wheel);
 /* No contact is an answer: no patches. So is what has not converged: the result "converged". A solve that fails leaves
- * the results of the one before. */
+ * the wheel as it was, with the results of the one before. */
 CONTACTD_API int32_t contactd_wheel_solve(contactd_wheel* wheel);
 /* Both wheels of a wheelset that is free to roll, at the height and the roll at which each presses on its rail by its
  * "state.Fz". Position, velocity and pitch rate of a roller are the same for both, but z and roll, where the right

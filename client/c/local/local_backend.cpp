@@ -76,6 +76,44 @@ void keep_requested(const SolutionFields& fields, ContactSolution& solution) {
     if (unwanted(SolutionField::lower_temperature)) solution.lower_temperature.clear();
 }
 
+/// Where a contact or a wheel is, and where it has been.
+class LocalHistory {
+   public:
+    explicit LocalHistory(StepState start = {}) : here_{std::make_shared<const StepState>(std::move(start)), nullptr} {}
+
+    /// The state that a step starts from. One that is asked for anew, and was solved, is taken back.
+    StepStatePtr start_of(bool again) {
+        const StepStatePtr from = again && here_.before && asked_ == here_.last->step ? here_.before : here_.last;
+        asked_ = from->step + 1;
+        return from;
+    }
+    long long asked() const { return asked_; }
+    void went_on(const StepStatePtr& from, StepState to) {
+        here_ = {std::make_shared<const StepState>(std::move(to)), from};
+    }
+
+    std::string save() {
+        const std::string name = "state-" + std::to_string(++serial_);
+        saved_.emplace(name, here_);
+        return name;
+    }
+    void restore(const std::string& state) {
+        here_ = saved_.at(state);
+        asked_ = here_.last->step;
+    }
+    void forget(const std::string& state) { saved_.erase(state); }
+
+   private:
+    /// Where it is, and where the step that led there started.
+    struct Place {
+        StepStatePtr last, before;
+    };
+    Place here_;
+    long long asked_ = 0;  // the number of the step that was asked for last
+    std::map<std::string, Place> saved_;
+    long long serial_ = 0;
+};
+
 class LocalContact final : public OpenContact {
    public:
     LocalContact(std::shared_ptr<Engine> engine, std::unique_ptr<ContactSteps> steps, std::chrono::milliseconds timeout)
@@ -83,55 +121,34 @@ class LocalContact final : public OpenContact {
           steps_(std::move(steps)),
           timeout_(timeout),
           ics_(engine::uses_of(steps_->opened, steps_->ics())),
-          here_{std::make_shared<const StepState>(steps_->start()), nullptr} {}
+          history_(steps_->start()) {}
 
     StepReply step(const StepInput& input, const Control& control) override {
-        const StepStatePtr from = start_of(input);
-        asked_ = from->step + 1;
+        const StepStatePtr from = history_.start_of(input.again);
         ContactSolution solution = observed(control, timeout_, [&](LocalObserver& observer) {
             const auto overlay = [&](const std::optional<Motion>& last, ContactProblem& problem) {
                 engine::overlay(input, last, problem);
             };
             return engine_->solve(*steps_, *from, overlay, observer);
         });
-        StepReply reply{asked_, solution};
-        here_ = {std::make_shared<const StepState>(ContactSteps::after(*from, std::move(solution))), from};
+        StepReply reply{history_.asked(), solution};
+        history_.went_on(from, ContactSteps::after(*from, std::move(solution)));
         keep_requested(input.fields, reply.solution);
         return reply;
     }
 
-    std::string save(const Control&) override {
-        const std::string name = "state-" + std::to_string(++serial_);
-        saved_.emplace(name, here_);
-        return name;
-    }
-    void restore(const std::string& state, const Control&) override {
-        here_ = saved_.at(state);
-        asked_ = here_.last->step;
-    }
-    void forget(const std::string& state, const Control&) override { saved_.erase(state); }
+    std::string save(const Control&) override { return history_.save(); }
+    void restore(const std::string& state, const Control&) override { history_.restore(state); }
+    void forget(const std::string& state, const Control&) override { history_.forget(state); }
     void close(const Control&) override {}
     const IcUses& ics() const override { return ics_; }
 
    private:
-    /// Where the contact is, and where the step that led there started.
-    struct Place {
-        StepStatePtr last, before;
-    };
-
-    /// A step that is asked for anew, and was solved, is taken back.
-    StepStatePtr start_of(const StepInput& input) const {
-        return input.again && here_.before && asked_ == here_.last->step ? here_.before : here_.last;
-    }
-
     const std::shared_ptr<Engine> engine_;
     const std::unique_ptr<ContactSteps> steps_;
     const std::chrono::milliseconds timeout_;
     const IcUses ics_;
-    Place here_;
-    long long asked_ = 0;  // the number of the step that was asked for last
-    std::map<std::string, Place> saved_;
-    long long serial_ = 0;
+    LocalHistory history_;
 };
 
 class LocalWheel final : public OpenWheel {
@@ -139,17 +156,25 @@ class LocalWheel final : public OpenWheel {
     LocalWheel(std::shared_ptr<Engine> engine, std::chrono::milliseconds timeout)
         : engine_(std::move(engine)), timeout_(timeout) {}
 
+    bool goes_on_with(const WheelRailSetup& setup) const override { return steps_ && serves(steps_->setup(), setup); }
     WheelRailSolution solve(const WheelInput& input, const Control& control) override {
-        if (!steps_ || !serves(steps_->setup(), input.setup))
-            steps_ = engine_->open(WheelRailSessionSpec{input.setup, {}, true});
+        if (!goes_on_with(input.setup)) open(input.setup);
         const WheelRailStepInput request = step_of(steps_->setup(), input);
-        StepState after;  // nothing is carried from one solve to the next
+        const StepStatePtr from = history_.start_of(input.again);
+        StepState after;
         WheelRailSolution solution = observed(control, timeout_, [&](LocalObserver& observer) {
-            return engine_->solve(*steps_, StepState(), request, after, observer);
+            return engine_->solve(*steps_, *from, request, after, observer);
         });
+        history_.went_on(from, std::move(after));
         keep_requested(input, solution);
         return solution;
     }
+    std::string save(const WheelRailSetup& setup, const Control&) override {
+        if (!goes_on_with(setup)) open(setup);
+        return history_.save();
+    }
+    void restore(const std::string& state, const Control&) override { history_.restore(state); }
+    void forget(const std::string& state, const Control&) override { history_.forget(state); }
     WheelsetSolution solve_wheelset(const WheelsetInput& input, const Control& control) override {
         WheelsetSolution solution = observed(control, timeout_, [&](LocalObserver& observer) {
             return engine_->solve(input.setup, input.state, observer);
@@ -160,6 +185,10 @@ class LocalWheel final : public OpenWheel {
     }
 
    private:
+    void open(const WheelRailSetup& setup) {
+        steps_ = engine_->open(WheelRailSessionSpec{setup, {}, true});
+        history_ = LocalHistory();
+    }
     template <class Input>
     static void keep_requested(const Input& input, WheelRailSolution& solution) {
         for (WheelRailPatch& patch : solution.patches) {
@@ -171,6 +200,7 @@ class LocalWheel final : public OpenWheel {
     const std::shared_ptr<Engine> engine_;
     const std::chrono::milliseconds timeout_;
     std::unique_ptr<engine::WheelRailSteps> steps_;
+    LocalHistory history_;
 };
 
 class LocalBackend final : public Backend {

@@ -114,7 +114,7 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
         return;
     }
     handle = handle_in(prhs[1], 2);
-    if (!call_of_field(command, plhs) && !call_of_connection(command, plhs) && !call_of_contact(command, nlhs, plhs) &&
-        !call_of_wheel(command))
+    if (!call_of_field(command, plhs) && !call_of_connection(command, plhs) && !call_of_steps(command, plhs) &&
+        !call_of_contact(command, nlhs, plhs) && !call_of_wheel(command))
         mexErrMsgIdAndTxt("contactd:arguments", "There is no function '%s'.", command);
 }

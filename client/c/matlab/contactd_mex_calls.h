@@ -71,6 +71,21 @@ static int call_of_field(const char* command, mxArray* plhs[]) {
     return 1;
 }
 
+/* Steps of contacts and of wheels. */
+static int call_of_steps(const char* command, mxArray* plhs[]) {
+    void* of = (void*)(uintptr_t)handle;
+    int32_t state = 0;
+    CALL(step_again, of)
+    CALL(restore, of, whole(0))
+    CALL(forget, of, whole(0))
+    if (!strcmp(command, "save")) {
+        check(contactd_save(of, &state));
+        plhs[0] = mxCreateDoubleScalar(state);
+        return 1;
+    }
+    return 0;
+}
+
 /* Wheels on rails. */
 static int call_of_wheel(const char* command) {
     contactd_wheel* w = (contactd_wheel*)(uintptr_t)handle;
@@ -125,20 +140,11 @@ static void read_frames(contactd_contact* c, const char* body, int32_t ny, int n
 static int call_of_contact(const char* command, int nlhs, mxArray* plhs[]) {
     contactd_contact* c = (contactd_contact*)(uintptr_t)handle;
     char text[longest_text];
-    int32_t state = 0;
     CALL(free, c)
     CALL(start, c)
     CALL(step, c)
-    CALL(step_again, c)
     CALL(cancel, c)
-    CALL(restore, c, whole(0))
-    CALL(forget, c, whole(0))
     CALL(set_step_timeout, c, number(0))
-    if (!strcmp(command, "save")) {
-        check(contactd_save(c, &state));
-        plhs[0] = mxCreateDoubleScalar(state);
-        return 1;
-    }
     if (!strcmp(command, "set_table")) {
         read_text(argument(0), 3, text);
         check(contactd_set_table(c, text, whole(1), whole(2), number(3), number(4), array(5), length(5)));

@@ -27,25 +27,6 @@ std::int32_t contactd_step(contactd_contact* contact) {
     return with(contact, [](Contact& stepping) { stepping.step(); });
 }
 
-std::int32_t contactd_step_again(contactd_contact* contact) {
-    return with(contact, [](Contact& stepping) { stepping.step(Contact::Which::again); });
-}
-
 std::int32_t contactd_cancel(contactd_contact* contact) {
     return cancel(contacts(), contact);
-}
-
-std::int32_t contactd_save(contactd_contact* contact, std::int32_t* state) {
-    return with(contact, [&](Contact& saved) {
-        given(state, "state");
-        *state = saved.save();
-    });
-}
-
-std::int32_t contactd_restore(contactd_contact* contact, std::int32_t state) {
-    return with(contact, [&](Contact& restored) { restored.restore(state); });
-}
-
-std::int32_t contactd_forget(contactd_contact* contact, std::int32_t state) {
-    return with(contact, [&](Contact& forgetting) { forgetting.forget(state); });
 }

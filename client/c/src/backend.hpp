@@ -53,6 +53,7 @@ struct WheelInput {
     WheelRailState state;
     SolutionFields fields;
     bool gap = false;
+    bool again = false;  ///< from where the solve before started, which is taken back
 };
 
 /// The inputs of both wheels of a wheelset.
@@ -63,13 +64,20 @@ struct WheelsetInput {
     bool gap = false;
 };
 
-/// Where wheels on rails are solved. One thread at a time; a set-up that stays is kept; nothing else is
-/// carried from one call to the next.
+/// Where wheels on rails are solved. One thread at a time; a set-up that stays is kept, and a solve starts where the
+/// one before ended: estimates, and of transient motions tractions.
 class OpenWheel {
    public:
     virtual ~OpenWheel() = default;
+    /// Whether the next solve of such a set-up goes on from the one before, if there was one, and states stay.
+    virtual bool goes_on_with(const WheelRailSetup& setup) const = 0;
     /// Arrays are empty unless they are asked for. Throws as OpenContact, naming "setup.track.gauge", ...
     virtual WheelRailSolution solve(const WheelInput& input, const Control& control) = 0;
+    /// Keeps where the wheel is; the name of it. It is opened with the set-up first, where it is not.
+    virtual std::string save(const WheelRailSetup& setup, const Control& control) = 0;
+    virtual void restore(const std::string& state, const Control& control) = 0;
+    virtual void forget(const std::string& state, const Control& control) = 0;
+    /// Starts from nothing: both solves of a wheelset.
     virtual WheelsetSolution solve_wheelset(const WheelsetInput& input, const Control& control) = 0;
 };
 

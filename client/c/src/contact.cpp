@@ -80,33 +80,22 @@ void Contact::close() {
 std::int32_t Contact::save() {
     require_started();
     std::string name = controlled([&](Control& control) { return open_->save(control); });
-    saved_.emplace(++states_, Saved{std::move(name), result_, inputs.problem.motion});
-    return states_;
-}
-
-std::map<std::int32_t, Contact::Saved>::iterator Contact::saved(std::int32_t state) {
-    require_started();
-    const auto at = saved_.find(state);
-    if (at != saved_.end()) return at;
-    throw StatusError(Status{StatusCode::not_found,
-                             "The contact has no state " + std::to_string(state) +
-                                 "; contactd_save names those there are, until contactd_forget.",
-                             std::string(reason::state_unknown),
-                             {{"state", "is none"}},
-                             0});
+    return saved_.add({std::move(name), result_, inputs.problem.motion});
 }
 
 void Contact::restore(std::int32_t state) {
-    const Saved& back = saved(state)->second;
+    require_started();
+    const Saved& back = saved_.at(state);
     controlled([&](Control& control) { open_->restore(back.name, control); });
     result_ = back.result;
     inputs.restore_estimates(back.motion);
 }
 
 void Contact::forget(std::int32_t state) {
-    const auto at = saved(state);
-    controlled([&](Control& control) { open_->forget(at->second.name, control); });
-    saved_.erase(at);
+    require_started();
+    const Saved& saved = saved_.at(state);
+    controlled([&](Control& control) { open_->forget(saved.name, control); });
+    saved_.forget(state);
 }
 
 const Result& Contact::result() const {

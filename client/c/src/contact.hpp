@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "cancellable_handle.hpp"
 #include "inputs.hpp"
+#include "saved_states.hpp"
 
 namespace contactd::c {
 
@@ -57,12 +57,9 @@ class Contact : public CancellableHandle {
         Motion motion;  // with the estimates that the next step would have started from
     };
 
-    std::map<std::int32_t, Saved>::iterator saved(std::int32_t state);
-
     std::unique_ptr<OpenContact> open_;
     std::shared_ptr<const Result> result_;
-    std::map<std::int32_t, Saved> saved_;
-    std::int32_t states_ = 0;  // that were saved so far
+    SavedStates<Saved> saved_;
 };
 
 }  // namespace contactd::c

@@ -79,16 +79,27 @@ class RemoteWheel final : public OpenWheel {
    public:
     RemoteWheel(const std::string& endpoint, const Settings& settings) : client_(endpoint, options_of(settings)) {}
 
+    bool goes_on_with(const WheelRailSetup& setup) const override { return session_ && serves(opened_, setup); }
     WheelRailSolution solve(const WheelInput& input, const Control& control) override {
-        if (session_ && !serves(opened_, input.setup)) session_.reset();
-        const bool was_open = session_.has_value();
+        if (!goes_on_with(input.setup)) session_.reset();
+        const bool starts_anew = input.state.motion == WheelRailMotion::steady_rolling && session_.has_value();
         try {
             return named_as_set([&] { return step(input, control); });
         } catch (const StatusError& error) {
-            if (!was_open || error.status().code != StatusCode::not_found) throw;
+            if (!starts_anew || error.status().code != StatusCode::not_found) throw;
         }
         session_.reset();  // its lease has ended, or its daemon
         return named_as_set([&] { return step(input, control); });
+    }
+    std::string save(const WheelRailSetup& setup, const Control& control) override {
+        if (!goes_on_with(setup)) named_as_set([&] { return open(setup, control), 0; });
+        return session_->save(options_of(control)).name;
+    }
+    void restore(const std::string& state, const Control& control) override {
+        session_->restore({state}, options_of(control));
+    }
+    void forget(const std::string& state, const Control& control) override {
+        session_->forget({state}, options_of(control));
     }
     WheelsetSolution solve_wheelset(const WheelsetInput& input, const Control& control) override {
         return client_.wheelset(input.setup, input.state, options_of(control), input.fields, input.gap);
@@ -98,12 +109,14 @@ class RemoteWheel final : public OpenWheel {
     WheelRailSolution step(const WheelInput& input, const Control& control) {
         WheelRailStepInput request =
             step_of(session_ ? opened_ : input.setup, input);  // refuses before anything is sent
-        if (!session_) {
-            session_.emplace(client_, WheelRailSessionSpec{input.setup, {}, true}, options_of(control));
-            opened_ = input.setup;
-        }
-        request.again = true;  // always the first step, so that nothing is carried from one solve to the next
+        if (!session_) open(input.setup, control);
+        request.again = input.again;
         return session_->step(request, options_of(control)).solution;
+    }
+    void open(const WheelRailSetup& setup, const Control& control) {
+        session_.reset();
+        session_.emplace(client_, WheelRailSessionSpec{setup, {}, true}, options_of(control));
+        opened_ = setup;
     }
 
     client::Client client_;  // outlives the session

@@ -16,14 +16,6 @@ Roots input_roots() {
     return roots;
 }
 
-/// A solve that began anew each time would not be what was asked for.
-void check_steady(const WheelRailState& state) {
-    if (state.motion != WheelRailMotion::steady_rolling)
-        throw InvalidArgument("state.motion",
-                              "is not steady_rolling; a wheel of this interface carries no tractions from solve to "
-                              "solve. Steps that go on from each other are those of sessions, in C++ and Python");
-}
-
 StatusError not_brought() {
     return {StatusCode::failed_precondition, no_result,
             "The last solve did not bring this array along; contactd_want asks for it before."};
@@ -33,19 +25,55 @@ StatusError not_brought() {
 
 Wheel::Wheel(const Connection& connection) : CancellableHandle(connection, input_roots(), results_of_wheels()) {}
 
-void Wheel::solve() {
-    check_steady(inputs.state);
+OpenWheel& Wheel::open_for(const WheelRailSetup& setup, bool transient) {
     if (!open_) open_ = backend_->open_wheel(settings_);
+    if (open_->goes_on_with(setup)) return *open_;
+    if (transient && moved_)
+        throw InvalidArgument(
+            "setup",
+            "is another one than that of the solve before, and tractions do not go on from one to the "
+            "other; solve with state.motion steady_rolling first, or make another wheel");
+    moved_ = false;
+    saved_.clear();
+    return *open_;
+}
+
+void Wheel::solve(Which which) {
+    OpenWheel& open = open_for(inputs.setup, inputs.state.motion != WheelRailMotion::steady_rolling);
     Result result{{}, inputs.fields, inputs.gap, inputs.state.position.roll};
+    WheelInput input = inputs;
+    input.again = which == Which::again;
     result.solution = controlled([&](Control& control) {
         control.timeout = effective_timeout();
-        return open_->solve(inputs, control);
+        return open.solve(input, control);
     });
+    moved_ = true;
     take(std::move(result));
 }
 
+std::int32_t Wheel::save() {
+    OpenWheel& open = open_for(inputs.setup, false);
+    std::string name = controlled([&](Control& control) {
+        control.timeout = effective_timeout();
+        return open.save(inputs.setup, control);
+    });
+    return saved_.add({std::move(name), result_});
+}
+
+void Wheel::restore(std::int32_t state) {
+    const Saved& back = saved_.at(state);
+    controlled([&](Control& control) { open_->restore(back.name, control); });
+    result_ = back.result;
+}
+
+void Wheel::forget(std::int32_t state) {
+    const Saved& saved = saved_.at(state);
+    controlled([&](Control& control) { open_->forget(saved.name, control); });
+    saved_.forget(state);
+}
+
 void Wheel::take(Result result) {
-    result_ = std::move(result);
+    result_ = std::make_shared<const Result>(std::move(result));
     const WheelRailSolution& found = result_->solution;
     for (const std::string& warning : found.warnings) warn(warning);
     for (std::size_t i = 0; i < found.patches.size(); ++i)

@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "cancellable_handle.hpp"
+#include "saved_states.hpp"
 
 namespace contactd::c {
 
@@ -18,7 +20,12 @@ class Wheel : public CancellableHandle {
     WheelInput inputs;  ///< functions that set fields write here
     std::optional<std::chrono::milliseconds> timeout;
 
-    void solve();
+    /// Goes on from the last solve, or from where that started.
+    enum class Which { next, again };
+    void solve(Which which = Which::next);
+    std::int32_t save();
+    void restore(std::int32_t state);
+    void forget(std::int32_t state);
     /// Solves both wheels of a wheelset, each of which this thread uses. Throws InvalidArgument where their inputs do
     /// not go together.
     static void solve_wheelset(Wheel& right, Wheel& left);
@@ -48,11 +55,20 @@ class Wheel : public CancellableHandle {
         const bool may_build = inputs.setup.conformal == Conformal::fem;
         return !timeout && may_build ? std::optional(settings_.build_timeout) : timeout;
     }
+    struct Saved {
+        std::string name;  // of the open wheel
+        std::shared_ptr<const Result> result;
+    };
     /// Keeps the result as the last one, and reports its warnings.
     void take(Result result);
+    /// Makes sure that a wheel is open, and forgets what belongs to another set-up. Throws InvalidArgument ("setup")
+    /// for a transient step that could not go on.
+    OpenWheel& open_for(const WheelRailSetup& setup, bool transient);
 
     std::unique_ptr<OpenWheel> open_;
-    std::optional<Result> result_;
+    bool moved_ = false;  // whether a solve went before, from which the next one goes on
+    std::shared_ptr<const Result> result_;
+    SavedStates<Saved> saved_;
 };
 
 }  // namespace contactd::c

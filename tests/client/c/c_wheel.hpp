@@ -28,9 +28,8 @@ inline void set_rolling(contactd_wheel* w, double y) {
     require_ok(contactd_want(w, "gap", 1), w);
 }
 
-/// All that a solve has found.
-inline Numbers solved(contactd_wheel* w) {
-    require_ok(contactd_wheel_solve(w), w);
+/// All that the last solve has found.
+inline Numbers found_of(contactd_wheel* w) {
     Numbers all;
     const auto take = [&](const std::string& path) {
         if (!has(w, path)) return;
@@ -51,4 +50,8 @@ inline Numbers solved(contactd_wheel* w) {
         for (const char* array : every_array) take(patch + "solution." + array);
     }
     return all;
+}
+inline Numbers solved(contactd_wheel* w) {
+    require_ok(contactd_wheel_solve(w), w);
+    return found_of(w);
 }

@@ -90,7 +90,8 @@ def test_the_sweep_in_c_is_that_in_python_and_in_process(shared_daemon):
             state = WheelRailState(position=WheelsetPosition(y=y, yaw=2.4e-3 * y), velocity=rolling, Fz=80e3)
             solution = client.wheel_rail(WheelRailSetup(dx=0.5, dy=0.5), state, fields=[])
             track = solution.forces.track
-            assert (z, Fx, Fy) == pytest.approx((solution.z, track.Fx, track.Fy), abs=1e-4)
+            assert z == pytest.approx(solution.z, abs=1.5e-5)  # as printed
+            assert (Fx, Fy) == pytest.approx((track.Fx, track.Fy), abs=0.1)  # of 80 kN: steps start where the last one ended
     for place in ("local", shared_daemon.endpoint):
         again = run(BIN / "contactd-c-local-sweep", place)
         assert again.returncode == 0, again.stderr

@@ -126,9 +126,12 @@ TEST_CASE("In process and with a daemon wheels have the same answers to the last
         const WheelHandle own(here), remote(there);
         one.set(own);
         one.set(remote);
+        std::int32_t fresh = 0;
+        require_ok(contactd_save(own, &fresh), own);
         const Numbers mine = solved(own);
         CHECK(mine.size() > 20);
         CHECK(mine == solved(remote));
+        require_ok(contactd_restore(own, fresh), own);
         CHECK(mine == solved(own));
     }
 }

@@ -190,6 +190,10 @@
 #define CONTACTD_PATH_GAP_SEMI_AXES "gap.semi_axes"
 #define CONTACTD_PATH_GAP_SEMI_AXES_A "gap.semi_axes.a" /* mm */
 #define CONTACTD_PATH_GAP_SEMI_AXES_B "gap.semi_axes.b" /* mm */
+#define CONTACTD_PATH_GAP_HALF_ELLIPSES "gap.half_ellipses"
+#define CONTACTD_PATH_GAP_HALF_ELLIPSES_A "gap.half_ellipses.a"                   /* mm */
+#define CONTACTD_PATH_GAP_HALF_ELLIPSES_B_NEGATIVE "gap.half_ellipses.b_negative" /* mm */
+#define CONTACTD_PATH_GAP_HALF_ELLIPSES_B_POSITIVE "gap.half_ellipses.b_positive" /* mm */
 #define CONTACTD_PATH_GAP_ARRAY "gap.array"
 #define CONTACTD_PATH_APPROACH "approach" /* mm */
 #define CONTACTD_PATH_FN "Fn"             /* N */
@@ -1160,6 +1164,8 @@
 #define CONTACTD_WORD_NORMAL_MODEL_KP "kp"
 #define CONTACTD_WORD_NORMAL_MODEL_KPEC "kpec"
 #define CONTACTD_WORD_NORMAL_MODEL_ANALYN "analyn"
+#define CONTACTD_WORD_NORMAL_MODEL_ELLIPTIC "elliptic"
+#define CONTACTD_WORD_NORMAL_MODEL_PARABOLIC "parabolic"
 #define CONTACTD_WORD_RIGID_SLIP_PLANE "plane"
 #define CONTACTD_WORD_RIGID_SLIP_SURFACES "surfaces"
 #define CONTACTD_WORD_ROLLING_STEADY "steady"

@@ -1,0 +1,112 @@
+// Wheels of the C interface as they go from step to step.
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <string>
+
+#include "c_wheel.hpp"
+#include "client/cpp/own_daemon.hpp"
+
+using Catch::Approx;
+
+namespace {
+
+/// A step of 1 ms of a wheel at 2 m/s.
+void set_transient(contactd_wheel* w, const char* motion, double y) {
+    set_rolling(w, y);
+    set_word(w, "state.motion", motion);
+    set(w, "state.time_step", 1e-3);
+}
+
+/// Where solves take place: in process, or a daemon of the test's own.
+class Somewhere {
+   public:
+    explicit Somewhere(bool inside) : place_(inside ? "local" : daemon_.endpoint()) {}
+    operator contactd_connection*() const { return place_; }
+
+   private:
+    Daemon daemon_;
+    Place place_;
+};
+
+}  // namespace
+
+TEST_CASE("A solve that starts where the one before ended has the answer of a fresh wheel", "[c]") {
+    const Place here("local");
+    const WheelHandle w(here);
+    double solves = 0, fresh_solves = 0;
+    for (int k = 0; k < 20; ++k) {
+        const WheelHandle fresh(here);
+        for (contactd_wheel* each : {static_cast<contactd_wheel*>(w), static_cast<contactd_wheel*>(fresh)}) {
+            set_rolling(each, 0.3 * k);
+            require_ok(contactd_wheel_solve(each), each);
+        }
+        INFO("y " << 0.3 * k);
+        CHECK(get(w, "z") == Approx(get(fresh, "z")).margin(1e-7));
+        for (const char* force : {"forces.track.Fx", "forces.track.Fy", "forces.track.Fz"})
+            CHECK(get(w, force) == Approx(get(fresh, force)).margin(0.02));  // of 10 kN
+        CHECK(get(w, "patches") == get(fresh, "patches"));
+        CHECK(get(w, "converged") == 1);
+        solves += get(w, "force.iterations");
+        fresh_solves += get(fresh, "force.iterations");
+    }
+    CHECK(solves < fresh_solves);
+}
+
+TEST_CASE("Transient steps of a wheel go on from the tractions of the one before", "[c]") {
+    const Somewhere place(GENERATE(true, false));
+    const WheelHandle w(place), alone(place);
+    std::int32_t start = 0, middle = 0;
+    set_transient(w, "transient_rolling", 3);
+    require_ok(contactd_save(w, &start), w);
+    const Numbers first = solved(w);
+    require_ok(contactd_save(w, &middle), w);
+    const double force = get(w, "forces.track.Fx");
+    const Numbers second = solved(w);
+    CHECK(second != first);
+    CHECK(std::abs(get(w, "forces.track.Fx")) > std::abs(force));  // tractions build up
+
+    require_ok(contactd_step_again(w), w);
+    CHECK(found_of(w) == second);
+    require_ok(contactd_restore(w, middle), w);
+    CHECK(get(w, "forces.track.Fx") == force);
+    CHECK(solved(w) == second);
+    require_ok(contactd_restore(w, start), w);
+    CHECK(solved(w) == first);
+    require_ok(contactd_forget(w, middle), w);
+    CHECK(contactd_restore(w, middle) == CONTACTD_NOT_FOUND);
+    CHECK(contactd_forget(w, 77) == CONTACTD_NOT_FOUND);
+
+    set_transient(alone, "transient_rolling", 3);
+    CHECK(solved(alone) == first);
+}
+
+TEST_CASE("Many transient steps of a wheel end as steady rolling", "[c]") {
+    const Place here("local");
+    const WheelHandle w(here), steady(here);
+    set_transient(w, "transient_rolling", 3);
+    for (int k = 0; k < 30; ++k) require_ok(contactd_wheel_solve(w), w);
+    set_rolling(steady, 3);
+    require_ok(contactd_wheel_solve(steady), steady);
+    CHECK(get(w, "forces.track.Fx") == Approx(get(steady, "forces.track.Fx")).epsilon(0.02));
+    CHECK(get(w, "forces.track.Fy") == Approx(get(steady, "forces.track.Fy")).epsilon(0.02));
+}
+
+TEST_CASE("With another set-up a wheel starts anew, and loses no tractions without a word", "[c]") {
+    const Somewhere place(GENERATE(true, false));
+    const WheelHandle w(place);
+    std::int32_t state = 0;
+    set_transient(w, "transient_rolling", 0);
+    require_ok(contactd_wheel_solve(w), w);
+    require_ok(contactd_save(w, &state), w);
+    set(w, "setup.dx", 1.5);
+    CHECK(contactd_wheel_solve(w) == CONTACTD_INVALID_ARGUMENT);
+    CHECK(contactd_last_field(w) == std::string("setup"));
+    set_word(w, "state.motion", "steady_rolling");
+    clear(w, "state.time_step");
+    require_ok(contactd_wheel_solve(w), w);
+    CHECK(contactd_restore(w, state) == CONTACTD_NOT_FOUND);
+    set_transient(w, "transient_rolling", 0);
+    set(w, "setup.dx", 1.5);
+    require_ok(contactd_wheel_solve(w), w);
+}
