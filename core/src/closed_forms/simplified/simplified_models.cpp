@@ -9,7 +9,7 @@
 #include "cattaneo_mindlin.hpp"
 #include "closed_forms/elements/element_friction.hpp"
 #include "closed_forms/elliptic_contact.hpp"
-#include "closed_forms/hertz_of_problem.hpp"
+#include "closed_forms/undeformed_distance.hpp"
 #include "contactd/error.hpp"
 #include "contactd/fields/contact_setup.hpp"
 #include "fastsim.hpp"

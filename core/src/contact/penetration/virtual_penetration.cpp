@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "closed_forms/hertz.hpp"
-#include "closed_forms/prescribed_pressures.hpp"
 #include "penetration_models.hpp"
+#include "prescribed_pressures.hpp"
 #include "types/number_text.hpp"
 
 namespace contactd {

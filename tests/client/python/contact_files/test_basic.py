@@ -11,6 +11,7 @@ from contactd import (
     ContactProblem,
     FrictionMemory,
     Grid,
+    HalfEllipses,
     InterfacialLayer,
     KineticFriction,
     Material,
@@ -272,8 +273,7 @@ def test_bodies_that_creep_alike_are_one_and_others_two() -> None:
 @pytest.mark.parametrize(
     ("changes", "name"),
     [
-        ({"P": 1}, "P = 1"), ({"B": 2}, "elliptic traction bound"), ({"B": 3}, "parabolic"),
-        ({"B": 4}, "SDEC"), ({"M": 1, "T": 2}, "viscoelastic"), ({"M": 1, "CHI": 1.5}, "viscoelastic"),
+        ({"P": 1}, "P = 1"), ({"B": 2, "IPOTCN": -4}, "of a line"), ({"M": 1, "T": 2}, "viscoelastic"), ({"M": 1, "CHI": 1.5}, "viscoelastic"),
         ({"M": 1, "N": 0, "PEN": 0.02, "F": 1, "FX": 0.2, "FG1": 1.0, "FG2": 1.0, "TC1": 0.1, "TC2": 0.1}, "shares of a normal force"), ({"M": 2}, "one flexibility"),
         ({"M": 5, "B": 3, "K0": 1.0, "ALFA": 1.0, "BETA": 1.0}, "parabolic"), ({"FRCLAW": 6}, "temperature"),
         ({"H": 1, "INFLCF": 3}, "temperature"), ({"CDAMPN": 1.0, "CDAMPT": 0.0}, "damping"),
@@ -286,6 +286,17 @@ def test_what_contactd_lacks_is_told_by_name(changes: dict[str, object], name: s
     assert name in told
     with pytest.raises(Missing, match=name):
         made(**changes)
+
+
+def test_pressures_are_prescribed_over_an_ellipse_or_two_halves() -> None:
+    assert made(B=2).problem.normal_model == "elliptic"
+    assert made(B=3).problem.normal_model == "parabolic"
+    halves = made(B=4, IPOTCN=-6, AA=4.0, BNEG=1.0, BPOS=3.0, SCALE=1.1, MX=12, MY=10)
+    assert (halves.problem.normal_model, halves.problem.gap) == ("elliptic", HalfEllipses(4, 1, 3))
+    assert halves.problem.grid.y[0] == pytest.approx(-2.2 + 0.22)
+    assert made(B=2, M=3, K0=1.0, ALFA=1.0, BETA=1.0).problem.normal_model is None  # FASTSIM is bounded by it
+    with pytest.raises(Missing, match="dissimilar"):
+        made(B=2, GG1=200.0, GG2=1.0)
 
 
 def test_what_is_in_memory_and_does_not_act_is_no_matter() -> None:

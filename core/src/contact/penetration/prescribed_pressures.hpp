@@ -1,7 +1,7 @@
 // Pressures that are prescribed over an ellipse, or over two halves of ellipses.
 #pragma once
 
-#include "penetration_contact.hpp"
+#include "closed_forms/penetration_contact.hpp"
 
 namespace contactd {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <variant>
 
-#include "hertz_of_problem.hpp"
+#include "closed_forms/undeformed_distance.hpp"
 
 namespace contactd {
 PenetrationContact prescribed_contact(const ContactProblem& problem) {
