@@ -60,15 +60,6 @@ REASONS = (
         "the same cases at a creepage that is 0.2 % smaller, which have the printed elements",
     ),
     Reason(
-        "particles that enter",
-        "transient steps of several elements",
-        "0.3 % of a force, 1.5 % of a creepage, 19 elements. In CONTACT particles that enter during the step slip from the first element "
-        "outside on, and in contactd all the step. Without local slip the force grows by 17.22 of the creepage then, and with that share "
-        "of the step by 16.23, as printed. CONTACT is nearer to the truth, more so the longer the step",
-        {_TESTBANK: (16, 17)},
-        "a step of case 17 with the rigid slip of each particle since it entered",
-    ),
-    Reason(
         "conformal",
         "conformal contact (D = 4)",
         "0.1 % to 0.3 % of mu Fn, and printed creepages by 0.5 %. Creepages are a fit that is not told in full, and friction "

@@ -50,6 +50,24 @@ Field TangentialStep::rigid_slip() const {
         result.x[i] += unit_ * beside.x[i];
         result.y[i] += unit_ * beside.y[i];
     }
+    for (std::size_t i = 0; i < entering_.part.size(); ++i) {
+        result.x[i] *= entering_.part[i];
+        result.y[i] *= entering_.part[i];
+    }
+    return result;
+}
+
+// A particle that enters during the step slips from where it enters, and had the displacements of that place.
+Field TangentialStep::history(std::span<const double> pressure) {
+    entering_ = {};
+    Field result = history_;
+    if (!rolling() || is_steady()) return result;
+    entering_ = entering_particles(problem_.grid, pressure, step_of(problem_));
+    for (std::size_t i = 0; i < entering_.part.size(); ++i) {
+        if (entering_.part[i] == 1) continue;
+        result.x[i] = same_place_.x[entering_.from[i]];
+        result.y[i] = same_place_.y[entering_.from[i]];
+    }
     return result;
 }
 
@@ -76,6 +94,7 @@ void TangentialStep::begin(const Tractions& before) {
         add(history_, u, factor);
     };
     add_product(*influence_.current, -1);
+    same_place_ = history_;
     if (rolling()) add_product(*influence_.increment, 1);
 }
 
@@ -96,7 +115,7 @@ RollingSolution TangentialStep::solve(std::span<const double> pressure, std::spa
                                       const Field& estimate, const SolverSettings& settings, const FlowTask* flow,
                                       Observer& observer) {
     flow_ = flow;
-    Field rest = history_;
+    Field rest = history(pressure);
     add_coupling(pressure, rest);
     solver_used_ = TangentialSolver::newton;
     RollingSolution solution = prescribes_force(motion_) ? solve_for_force(rest, bound, estimate, settings, observer)

@@ -11,6 +11,7 @@
 #include "contactd/contact.hpp"
 #include "contactd/observer.hpp"
 #include "contactd/solve_contact.hpp"
+#include "entering_particles.hpp"
 #include "friction_solver.hpp"
 
 namespace contactd {
@@ -57,6 +58,8 @@ class TangentialStep {
     const Rolling* rolling() const { return std::get_if<Rolling>(&motion_); }
     bool is_steady() const { return rolling() && rolling()->steady(); }
     Field rigid_slip() const;
+    /// What slip owes to the step before, in a contact of these pressures.
+    Field history(std::span<const double> pressure);
     RollingBodies bodies() const;
     void add_coupling(std::span<const double> pressure, Field& rigid) const;
     void add_free_slip(std::span<const double> pressure, std::span<const double> bound, const Field& rest,
@@ -80,7 +83,9 @@ class TangentialStep {
     const std::size_t n_;
     Motion motion_;
     double unit_ = 1;
-    Field history_;  // what slip owes to the step before
+    // What slip owes to the step before: of particles that were a step upstream, and of those at the same place.
+    Field history_, same_place_;
+    EnteringParticles entering_;  // of the present pressures
     std::optional<SolverEvidence> force_evidence_;
     FrictionSolver solver_;
     const FlowTask* flow_ = nullptr;  // of the present solve

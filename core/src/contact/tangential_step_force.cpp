@@ -57,8 +57,9 @@ RollingSolution TangentialStep::solve_for_force(const Field& rest, std::span<con
     PrescribedForces forces = prescribed_forces(bound);
     const double missing = is_first_ ? 0 : reduce_to_bound(forces);
     require_reachable(forces, problem_.settings.outer);
-    const FrictionSolution at_once =
-        asks_tang_cg() ? FrictionSolution{} : solve_at_once(forces, rest, bound, estimate, settings, observer);
+    const FrictionSolution at_once = asks_tang_cg() || !entering_.empty()
+                                         ? FrictionSolution{}
+                                         : solve_at_once(forces, rest, bound, estimate, settings, observer);
     RollingSolution solution = at_once;
     if (!at_once.evidence.converged) {
         solution = search(forces, rest, bound, estimate, observer);

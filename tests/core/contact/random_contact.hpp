@@ -185,6 +185,28 @@ inline Surface displacements(const ContactProblem& problem, const Values& pz, co
     return result;
 }
 
+/// Where a particle in contact came in that has entered during a step longer than an element, and for how much of the
+/// step it has been inside.
+struct Entry {
+    std::size_t from = 0;
+    double part = 1;
+};
+inline std::optional<Entry> entry_of(const ContactProblem& problem, const Values& pressure, int ix, int iy) {
+    const Grid& grid = problem.grid;
+    const auto* rolling = std::get_if<Rolling>(&problem.motion);
+    if (rolling == nullptr || rolling->steady() || !(pressure[at(grid, ix, iy)] > 0)) return {};
+    const auto [step_x, step_y] = step_of(problem);
+    const double length = std::max(std::abs(step_x) / grid.dx, std::abs(step_y) / grid.dy);  // in elements
+    for (int k = 1; k < length - 1e-9; ++k) {
+        const int x = ix + static_cast<int>(std::lround(k / length * step_x / grid.dx));
+        const int y = iy + static_cast<int>(std::lround(k / length * step_y / grid.dy));
+        const int near_x = std::clamp(x, 0, grid.nx - 1), near_y = std::clamp(y, 0, grid.ny - 1);
+        if (x != near_x || y != near_y || !(pressure[at(grid, x, y)] > 0))
+            return Entry{at(grid, near_x, near_y), k / length};
+    }
+    return {};
+}
+
 /// Slip over the last step per element (mm), without what the present tractions do.
 inline Surface given_slip(const ContactProblem& problem, const ContactSolution& solution, const SurfaceState& before) {
     const Grid& grid = problem.grid;
@@ -214,10 +236,22 @@ inline Surface given_slip(const ContactProblem& problem, const ContactSolution& 
         steady ? displacements(problem, solution.pressure, solution.traction_x, solution.traction_y, shift_x, shift_y)
                : displacements(problem, full(before.pressure), full(before.traction_x), full(before.traction_y),
                                shift_x, shift_y);
+    const Surface there =
+        steady ? Surface{}
+               : displacements(problem, full(before.pressure), full(before.traction_x), full(before.traction_y), 0, 0);
     Surface slip{Values(n), Values(n), {}};
     for (int iy = 0; iy < grid.ny; ++iy)
         for (int ix = 0; ix < grid.nx; ++ix) {
             const std::size_t i = at(grid, ix, iy);
+            if (const auto entry = entry_of(problem, solution.pressure, ix, iy)) {
+                const double w = entry->part * unit;
+                const bool more = !problem.rigid_slip.empty();
+                slip.x[i] = w * (x - turn * (grid.y(iy) + ahead_y) + (more ? problem.rigid_slip.x[i] : 0)) -
+                            there.x[entry->from];
+                slip.y[i] = w * (y + turn * (grid.x(ix) + ahead_x) + (more ? problem.rigid_slip.y[i] : 0)) -
+                            there.y[entry->from];
+                continue;
+            }
             slip.x[i] = unit * (x - turn * (grid.y(iy) + ahead_y)) - old.x[i];
             slip.y[i] = unit * (y + turn * (grid.x(ix) + ahead_x)) - old.y[i];
             if (problem.rigid_slip.empty()) continue;

@@ -2,7 +2,9 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
 
+#include "contact/entering_particles.hpp"
 #include "contact_cases.hpp"
 
 using namespace contactd;
@@ -109,4 +111,57 @@ TEST_CASE("the steps of one problem are those of many", "[rolling]") {
         CHECK_THAT(march.traction_x[i], WithinAbs(step.traction_x[i], 1e-6 * step.pmax));
         CHECK_THAT(march.traction_y[i], WithinAbs(step.traction_y[i], 1e-6 * step.pmax));
     }
+}
+
+TEST_CASE("particles that enter during a step are known by how far they have come", "[rolling]") {
+    const Grid grid = Grid::centred(5, 2, 1, 1);  // elements of 1 x 1
+    const std::vector<double> pressure{0, 1, 1, 1, 0, 1, 1, 0, 1, 1};
+    CHECK(entering_particles(grid, pressure, {1, 0}).empty());
+    CHECK(entering_particles(grid, std::vector<double>(10), {4, 0}).empty());
+    const EnteringParticles right = entering_particles(grid, pressure, {2.5, 0});
+    CHECK(right.part == std::vector<double>{1, 1, 0.8, 0.4, 1, 0.8, 0.4, 1, 0.8, 0.4});
+    CHECK(right.from[2] == 4);
+    CHECK(right.from[6] == 7);
+    CHECK(right.from[9] == 9);  // it comes from beyond the grid
+    const EnteringParticles left = entering_particles(grid, pressure, {-2, 0});
+    CHECK(left.part == std::vector<double>{1, 0.5, 1, 1, 1, 0.5, 1, 1, 0.5, 1});
+    CHECK(left.from[8] == 7);
+    const EnteringParticles up = entering_particles(grid, pressure, {0, 2});
+    CHECK(up.part[2] == 0.5);
+    CHECK(up.from[2] == 7);
+    CHECK(up.part[1] == 1);
+}
+
+TEST_CASE("a first step longer than an element has the division that its particles ask for", "[rolling]") {
+    // Printed of this problem by the CONTACT program, which takes such particles so, too: 466 elements adhere.
+    ContactProblem problem;
+    problem.grid = Grid::centred(41, 41, 0.2, 0.2);
+    problem.bodies = Bodies::of({{1, 0.28}, {1, 0.28}});
+    problem.gap = Paraboloid{1 / 0.005926, 1 / 0.005926};
+    problem.Fn = 0.4705;
+    problem.friction = FrictionLaw{{0.4013}, {}};
+    Rolling rolling;
+    rolling.kind = RollingKind::transient;
+    rolling.dq = 0.4;
+    rolling.velocity = 1000;
+    rolling.force.Fx = -0.657 * 0.4013 * 0.4705;
+    problem.motion = rolling;
+    const ContactSolution solution = solve_half_spaces(problem);
+    CHECK(solution.converged());
+    CHECK_THAT(std::get<Rolling>(*solution.motion).xi, WithinRel(0.045, 1e-4));
+    CHECK(solution.elements.adhesion == 466);
+    CHECK(solution.elements.slip == 507);
+}
+
+TEST_CASE("steps of several elements end nearer to steady rolling by elements than a steady step as long",
+          "[rolling]") {
+    Rolling rolling = transient(0.002, 0.001, 0.001, 40);
+    rolling.chi = 0;
+    rolling.dq = 3 * rolling_sphere(rolling).grid.dx;
+    const auto force = [](const Rolling& motion) { return solve_half_spaces(rolling_sphere(motion)).forces.Fx; };
+    const double march = force(rolling);
+    rolling.kind = RollingKind::steady;
+    const double as_long = force(rolling);
+    rolling.dq = 0;
+    CHECK(std::abs(march - force(rolling)) < 0.7 * std::abs(as_long - force(rolling)));
 }

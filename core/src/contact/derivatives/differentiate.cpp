@@ -57,7 +57,7 @@ class Differentiation {
         }
         std::vector<Table::Column> columns(motions.begin(), motions.end());
         std::vector<Right> rights;
-        for (int k = 0; k < 3; ++k) rights.push_back(right(contact_.of_slip(k), Vector::Zero(3)));
+        for (int k = 0; k < 3; ++k) rights.push_back(right(contact_.of_motion(k), Vector::Zero(3)));
         const auto add_bound = [&](Table::Column column, const Vector& change) {
             columns.push_back(column);
             rights.push_back(right(contact_.of_bound(change), contact_.forces_of_bound(change)));
@@ -102,7 +102,7 @@ class Differentiation {
             rights.push_back({all, std::hypot(normal.norm(), tangential.size), known, measure});
         };
         const Vector none = Vector::Zero(pressures);
-        for (int k = 0; k < 3; ++k) add_right(none, contact_.of_slip(k), Vector::Zero(4));
+        for (int k = 0; k < 3; ++k) add_right(none, contact_.of_motion(k), Vector::Zero(4));
         // The effect of friction on pressures is so much smaller, and is needed as well.
         add_right(Vector::Ones(pressures), {Vector::Zero(tractions), 0}, Vector::Zero(4),
                   std::min(contact_.mean_friction(), 1.0));

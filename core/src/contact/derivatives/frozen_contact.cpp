@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "contact/entering_particles.hpp"
 #include "contact/support/traction_loops.hpp"
 
 namespace contactd {
@@ -38,6 +39,13 @@ Values coefficients(const ContactProblem& problem) {
     return mu;
 }
 
+/// EnteringParticles::part of transient rolling, else none.
+Values entering(const ContactProblem& problem, const Grid& grid, const Values& pressure) {
+    const auto* rolling = problem.friction ? std::get_if<Rolling>(&problem.motion) : nullptr;
+    if (rolling == nullptr || rolling->steady()) return {};
+    return entering_particles(grid, pressure, step_of(problem)).part;
+}
+
 Values product(Values a, const Values& b) {
     for (std::size_t i = 0; i < a.size(); ++i) a[i] *= b[i];
     return a;
@@ -62,6 +70,7 @@ FrozenContact::FrozenContact(const ContactProblem& problem, const ContactInfluen
       coupled_(problem.friction && influence.current->coupled()),
       pressure_(crop(solution.pressure)),
       mu_(crop(coefficients(problem))),
+      entering_(entering(problem, grid_, pressure_)),
       radial_(grid_.size()),
       pressed_(elements_with(pressure_)),
       rubbed_(elements_with(product(mu_, pressure_))),

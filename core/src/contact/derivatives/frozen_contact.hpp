@@ -70,6 +70,8 @@ class FrozenContact {
     };
     // For one unit of rigid slip along x (0), along y (1) or about the origin (2).
     Right of_slip(int direction);
+    // For one unit of that in a step, which particles that enter during it make a part of.
+    Right of_motion(int direction);
     // For bounds that change by dg while pressures stay, of the tangential equations and of the others.
     Right of_bound(const Vector& dg);
     Vector pressures_of_bound(const Vector& dg);
@@ -85,6 +87,7 @@ class FrozenContact {
    private:
     Values crop(std::span<const double> whole) const;
     void take_law(const ContactSolution& solution);
+    void take_rigid_slip(int direction);
     void take_weights();
     void take_pressures(const Vector& dp);
     void take_bounds(const Vector& dg);
@@ -104,6 +107,7 @@ class FrozenContact {
     const Grid grid_;
     const bool coupled_;
     const Values pressure_, mu_;
+    const Values entering_;           // EnteringParticles::part; empty: none enters
     Field radial_;                    // n
     const Contact pressed_, rubbed_;  // elements with a pressure; those of them with a bound
     std::unique_ptr<Compliance> compliance_;

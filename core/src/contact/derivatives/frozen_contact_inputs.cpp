@@ -22,11 +22,25 @@ FrozenContact::Right FrozenContact::right_of_slip() const {
     return {-free_of(out_), std::sqrt(squares)};
 }
 
-FrozenContact::Right FrozenContact::of_slip(int direction) {
+void FrozenContact::take_rigid_slip(int direction) {
     for (std::size_t e = 0; e < rubbed_.size(); ++e) {
         const auto i = static_cast<int>(rubbed_.elements[e]);
         out_.x[e] = direction == 0 ? 1 : direction == 1 ? 0 : -grid_.y(i / grid_.nx);
         out_.y[e] = direction == 0 ? 0 : direction == 1 ? 1 : grid_.x(i % grid_.nx);
+    }
+}
+
+FrozenContact::Right FrozenContact::of_slip(int direction) {
+    take_rigid_slip(direction);
+    return right_of_slip();
+}
+
+FrozenContact::Right FrozenContact::of_motion(int direction) {
+    take_rigid_slip(direction);
+    for (std::size_t e = 0; !entering_.empty() && e < rubbed_.size(); ++e) {
+        const double part = entering_[rubbed_.elements[e]];
+        out_.x[e] *= part;
+        out_.y[e] *= part;
     }
     return right_of_slip();
 }

@@ -44,6 +44,18 @@ inline Values brought(const ContactProblem& problem, const Values& now, Values b
     return ahead(problem, is_steady(problem) ? now : before, entering);
 }
 
+/// Tractions that particles bring; those that enter during the step bring those of where they enter.
+inline Values brought_tractions(const ContactProblem& problem, const ContactSolution& solution, const Values& now,
+                                Values before) {
+    before.resize(now.size());
+    Values result = brought(problem, now, before, 0);
+    for (int iy = 0; iy < problem.grid.ny; ++iy)
+        for (int ix = 0; ix < problem.grid.nx; ++ix)
+            if (const auto entry = entry_of(problem, solution.pressure, ix, iy))
+                result[at(problem.grid, ix, iy)] = before[entry->from];
+    return result;
+}
+
 /// A problem of random_contact that has friction without a slip law, whose motion goes along an axis.
 inline std::optional<ContactProblem> random_state(std::uint64_t seed, int largest_size) {
     ContactProblem problem = random_contact(seed, largest_size);
@@ -105,8 +117,8 @@ inline std::string state_faults(const ContactProblem& problem, const ContactSolu
     const std::size_t n = problem.grid.size();
     const Surface u = displacements(problem, solution.pressure, solution.traction_x, solution.traction_y, 0, 0);
     const Surface w = given_slip(problem, solution, previous);
-    const Values old_x = brought(problem, solution.traction_x, previous.traction_x, 0),
-                 old_y = brought(problem, solution.traction_y, previous.traction_y, 0);
+    const Values old_x = brought_tractions(problem, solution, solution.traction_x, previous.traction_x),
+                 old_y = brought_tractions(problem, solution, solution.traction_y, previous.traction_y);
     const Values v = layer.hardens()
                          ? brought(problem, solution.yield_stress, previous.yield_stress, layer.yield_stress)
                          : Values(n, layer.yield_stress);
