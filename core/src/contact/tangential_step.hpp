@@ -7,11 +7,11 @@
 
 #include "contact/rolling/rolling.hpp"
 #include "contact/support/contact_elements.hpp"
+#include "contact/support/entering_particles.hpp"
 #include "contact/tangential/prescribed_force.hpp"
 #include "contactd/contact.hpp"
 #include "contactd/observer.hpp"
 #include "contactd/solve_contact.hpp"
-#include "entering_particles.hpp"
 #include "friction_solver.hpp"
 
 namespace contactd {

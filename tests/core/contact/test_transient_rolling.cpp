@@ -4,7 +4,7 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
 
-#include "contact/entering_particles.hpp"
+#include "contact/support/entering_particles.hpp"
 #include "contact_cases.hpp"
 
 using namespace contactd;

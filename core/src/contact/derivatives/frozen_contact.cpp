@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "contact/entering_particles.hpp"
+#include "contact/support/entering_particles.hpp"
 #include "contact/support/traction_loops.hpp"
 
 namespace contactd {
