@@ -1,10 +1,11 @@
 #include "contactd/version.hpp"
 
-#include <fftw3.h>
 #include <hdf5.h>
 #include <sodium.h>
 
 #include <Eigen/Core>
+
+#include "fft/lane_fft.hpp"
 
 namespace contactd {
 
@@ -18,8 +19,9 @@ std::map<std::string, std::string> library_versions() {
     const auto dotted = [](auto a, auto b, auto c) {
         return std::to_string(a) + "." + std::to_string(b) + "." + std::to_string(c);
     };
+    const auto [library, library_version] = fft_library();
     return {{"eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
-            {"fftw", fftw_version},
+            {library, library_version},
             {"hdf5", dotted(major, minor, release)},
             {"libsodium", sodium_version_string()}};
 }

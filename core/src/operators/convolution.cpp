@@ -26,16 +26,13 @@ bool is_zero(const IcTable& table, Axis i, Axis j) {
 // A box is worth a transform of its own when it has at most this part of the elements; more when the contact, and so
 // its box, does not change during a solve.
 constexpr double small_box = 0.7, small_lasting_box = 0.95;
-// Between these sizes multiples of three take longer than larger sizes without: 96 takes 1.4 times as long as 100.
-constexpr int smallest_without_threes = 65, largest_without_threes = 128;
 // A size >= n whose transform takes little time for its size: few of them, so that few transforms are made.
 int fft_size(int n) {
     int least = 2 * n;
-    for (const int odd : {1, 3, 5, 7, 9, 25}) {
+    for (const int odd : {1, 3, 5, 9, 15, 25}) {
         int size = odd;
         while (size < n) size *= 2;
-        if (odd % 3 != 0 || size < smallest_without_threes || size > largest_without_threes)
-            least = std::min(least, size);
+        least = std::min(least, size);
     }
     return least;
 }
@@ -251,7 +248,7 @@ std::shared_ptr<const InfluenceOperator> ConvolutionOperator::Boxes::influence(c
 
 int smooth_size(int n) {
     const auto smooth = [](int m) {
-        for (const int prime : {2, 3, 5, 7})
+        for (const int prime : {2, 3, 5})
             while (m % prime == 0) m /= prime;
         return m == 1;
     };

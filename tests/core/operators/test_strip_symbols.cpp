@@ -23,7 +23,7 @@ TEST_CASE("a kernel that goes on smoothly has small wavenumbers only", "[strips]
     constexpr int n = 40;
     const int period = static_cast<int>(PeriodicJoint::least_period(n));
     const StripFft fft(n, period);
-    StripPair work(period);
+    StripWork work(fft, 1);
     std::vector<double> smooth(4 * fft.groups()), abrupt(smooth);
     fft.symbol(kernel(n, 10), true, PeriodicJoint(n, static_cast<std::size_t>(period)), smooth, work);
     fft.symbol(kernel(n, 10), true, PeriodicJoint(), abrupt, work);
@@ -55,7 +55,7 @@ TEST_CASE("a symbol keeps fewer numbers the more may be left out", "[strips]") {
     const int period = static_cast<int>(PeriodicJoint::least_period(n));
     const StripFft fft(n, period);
     const PeriodicJoint joint(n, static_cast<std::size_t>(period));
-    StripPair work(period);
+    StripWork work(fft, 1);
     std::vector<double> transform(4 * fft.groups());
     const auto numbers = [&](double left_out) {
         SymmetricSymbol symbol(fft.groups(), columns);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <complex>
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -12,10 +13,14 @@
 
 namespace contactd {
 
+class LaneFft;
+
 /// Transforms arrays of shape [ny, nx] on the periodic grid [padded_ny, padded_nx].
 class PaddedFft {
    public:
     PaddedFft(int nx, int ny, int padded_nx, int padded_ny);
+    /// With a number of possible_lanes() of its own, for comparison.
+    PaddedFft(int nx, int ny, int padded_nx, int padded_ny, std::size_t lanes);
     ~PaddedFft();
     PaddedFft(const PaddedFft&) = delete;
     PaddedFft& operator=(const PaddedFft&) = delete;
@@ -91,11 +96,8 @@ class PaddedFft {
     void convolve(const std::array<std::span<const double>, inputs>& in,
                   const std::array<std::span<double>, outputs>& out, const Product& product) const;
     template <class Store>
-    void transform_columns(const std::complex<double>* spectrum, const Store& store) const;
-    void rows_forward(std::span<const double> in, Workspace& workspace, std::size_t field) const;
-    void rows_inverse(Workspace& workspace, std::size_t field, std::span<double> out) const;
-    void rows_forward(const std::array<std::span<const double>, 2>& in, Workspace& workspace) const;
-    void rows_inverse(Workspace& workspace, const std::array<std::span<double>, 2>& out) const;
+    void transform_columns(const double* spectrum, const Store& store) const;
+    const LaneFft& fft() const;
 
     std::shared_ptr<const Plans> plans_;
     mutable std::mutex idle_mutex_;

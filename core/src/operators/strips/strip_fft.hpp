@@ -1,12 +1,13 @@
 // FFTs along x of strips of elements, padded with zeros, and the order in which products take wavenumbers.
 #pragma once
 
-#include <complex>
 #include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "fft/lane_buffer.hpp"
+#include "fft/lane_fft.hpp"
 #include "operators/fft/periodic_joint.hpp"
 
 namespace contactd {
@@ -25,45 +26,51 @@ struct Waves {
 /// times -i, both have real ones, and reciprocity makes of them a symmetric matrix.
 enum class WavePhase { plain, along_x };
 
-/// Two strips before and after, transformed at once as the real and the imaginary part of one.
-class StripPair {
-   public:
-    explicit StripPair(int period);
+class StripFft;
 
-    std::vector<double> a, b;  ///< after the inverse: values of the whole period
+/// Work arrays of transforms of so many strips.
+class StripWork {
+   public:
+    StripWork(const StripFft& fft, std::size_t strips);
+
+    std::vector<double> rows;  ///< after the inverse: its strips, one after the other
 
    private:
     friend class StripFft;
-    using Complex = std::complex<double>;
-    std::vector<Complex> both_, transformed_;  // [period]
-    std::vector<Complex> of_a_, of_b_;         // wavenumbers, zero beyond the last one
+    std::size_t height_;  // of the spectrum
+    LaneBuffer spectrum_, work_;
 };
 
 class StripFft {
    public:
     /// Transforms strips of nx elements, as if periodic with the length `period` >= nx.
     StripFft(int nx, int period);
+    /// With a number of possible_lanes() of its own, for comparison.
+    StripFft(int nx, int period, std::size_t lanes);
     ~StripFft();
     StripFft(const StripFft&) = delete;
     StripFft& operator=(const StripFft&) = delete;
 
     /// Returns the number of groups of four wavenumbers.
     std::size_t groups() const;
-    /// Two strips of nx elements into the entry `first`, `phase` being that of `a`, and the next one, which is plain.
-    /// Null stands for zeros.
-    void forward(const double* a, const double* b, WavePhase phase, Waves& waves, std::size_t first,
-                 StripPair& work) const;
-    /// And back: into `work`.
-    void inverse(const Waves& waves, std::size_t first, WavePhase phase, StripPair& work) const;
+    /// Transforms strips of nx elements, as many as `work` was made for, to every `step`-th entry from `first` on.
+    void forward(std::span<const double> strips, WavePhase phase, Waves& waves, std::size_t first, std::size_t step,
+                 StripWork& work) const;
+    /// And back, to work.rows: the first `length` <= period elements of each.
+    void inverse(const Waves& waves, std::size_t first, std::size_t step, WavePhase phase, std::size_t length,
+                 StripWork& work) const;
     /// Transforms a kernel at the offsets 0..n-1, even or odd, n <= (period + 1)/2, to the factors of products, with
     /// that of the inverse transform. Lanes beyond the last wavenumber are zero. `transform` has 4 groups() values.
     void symbol(std::span<const double> kernel, bool even, const PeriodicJoint& joint, std::span<double> transform,
-                StripPair& work) const;
+                StripWork& work) const;
 
    private:
-    struct Plans;
+    friend class StripWork;
+    template <class Visit>
+    void by_lanes(const Visit& visit) const;
+
     int nx_, period_;
-    std::shared_ptr<const Plans> plans_;
+    std::shared_ptr<const LaneFft> fft_;
 };
 
 }  // namespace contactd

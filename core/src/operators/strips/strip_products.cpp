@@ -49,18 +49,18 @@ StripProducts::~StripProducts() = default;
 
 struct StripProducts::Workspace {
     Waves normal_in, normal_out, tangential_in, tangential_out;
-    StripPair pair;
+    StripWork strips;
 
-    Workspace(std::size_t groups, std::size_t strips, int period)
-        : normal_in(groups, strips + strips % 2),
+    Workspace(const StripFft& fft, std::size_t count, std::size_t groups)
+        : normal_in(groups, count + count % 2),
           normal_out(normal_in),
-          tangential_in(groups, 2 * strips),
+          tangential_in(groups, 2 * count),
           tangential_out(tangential_in),
-          pair(period) {}
+          strips(fft, count) {}
 };
 
 Workspaces<StripProducts::Workspace>::Lease StripProducts::workspace() const {
-    return idle_.take([this] { return std::make_unique<Workspace>(fft_.groups(), strips_, period_); });
+    return idle_.take([this] { return std::make_unique<Workspace>(fft_, strips_, fft_.groups()); });
 }
 
 // Calls set(I, J, transform) of all pairs of strips of the box, where i = j of those with J <= I.
@@ -69,7 +69,7 @@ void StripProducts::for_pairs(Axis i, Axis j, const Set& set) const {
     const double sign = parity(i, j).along_x;
     const bool even = (sign > 0) == (parity_ == OffsetParity::natural);
     std::vector<double> kernel(static_cast<std::size_t>(offsets_)), transform(fft_.groups() * Waves::lanes);
-    StripPair work(period_);
+    StripWork work(fft_, 1);
     for (std::size_t I = 0; I < strips_; ++I)
         for (std::size_t J = 0; J < (i == j ? I + 1 : strips_); ++J) {
             const int at = box_.first_y + static_cast<int>(I), from = box_.first_y + static_cast<int>(J);
@@ -113,16 +113,12 @@ RectangularSymbol StripProducts::coupling_symbol() const {
 }
 
 void StripProducts::normal_waves(std::span<const double> pz, Workspace& work) const {
-    const auto nx = static_cast<std::size_t>(box_.nx);
-    for (std::size_t I = 0; I < strips_; I += 2)
-        fft_.forward(&pz[I * nx], I + 1 < strips_ ? &pz[(I + 1) * nx] : nullptr, WavePhase::plain, work.normal_in, I,
-                     work.pair);
+    fft_.forward(pz, WavePhase::plain, work.normal_in, 0, 1, work.strips);
 }
 
 void StripProducts::in_waves(std::span<const double> px, std::span<const double> py, Workspace& work) const {
-    const auto nx = static_cast<std::size_t>(box_.nx);
-    for (std::size_t I = 0; I < strips_; ++I)
-        fft_.forward(&px[I * nx], &py[I * nx], WavePhase::along_x, work.tangential_in, 2 * I, work.pair);
+    fft_.forward(px, WavePhase::along_x, work.tangential_in, 0, 2, work.strips);
+    fft_.forward(py, WavePhase::plain, work.tangential_in, 1, 2, work.strips);
 }
 
 void StripProducts::tangential_waves(std::span<const double> px, std::span<const double> py, Workspace& work) const {
@@ -145,23 +141,21 @@ void StripProducts::turn_back(Waves& waves) const {
 
 void StripProducts::read_normal(Workspace& work, std::span<double> u) const {
     const auto nx = static_cast<std::size_t>(box_.nx);
-    for (std::size_t I = 0; I < strips_; I += 2) {
-        fft_.inverse(work.normal_out, I, WavePhase::plain, work.pair);
-        copy(u.subspan(I * nx, nx), work.pair.a.data());
-        if (I + 1 < strips_) copy(u.subspan((I + 1) * nx, nx), work.pair.b.data());
-    }
+    fft_.inverse(work.normal_out, 0, 1, WavePhase::plain, nx, work.strips);
+    std::copy_n(work.strips.rows.begin(), strips_ * nx, u.begin());
 }
 
-// Calls take(to, values) of each strip: the elements' displacements, and those of the whole period.
+// Calls take(to, values) of each strip: the elements' displacements, and those of the first `length` of the period.
 template <class Take>
-void StripProducts::read_tangential(Workspace& work, std::span<double> ux, std::span<double> uy,
+void StripProducts::read_tangential(Workspace& work, std::span<double> ux, std::span<double> uy, int length,
                                     const Take& take) const {
-    const auto nx = static_cast<std::size_t>(box_.nx);
-    for (std::size_t I = 0; I < strips_; ++I) {
-        fft_.inverse(work.tangential_out, 2 * I, WavePhase::along_x, work.pair);
-        take(ux.subspan(I * nx, nx), work.pair.a.data());
-        take(uy.subspan(I * nx, nx), work.pair.b.data());
-    }
+    const auto nx = static_cast<std::size_t>(box_.nx), read = static_cast<std::size_t>(length);
+    const auto component = [&](std::size_t first, WavePhase phase, std::span<double> u) {
+        fft_.inverse(work.tangential_out, first, 2, phase, read, work.strips);
+        for (std::size_t I = 0; I < strips_; ++I) take(u.subspan(I * nx, nx), &work.strips.rows[I * read]);
+    };
+    component(0, WavePhase::along_x, ux);
+    component(1, WavePhase::plain, uy);
 }
 
 auto StripProducts::difference_to(int ahead) const {
@@ -191,41 +185,41 @@ void StripProducts::tangential(std::span<const double> px, std::span<const doubl
                                std::span<double> uy) const {
     const auto work = workspace();
     tangential_waves(px, py, *work);
-    read_tangential(*work, ux, uy, copy);
+    read_tangential(*work, ux, uy, box_.nx, copy);
 }
 
 void StripProducts::tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const {
     const auto work = workspace();
     coupled_waves(pz, *work);
-    read_tangential(*work, ux, uy, copy);
+    read_tangential(*work, ux, uy, box_.nx, copy);
 }
 
 void StripProducts::add_tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
                                    std::span<double> uy) const {
     const auto work = workspace();
     tangential_waves(px, py, *work);
-    read_tangential(*work, ux, uy, add);
+    read_tangential(*work, ux, uy, box_.nx, add);
 }
 
 void StripProducts::add_tangential_of_normal(std::span<const double> pz, std::span<double> ux,
                                              std::span<double> uy) const {
     const auto work = workspace();
     coupled_waves(pz, *work);
-    read_tangential(*work, ux, uy, add);
+    read_tangential(*work, ux, uy, box_.nx, add);
 }
 
 void StripProducts::tangential_change(int ahead, std::span<const double> px, std::span<const double> py,
                                       std::span<double> ux, std::span<double> uy) const {
     const auto work = workspace();
     tangential_waves(px, py, *work);
-    read_tangential(*work, ux, uy, difference_to(ahead));
+    read_tangential(*work, ux, uy, period_, difference_to(ahead));
 }
 
 void StripProducts::tangential_change_of_normal(int ahead, std::span<const double> pz, std::span<double> ux,
                                                 std::span<double> uy) const {
     const auto work = workspace();
     coupled_waves(pz, *work);
-    read_tangential(*work, ux, uy, difference_to(ahead));
+    read_tangential(*work, ux, uy, period_, difference_to(ahead));
 }
 
 }  // namespace contactd

@@ -62,7 +62,8 @@ class StripProducts {
     bool natural() const { return parity_ == OffsetParity::natural; }
     void read_normal(Workspace& work, std::span<double> u) const;
     template <class Take>
-    void read_tangential(Workspace& work, std::span<double> ux, std::span<double> uy, const Take& take) const;
+    void read_tangential(Workspace& work, std::span<double> ux, std::span<double> uy, int length,
+                         const Take& take) const;
     auto difference_to(int ahead) const;
 
     const std::shared_ptr<const StripTable> table_;

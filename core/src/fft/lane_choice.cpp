@@ -1,0 +1,65 @@
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+
+#include "contactd/error.hpp"
+#include "lane_makers.hpp"
+
+namespace contactd {
+
+#ifdef CONTACTD_FFTW
+
+std::vector<std::size_t> possible_lanes() {
+    return {4};
+}
+
+std::unique_ptr<const LaneFft> LaneFft::make(int padded_nx, int padded_ny, std::size_t) {
+    return make_fftw_lanes(static_cast<std::size_t>(padded_nx), static_cast<std::size_t>(padded_ny));
+}
+
+#else
+
+std::vector<std::size_t> possible_lanes() {
+#ifdef CONTACTD_FOUR_LANES
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return {2, 4};
+#endif
+    return {2};
+}
+
+std::unique_ptr<const LaneFft> LaneFft::make(int padded_nx, int padded_ny, std::size_t lanes) {
+    const auto nx = static_cast<std::size_t>(padded_nx), ny = static_cast<std::size_t>(padded_ny);
+#ifdef CONTACTD_FOUR_LANES
+    if (lanes == 4) return make_four_lanes(nx, ny);
+#endif
+    return make_two_lanes(nx, ny);
+}
+
+std::pair<const char*, const char*> fft_library() {
+    return {"ducc0", CONTACTD_DUCC0_VERSION};
+}
+
+#endif
+
+namespace {
+
+std::size_t asked_lanes() {
+    const std::vector<std::size_t> possible = possible_lanes();
+    const char* asked = std::getenv("CONTACTD_LANES");
+    if (asked == nullptr || *asked == '\0') return possible.back();
+    std::string names;
+    for (const std::size_t lanes : possible) {
+        if (asked == std::to_string(lanes)) return lanes;
+        names += (names.empty() ? "" : " or ") + std::to_string(lanes);
+    }
+    throw InvalidArgument("CONTACTD_LANES", "of the environment is '" + std::string(asked) +
+                                                "'; on this processor it must be " + names + ", or not be set");
+}
+
+}  // namespace
+
+std::size_t default_lanes() {
+    static const std::size_t lanes = asked_lanes();
+    return lanes;
+}
+
+}  // namespace contactd

@@ -1,0 +1,21 @@
+// Who makes transforms, by instruction set.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "lane_fft.hpp"
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define CONTACTD_FOUR_LANES
+#endif
+
+namespace contactd {
+
+std::unique_ptr<const LaneFft> make_two_lanes(std::size_t nx, std::size_t ny);
+/// Of processors with AVX2 and FMA.
+std::unique_ptr<const LaneFft> make_four_lanes(std::size_t nx, std::size_t ny);
+/// By FFTW, where CMake's option CONTACTD_FFT asks for it.
+std::unique_ptr<const LaneFft> make_fftw_lanes(std::size_t nx, std::size_t ny);
+
+}  // namespace contactd
