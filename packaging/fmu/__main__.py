@@ -2,7 +2,7 @@
 
 DESCRIBER is contactd-fmu-description, LIBRARY the shared object of all FMUs. For each kind and version of FMI an archive comes
 into FOLDER: contactd_contact_fmi2.fmu, ... With --complete the library must need nothing but the C library, and licences of
-what is inside come along; STATIC are the folders that packaging/wheels/static_libraries.sh and zeromq.sh have made. ./dev fmu does
+what is inside come along; STATIC are the folders that packaging/wheels/static_libraries.sh, zeromq.sh and packaging/ducc0/fetch.sh have made. ./dev fmu does
 all of it.
 """
 

@@ -1,6 +1,8 @@
-"""The wheels of contactd: python3 packaging/wheels client FOLDER, local MODULE STATIC FOLDER, or daemon BIN FOLDER.
+"""The wheels of contactd: python3 packaging/wheels client FOLDER, local MODULE STATIC DUCC0 FOLDER, or daemon BIN DUCC0
+FOLDER.
 
-MODULE is the contactd_local of the preset wheel, STATIC what static_libraries.sh has made, BIN has the programs; the wheel
+MODULE is the contactd_local of the preset wheel, STATIC what static_libraries.sh and DUCC0 what
+packaging/ducc0/fetch.sh has made, BIN has the programs; the wheel
 comes into FOLDER. ./dev wheel does all of it.
 """
 
@@ -22,6 +24,8 @@ def main() -> None:
     local.add_argument("module", type=Path)
     local.add_argument("static", type=Path)
     daemon.add_argument("bin", type=Path)
+    for kind in (local, daemon):
+        kind.add_argument("ducc0", type=Path)
     for kind in (client, local, daemon):
         kind.add_argument("folder", type=Path)
     options = parser.parse_args()
@@ -32,9 +36,9 @@ def main() -> None:
         with copied(ROOT / "client" / "python") as project:
             made = wheel(project, options.folder)
     elif options.kind == "local":
-        made = local_wheel(options.module, options.static, version, options.folder)
+        made = local_wheel(options.module, [options.static, options.ducc0], version, options.folder)
     else:
-        made = daemon_wheel(options.bin, version, options.folder)
+        made = daemon_wheel(options.bin, options.ducc0, version, options.folder)
     print(made)
 
 

@@ -17,8 +17,9 @@ PACKAGE = ROOT / "client" / "python" / "daemon" / "contactd_daemon"
 PROGRAMS = ("contactd", "contactd-ic")
 
 
-def daemon_wheel(bin: Path, version: str, folder: Path) -> Path:
+def daemon_wheel(bin: Path, ducc0: Path, version: str, folder: Path) -> Path:
     """The wheel, in `folder`. `bin` has the programs, and beside them the modules (*.so) that they open when needed.
+    `ducc0` is what packaging/ducc0/fetch.sh has made.
 
     Raises ValueError for what looks for libraries in folders of its own.
     """
@@ -31,7 +32,8 @@ def daemon_wheel(bin: Path, version: str, folder: Path) -> Path:
     loader = next(name for name in libraries if name.startswith("ld-linux"))
     origins = Origins(libraries.values())
     with copied(HERE / "daemon") as project:
-        say(project, version, origins.sources(), origins.texts())
+        sources = [*origins.sources(), *(ducc0 / "sources.txt").read_text().splitlines()]
+        say(project, version, sources, origins.texts() | {"ducc0.txt": (ducc0 / "licenses" / "ducc0").read_text()})
         package = project / "contactd_daemon"
         for name in ("bin", "lib", "programs"):
             (package / name).mkdir(parents=True)

@@ -12,7 +12,7 @@ __all__ = ["licenses_of", "origins_of", "refuse_links"]
 #: What every Linux has.
 OF_THE_SYSTEM = {"libc.so.6", "libm.so.6", "ld-linux-x86-64.so.2"}
 #: Archives and headers of Debian that are inside.
-INSIDE = [Path("/usr/lib/x86_64-linux-gnu") / f"lib{name}.a" for name in ("fftw3", "sodium", "z")]
+INSIDE = [Path("/usr/lib/x86_64-linux-gnu") / f"lib{name}.a" for name in ("sodium", "z")]
 HEADERS = [Path("/usr/include") / name for name in ("eigen3/Eigen/Core", "nlohmann/json.hpp", "valijson/validator.hpp")]
 
 
@@ -30,6 +30,6 @@ def origins_of() -> Origins:
 
 
 def licenses_of(static: Path) -> dict[str, str]:
-    """name -> text of all that is inside; `static` is the folder of static_libraries.sh."""
+    """name -> text of what a folder of static_libraries.sh, zeromq.sh or packaging/ducc0/fetch.sh brings along, and Debian's."""
     built = {f"{file.name}.txt": file.read_text() for file in sorted((static / "licenses").iterdir())}
     return {**origins_of().texts(), **built}

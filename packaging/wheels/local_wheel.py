@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from collections.abc import Sequence
 from pathlib import Path
 
 from inside import licenses_of, origins_of
@@ -13,11 +14,14 @@ __all__ = ["local_wheel"]
 HERE = Path(__file__).parent
 
 
-def local_wheel(module: Path, static: Path, version: str, folder: Path) -> Path:
+def local_wheel(module: Path, static: Sequence[Path], version: str, folder: Path) -> Path:
     """The wheel, in `folder`. Its name does not say yet which glibc it takes: ./dev has auditwheel find that out, which
-    refuses what needs libraries of this machine. `static` is the folder of static_libraries.sh."""
-    sources = [*origins_of().sources(), *(static / "sources.txt").read_text().splitlines()]
+    refuses what needs libraries of this machine. `static` are the folders of static_libraries.sh and ducc0's FFT."""
+    sources, licenses = origins_of().sources(), {}
+    for part in static:
+        sources += (part / "sources.txt").read_text().splitlines()
+        licenses |= licenses_of(part)
     with copied(HERE / "local") as project:
-        say(project, version, sources, licenses_of(static))
+        say(project, version, sources, licenses)
         shutil.copy(module, project / "contactd_local.abi3.so")
         return wheel(project, folder)

@@ -40,25 +40,21 @@ std::pair<const char*, const char*> fft_library() {
 
 #endif
 
-namespace {
-
-std::size_t asked_lanes() {
+std::size_t lanes_by_name(const char* asked) {
     const std::vector<std::size_t> possible = possible_lanes();
-    const char* asked = std::getenv("CONTACTD_LANES");
     if (asked == nullptr || *asked == '\0') return possible.back();
     std::string names;
     for (const std::size_t lanes : possible) {
-        if (asked == std::to_string(lanes)) return lanes;
-        names += (names.empty() ? "" : " or ") + std::to_string(lanes);
+        const std::string name = std::to_string(lanes);
+        if (asked == name) return lanes;
+        names += (names.empty() ? "" : " or ") + name;
     }
     throw InvalidArgument("CONTACTD_LANES", "of the environment is '" + std::string(asked) +
                                                 "'; on this processor it must be " + names + ", or not be set");
 }
 
-}  // namespace
-
 std::size_t default_lanes() {
-    static const std::size_t lanes = asked_lanes();
+    static const std::size_t lanes = lanes_by_name(std::getenv("CONTACTD_LANES"));
     return lanes;
 }
 

@@ -20,9 +20,10 @@ struct ComplexFactor {
     const double *real, *imag;
 };
 
-/// One-dimensional transforms of real rows of padded_nx numbers and complex columns of padded_ny numbers, as many at once
-/// as there are lanes. Forward ones sum up with exp(-2 pi i j k/n), inverse ones with exp(2 pi i j k/n), and neither
-/// divides by n. Work arrays are the caller's, aligned to 64 bytes: calls may come from several threads at once.
+/// One-dimensional transforms of real rows of padded_nx numbers and complex columns of padded_ny numbers, as many at
+/// once as there are lanes. Forward ones sum up with exp(-2 pi i j k/n), inverse ones with exp(2 pi i j k/n), and
+/// neither divides by n. Work arrays are the caller's, aligned to 64 bytes: calls may come from several threads at
+/// once.
 class LaneFft {
    public:
     /// `lanes` is one of possible_lanes(). Any size works; products of 2, 3 and 5 are quick.
@@ -68,8 +69,9 @@ class LaneFft {
 
 /// Lanes that this program has transforms for and this processor registers, the fewest first.
 std::vector<std::size_t> possible_lanes();
-/// The most of them, or what the environment variable CONTACTD_LANES asks for. Throws InvalidArgument where that is none
-/// of them.
+/// The one of them that is `asked` for, or the most where that is null or empty. Throws InvalidArgument for any other.
+std::size_t lanes_by_name(const char* asked);
+/// By the environment variable CONTACTD_LANES, once for the program.
 std::size_t default_lanes();
 /// Returns the name and the version of the library that transforms.
 std::pair<const char*, const char*> fft_library();

@@ -7,7 +7,12 @@ namespace {
 class Transforms final : public LaneFft {
    public:
     Transforms(std::size_t nx, std::size_t ny)
-        : nx_(nx), ny_(ny), groups_((nx / 2 + lane_count) / lane_count), passes_(nx, ny), skip_x_(skip(nx)), skip_y_(skip(ny)) {}
+        : nx_(nx),
+          ny_(ny),
+          groups_((nx / 2 + lane_count) / lane_count),
+          passes_(nx, ny),
+          skip_x_(skip(nx)),
+          skip_y_(skip(ny)) {}
 
     std::size_t lanes() const override { return lane_count; }
     std::size_t work_size() const override {
@@ -23,7 +28,8 @@ class Transforms final : public LaneFft {
             for (std::size_t r = 0; r < lane_count; ++r) from[r] = rows + std::min(first + r, count - 1) * length;
             const std::size_t numbers = std::min(lane_count, count - first) * length;
             if (std::all_of(from[0], from[0] + numbers, [](double value) { return value == 0; })) {
-                for (std::size_t g = 0; g < groups_; ++g) std::fill_n(row_of(spectrum, g, first), 2 * lane_count * lane_count, 0.0);
+                for (std::size_t g = 0; g < groups_; ++g)
+                    std::fill_n(row_of(spectrum, g, first), 2 * lane_count * lane_count, 0.0);
                 continue;
             }
             std::size_t k = 0;
@@ -143,9 +149,8 @@ class Transforms final : public LaneFft {
     }
     void gather(double* x, const double* y, const ComplexFactor& of_x, const ComplexFactor& of_y) const override {
         const Column* ys = reinterpret_cast<const Column*>(y);
-        for_columns(x, [=](Column& a, std::size_t at) {
-            a = product(a, of_x, at) + product(ys[at / lane_count], of_y, at);
-        });
+        for_columns(
+            x, [=](Column& a, std::size_t at) { a = product(a, of_x, at) + product(ys[at / lane_count], of_y, at); });
     }
     void spread(double* x, double* y, const double* of_x, const double* of_y) const override {
         for_columns(x, y, [=](Column& a, Column& b, std::size_t at) {

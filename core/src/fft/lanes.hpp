@@ -1,5 +1,5 @@
-// A vector register of CONTACTD_LANES doubles as a number. Each source that includes it has its own: what is compiled for
-// one instruction set must not be merged with what is compiled for another.
+// A vector register of CONTACTD_LANES doubles as a number. Each source that includes it has its own: what is compiled
+// for one instruction set must not be merged with what is compiled for another.
 #pragma once
 
 #include <cstddef>

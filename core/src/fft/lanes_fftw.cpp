@@ -56,10 +56,7 @@ struct Sample {
 class Passes {
    public:
     Passes(std::size_t nx, std::size_t ny)
-        : nx_(nx),
-          row_forward_(row_plan(nx, true)),
-          row_inverse_(row_plan(nx, false)),
-          column_(column_plan(ny)) {}
+        : nx_(nx), row_forward_(row_plan(nx, true)), row_inverse_(row_plan(nx, false)), column_(column_plan(ny)) {}
 
     std::size_t of_row() const { return 0; }
     std::size_t of_column() const { return 0; }
@@ -106,7 +103,8 @@ class Passes {
         Sample a(n), b(n);
         const fftw_iodim along{static_cast<int>(n), 2 * lane_count, 2 * lane_count}, many{lane_count, 1, 1};
         const std::scoped_lock lock(planner_mutex());
-        return fftw_plan_guru_split_dft(1, &along, 1, &many, a.at(0), a.at(lane_count), b.at(0), b.at(lane_count), flags);
+        return fftw_plan_guru_split_dft(1, &along, 1, &many, a.at(0), a.at(lane_count), b.at(0), b.at(lane_count),
+                                        flags);
     }
 
     const std::size_t nx_;

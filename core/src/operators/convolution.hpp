@@ -10,8 +10,8 @@
 
 namespace contactd {
 
-/// Real FFTs on a padded grid; the padded size is the 2-3-5-7-smooth number that fits, FFTW plans are made once per
-/// size and shared between operators and threads.
+/// Real FFTs on a padded grid; the padded size is the 2-3-5-smooth number that fits, and what they need is made once
+/// per size and shared between operators and threads.
 class ConvolutionOperator final : public InfluenceOperator {
    public:
     /// `table` (of the pair of bodies) covers at least the offsets 0..nx-1 x 0..ny-1. Throws InvalidArgument otherwise.
@@ -51,7 +51,7 @@ class ConvolutionOperator final : public InfluenceOperator {
     std::unique_ptr<Impl> impl_;
 };
 
-/// The smallest 2-3-5-7-smooth number >= n (n >= 1).
+/// The smallest 2-3-5-smooth number >= n (n >= 1).
 int smooth_size(int n);
 
 }  // namespace contactd

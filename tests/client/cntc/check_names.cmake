@@ -1,5 +1,5 @@
 # The names that LIBRARY shows are those of HEADER, each with an underscore, too, and no others; and of libraries it
-# needs none but FFTW and those of the compiler.
+# needs none but those of the compiler.
 file(STRINGS ${HEADER} lines REGEX "^(void|const char\\*) [a-z_0-9]+\\(")
 set(expected "")
 foreach(line ${lines})
@@ -23,7 +23,7 @@ if(NOT shown STREQUAL expected)
 endif()
 find_program(ldd ldd REQUIRED)
 execute_process(COMMAND ${ldd} ${LIBRARY} OUTPUT_VARIABLE libraries COMMAND_ERROR_IS_FATAL ANY)
-foreach(library mfem HYPRE libmpi hdf5 sodium zmq)
+foreach(library mfem HYPRE libmpi hdf5 sodium zmq fftw)
   if(libraries MATCHES "${library}")
     message(FATAL_ERROR "${LIBRARY} needs ${library}:\n${libraries}")
   endif()

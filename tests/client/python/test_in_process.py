@@ -158,7 +158,7 @@ def test_it_says_what_it_is(client):
     assert repr(client).startswith("<Client of local:")
     info = client.info()
     assert info.version == contactd.__version__
-    assert "fftw" in info.libraries
+    assert "ducc0" in info.libraries
     assert "zeromq" not in info.libraries
     assert client.health() == "serving"
     assert client.metrics()

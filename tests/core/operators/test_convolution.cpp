@@ -232,6 +232,7 @@ TEST_CASE("convolution refuses a table that is too small", "[convolution]") {
 TEST_CASE("smooth sizes have small prime factors only", "[convolution]") {
     CHECK(smooth_size(1) == 1);
     CHECK(smooth_size(11) == 12);
+    CHECK(smooth_size(49) == 50);
     CHECK(smooth_size(121) == 125);
     CHECK(smooth_size(320) == 320);
 }

@@ -12,7 +12,7 @@ struct PaddedFft::Workspace {
     std::array<LaneBuffer, 2> spectrum;  // [groups, rows, 2, lanes], one per field
     std::array<LaneBuffer, 2> column;    // of a group, one per field
     LaneBuffer row;                      // of as many rows as there are lanes
-    std::thread::id user;            // who had it last
+    std::thread::id user;                // who had it last
 
     explicit Workspace(const Plans& plans) : row(plans.fft->work_size()) {
         spectrum[0] = LaneBuffer(plans.group_size(plans.rows()) * plans.groups);
@@ -70,8 +70,8 @@ double PaddedFft::norm_factor() const {
     return 1.0 / plans_->padded_nx / plans_->padded_ny;
 }
 
-// `product` replaces the columns x, y of the inputs, transformed, by those of the outputs, of one group after the other,
-// which stay in the first-level cache meanwhile; `first` is where its symbols begin.
+// `product` replaces the columns x, y of the inputs, transformed, by those of the outputs, of one group after the
+// other, which stay in the first-level cache meanwhile; `first` is where its symbols begin.
 template <std::size_t inputs, std::size_t outputs, class Product>
 void PaddedFft::convolve(const std::array<std::span<const double>, inputs>& in,
                          const std::array<std::span<double>, outputs>& out, const Product& product) const {
@@ -141,9 +141,8 @@ void PaddedFft::apply(const ComplexPairSymbols& symbols, In in_x, In in_y, Out o
 }
 
 void PaddedFft::gather(const Symbol& of_x, const Symbol& of_y, In in_x, In in_y, Out out) const {
-    convolve<2, 1>({in_x, in_y}, {out}, [&](double* x, double* y, std::size_t first) {
-        fft().gather(x, y, &of_x[first], &of_y[first]);
-    });
+    convolve<2, 1>({in_x, in_y}, {out},
+                   [&](double* x, double* y, std::size_t first) { fft().gather(x, y, &of_x[first], &of_y[first]); });
 }
 
 void PaddedFft::gather(const ComplexSymbol& of_x, const ComplexSymbol& of_y, In in_x, In in_y, Out out) const {
@@ -153,9 +152,8 @@ void PaddedFft::gather(const ComplexSymbol& of_x, const ComplexSymbol& of_y, In 
 }
 
 void PaddedFft::spread(const Symbol& of_x, const Symbol& of_y, In in, Out out_x, Out out_y) const {
-    convolve<1, 2>({in}, {out_x, out_y}, [&](double* x, double* y, std::size_t first) {
-        fft().spread(x, y, &of_x[first], &of_y[first]);
-    });
+    convolve<1, 2>({in}, {out_x, out_y},
+                   [&](double* x, double* y, std::size_t first) { fft().spread(x, y, &of_x[first], &of_y[first]); });
 }
 
 void PaddedFft::spread(const ComplexSymbol& of_x, const ComplexSymbol& of_y, In in, Out out_x, Out out_y) const {

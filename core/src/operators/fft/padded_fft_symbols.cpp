@@ -38,9 +38,8 @@ void PaddedFft::transform_columns(const double* spectrum, const Store& store) co
     const std::size_t lanes = fft().lanes();
     const LaneBuffer work(fft().work_size());
     for (std::size_t g = 0; g < plans.groups; ++g) {
-        const double* column =
-            fft().columns_forward(spectrum + g * plans.group_size(plans.padded_rows()),
-                                  static_cast<std::size_t>(plans.padded_ny), work.get());
+        const double* column = fft().columns_forward(spectrum + g * plans.group_size(plans.padded_rows()),
+                                                     static_cast<std::size_t>(plans.padded_ny), work.get());
         for (std::size_t at = 0; at < plans.symbol_size(); ++at) {
             const std::size_t real = at / lanes * 2 * lanes + at % lanes;
             store(column[real] * norm_factor(), column[real + lanes] * norm_factor());
