@@ -56,7 +56,11 @@ struct Sample {
 class Passes {
    public:
     Passes(std::size_t nx, std::size_t ny)
-        : nx_(nx), row_forward_(row_plan(nx, true)), row_inverse_(row_plan(nx, false)), column_(column_plan(ny)) {}
+        : nx_(nx),
+          row_forward_(row_plan(nx, true)),
+          row_inverse_(row_plan(nx, false)),
+          column_forward_(column_plan(ny, true)),
+          column_inverse_(column_plan(ny, false)) {}
 
     std::size_t of_row() const { return 0; }
     std::size_t of_column() const { return 0; }
@@ -79,9 +83,9 @@ class Passes {
     Column* column(Column* in, Column* other, Column*, bool forward) const {
         double *from = numbers(&in->r), *to = numbers(&other->r);
         if (forward)
-            fftw_execute_split_dft(column_, from, from + lane_count, to, to + lane_count);
+            fftw_execute_split_dft(column_forward_, from, from + lane_count, to, to + lane_count);
         else
-            fftw_execute_split_dft(column_, from + lane_count, from, to + lane_count, to);
+            fftw_execute_split_dft(column_inverse_, from + lane_count, from, to + lane_count, to);
         return other;
     }
 
@@ -99,16 +103,17 @@ class Passes {
         return forward ? fftw_plan_guru_split_dft_r2c(1, &real, 1, &many, a.at(0), b.at(0), b.at(lane_count), flags)
                        : fftw_plan_guru_split_dft_c2r(1, &real, 1, &many, a.at(0), a.at(lane_count), b.at(0), flags);
     }
-    static fftw_plan column_plan(std::size_t n) {
+    static fftw_plan column_plan(std::size_t n, bool forward) {
         Sample a(n), b(n);
         const fftw_iodim along{static_cast<int>(n), 2 * lane_count, 2 * lane_count}, many{lane_count, 1, 1};
+        const std::size_t real = forward ? 0 : lane_count, imaginary = lane_count - real;
         const std::scoped_lock lock(planner_mutex());
-        return fftw_plan_guru_split_dft(1, &along, 1, &many, a.at(0), a.at(lane_count), b.at(0), b.at(lane_count),
+        return fftw_plan_guru_split_dft(1, &along, 1, &many, a.at(real), a.at(imaginary), b.at(real), b.at(imaginary),
                                         flags);
     }
 
     const std::size_t nx_;
-    const Plan row_forward_, row_inverse_, column_;
+    const Plan row_forward_, row_inverse_, column_forward_, column_inverse_;
 };
 
 }  // namespace
