@@ -1,4 +1,4 @@
-# The headers of ducc0's FFT, the target ducc0::fft: from CONTACTD_DUCC0, where ./dev has put them, otherwise fetched once into the
+# The headers of ducc0's FFT, the target ducc0::fft: from where CONTACTD_DUCC0 says, as ./dev does, otherwise fetched once into the
 # build folder.
 set(CONTACTD_DUCC0 "$ENV{CONTACTD_DUCC0}" CACHE PATH "Folder that packaging/ducc0/fetch.sh has made; empty: fetched into the build folder")
 if(DEFINED ENV{CONTACTD_DUCC0})

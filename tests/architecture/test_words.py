@@ -89,6 +89,7 @@ NAMES = {
 }
 #: Files that name something else with these words, and why.
 FILES = {
+    "core/src/fft/*": "columns of an array",
     "core/src/geometry/placement/rail_surface.*": "columns of a grid of heights",
     "core/src/geometry/search/*_mesh.*": "columns of a mesh",
     "core/src/geometry/search/mesh_search.cpp": "columns of a mesh",
@@ -100,6 +101,7 @@ FILES = {
     "core/include/contactd/fem_fields.hpp": "prisms, the shape of finite elements",
     "core/types/contact_files/*": "columns of a line, of an array and of elements",
     "core/types/profile_files/*": "columns of a file",
+    "tests/core/fft/*": "columns of an array",
     "client/c/include/contactd/paths.h": "paths of the wire, and constants of keywords",
     "tests/core/contact_files/*": "words of a line",
     "tests/core/fem/*": "prisms, the shape of finite elements",

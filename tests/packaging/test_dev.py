@@ -76,7 +76,7 @@ class Machine:
         if not checkout.exists():
             shutil.copytree(ROOT / "packaging", checkout / "packaging")
             shutil.copy(ROOT / "dev", checkout)
-        self.environment |= {"CONTACTD_INSIDE": "1", "MAKER_LOG": str(checkout / "cmake.log")}
+        self.environment |= {"CONTACTD_INSIDE": "1", "CONTACTD_DUCC0": str(checkout), "MAKER_LOG": str(checkout / "cmake.log")}
         self.has("cmake", 'echo "$@" >>"$MAKER_LOG"')
         self.has("python3")
         subprocess.run([checkout / "dev", *arguments], env=self.environment, capture_output=True, timeout=50)
