@@ -26,7 +26,7 @@ std::vector<std::size_t> possible_lanes() {
     return {2};
 }
 
-std::unique_ptr<const LaneFft> LaneFft::make(int padded_nx, int padded_ny, std::size_t lanes) {
+std::unique_ptr<const LaneFft> LaneFft::make(int padded_nx, int padded_ny, [[maybe_unused]] std::size_t lanes) {
     const auto nx = static_cast<std::size_t>(padded_nx), ny = static_cast<std::size_t>(padded_ny);
 #ifdef CONTACTD_FOUR_LANES
     if (lanes == 4) return make_four_lanes(nx, ny);
