@@ -10,6 +10,7 @@
 #include "heat/contact_temperature_check.hpp"
 #include "magnitude.hpp"
 #include "number_text.hpp"
+#include "wear/contact_wear_check.hpp"
 
 namespace contactd {
 namespace {
@@ -369,6 +370,7 @@ void check(const ContactProblem& problem, bool complete) {
     check_viscoelastic(problem, complete);
     check_columns(problem);
     check_temperature(problem, complete);
+    check_wear(problem, complete);
     check_state(problem.previous, size, "previous");
     check_settings(problem.settings.normal, "settings.normal");
     check_settings(problem.settings.tangential, "settings.tangential");

@@ -10,6 +10,7 @@
 #include "contactd/fields/wheel_rail_setup.hpp"
 #include "contactd/uniform_elements.hpp"
 #include "number_text.hpp"
+#include "wear/contact_wear_check.hpp"
 
 namespace contactd {
 namespace {
@@ -175,6 +176,18 @@ void check_temperature(const WheelRailSetup& setup) {
                               "this model does not tell: take full or fastsim");
 }
 
+void check_wear(const WheelRailSetup& setup) {
+    if (!setup.wear) return;
+    validate(*setup.wear, "wear");
+    check_wear_model(setup.model);
+    if (!setup.friction)
+        throw InvalidArgument("wear", "is given, and friction is not; wear is that of rolling contact with friction");
+    if (setup.friction->layer && setup.friction->layer->yields())
+        throw InvalidArgument("friction.layer.yield_stress",
+                              "is given, and wear, too; what a layer that flows takes off the surfaces is not known: "
+                              "leave one of them out");
+}
+
 }  // namespace
 
 void validate(const WheelRailSetup& setup) {
@@ -223,6 +236,7 @@ void validate(const WheelRailSetup& setup) {
                               "is " + number_text(setup.sheet_flexibility) +
                                   " mm^3/N, and the simplified models know no sheet between bodies; take model full");
     check_temperature(setup);
+    check_wear(setup);
     if (setup.settings.tangential_solver == TangentialSolver::tangcg)
         throw InvalidArgument("settings.tangential.solver",
                               "is tangcg, whose operators are symmetric, and wheels roll steadily; take newton");

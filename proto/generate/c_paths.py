@@ -111,7 +111,7 @@ def _path(path: str, field: Schema) -> str:
     line = f'#define CONTACTD_PATH_{_upper(name.replace("[%d]", ""))} "{path}"'
     # A unit of two words that does not fit, or any that just does, is broken by clang-format, and broken again the next time.
     length = len(line + unit)
-    return line if length == _LONGEST - 1 or (" " in field.get("x-unit", "") and length >= _LONGEST) else line + unit
+    return line if length in (_LONGEST - 1, _LONGEST) or (" " in field.get("x-unit", "") and length >= _LONGEST) else line + unit
 
 
 def _upper(name: str) -> str:

@@ -113,6 +113,12 @@ MODULES = [
         is_asked=True,
     ),
     Module(
+        "wear_laws",
+        "Laws of wear, with all of their coefficients: none is a default.",
+        ("definitions.json#/definitions/wear_request",),
+        is_asked=True,
+    ),
+    Module(
         "friction",
         "Friction, and how the bodies move. Slip is that of the upper body over the lower one; in slip the traction on the upper "
         "body opposes it.",
@@ -127,6 +133,7 @@ MODULES = [
             "definitions.json#/definitions/derivatives_of_answer",
             "definitions.json#/definitions/contact_temperature",
             "definitions.json#/definitions/rolling_resistance",
+            "definitions.json#/definitions/contact_wear",
             "contact.solve.result.json#",
         ),
     ),

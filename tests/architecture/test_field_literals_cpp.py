@@ -43,7 +43,7 @@ FOLDERS: dict[str, tuple[int, str]] = {
     ),
     "core/src/store": (30, "what a key is made of, whose names may never change, and refusals"),
     "core/src/store/hdf5": (100, "names in files of tables, which may never change"),
-    "core/types": (66, REFUSAL),
+    "core/types": (68, REFUSAL),
     "core/types/heat": (20, REFUSAL),
     "core/types/profile_files": (10, "a keyword of Simpack's files"),
     "engine": (30, "where tables are known from"),

@@ -85,6 +85,18 @@ def solves() -> Iterator[tuple[dict[str, Any], list[bytes]]]:
         "temperature": {"upper": steel, "lower": {"bulk_temperature": 90}},
         "friction": {"mu": 0.3, "temperature": {"change": -0.1, "reference": 20, "range": 300}, "rolling": steady},
     }, []
+    pieces = [{"from": 0, "value": 1, "slope": 5}, {"from": 10, "value": 55, "slope": 0}]
+    law = {"source": "a test", "body": "lower", "range": [0, 10], "zones": [{"angle": -1, "factor": 0.1}, {"angle": 0, "factor": 1}]}
+    archard = {"hardness": 3000, "mild": 1e-4, "severe": {"k": 1e-3, "velocity": [1, 2]}, "seizure": {"k": 1e-2, "pressure": 0.8}}
+    yield {
+        **base, "bodies": bodies, "ics": {"source": "analytic"}, "gap": {"paraboloid": {"Rx": 10}}, "Fn": 2,
+        "wear": {"energy": "plain", "laws": [
+            {"name": "a", "archard": archard, **law}, {"name": "b", "energy": {"coefficient": 1e-3}, **law},
+            {"name": "c", "usfd": {"pieces": pieces, "density": 7850}, **law}, {"name": "d", "br": {"pieces": pieces}, **law},
+            {"name": "e", "zobory": {"pieces": pieces, "density": 7850}, **law},
+        ]},
+        "friction": {"mu": 0.3, "rolling": {**steady, "velocity": 100}},
+    }, []
     creep = {"upper": {"G": 200, "nu": 0.42, "viscoelastic": {"f": 1, "tau": 0.01}}, "lower": {"rigid": True}}
     yield {
         **base, "bodies": creep, "ics": {"source": "analytic"}, "gap": {"paraboloid": {"Rx": 10}}, "Fn": 2,

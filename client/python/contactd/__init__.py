@@ -75,7 +75,7 @@ from .values.problem import ContactColumns, ContactProblem, Estimate
 from .values.profile_shapes import ProfileFile
 from .values.records import ImportedIc, QuarantinedIc, RecentPatch, RecentSolve, StoredIc
 from .values.registry import register
-from .values.result import ContactTemperature, RollingResistance
+from .values.result import ContactTemperature, ContactWear, RollingResistance
 from .values.service import Job, Limits, Progress, ServerInfo, SessionSummary
 from .values.solution import ContactSolution
 from .values.step_input import StepInput
@@ -83,6 +83,17 @@ from .values.subsurface import LargestStress, StressBlock, SubsurfaceStress
 from .values.tables import IcTable, TableIcs, combined_modulus
 from .values.temperature import SurfaceTemperatures
 from .values.thermal import ThermalBodies, ThermalBody
+from .values.wear_laws import (
+    ArchardWear,
+    BrWear,
+    EnergyWear,
+    SeizureWear,
+    SevereWear,
+    UsfdWear,
+    WearLaw,
+    WearRequest,
+    ZoboryWear,
+)
 from .values.wheel_rail.comparison import ComparedModel, ModelComparison, ModelErrors
 from .values.wheel_rail.solution import WheelRailStepSolution
 from .values.wheel_rail.step_input import WheelRailStepInput
@@ -93,9 +104,11 @@ if TYPE_CHECKING:
 __all__ = [
     "Aborted",
     "AnalyticIcs",
+    "ArchardWear",
     "AsyncClient",
     "AsyncSession",
     "AsyncWheelRailSession",
+    "BrWear",
     "Cancelled",
     "Client",
     "ComparedModel",
@@ -105,9 +118,11 @@ __all__ = [
     "ContactSolution",
     "ContactTemperature",
     "ContactWarning",
+    "ContactWear",
     "ContactdError",
     "DaemonFailed",
     "DeadlineExceeded",
+    "EnergyWear",
     "Estimate",
     "FailedPrecondition",
     "FemIcs",
@@ -154,10 +169,12 @@ __all__ = [
     "SavedState",
     "SecondTerm",
     "SectionEvidence",
+    "SeizureWear",
     "SemiAxes",
     "ServerInfo",
     "Session",
     "SessionSummary",
+    "SevereWear",
     "Shift",
     "SimplifiedSettings",
     "SlopeReduction",
@@ -180,11 +197,15 @@ __all__ = [
     "Unauthenticated",
     "Unavailable",
     "Unimplemented",
+    "UsfdWear",
     "Violation",
     "ViscoelasticBody",
+    "WearLaw",
+    "WearRequest",
     "WheelRailSession",
     "WheelRailStepInput",
     "WheelRailStepSolution",
+    "ZoboryWear",
     "__version__",
     "combined_modulus",
     "fit",

@@ -8,6 +8,7 @@
 #include "contactd/friction.hpp"
 #include "contactd/grid.hpp"
 #include "contactd/temperature.hpp"
+#include "contactd/wear.hpp"
 
 namespace contactd {
 
@@ -83,6 +84,7 @@ struct ContactSetup {
     double sheet_flexibility = 0;
     /// What both bodies have to do with heat, where temperatures of the surfaces are wanted: of steady rolling along x.
     std::optional<ThermalBodies> temperature{};
+    std::optional<WearRequest> wear{};    ///< where wear is wanted: of steady rolling along x
     std::optional<FrictionLaw> friction;  ///< absent: frictionless
     ContactSettings settings;
     std::optional<ContactColumns> columns{};  ///< where the surface is curved along y; absent: a plane

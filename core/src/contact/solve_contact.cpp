@@ -25,6 +25,7 @@
 #include "types/number_text.hpp"
 #include "uniqueness.hpp"
 #include "viscoelastic_rolling.hpp"
+#include "wear/contact_wear.hpp"
 
 namespace contactd {
 namespace {
@@ -263,6 +264,12 @@ void add_sheets(const ContactProblem& problem, ContactInfluence& bodies) {
         std::make_shared<const SheetStep>(std::move(bodies.increment), problem.grid, x, y, sheets.tangential);
 }
 
+void find_wear(const ContactProblem& problem, ContactSolution& solution) {
+    if (!problem.wear || !solution.motion) return;
+    const WearPlace place = wear_place(problem, std::get<Rolling>(*solution.motion));
+    solution.wear = contact_wear(*problem.wear, problem, place, solution);
+}
+
 ContactSolution simplified(const ContactProblem& problem) {
     if (problem.normal_model == NormalModel::of_model) return solve_by_simplified_model(problem);
     const PenetrationContact penetration = penetration_contact(problem, undeformed_distance(problem));
@@ -274,6 +281,7 @@ ContactSolution solve_valid(const ContactProblem& problem, const ContactInfluenc
         ContactSolution solution = simplified(problem);
         count_elements(problem, solution);
         find_temperature(problem, solution, observer);
+        find_wear(problem, solution);
         warn(problem, solution);
         return solution;
     }
@@ -289,6 +297,7 @@ ContactSolution solve_valid(const ContactProblem& problem, const ContactInfluenc
     sum_up(problem, solution);
     take_friction_losses(problem, solution);
     find_temperature(problem, solution, observer);
+    find_wear(problem, solution);
     find_displacements(problem, *bodies.current, solution);
     solution.evidence.discretisation = discretisation(problem, solution, problem.friction && bodies.current->coupled());
     warn(problem, solution);

@@ -62,6 +62,7 @@ void mirror(ContactSolution& solution, const Grid& grid) {
             for (double& value : values) flip_sign(value);
     }
     if (solution.motion) mirror(*solution.motion);
+    if (solution.wear) std::reverse(solution.wear->rows.begin(), solution.wear->rows.end());
 }
 
 void mirror(ContactPlace& place) {

@@ -74,6 +74,10 @@ RightWheel::RightWheel(const WheelRailSetup& setup, const geometry::Profiles& pr
         throw InvalidArgument("state.motion",
                               "is not steady_rolling, and setup.temperature is given; temperatures are those of "
                               "steady rolling");
+    if (state_.motion != WheelRailMotion::steady_rolling && setup_.wear)
+        throw InvalidArgument("state.motion",
+                              "is not steady_rolling, and setup.wear is given; what a passage takes off is that of "
+                              "steady rolling");
 }
 
 WheelRailSolution RightWheel::solve(Observer& observer) {

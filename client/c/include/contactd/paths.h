@@ -222,6 +222,48 @@
 #define CONTACTD_PATH_TEMPERATURE_LOWER_CONDUCTIVITY "temperature.lower.conductivity"         /* W/(m K) */
 #define CONTACTD_PATH_TEMPERATURE_LOWER_HEAT_CAPACITY "temperature.lower.heat_capacity"       /* J/(kg K) */
 #define CONTACTD_PATH_TEMPERATURE_LOWER_DENSITY "temperature.lower.density"                   /* kg/m^3 */
+#define CONTACTD_PATH_WEAR "wear"
+#define CONTACTD_PATH_WEAR_ENERGY "wear.energy"
+#define CONTACTD_PATH_WEAR_LAWS "wear.laws"
+#define CONTACTD_PATH_WEAR_LAWS_NAME "wear.laws[%d].name"
+#define CONTACTD_PATH_WEAR_LAWS_SOURCE "wear.laws[%d].source"
+#define CONTACTD_PATH_WEAR_LAWS_BODY "wear.laws[%d].body"
+#define CONTACTD_PATH_WEAR_LAWS_RANGE "wear.laws[%d].range"
+#define CONTACTD_PATH_WEAR_LAWS_RANGE_LEAST "wear.laws[%d].range.least"
+#define CONTACTD_PATH_WEAR_LAWS_RANGE_MOST "wear.laws[%d].range.most"
+#define CONTACTD_PATH_WEAR_LAWS_ARCHARD "wear.laws[%d].archard"
+#define CONTACTD_PATH_WEAR_LAWS_ARCHARD_HARDNESS "wear.laws[%d].archard.hardness" /* N/mm^2 */
+#define CONTACTD_PATH_WEAR_LAWS_ARCHARD_MILD "wear.laws[%d].archard.mild"
+#define CONTACTD_PATH_WEAR_LAWS_ARCHARD_SEVERE "wear.laws[%d].archard.severe"
+#define CONTACTD_PATH_WEAR_LAWS_ARCHARD_SEVERE_K "wear.laws[%d].archard.severe.k"
+#define CONTACTD_PATH_WEAR_LAWS_ARCHARD_SEVERE_VELOCITY "wear.laws[%d].archard.severe.velocity"
+#define CONTACTD_PATH_WEAR_LAWS_ARCHARD_SEVERE_VELOCITY_LEAST "wear.laws[%d].archard.severe.velocity.least"
+#define CONTACTD_PATH_WEAR_LAWS_ARCHARD_SEVERE_VELOCITY_MOST "wear.laws[%d].archard.severe.velocity.most"
+#define CONTACTD_PATH_WEAR_LAWS_ARCHARD_SEIZURE "wear.laws[%d].archard.seizure"
+#define CONTACTD_PATH_WEAR_LAWS_ARCHARD_SEIZURE_K "wear.laws[%d].archard.seizure.k"
+#define CONTACTD_PATH_WEAR_LAWS_ARCHARD_SEIZURE_PRESSURE "wear.laws[%d].archard.seizure.pressure"
+#define CONTACTD_PATH_WEAR_LAWS_ENERGY "wear.laws[%d].energy"
+#define CONTACTD_PATH_WEAR_LAWS_ENERGY_COEFFICIENT "wear.laws[%d].energy.coefficient" /* mm^3/J */
+#define CONTACTD_PATH_WEAR_LAWS_USFD "wear.laws[%d].usfd"
+#define CONTACTD_PATH_WEAR_LAWS_USFD_PIECES "wear.laws[%d].usfd.pieces"
+#define CONTACTD_PATH_WEAR_LAWS_USFD_PIECES_FROM "wear.laws[%d].usfd.pieces[%d].from"
+#define CONTACTD_PATH_WEAR_LAWS_USFD_PIECES_VALUE "wear.laws[%d].usfd.pieces[%d].value"
+#define CONTACTD_PATH_WEAR_LAWS_USFD_PIECES_SLOPE "wear.laws[%d].usfd.pieces[%d].slope"
+#define CONTACTD_PATH_WEAR_LAWS_USFD_DENSITY "wear.laws[%d].usfd.density" /* kg/m^3 */
+#define CONTACTD_PATH_WEAR_LAWS_BR "wear.laws[%d].br"
+#define CONTACTD_PATH_WEAR_LAWS_BR_PIECES "wear.laws[%d].br.pieces"
+#define CONTACTD_PATH_WEAR_LAWS_BR_PIECES_FROM "wear.laws[%d].br.pieces[%d].from"
+#define CONTACTD_PATH_WEAR_LAWS_BR_PIECES_VALUE "wear.laws[%d].br.pieces[%d].value"
+#define CONTACTD_PATH_WEAR_LAWS_BR_PIECES_SLOPE "wear.laws[%d].br.pieces[%d].slope"
+#define CONTACTD_PATH_WEAR_LAWS_ZOBORY "wear.laws[%d].zobory"
+#define CONTACTD_PATH_WEAR_LAWS_ZOBORY_PIECES "wear.laws[%d].zobory.pieces"
+#define CONTACTD_PATH_WEAR_LAWS_ZOBORY_PIECES_FROM "wear.laws[%d].zobory.pieces[%d].from"
+#define CONTACTD_PATH_WEAR_LAWS_ZOBORY_PIECES_VALUE "wear.laws[%d].zobory.pieces[%d].value"
+#define CONTACTD_PATH_WEAR_LAWS_ZOBORY_PIECES_SLOPE "wear.laws[%d].zobory.pieces[%d].slope"
+#define CONTACTD_PATH_WEAR_LAWS_ZOBORY_DENSITY "wear.laws[%d].zobory.density" /* kg/m^3 */
+#define CONTACTD_PATH_WEAR_LAWS_ZONES "wear.laws[%d].zones"
+#define CONTACTD_PATH_WEAR_LAWS_ZONES_ANGLE "wear.laws[%d].zones[%d].angle" /* rad */
+#define CONTACTD_PATH_WEAR_LAWS_ZONES_FACTOR "wear.laws[%d].zones[%d].factor"
 #define CONTACTD_PATH_FRICTION "friction"
 #define CONTACTD_PATH_FRICTION_MU "friction.mu"
 #define CONTACTD_PATH_FRICTION_KINETIC "friction.kinetic"
@@ -367,6 +409,23 @@
 #define CONTACTD_PATH_TEMPERATURE_HEAT_UPPER "temperature.heat_upper" /* N mm/s */
 #define CONTACTD_PATH_TEMPERATURE_HEAT_LOWER "temperature.heat_lower" /* N mm/s */
 #define CONTACTD_PATH_TEMPERATURE_PECLET "temperature.peclet"
+#define CONTACTD_PATH_WEAR_CAPITAL_T_GAMMA "wear.T_gamma"                     /* N */
+#define CONTACTD_PATH_WEAR_CAPITAL_T_GAMMA_WITH_SPIN "wear.T_gamma_with_spin" /* N */
+#define CONTACTD_PATH_WEAR_DISSIPATION "wear.dissipation"                     /* N */
+#define CONTACTD_PATH_WEAR_FACTOR "wear.factor"
+#define CONTACTD_PATH_WEAR_LARGEST_PRESSURE_SLIP "wear.largest_pressure_slip"       /* N/mm^2 */
+#define CONTACTD_PATH_WEAR_LARGEST_DISSIPATION "wear.largest_dissipation"           /* N/mm^2 */
+#define CONTACTD_PATH_WEAR_LARGEST_SLIDING_VELOCITY "wear.largest_sliding_velocity" /* mm/s */
+#define CONTACTD_PATH_WEAR_ROWS "wear.rows"
+#define CONTACTD_PATH_WEAR_ROWS_Y "wear.rows[%d].y"                         /* mm */
+#define CONTACTD_PATH_WEAR_ROWS_Z "wear.rows[%d].z"                         /* mm */
+#define CONTACTD_PATH_WEAR_ROWS_ANGLE "wear.rows[%d].angle"                 /* rad */
+#define CONTACTD_PATH_WEAR_ROWS_DISSIPATION "wear.rows[%d].dissipation"     /* N/mm */
+#define CONTACTD_PATH_WEAR_ROWS_PRESSURE_SLIP "wear.rows[%d].pressure_slip" /* N/mm */
+#define CONTACTD_PATH_WEAR_ROWS_DEPTHS "wear.rows[%d].depths"
+#define CONTACTD_PATH_WEAR_LAWS_AREA "wear.laws[%d].area"   /* mm^2 */
+#define CONTACTD_PATH_WEAR_LAWS_DEPTH "wear.laws[%d].depth" /* mm */
+#define CONTACTD_PATH_WEAR_LAWS_ARGUMENT "wear.laws[%d].argument"
 #define CONTACTD_PATH_ROLLING_RESISTANCE "rolling_resistance"
 #define CONTACTD_PATH_ROLLING_RESISTANCE_FORCE "rolling_resistance.force"                           /* N */
 #define CONTACTD_PATH_ROLLING_RESISTANCE_POWER "rolling_resistance.power"                           /* N mm/s */
@@ -657,7 +716,49 @@
 #define CONTACTD_PATH_SETUP_TEMPERATURE_LOWER_CONDUCTIVITY "setup.temperature.lower.conductivity"         /* W/(m K) */
 #define CONTACTD_PATH_SETUP_TEMPERATURE_LOWER_HEAT_CAPACITY "setup.temperature.lower.heat_capacity"       /* J/(kg K) */
 #define CONTACTD_PATH_SETUP_TEMPERATURE_LOWER_DENSITY "setup.temperature.lower.density"                   /* kg/m^3 */
-#define CONTACTD_PATH_SETUP_SHEET_FLEXIBILITY "setup.sheet_flexibility"                                   /* mm^3/N */
+#define CONTACTD_PATH_SETUP_WEAR "setup.wear"
+#define CONTACTD_PATH_SETUP_WEAR_ENERGY "setup.wear.energy"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS "setup.wear.laws"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_NAME "setup.wear.laws[%d].name"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_SOURCE "setup.wear.laws[%d].source"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_BODY "setup.wear.laws[%d].body"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_RANGE "setup.wear.laws[%d].range"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_RANGE_LEAST "setup.wear.laws[%d].range.least"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_RANGE_MOST "setup.wear.laws[%d].range.most"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ARCHARD "setup.wear.laws[%d].archard"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ARCHARD_HARDNESS "setup.wear.laws[%d].archard.hardness" /* N/mm^2 */
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ARCHARD_MILD "setup.wear.laws[%d].archard.mild"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ARCHARD_SEVERE "setup.wear.laws[%d].archard.severe"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ARCHARD_SEVERE_K "setup.wear.laws[%d].archard.severe.k"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ARCHARD_SEVERE_VELOCITY "setup.wear.laws[%d].archard.severe.velocity"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ARCHARD_SEVERE_VELOCITY_LEAST "setup.wear.laws[%d].archard.severe.velocity.least"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ARCHARD_SEVERE_VELOCITY_MOST "setup.wear.laws[%d].archard.severe.velocity.most"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ARCHARD_SEIZURE "setup.wear.laws[%d].archard.seizure"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ARCHARD_SEIZURE_K "setup.wear.laws[%d].archard.seizure.k"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ARCHARD_SEIZURE_PRESSURE "setup.wear.laws[%d].archard.seizure.pressure"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ENERGY "setup.wear.laws[%d].energy"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ENERGY_COEFFICIENT "setup.wear.laws[%d].energy.coefficient" /* mm^3/J */
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_USFD "setup.wear.laws[%d].usfd"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_USFD_PIECES "setup.wear.laws[%d].usfd.pieces"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_USFD_PIECES_FROM "setup.wear.laws[%d].usfd.pieces[%d].from"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_USFD_PIECES_VALUE "setup.wear.laws[%d].usfd.pieces[%d].value"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_USFD_PIECES_SLOPE "setup.wear.laws[%d].usfd.pieces[%d].slope"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_USFD_DENSITY "setup.wear.laws[%d].usfd.density" /* kg/m^3 */
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_BR "setup.wear.laws[%d].br"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_BR_PIECES "setup.wear.laws[%d].br.pieces"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_BR_PIECES_FROM "setup.wear.laws[%d].br.pieces[%d].from"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_BR_PIECES_VALUE "setup.wear.laws[%d].br.pieces[%d].value"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_BR_PIECES_SLOPE "setup.wear.laws[%d].br.pieces[%d].slope"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ZOBORY "setup.wear.laws[%d].zobory"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ZOBORY_PIECES "setup.wear.laws[%d].zobory.pieces"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ZOBORY_PIECES_FROM "setup.wear.laws[%d].zobory.pieces[%d].from"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ZOBORY_PIECES_VALUE "setup.wear.laws[%d].zobory.pieces[%d].value"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ZOBORY_PIECES_SLOPE "setup.wear.laws[%d].zobory.pieces[%d].slope"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ZOBORY_DENSITY "setup.wear.laws[%d].zobory.density" /* kg/m^3 */
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ZONES "setup.wear.laws[%d].zones"
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ZONES_ANGLE "setup.wear.laws[%d].zones[%d].angle" /* rad */
+#define CONTACTD_PATH_SETUP_WEAR_LAWS_ZONES_FACTOR "setup.wear.laws[%d].zones[%d].factor"
+#define CONTACTD_PATH_SETUP_SHEET_FLEXIBILITY "setup.sheet_flexibility" /* mm^3/N */
 #define CONTACTD_PATH_SETUP_FRICTION "setup.friction"
 #define CONTACTD_PATH_SETUP_FRICTION_MU "setup.friction.mu"
 #define CONTACTD_PATH_SETUP_FRICTION_MU_ANGLE "setup.friction.mu[%d].angle" /* rad */
@@ -885,6 +986,32 @@
 #define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_HEAT_UPPER "patches[%d].solution.temperature.heat_upper"
 #define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_HEAT_LOWER "patches[%d].solution.temperature.heat_lower"
 #define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_PECLET "patches[%d].solution.temperature.peclet"
+#define CONTACTD_PATH_PATCHES_SOLUTION_WEAR "patches[%d].solution.wear"
+#define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_CAPITAL_T_GAMMA "patches[%d].solution.wear.T_gamma" /* N */
+#define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_CAPITAL_T_GAMMA_WITH_SPIN \
+    "patches[%d].solution.wear.T_gamma_with_spin"                                               /* N */
+#define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_DISSIPATION "patches[%d].solution.wear.dissipation" /* N */
+#define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_FACTOR "patches[%d].solution.wear.factor"
+#define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_LARGEST_PRESSURE_SLIP \
+    "patches[%d].solution.wear.largest_pressure_slip" /* N/mm^2 */
+#define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_LARGEST_DISSIPATION \
+    "patches[%d].solution.wear.largest_dissipation" /* N/mm^2 */
+#define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_LARGEST_SLIDING_VELOCITY \
+    "patches[%d].solution.wear.largest_sliding_velocity" /* mm/s */
+#define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_ROWS "patches[%d].solution.wear.rows"
+#define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_ROWS_Y "patches[%d].solution.wear.rows[%d].y"         /* mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_ROWS_Z "patches[%d].solution.wear.rows[%d].z"         /* mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_ROWS_ANGLE "patches[%d].solution.wear.rows[%d].angle" /* rad */
+#define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_ROWS_DISSIPATION "patches[%d].solution.wear.rows[%d].dissipation"
+#define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_ROWS_PRESSURE_SLIP \
+    "patches[%d].solution.wear.rows[%d].pressure_slip" /* N/mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_ROWS_DEPTHS "patches[%d].solution.wear.rows[%d].depths"
+#define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_LAWS "patches[%d].solution.wear.laws"
+#define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_LAWS_NAME "patches[%d].solution.wear.laws[%d].name"
+#define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_LAWS_BODY "patches[%d].solution.wear.laws[%d].body"
+#define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_LAWS_AREA "patches[%d].solution.wear.laws[%d].area"   /* mm^2 */
+#define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_LAWS_DEPTH "patches[%d].solution.wear.laws[%d].depth" /* mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_LAWS_ARGUMENT "patches[%d].solution.wear.laws[%d].argument"
 #define CONTACTD_PATH_PATCHES_SOLUTION_ROLLING_RESISTANCE "patches[%d].solution.rolling_resistance"
 #define CONTACTD_PATH_PATCHES_SOLUTION_ROLLING_RESISTANCE_FORCE "patches[%d].solution.rolling_resistance.force"
 #define CONTACTD_PATH_PATCHES_SOLUTION_ROLLING_RESISTANCE_POWER "patches[%d].solution.rolling_resistance.power"
@@ -1192,10 +1319,14 @@
 #define CONTACTD_WORD_TANGENTIAL_SOLVER_TANGCG "tangcg"
 #define CONTACTD_WORD_TRACTION_BOUND_PARABOLIC "parabolic"
 #define CONTACTD_WORD_TRACTION_BOUND_ELLIPTIC "elliptic"
+#define CONTACTD_WORD_WEAR_ENERGY_SCALED "scaled"
+#define CONTACTD_WORD_WEAR_ENERGY_PLAIN "plain"
 #define CONTACTD_WORD_WHEEL_RAIL_MOTION_STEADY_ROLLING "steady_rolling"
 #define CONTACTD_WORD_WHEEL_RAIL_MOTION_TRANSIENT_ROLLING "transient_rolling"
 #define CONTACTD_WORD_WHEEL_RAIL_MOTION_SHIFT "shift"
 #define CONTACTD_WORD_WHEEL_SURFACE_EXACT "exact"
 #define CONTACTD_WORD_WHEEL_SURFACE_BILINEAR "bilinear"
+#define CONTACTD_WORD_WORN_BODY_UPPER "upper"
+#define CONTACTD_WORD_WORN_BODY_LOWER "lower"
 
 #endif

@@ -24,6 +24,7 @@ from .problem_methods import CLOSED_FORMS, REQUIRED, ProblemMethods
 from .solution import ContactSolution
 from .tables import TableIcs
 from .thermal import ThermalBodies
+from .wear_laws import WearRequest
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -124,6 +125,7 @@ class ContactProblem(ProblemMethods, Saved):
             others that are not left at their default.
         temperature: What both bodies have to do with heat, where temperatures of the surfaces are wanted: of steady
             rolling along x (chi 0 or pi), with its velocity. None: none.
+        wear: Laws of wear, where that is wanted: of steady rolling along x (chi 0 or pi). None: no answer of wear.
     """
 
     grid: Grid
@@ -153,6 +155,7 @@ class ContactProblem(ProblemMethods, Saved):
     normal_model: NormalModel | None = None
     simplified: SimplifiedSettings | None = None
     temperature: ThermalBodies | None = None
+    wear: WearRequest | None = None
 
     @public
     def replace(self, **changes: Unpack[ProblemFields]) -> ContactProblem:
@@ -186,3 +189,4 @@ class ProblemFields(TypedDict, total=False):
     normal_model: NormalModel | None
     simplified: SimplifiedSettings | None
     temperature: ThermalBodies | None
+    wear: WearRequest | None

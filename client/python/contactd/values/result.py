@@ -15,18 +15,22 @@ from .grid import Grid
 from .motion import Rolling, Shift
 from .representation import Shown
 from .solution_methods import Bytes, Floats, SolutionMethods
+from .wear_methods import ContactWearMethods
 
 __all__ = [
     "Areas",
     "ContactTemperature",
+    "ContactWear",
     "Counts",
     "Derivatives",
     "DerivativesOfAnswer",
     "Field",
     "Forces",
+    "LawWear",
     "Resultant",
     "RollingResistance",
     "Solution",
+    "WearRow",
 ]
 
 Field = Literal["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y", "displacement_x", "displacement_y", "displacement_z", "flow_x", "flow_y", "yield_stress", "friction_coefficient", "upper_temperature", "lower_temperature"]
@@ -102,6 +106,75 @@ class RollingResistance:
     centre_of_pressure: float
     moment: float
     defect: float
+
+
+@dataclass(frozen=True)
+class WearRow:
+    """A row of elements, and what one passage takes off it.
+
+    Attributes:
+        y: Its middle (mm): y of the grid or of the strips' section, of wheels on rails in track coordinates.
+        z: Its middle, likewise (mm); 0 on a plane.
+        angle: Its inclination, likewise (rad); depths are along its normal.
+        dissipation: Integral of |t s| along the row (N/mm).
+        pressure_slip: Integral of p |s| along the row (N/mm).
+        depths: Depth that one passage takes off (mm), by the laws in their order.
+    """
+
+    y: float
+    z: float
+    angle: float
+    dissipation: float
+    pressure_slip: float
+    depths: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class LawWear:
+    """What a law makes of a contact.
+
+    Attributes:
+        name: The law.
+        body: The body that wears by it. One of "upper", "lower".
+        area: Area that a passage takes off the section, the volume per distance rolled (mm^2).
+        depth: Largest depth of the rows (mm).
+        argument: Largest argument of the law, in the unit of its range.
+    """
+
+    name: str
+    body: Literal["upper", "lower"]
+    area: float
+    depth: float
+    argument: float
+
+
+@dataclass(frozen=True)
+class ContactWear(ContactWearMethods):
+    """What a passage takes off the surfaces, row by row, with T gamma; p is the pressure, t the traction and s the slip
+    over the distance rolled.
+
+    Attributes:
+        T_gamma: T gamma by forces and creepages, without spin (N): -(Fx xi + Fy eta).
+        T_gamma_with_spin: T gamma by forces and creepages, with spin (N): -(Fx xi + Fy eta + Mz phi), all that friction
+            dissipates per distance rolled.
+        dissipation: Sum of |t s| over the elements, not scaled (N).
+        factor: Factor by which slips were scaled; 1 of plain energy.
+        largest_pressure_slip: Largest p |s| of an element (N/mm^2).
+        largest_dissipation: Largest |t s| of an element (N/mm^2).
+        largest_sliding_velocity: Largest sliding velocity of an element (mm/s).
+        rows: Rows of elements, dy of the grid wide, by ascending y, from the first to the last one in contact.
+        laws: What each law makes of the contact, in the order of the request.
+    """
+
+    T_gamma: float
+    T_gamma_with_spin: float
+    dissipation: float
+    factor: float
+    largest_pressure_slip: float
+    largest_dissipation: float
+    largest_sliding_velocity: float
+    rows: tuple[WearRow, ...]
+    laws: tuple[LawWear, ...]
 
 
 @dataclass(frozen=True)
@@ -240,6 +313,7 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
             Celsius); where asked for.
         lower_temperature: Temperature of the lower body's surface, as upper_temperature.
         temperature: The largest temperature, and the heat; where temperatures were asked for.
+        wear: What a passage takes off the surfaces; where asked for.
         rolling_resistance: What the creep of viscoelastic bodies takes of rolling; of contact with such a body.
         elastic_energy: Half the sum of traction times displacement, the energy that elastic bodies have stored (N mm);
             with displacements.
@@ -285,6 +359,7 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
     upper_temperature: Array | None = None
     lower_temperature: Array | None = None
     temperature: ContactTemperature | None = None
+    wear: ContactWear | None = None
     rolling_resistance: RollingResistance | None = None
     elastic_energy: float | None = None
     frictional_work: float | None = None

@@ -12,6 +12,7 @@
 #include "contactd/fields/grid.hpp"
 #include "contactd/fields/session.hpp"
 #include "contactd/fields/temperature.hpp"
+#include "contactd/fields/wear.hpp"
 
 namespace contactd {
 

@@ -8,6 +8,7 @@
 #include "contactd/fields/profile_spec.hpp"
 #include "contactd/fields/temperature.hpp"
 #include "contactd/fields/temperature_friction.hpp"
+#include "contactd/fields/wear.hpp"
 #include "contactd/wheel_rail_setup.hpp"
 
 namespace contactd {

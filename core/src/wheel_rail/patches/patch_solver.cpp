@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "contactd/error.hpp"
 #include "contactd/solve_contact.hpp"
+#include "wear/contact_wear.hpp"
 
 namespace contactd {
 namespace {
@@ -179,6 +181,7 @@ void blend(ContactProblem& problem, const ContactPlace& place, const PatchRules&
     ContactProblem normal = problem;
     normal.friction.reset();
     normal.temperature.reset();
+    normal.wear.reset();
     normal.gap = blending.gap();
     for (int round = 0; round < most_rounds; ++round) {
         normal.initial.pressure = solve_contact(normal, influence, observer).pressure;
@@ -210,6 +213,28 @@ void set_motion(ContactProblem& problem, const WheelRailSetup& setup, const Whee
                                            rolling ? spin_offset * rolling->dq * std::cos(rolling->chi) : 0);
     if (!found.additional_slip.empty()) problem.rigid_slip = found.additional_slip;
     if (rolling == nullptr) scale(problem.rigid_slip, creepages.velocity * std::get<Shift>(problem.motion).duration);
+}
+
+/// Rows in track coordinates, and the creepages of the reference, also where surfaces slip row by row.
+WearPlace wear_place(const ContactPlace& place) {
+    WearPlace result{.xi = place.creepages.xi, .eta = place.creepages.eta};
+    for (const ContactRow& row : place.rows) result.rows.push_back({.y = row.y, .z = row.z, .angle = row.angle});
+    if (!place.rows.empty()) return result;
+    const auto& [x, y, z, angle] = place.reference;
+    for (int iy = 0; iy < place.grid.ny; ++iy) {
+        const double across = place.grid.y(iy);
+        result.rows.push_back({.y = y + across * std::cos(angle), .z = z + across * std::sin(angle), .angle = angle});
+    }
+    return result;
+}
+
+ContactSolution solve_on(ContactProblem& problem, const ContactPlace& place, const PatchStrips& strips,
+                         const PatchRules& rules, const InfluenceSource& influences, Observer& observer) {
+    if (problem.model != Model::full) return solve_contact(problem, {}, observer);
+    const ContactInfluence influence = influences(problem, strips, observer);
+    if (place.regions.size() > 1 && problem.normal_model == NormalModel::of_model)
+        blend(problem, place, rules, influence, observer);
+    return solve_contact(problem, influence, observer);
 }
 
 }  // namespace
@@ -248,6 +273,7 @@ ContactProblem problem_of(const WheelRailSetup& setup, const WheelRailState& sta
     if (!setup.friction || (is_steady && !(found.place.creepages.velocity > 0))) return problem;
     problem.friction = friction_law(*setup.friction, found.place, rail);
     problem.temperature = setup.temperature;
+    problem.wear = setup.wear;
     set_motion(problem, setup, state, found);
     return problem;
 }
@@ -255,11 +281,10 @@ ContactProblem problem_of(const WheelRailSetup& setup, const WheelRailState& sta
 ContactSolution solve_patch(ContactProblem problem, const ContactPlace& place, const PatchStrips& strips,
                             const PatchRules& rules, const InfluenceSource& influences, Observer& observer) {
     try {
-        if (problem.model != Model::full) return solve_contact(problem, {}, observer);
-        const ContactInfluence influence = influences(problem, strips, observer);
-        if (place.regions.size() > 1 && problem.normal_model == NormalModel::of_model)
-            blend(problem, place, rules, influence, observer);
-        return solve_contact(problem, influence, observer);
+        const std::optional<WearRequest> wear = std::exchange(problem.wear, std::nullopt);
+        ContactSolution solution = solve_on(problem, place, strips, rules, influences, observer);
+        if (wear && solution.motion) solution.wear = contact_wear(*wear, problem, wear_place(place), solution);
+        return solution;
     } catch (const InvalidArgument& error) {
         refuse_as_of_wheel(error, problem);
     }

@@ -18,6 +18,7 @@ from ..materials import Material, RigidBody
 from ..motion import KineticFriction, TemperatureFriction
 from ..profile_shapes import Profile
 from ..thermal import ThermalBodies
+from ..wear_laws import WearRequest
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -184,6 +185,8 @@ class WheelRailSetup(Saved):
         simplified: Options of the models fastsim, fastrip and polach, as in contact.solve.
         temperature: What rail (upper) and wheel (lower) have to do with heat, where temperatures of their surfaces are
             wanted: of steady rolling, in each patch by itself. None: none.
+        wear: Laws by which rail (upper) and wheel (lower) wear, where that is wanted: of steady rolling, in each patch
+            by itself. None: no answer of wear.
         sheet_flexibility: Flexibility of a thin sheet between rail and wheel, as in contact.solve (mm^3/N), >= 0. Of
             model full. Default 0.
         friction: Coulomb friction, by default 0.3 everywhere; None: frictionless.
@@ -231,6 +234,7 @@ class WheelRailSetup(Saved):
     normal_model: NormalModel | None = None
     simplified: SimplifiedSettings | None = None
     temperature: ThermalBodies | None = None
+    wear: WearRequest | None = None
     sheet_flexibility: float | None = None
     friction: WheelRailFriction | None = WheelRailFriction()
     dx: float | None = None
@@ -269,6 +273,7 @@ class WheelRailFields(TypedDict, total=False):
     normal_model: NormalModel | None
     simplified: SimplifiedSettings | None
     temperature: ThermalBodies | None
+    wear: WearRequest | None
     sheet_flexibility: float | None
     friction: WheelRailFriction | None
     dx: float | None

@@ -1,0 +1,174 @@
+// Wear of the surfaces of bodies that roll steadily, as plain values: laws as their users state them, with a source and
+// the range that they were tested in, and what a contact answers. No law and no coefficient is a default.
+//
+// Surfaces pass a contact along x. A point of a row loses the depth h = int f dx on its way, f the depth per length of
+// path by a law of pressure p, traction t and relative slip s there (slip over distance rolled; zero in adhesion).
+// Depths are along the normal of each row. docs/damage.md tells what is certain of this and what is assumption.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace contactd {
+
+/// Which of both surfaces a law is of; the contact itself does not know which body wears.
+enum class WornBody { upper, lower };
+
+/// How the dissipation |t s| of the elements is scaled: their sum is of first order in dx, and too low. `scaled`: each
+/// slip times one factor for the patch, by which the sum becomes T gamma by forces and creepages, with spin; `plain`:
+/// as the elements have it.
+enum class WearEnergy { scaled, plain };
+
+/// Between which values a law was tested, of its argument.
+struct WearRange {
+    double least = 0, most = 0;
+
+    bool operator==(const WearRange&) const = default;
+};
+
+/// Archard's k (-) where the sliding velocity is between two.
+struct SevereWear {
+    double k = 0;
+    WearRange velocity{};  ///< (mm/s)
+
+    bool operator==(const SevereWear&) const = default;
+};
+
+/// Archard's k (-) where the pressure is above a share of the hardness, whatever the velocity.
+struct SeizureWear {
+    double k = 0;
+    double pressure = 0;  ///< over the hardness
+
+    bool operator==(const SeizureWear&) const = default;
+};
+
+/// Archard (1953): f = k p |s|/H, with k by a map of sliding velocity V |s| and pressure. Its argument is the sliding
+/// velocity (mm/s).
+struct ArchardWear {
+    double hardness = 0;                 ///< H (N/mm^2), > 0
+    double mild = 0;                     ///< k (-) where neither of the others holds
+    std::optional<SevereWear> severe{};  ///< absent: none
+    std::optional<SeizureWear> seizure{};
+
+    bool operator==(const ArchardWear&) const = default;
+};
+
+/// f = c |t s|. Its argument is |t s| (N/mm^2).
+struct EnergyWear {
+    double coefficient = 0;  ///< c (mm^3/J)
+
+    bool operator==(const EnergyWear&) const = default;
+};
+
+/// Of a function that is straight in pieces, the piece from an argument on: value + slope (argument - from).
+struct WearPiece {
+    double from = 0, value = 0, slope = 0;
+
+    bool operator==(const WearPiece&) const = default;
+};
+
+/// Sheffield's function (Lewis and Dwyer-Joyce 2004; Braghin et al. 2006): f = K(|t s|)/density. Its argument is |t s|
+/// (N/mm^2), its values are K (ug/(m mm^2)).
+struct UsfdWear {
+    std::vector<WearPiece> pieces{};  ///< the first one from 0, ascending
+    double density = 0;               ///< (kg/m^3)
+
+    bool operator==(const UsfdWear&) const = default;
+};
+
+/// British Rail's function (Pearce and Sherratt 1991), of a whole patch: D times the area that a wheel of diameter D
+/// loses of its section per distance (mm mm^2/km), by T gamma without spin (N). A passage is a revolution, in which the
+/// diameter cancels. The area is spread over the rows by |t s|.
+struct BrWear {
+    std::vector<WearPiece> pieces{};  ///< the first one from 0, ascending
+
+    bool operator==(const BrWear&) const = default;
+};
+
+/// Zobory (1997): f = k |t s|/density. Its argument is the power V |t s| (W/mm^2), its values are k (kg/J).
+struct ZoboryWear {
+    std::vector<WearPiece> pieces{};  ///< the first one from 0, ascending
+    double density = 0;               ///< (kg/m^3)
+
+    bool operator==(const ZoboryWear&) const = default;
+};
+
+/// A factor for depths where the surface is inclined by `angle` (rad, from the horizontal, negative on the gauge side).
+struct WearZone {
+    double angle = 0, factor = 0;
+
+    bool operator==(const WearZone&) const = default;
+};
+
+/// A law of wear: one of its five kinds.
+struct WearLaw {
+    std::string name, source;  ///< neither is empty; no two laws have one name
+    WornBody body = WornBody::upper;
+    WearRange range{};  ///< of the argument
+    std::optional<ArchardWear> archard{};
+    std::optional<EnergyWear> energy{};
+    std::optional<UsfdWear> usfd{};
+    std::optional<BrWear> br{};
+    std::optional<ZoboryWear> zobory{};
+    /// By ascending angles, straight lines between, constant beyond; none: 1 everywhere. Lubricated flanges have one.
+    std::vector<WearZone> zones{};
+
+    bool operator==(const WearLaw&) const = default;
+};
+
+struct WearRequest {
+    WearEnergy energy = WearEnergy::scaled;
+    std::vector<WearLaw> laws{};  ///< none: rows have what laws are made of
+
+    bool operator==(const WearRequest&) const = default;
+};
+
+/// A row of elements, dy wide, from the first to the last one in contact.
+struct WearRow {
+    double y = 0, z = 0;           ///< its middle (mm): of wheels on rails in track coordinates
+    double angle = 0;              ///< its inclination (rad); depths are along its normal
+    double pressure_slip = 0;      ///< int p |s| dx (N/mm)
+    double dissipation = 0;        ///< int |t s| dx (N/mm)
+    std::vector<double> depths{};  ///< that one passage takes off (mm), by the laws in their order
+
+    bool operator==(const WearRow&) const = default;
+};
+
+/// What a law makes of a contact.
+struct LawWear {
+    std::string name;
+    WornBody body = WornBody::upper;
+    double area = 0;      ///< of the section, that a passage takes off (mm^2): the volume per distance rolled
+    double depth = 0;     ///< the largest of the rows (mm)
+    double argument = 0;  ///< the largest of the law, in the unit of its range
+
+    bool operator==(const LawWear&) const = default;
+};
+
+struct ContactWear {
+    double T_gamma = 0;            ///< by forces and creepages, without spin: -(Fx xi + Fy eta) (N, J/m)
+    double T_gamma_with_spin = 0;  ///< and with it: -(Fx xi + Fy eta + Mz phi) (N)
+    double dissipation = 0;        ///< sum of |t s| over the elements, not scaled (N)
+    double factor = 1;             ///< by which slips were scaled
+    double largest_pressure_slip = 0, largest_dissipation = 0;  ///< of p |s| and |t s| at an element (N/mm^2)
+    double largest_sliding_velocity = 0;                        ///< (mm/s)
+    std::vector<WearRow> rows{};                                ///< by ascending y of the grid; none without contact
+    std::vector<LawWear> laws{};                                ///< in the order of the request
+
+    bool operator==(const ContactWear&) const = default;
+};
+
+/// Throws InvalidArgument (`field` and below, such as "wear.laws[0].source").
+void validate(const WearRequest& request, const std::string& field);
+
+/// Returns whether a law depends on the velocity of rolling.
+bool needs_velocity(const WearLaw& law);
+
+/// Returns the factor of a law for a row that is inclined by `angle` (rad).
+double factor_at(const std::vector<WearZone>& zones, double angle);
+
+/// Returns the value of a function that is straight in pieces, of which there is one at least.
+double value_at(const std::vector<WearPiece>& pieces, double argument);
+
+}  // namespace contactd
