@@ -125,6 +125,14 @@ def test_the_guide_to_temperature(shared):
     assert max(names["fallen"]) > names["fallen"][-1] + 0.01
 
 
+def test_the_guide_to_damage(shared):
+    (example,) = re.findall(r"^```python\n(.*?)^```", (DOCS / "damage.md").read_text(), re.MULTILINE | re.DOTALL)
+    names: dict[str, Any] = {"client": shared}
+    exec(compile(example, "docs/damage.md", "exec"), names)
+    assert names["wear"].T_gamma == pytest.approx(28.3, abs=0.3)
+    assert [law.name for law in names["wear"].laws] == ["energy", "usfd"]
+
+
 @pytest.mark.timeout(300)
 def test_the_guide_to_viscoelastic_bodies(shared):
     (example,) = re.findall(r"^```python\n(.*?)^```", (DOCS / "viscoelastic.md").read_text(), re.MULTILINE | re.DOTALL)

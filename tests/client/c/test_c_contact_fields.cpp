@@ -114,6 +114,25 @@ TEST_CASE("The kind of motion that is named first stays until it is cleared", "[
     refused(contactd_set(contact, "friction.rolling.phi", 0.1), contact, "friction.rolling.phi", "a shift");
 }
 
+TEST_CASE("Laws of wear and what they take off have paths", "[c]") {
+    const Place place("local");
+    const Handle contact(place);
+    set_sphere(contact);
+    numbers({{"friction.mu", 0.4}, {"friction.rolling.xi", 0.02}, {"friction.rolling.velocity", 2e4}})(contact);
+    words({{"wear.laws[0].name", "energy"}, {"wear.laws[0].source", "a test"}, {"wear.laws[0].body", "lower"}})(
+        contact);
+    set(contact, {{"wear.laws[0].range.least", 0},
+                  {"wear.laws[0].range.most", 1000},
+                  {"wear.laws[0].energy.coefficient", 1e-3},
+                  {"wear.laws[0].zones[0].factor", 0.5}});
+    require_ok(contactd_start(contact), contact);
+    stepped(contact);
+    CHECK(get(contact, "wear.laws") == 1);
+    CHECK(get(contact, "wear.rows") > 2);
+    CHECK(get(contact, "wear.T_gamma") > 0);
+    CHECK(std::abs(get(contact, "wear.laws[0].area") / (0.5e-6 * get(contact, "wear.T_gamma_with_spin")) - 1) < 1e-12);
+}
+
 TEST_CASE("Heat and temperatures of a contact have paths", "[c]") {
     const Place place("local");
     const Handle contact(place);
