@@ -21,6 +21,7 @@ ARROWS = {
     "transport": ["values", "files"],
     "calls": ["values", "values/wheel_rail", "files", "transport"],
     "fits": ["", "values", "calls", "transport"],
+    "wear": ["", "values", "values/wheel_rail", "files"],
     "contact_files": ["", "values", "values/wheel_rail", "files", "contact_files/problems", "contact_files/answers", "contact_files/prints"],
     "contact_files/problems": ["values", "values/wheel_rail"],
     "contact_files/answers": ["values", "values/wheel_rail", "contact_files/problems"],

@@ -21,6 +21,7 @@ READERS = {
     "client/python/contactd/files/ic_files.py": "IC file (`.h5`) of a stranger",
     "client/python/contactd/files/saved.py": "problem or solution (`.h5`)",
     "client/python/contactd/files/table_files.py": "`.npz`",
+    "client/python/contactd/wear/states.py": "states and steps of wear",
     "client/python/contactd/transport/curve.py": "keys",
     "client/cntc/src/interface/input_file.cpp": "`.inp`",
     "client/fmu/instance/serialized.cpp": "saved states of FMUs",

@@ -126,9 +126,10 @@ def test_the_guide_to_temperature(shared):
 
 
 def test_the_guide_to_damage(shared):
-    (example,) = re.findall(r"^```python\n(.*?)^```", (DOCS / "damage.md").read_text(), re.MULTILINE | re.DOTALL)
+    examples = re.findall(r"^```python\n(.*?)^```", (DOCS / "damage.md").read_text(), re.MULTILINE | re.DOTALL)
     names: dict[str, Any] = {"client": shared}
-    exec(compile(example, "docs/damage.md", "exec"), names)
+    exec(compile("\n".join(examples), "docs/damage.md", "exec"), names)
+    assert names["step"].distance == 20
     assert names["wear"].T_gamma == pytest.approx(28.3, abs=0.3)
     assert [law.name for law in names["wear"].laws] == ["energy", "usfd"]
 

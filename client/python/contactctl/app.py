@@ -27,6 +27,7 @@ from .commands import (
     study,
     tables,
     watch,
+    wear,
     wheelrail,
 )
 from .common import Group
@@ -45,7 +46,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
-for family in (info, tables, solve, wheelrail, profile, contact, compare, fit, session, jobs, watch, bench, dashboard, keys, study, completion):
+for family in (info, tables, solve, wheelrail, profile, contact, compare, fit, session, jobs, watch, bench, dashboard, keys, study, wear, completion):
     family.add_to(app)
 
 

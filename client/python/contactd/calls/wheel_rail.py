@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from ..errors import ProtocolError
@@ -151,9 +151,10 @@ class WheelRailCalls(Caller):
 
     @asks
     def placed_profiles(
-        self, setup: WheelRailSetup, *, left: WheelRailSetup | None = None, timeout: float | None = None
+        self, setup: WheelRailSetup | Mapping[str, Any], *, left: WheelRailSetup | None = None, timeout: float | None = None
     ) -> Answering[ProfilesOfSides]:
-        """The profiles of both sides as the daemon has read them, and where they lie: for whoever draws them."""
+        """The profiles of both sides as the daemon has read them, and where they lie: for whoever draws them, or wears them.
+        The set-up may also be its parameters in the words of the wire."""
         profiles = yield from self._of_wheelset(setup, left, "profiles", True, "profiles", timeout)
         found = read(ProfilesOfSides, profiles, "result.profiles")
         if any(points.ndim != 2 or points.shape[1] != 2 for side in (found.left, found.right) for points in (side.wheel, side.rail)):
@@ -162,14 +163,15 @@ class WheelRailCalls(Caller):
 
     def _of_wheelset(
         self,
-        setup: WheelRailSetup,
+        setup: WheelRailSetup | Mapping[str, Any],
         left: WheelRailSetup | None,
         question: str,
         requested: Any,
         answer: str,
         timeout: float | None,
     ) -> Answering[Any]:
-        params = {"setup": setup_params(setup), question: requested}
+        given = dict(setup) if isinstance(setup, Mapping) else setup_params(setup)
+        params = {"setup": given, question: requested}
         if left is not None:
             params["left"] = setup_params(left, "left")
         result = yield from self.asked("wheelrail.geometry", params, timeout=timeout)

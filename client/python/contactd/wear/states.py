@@ -1,0 +1,115 @@
+"""States of a collective: where a wheelset is and how it moves, and how much of the distance or of the passages is so."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+import os
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, fields, replace
+from typing import Any
+
+from ..errors import invalid
+from ..files.whole import read_whole
+from ..values.wheel_rail.state import WheelRailState
+
+__all__ = ["WeightedState", "read_states", "states_of_columns"]
+
+_MOST_BYTES = 1 << 30  #: of a file of states
+_OWN = ("weight", "distance", "group", "mu")
+
+
+@dataclass(frozen=True)
+class WeightedState:
+    """A state with its share.
+
+    Attributes:
+        state: Where the wheelset is, and how it moves.
+        weight: How much of the distance of a wheel, or of the passages over a rail, is so: over the sum of all weights.
+        group: What it belongs to, such as a class of curves; answers are told group by group.
+        mu: Its coefficient of friction; None: that of the set-up.
+    """
+
+    state: WheelRailState
+    weight: float
+    group: str = ""
+    mu: float | None = None
+
+
+def read_states(path: str | os.PathLike[str]) -> list[WeightedState]:
+    """The states of a file with a row a state: CSV with names in its first line, HDF5 with a dataset a column, or Parquet (with
+    pandas), as the name ends.
+
+    Columns are paths of a state, such as ``position.y``, ``velocity.yaw`` or ``Fz``; ``weight`` or ``distance``, of which one
+    must be there; ``group`` and ``mu``. Raises InvalidArgument naming what is wrong, OSError for files that cannot be read.
+    """
+    name = os.fspath(path).lower()
+    if name.endswith((".h5", ".hdf5")):
+        return states_of_columns(_hdf5_columns(path))
+    if name.endswith(".parquet"):
+        import pandas
+
+        table = pandas.read_parquet(path)
+        return states_of_columns({str(column): table[column].tolist() for column in table.columns})
+    rows = list(csv.reader(io.StringIO(read_whole(path, _MOST_BYTES).decode("utf-8-sig"))))
+    rows = [row for row in rows if row and not row[0].startswith("#")]
+    if not rows:
+        raise invalid("states", "are empty; the first line names the columns, such as position.y, Fz, weight")
+    head = [column.strip() for column in rows[0]]
+    for number, row in enumerate(rows[1:], 1):
+        if len(row) != len(head):
+            raise invalid(f"states[{number - 1}]", f"has {len(row)} columns, and the first line names {len(head)}")
+    return states_of_columns({column: [row[i].strip() for row in rows[1:]] for i, column in enumerate(head)})
+
+
+def states_of_columns(columns: Mapping[str, Iterable[Any]]) -> list[WeightedState]:
+    """The states of columns by their names, as read_states reads them. Raises InvalidArgument naming the column."""
+    table = {name: list(values) for name, values in columns.items()}
+    weights = [name for name in ("weight", "distance") if name in table]
+    if len(weights) != 1:
+        which = "both weight and distance" if weights else "neither weight nor distance"
+        raise invalid("states", f"have {which}; one column says how much of all each state is")
+    states = []
+    for row in range(len(table[weights[0]])):
+        state = WheelRailState()
+        for name, values in table.items():
+            if name not in _OWN:
+                state = _with(state, name, name.split("."), _number(values[row], f"states[{row}].{name}"))
+        weight = _number(table[weights[0]][row], f"states[{row}].{weights[0]}")
+        if weight < 0:
+            raise invalid(f"states[{row}].{weights[0]}", f"is {weight:g}; it must be at least 0")
+        mu = _number(table["mu"][row], f"states[{row}].mu") if "mu" in table and table["mu"][row] not in ("", None) else None
+        states.append(WeightedState(state, weight, str(table["group"][row]) if "group" in table else "", mu))
+    if not sum(one.weight for one in states) > 0:
+        raise invalid("states", f"have no {weights[0]} together; it must be positive")
+    return states
+
+
+def _with(value: Any, name: str, path: list[str], number: float) -> Any:
+    known = {field.name for field in fields(value)}
+    if path[0] not in known:
+        raise invalid("states", f"have a column {name}; a state has no {path[0]} there, but {', '.join(sorted(known))}")
+    part = getattr(value, path[0])
+    is_object = hasattr(part, "__dataclass_fields__")
+    if is_object != (len(path) > 1):
+        raise invalid("states", f"have a column {name}, which is no number of a state")
+    return replace(value, **{path[0]: _with(part, name, path[1:], number) if is_object else number})
+
+
+def _number(value: Any, field: str) -> float:
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        number = math.nan
+    if not math.isfinite(number):
+        raise invalid(field, f"is {value!r}; it must be a number")
+    return number
+
+
+def _hdf5_columns(path: str | os.PathLike[str]) -> dict[str, list[Any]]:
+    import h5py
+
+    with h5py.File(path, "r") as file:
+        columns = {name: file[name][()] for name in file if getattr(file[name], "ndim", 0) == 1}
+    return {name: [v.decode() if isinstance(v, bytes) else v for v in values.tolist()] for name, values in columns.items()}

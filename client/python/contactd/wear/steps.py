@@ -1,0 +1,49 @@
+"""A step of a section that wears."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+import numpy.typing as npt
+
+__all__ = ["WornStep"]
+
+Array = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class WornStep:
+    """The section after a step, and what the step took off; that of number 0 is new.
+
+    Attributes:
+        number: How many steps there were.
+        distance: What the wheel has run so far (km), or how many wheels have passed the rail.
+        points: (y, z) of the section (mm), in the coordinates of its profile, of a rail as cant has turned it.
+        edges: Ends of the cells of `depths` along the section before the step (mm).
+        depths: What the step took off the cells (mm).
+        area: What all steps together took off (mm^2), as rows told it.
+        removed: The area between the new section and this one (mm^2).
+        T_gamma: The mean over the states, without spin (N), before the step.
+        T_gamma_with_spin: And with it (N).
+        pmax: The largest pressure of the states (N/mm^2), before the step.
+        mean_pressure: The mean pressure that stability goes by (N/mm^2).
+        smoothing: Wavelength that was smoothed (mm); 0: none, or by exponential steps.
+        groups: What the step took off by groups of states (mm^2).
+        warnings: Sentences.
+    """
+
+    number: int
+    distance: float
+    points: Array
+    edges: Array
+    depths: Array
+    area: float = 0.0
+    removed: float = 0.0
+    T_gamma: float = 0.0
+    T_gamma_with_spin: float = 0.0
+    pmax: float = 0.0
+    mean_pressure: float = 0.0
+    smoothing: float = 0.0
+    groups: dict[str, float] = field(default_factory=dict)
+    warnings: tuple[str, ...] = ()

@@ -1,0 +1,98 @@
+"""wear: profiles that wear, from files to a file."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import time
+
+import numpy as np
+import pytest
+
+h5py = pytest.importorskip("h5py")
+
+STATES = """position.y, position.yaw, velocity.x, velocity.pitch, Fz, weight, group
+-1.5, -0.0005, 30000, -65.217, 80000, 0.4, straight
+1, 0.001, 30000, -65.217, 80000, 0.4, straight
+"""
+STUDY = """setup: {dx: 0.8, dy: 0.8}
+states: states.csv
+wears: wheel
+law: {name: mild, source: a test, body: lower, range: [0, 10], energy: {coefficient: 0.000675}}
+until: 60
+step: {depth: 0.005}
+"""
+
+
+@pytest.fixture
+def files(ctl):
+    ctl.write("wear.yaml", STUDY)
+    ctl.write("states.csv", STATES)
+    for path in ctl.folder.glob("*.h5"):
+        path.unlink()
+    return ctl
+
+
+def points(path):
+    with h5py.File(path) as file:
+        return file["points"][()], file["distance"][()]
+
+
+def test_steps_are_shown_and_kept(files):
+    shown = files("wear", "wear.yaml", "--profile", "worn.txt")
+    assert shown.code == 0, shown.err
+    assert "largest depth, mm" in shown.out
+    sections, distances = points(files.folder / "wear.yaml.h5")
+    assert distances[0] == 0 and distances[-1] == 60 and len(distances) > 3
+    np.testing.assert_allclose(np.loadtxt(files.folder / "worn.txt"), sections[-1], atol=1e-6)
+    steps = files("wear", "wear.yaml", "--json").json["steps"]
+    assert steps[-1]["km"] == 60 and steps[-1]["removed"] == pytest.approx(steps[-1]["area"], rel=1e-9)
+    assert steps[1]["groups"].keys() == {"straight"}
+
+
+def test_a_run_that_is_killed_ends_as_an_undisturbed_one(files):
+    files("wear", "wear.yaml", "--output", "whole.h5")
+    path = files.folder / "killed.h5"
+    for _ in range(2):
+        command = [*files.command, "wear", "wear.yaml", "--output", "killed.h5"]
+        process = subprocess.Popen(command, cwd=files.folder, env=files.environment, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+        until, before = time.monotonic() + 30, path.stat().st_mtime_ns if path.exists() else 0
+        while time.monotonic() < until and process.poll() is None and (path.stat().st_mtime_ns if path.exists() else 0) == before:
+            time.sleep(0.005)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+    assert files("wear", "wear.yaml", "--output", "killed.h5").code == 0
+    for one, other in zip(points(path), points(files.folder / "whole.h5"), strict=True):
+        np.testing.assert_array_equal(one, other)
+
+
+def test_steps_of_another_study_are_left_alone(files):
+    assert files("wear", "wear.yaml").code == 0
+    files.write("wear.yaml", STUDY.replace("0.005", "0.01"))
+    ended = files("wear", "wear.yaml")
+    assert ended.code == 2 and "differs in depth" in ended.err and "--fresh begins anew" in ended.err
+    assert files("wear", "wear.yaml", "--fresh").code == 0
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        (STUDY.replace("source: a test, ", ""), "law has no name or no source"),
+        (STUDY.replace("until: 60", ""), "until is missing"),
+        (STUDY.replace("until: 60", "until: far"), "until is 'far'; it must be a number"),
+        (STUDY.replace("body: lower", "body: upper"), "law.body is upper, and the wheel wears"),
+        (STUDY.replace("states.csv", "nothing.csv"), "nothing.csv: No such file"),
+        (STUDY + "rate: 1\n", "a study of wear has no rate"),
+        (STUDY.replace("depth", "height"), "step has no height"),
+    ],
+)
+def test_a_study_that_cannot_be_meant_is_refused(files, text, sentence):
+    files.write("wear.yaml", text)
+    ended = files("wear", "wear.yaml")
+    assert ended.code == 2 and sentence in ended.err
+
+
+def test_states_without_weight_are_refused(files):
+    files.write("states.csv", STATES.replace("weight", "speed"))
+    ended = files("wear", "wear.yaml")
+    assert ended.code == 2 and "neither weight nor distance" in ended.err

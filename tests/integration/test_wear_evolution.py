@@ -1,0 +1,105 @@
+"""Profiles that wear, by a daemon: areas are kept, mirrors and halves are what they must be, and runs go on."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from contactd import EnergyWear, InvalidArgument, WearLaw
+from contactd.wear import WearStudy, WeightedState, evolve, read_record, write_record
+from contactd.wheel_rail import WheelRailSetup, WheelRailState, WheelsetPosition, WheelsetVelocity
+
+WHEEL = WearLaw("energy", "a test", "lower", (0, 100), energy=EnergyWear(6.75e-4))
+RAIL = WearLaw("energy", "a test", "upper", (0, 100), energy=EnergyWear(6.75e-4))
+
+
+def state(y: float, yaw: float, weight: float = 1.0, group: str = "", side: int = 1) -> WeightedState:
+    made = WheelRailState(
+        position=WheelsetPosition(y=side * y, yaw=side * yaw), velocity=WheelsetVelocity(x=30e3, pitch=-30e3 / 460), Fz=80e3
+    )
+    return WeightedState(made, weight, group)
+
+
+PAIRS = [(y, yaw) for y in (-2.0, -1.0, 0.5, 1.5) for yaw in (-1e-3, 1e-3)]
+STUDY = WearStudy(
+    WheelRailSetup(dx=0.8, dy=0.8),
+    [*(state(*pair, group="straight") for pair in PAIRS), state(5.0, 2e-3, 0.5, "curve")],
+    "wheel", WHEEL, until=200, depth=0.02,
+)  # fmt: skip
+
+
+def run(client, study, steps=None, most=99):
+    found = []
+    for step in evolve(client, study, steps):
+        found.append(step)
+        if len(found) == most:
+            break
+    return found
+
+
+def test_areas_are_kept_and_told_by_groups(shared):
+    steps = run(shared, STUDY)
+    assert steps[0].number == 0 and steps[-1].distance == 200 and len(steps) > 2
+    assert steps[-1].removed == pytest.approx(steps[-1].area, rel=1e-9)
+    for step in steps[1:]:
+        assert step.depths.max() <= 0.02 * (1 + 1e-9)
+        assert (step.depths * np.diff(step.edges)).sum() == pytest.approx(sum(step.groups.values()), rel=1e-12)
+        assert step.groups.keys() == {"straight", "curve"}
+    # What T gamma takes off a circumference, by the mean radius.
+    first = steps[1]
+    km = first.distance * 1e6 * 6.75e-7 * first.T_gamma_with_spin / (2 * np.pi * 460)
+    assert first.area == pytest.approx(km, rel=0.01)
+
+
+def test_a_left_wheel_in_the_mirror_wears_alike(shared):
+    mirrored = replace(
+        STUDY, setup=STUDY.setup.replace(side="left"), until=40,
+        states=[*(state(*pair, group="straight", side=-1) for pair in PAIRS), state(5.0, 2e-3, 0.5, "curve", -1)],
+    )  # fmt: skip
+    right, left = (run(shared, study)[-1] for study in (replace(STUDY, until=40), mirrored))
+    np.testing.assert_allclose(left.points, right.points, atol=1e-12)
+
+
+def test_two_halves_of_a_collective_are_the_whole(shared):
+    halves = replace(STUDY, until=40, states=[*STUDY.states, *STUDY.states])
+    whole, twice = (run(shared, study)[-1] for study in (replace(STUDY, until=40), halves))
+    np.testing.assert_allclose(twice.points, whole.points, atol=1e-9)
+
+
+def test_a_rail_wears_by_passages(shared):
+    study = replace(STUDY, wears="rail", law=RAIL, until=20_000.0)
+    steps = run(shared, study)
+    last = steps[-1]
+    assert last.distance == 20_000
+    assert last.removed == pytest.approx(last.area, rel=1e-9)
+    assert steps[1].area == pytest.approx(steps[1].distance * 6.75e-7 * steps[1].T_gamma_with_spin, rel=1e-9)
+    moved = last.points - steps[0].points
+    assert moved[:, 1].max() > 0 and moved[:, 1].min() > -1e-12
+
+
+def test_a_run_that_was_killed_goes_on_to_the_same_end(shared, tmp_path):
+    pytest.importorskip("h5py")
+    study = replace(STUDY, until=100, depth=0.01)
+    whole = run(shared, study)
+    write_record(tmp_path / "run.h5", study, run(shared, study, most=2))
+    before = read_record(tmp_path / "run.h5", study)
+    after = [*before, *run(shared, study, before)]
+    assert len(after) == len(whole) > 3
+    for one, other in zip(after, whole):
+        np.testing.assert_array_equal(one.points, other.points)
+        assert (one.distance, one.area, one.groups, one.warnings) == (other.distance, other.area, other.groups, other.warnings)
+    with pytest.raises(InvalidArgument, match="differs in depth from the one"):
+        read_record(tmp_path / "run.h5", replace(study, depth=0.02))
+
+
+def test_explicit_smoothing_below_what_steps_ask_for_warns(shared):
+    steps = run(shared, replace(STUDY, smoothing=1.0, depth=0.05), most=2)
+    assert any("shorter grooves grow" in warning for warning in steps[1].warnings)
+
+
+def test_a_state_that_cannot_be_solved_is_named(shared):
+    deep = WeightedState(WheelRailState(position=WheelsetPosition(z=60.0), velocity=WheelsetVelocity(x=30e3)), 1.0)
+    with pytest.raises(InvalidArgument, match=r"states\[9\] cannot be solved"):
+        run(shared, replace(STUDY, states=[*STUDY.states, deep]))
