@@ -8,8 +8,18 @@ import numpy as np
 import pytest
 
 from contactd import EnergyWear, InvalidArgument, WearLaw
-from contactd.wear import WearStudy, WeightedState, evolve, read_record, write_record
-from contactd.wheel_rail import WheelRailSetup, WheelRailState, WheelsetPosition, WheelsetVelocity
+from contactd.wear import Section, WearStudy, WeightedState, evolve, read_record, write_record
+from contactd.wheel_rail import (
+    ArcProfile,
+    ConeProfile,
+    ProfilePoints,
+    Track,
+    WheelRailSetup,
+    WheelRailState,
+    Wheelset,
+    WheelsetPosition,
+    WheelsetVelocity,
+)
 
 WHEEL = WearLaw("energy", "a test", "lower", (0, 100), energy=EnergyWear(6.75e-4))
 RAIL = WearLaw("energy", "a test", "upper", (0, 100), energy=EnergyWear(6.75e-4))
@@ -96,10 +106,64 @@ def test_a_run_that_was_killed_goes_on_to_the_same_end(shared, tmp_path):
 
 def test_explicit_smoothing_below_what_steps_ask_for_warns(shared):
     steps = run(shared, replace(STUDY, smoothing=1.0, depth=0.05), most=2)
-    assert any("shorter grooves grow" in warning for warning in steps[1].warnings)
+    assert any("grooves grow that smoothing" in warning for warning in steps[1].warnings)
 
 
 def test_a_state_that_cannot_be_solved_is_named(shared):
     deep = WeightedState(WheelRailState(position=WheelsetPosition(z=60.0), velocity=WheelsetVelocity(x=30e3)), 1.0)
     with pytest.raises(InvalidArgument, match=r"states\[9\] cannot be solved"):
         run(shared, replace(STUDY, states=[*STUDY.states, deep]))
+
+
+def groove_left(client, smoothing, depth, wavelength=3.0):
+    """What one step in gross sliding leaves of a groove in a tread, of its size before; and q of the step."""
+    new = Section.of(client.placed_profiles(WheelRailSetup()).right.wheel, "wheel", 0.1)
+    sliding = WheelRailState(velocity=WheelsetVelocity(x=30e3, pitch=-30e3 / 460 * 1.02), Fz=80e3)
+    y = new.points[:, 0]
+    wave = np.cos(2 * np.pi * y / wavelength)
+    found = []
+    for sign in (1, -1):  # half of their difference is what the groove makes
+        grooved = np.stack([y, new.points[:, 1] + sign * 1e-4 * wave], axis=1)
+        setup = WheelRailSetup(wheel=ProfilePoints(grooved), dx=0.3, dy=0.15)
+        study = WearStudy(
+            setup, [WeightedState(sliding, 1.0)], "wheel", WHEEL, until=1e9, depth=depth, smoothing=smoothing, spacing=0.1
+        )
+        found.append(run(client, study, most=2))
+    sizes = []
+    for plus, minus in zip(*found):
+        difference = (np.interp(y, *plus.points.T) - np.interp(y, *minus.points.T)) / 2
+        middle = np.abs(y - 1) < 2.5
+        sizes.append(float((difference * wave)[middle].sum()))
+    q = np.pi * 113_889 * depth / (wavelength * found[0][1].mean_pressure)
+    return sizes[1] / sizes[0], q
+
+
+@pytest.mark.parametrize("smoothing", ["auto", "exponential_step"])
+@pytest.mark.parametrize("depth", [0.001, 0.005, 0.02])
+def test_grooves_neither_grow_nor_vanish_before_they_are_worn(shared, smoothing, depth):
+    left, q = groove_left(shared, smoothing, depth)
+    assert np.exp(-q) - 0.12 < left < 1
+
+
+def test_a_step_without_smoothing_lets_grooves_grow_beyond_the_critical_depth(shared):
+    left, q = groove_left(shared, 0.0, 0.02)
+    assert q > 2 and left < -1.5
+
+
+def test_a_cylinder_takes_the_shape_of_the_rail_that_wears_it_in_one_place(shared):
+    """Of the area A it is worn by (3 A/(4 sqrt(2 R)))^(2/3), R the rail's radius; in steps that do not swing."""
+    wheel, rail = ConeProfile(0.0, ends=(-60.0, 60.0)), ArcProfile(300.0)
+    setup = WheelRailSetup(
+        wheel=wheel, rail=rail, track=Track(rail_origin=(750.0, 0.0), gauge_height=0.0), dx=0.5, dy=0.5,
+        wheelset=Wheelset(flange_back_distance=1360.0, flange_back_position=-70.0),
+    )  # fmt: skip
+    sliding = WheelRailState(velocity=WheelsetVelocity(x=30e3, pitch=-30e3 / 460 * 1.02), Fz=60e3)
+    study = WearStudy(setup, [WeightedState(sliding, 1.0)], "wheel", WHEEL, until=1e9, depth=0.1)
+    steps = run(shared, study, most=26)
+    last = steps[-1]
+    depth = -last.points[:, 1].min()
+    assert depth > 0.3
+    assert depth == pytest.approx((3 * last.area / (4 * (2 * 300) ** 0.5)) ** (2 / 3), rel=0.03)
+    pressures = [step.pmax for step in steps[8:]]
+    assert max(pressures) < 1.15 * min(pressures)
+    np.testing.assert_allclose(last.points[:, 1], last.points[::-1, 1], atol=2e-3)

@@ -23,7 +23,7 @@ those of the way: `deposit`, `exponential_step`, `smoothed`, `Section.worn`.
 from __future__ import annotations
 
 from .evolution import evolve
-from .filters import critical_depth, exponential_step, smoothed
+from .filters import critical_depth, exponential_step, smoothed, smoothing_length
 from .places import rows_on_rail, rows_on_wheel
 from .record import read_record, write_record
 from .section import Section, deposit
@@ -45,5 +45,6 @@ __all__ = [
     "rows_on_rail",
     "rows_on_wheel",
     "smoothed",
+    "smoothing_length",
     "write_record",
 ]

@@ -15,9 +15,10 @@ from ..errors import InvalidArgument, invalid
 from ..values.params import params_of
 from ..values.profile_shapes import ProfilePoints
 from ..values.wheel_rail.params import STEEL
-from .filters import exponential_step, smoothed, smoothing_length
+from .filters import exponential_step, smoothed
 from .places import rows_on_rail, rows_on_wheel
 from .section import Section, deposit
+from .stability import LoadedRows, Stiffness
 from .steps import WornStep
 from .study import WearStudy
 
@@ -27,7 +28,6 @@ Array = npt.NDArray[np.float64]
 
 _KM = 1e6  #: mm
 _RADIUS = 460.0  #: nominal radius where a set-up names none (mm)
-_STEADIEST = 0.85  #: of the length of smoothing that a step asks for: shorter ones let grooves grow in partial slip
 _FEW = 0.1  #: of the states
 _MOST_BY_FEW = 0.9  #: of the area that few states may carry without a warning
 
@@ -123,15 +123,17 @@ def _next(new: Section, last: WornStep, study: WearStudy, place: _Place, answers
     size = float(edges[1] - edges[0])
     total = sum(one.weight for one in study.states)
     rates = np.zeros((len(answers), len(edges) - 1))  # what a km, or a passage, of this state takes off
-    pressures, warnings = np.zeros(len(answers)), []
+    contacts: list[LoadedRows] = []
+    warnings: list[str] = []
     T_gamma = T_gamma_with_spin = pmax = 0.0
     for i, (one, answer) in enumerate(zip(study.states, answers)):
         weight = one.weight / total
         try:
-            rates[i], pressures[i] = _rate(answer, section, edges, study, place, i)
+            rates[i] = _rate(answer, section, edges, study, place, i)
         except InvalidArgument as error:
             raise invalid(f"states[{i}]", f"cannot be placed: {error}") from error
         rates[i] *= weight
+        contacts += _loaded_rows(answer, weight)
         for patch in answer.get("patches", ()):
             wear = patch["solution"].get("wear", {})
             T_gamma += weight * wear.get("T_gamma", 0.0)
@@ -143,8 +145,8 @@ def _next(new: Section, last: WornStep, study: WearStudy, place: _Place, answers
     rate = rates.sum(axis=0)
     if not areas.sum() > 0:
         raise invalid("states", "wear nothing off: no contact of them slips, or the law is zero there")
-    pressure = float((areas * pressures).sum() / areas.sum())
-    depths, distance, smoothing = _step(rate, size, study, study.until - last.distance, pressure, place.modulus, warnings)
+    stiffness = Stiffness(contacts, place.modulus)
+    depths, distance, smoothing = _step(rate, size, study, study.until - last.distance, stiffness, place.modulus, warnings)
     area = float(depths.sum() * size)
     centres = 0.5 * (edges[1:] + edges[:-1])
     worn = section.worn(np.interp(section.lengths, centres, depths), area)
@@ -156,20 +158,34 @@ def _next(new: Section, last: WornStep, study: WearStudy, place: _Place, answers
     reached = study.until if math.isclose(last.distance + distance, study.until, rel_tol=1e-12) else last.distance + distance
     return WornStep(
         last.number + 1, reached, worn.points, edges, depths, last.area + area, new.area_above(worn), T_gamma, T_gamma_with_spin, pmax,
-        pressure, smoothing, groups, tuple(warnings),
+        stiffness.pressure, smoothing, groups, tuple(warnings),
     )  # fmt: skip
 
 
-def _rate(
-    answer: dict[str, Any], section: Section, edges: Array, study: WearStudy, place: _Place, index: int
-) -> tuple[Array, float]:
-    """What a km of this state, or a passage, takes off the cells, and the mean pressure that did it."""
+def _worn_rows(patch: dict[str, Any]) -> list[dict[str, Any]]:
+    """The rows of a patch that wear."""
+    return [row for row in patch["solution"].get("wear", {}).get("rows", ()) if row["depths"][0] > 0]
+
+
+def _loaded_rows(answer: dict[str, Any], weight: float) -> list[LoadedRows]:
+    found = []
+    for patch in answer.get("patches", ()):
+        if not (rows := _worn_rows(patch)):
+            continue
+        area, dy = patch["solution"]["area"]["contact"], patch["place"]["grid"]["dy"]
+        worn = weight * dy * sum(row["depths"][0] for row in rows)
+        width = dy * len(rows)
+        found.append(LoadedRows(worn, patch["solution"]["forces"]["Fn"] / area, area / width, width))
+    return found
+
+
+def _rate(answer: dict[str, Any], section: Section, edges: Array, study: WearStudy, place: _Place, index: int) -> Array:
+    """What a km of this state, or a passage, takes off the cells."""
     state = study.states[index].state
     position = {"y": state.position.y, "roll": state.position.roll, "yaw": state.position.yaw, "z": answer["z"]}
-    rate, pressure, carried = np.zeros(len(edges) - 1), 0.0, 0.0
+    rate = np.zeros(len(edges) - 1)
     for patch in answer.get("patches", ()):
-        rows = [row for row in patch["solution"].get("wear", {}).get("rows", ()) if row["depths"][0] > 0]
-        if not rows:
+        if not (rows := _worn_rows(patch)):
             continue
         y, z = np.array([row["y"] for row in rows]), np.array([row["z"] for row in rows])
         depths = np.array([row["depths"][0] for row in rows])
@@ -180,36 +196,34 @@ def _rate(
         else:
             points = rows_on_rail(y, z, origin=place.rail_origin, deviation=(state.rail.y, state.rail.z), left=place.left)
         rate += deposit(edges, section.nearest(points), patch["place"]["grid"]["dy"], depths)
-        part = float(depths.sum())
-        pressure += part * patch["solution"]["forces"]["Fn"] / patch["solution"]["area"]["contact"]
-        carried += part
-    return rate, pressure / carried if carried > 0 else 0.0
+    return rate
 
 
 def _step(
-    rate: Array, size: float, study: WearStudy, left: float, pressure: float, modulus: float, warnings: list[str]
+    rate: Array, size: float, study: WearStudy, left: float, stiffness: Stiffness, modulus: float, warnings: list[str]
 ) -> tuple[Array, float, float]:
     """The depths of a step, how far it goes, and the wavelength that was smoothed."""
     most = min(left, math.inf if study.distance is None else study.distance)
+    is_free = study.smoothing in ("auto", "exponential_step")
 
     def filtered(depth: float) -> tuple[Array, float]:
         if study.smoothing == "exponential_step":
-            return exponential_step(rate, size, depth, pressure, modulus), 0.0
-        length = smoothing_length(depth, pressure, modulus) if study.smoothing == "auto" else float(study.smoothing)
+            return exponential_step(rate, size, depth, stiffness.pressure, modulus), 0.0
+        length = stiffness.smoothing(depth) if study.smoothing == "auto" else float(study.smoothing)
         return (smoothed(rate, size, length) if length > 0 else rate), length
 
-    taken, length = filtered(study.depth)
-    distance = float(study.depth / taken.max())
+    deepest = min(study.depth, stiffness.deepest) if is_free else study.depth
+    taken, length = filtered(deepest)
+    distance = float(deepest / taken.max())
     if distance > most:  # a step that ends before its depth is reached is smoothed by less
         distance = most
         for _ in range(3):
             taken, length = filtered(distance * float(taken.max()))
     depth = distance * float(taken.max())
-    needed = smoothing_length(depth, pressure, modulus)
-    if study.smoothing not in ("auto", "exponential_step") and length < _STEADIEST * needed:
+    if not is_free and not stiffness.is_stable(depth, length):
         warnings.append(
-            f"A step of {depth:.3g} mm under {pressure:.3g} N/mm^2 asks for smoothing by {needed:.3g} mm, and smoothing is "
-            f"{length:g} mm: shorter grooves grow. Take smaller steps, or smoothing auto."
+            f"In a step of {depth:.3g} mm under {stiffness.pressure:.3g} N/mm^2 grooves grow that smoothing by {length:g} mm leaves: "
+            "take smaller steps, or smoothing auto."
         )
     return np.asarray(taken * distance), distance, float(length)
 
