@@ -147,7 +147,7 @@ struct LawWear {
 };
 
 struct ContactWear {
-    double T_gamma = 0;            ///< by forces and creepages, without spin: -(Fx xi + Fy eta) (N, J/m)
+    double T_gamma = 0;            ///< by forces and creepages, without spin: |Fx xi + Fy eta| (N, J/m)
     double T_gamma_with_spin = 0;  ///< and with it: -(Fx xi + Fy eta + Mz phi) (N)
     double dissipation = 0;        ///< sum of |t s| over the elements, not scaled (N)
     double factor = 1;             ///< by which slips were scaled

@@ -154,7 +154,7 @@ class ContactWear(ContactWearMethods):
     over the distance rolled.
 
     Attributes:
-        T_gamma: T gamma by forces and creepages, without spin (N): -(Fx xi + Fy eta).
+        T_gamma: T gamma by forces and creepages, without spin (N): the size of Fx xi + Fy eta.
         T_gamma_with_spin: T gamma by forces and creepages, with spin (N): -(Fx xi + Fy eta + Mz phi), all that friction
             dissipates per distance rolled.
         dissipation: Sum of |t s| over the elements, not scaled (N).
