@@ -156,7 +156,7 @@ TEST_CASE("A bad value of contact.solve is named with what would be right", "[sc
             Case{"/bodies/lower", "{\"rigid\": false}", "bodies.lower.rigid", "is false; it must be true"},
             Case{"/bodies/lower", "{\"rigid\": true, \"nu\": 0.3}", "bodies.lower.nu",
                  "does not go with rigid; only rigid do: a rigid body has no material"},
-            Case{"/gap", "{}", "gap", "it must hold exactly one of array, paraboloid, semi_axes"},
+            Case{"/gap", "{}", "gap", "it must hold exactly one of array, half_ellipses, paraboloid, semi_axes"},
             Case{"/gap", "{\"semi_axes\": {\"a\": 1}}", "gap.semi_axes.b", "is missing; it must be a number"},
             Case{"/gap", "{\"semi_axes\": {\"a\": 1, \"b\": 0}}", "gap.semi_axes.b", "is 0; it must be positive"},
             Case{"/gap/array", "[[1,2,3],[4,5,6]]", "gap", "is an object with 2 fields; it must hold exactly one"},

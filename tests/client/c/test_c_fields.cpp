@@ -129,6 +129,7 @@ TEST_CASE("An id stays that of its path, however many paths there are", "[c]") {
     require_ok(contactd_set_at(w, first, 0.01), w);
     require_ok(contactd_set_at(w, last, 0.001), w);
     const LocalWheel other;
+    require_ok(contactd_wheel_solve(other.wheel), other.wheel);
     set(other.wheel, {{"state.position.yaw", 0.01}, {"state.position.roll", 0.001}});
     CHECK(solved(w) == solved(other.wheel));
 }

@@ -89,9 +89,12 @@ TEST_CASE("In process and with a daemon flats and springs have the same answers 
         const WheelHandle own(here), remote(there);
         set(own);
         set(remote);
+        std::int32_t fresh = 0;
+        require_ok(contactd_save(own, &fresh), own);
         const Numbers mine = solved(own);
         CHECK(mine.size() > 100);
         CHECK(mine == solved(remote));
+        require_ok(contactd_restore(own, fresh), own);
         CHECK(mine == solved(own));
     }
 }

@@ -192,8 +192,6 @@ TEST_CASE("What makes no sense together is refused before anything is sent", "[c
     set("setup.bodies.lower.rigid", 1);
     set("setup.bodies.lower.nu", 0.3);
     refused("setup.bodies.lower.G");
-    REQUIRE(contactd_set_word(w, "state.motion", "transient_rolling") == CONTACTD_OK);
-    refused("state.motion");
 }
 
 TEST_CASE("A file that is no profile is refused, and what was set stays", "[c]") {
