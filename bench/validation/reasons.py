@@ -49,7 +49,15 @@ REASONS = (
         "virtual penetration",
         "KPEC and ANALYN on rails (B = 5, 6)",
         "Up to 0.2 % of mu Fn, and of moments 0.05 mm of mu Fn. Not decided",
-        {"examples/mbench_a22_kpec.inp": (3, 5, 6)},
+        {"examples/mbench_a22_kpec.inp": (3, 6)},
+    ),
+    Reason(
+        "second differences",
+        "ANALYN's second differences of a distance that is not known to 1e-5 mm (B = 6)",
+        "6 N of a force, 23 N mm of a moment, 7 elements of 1016. A noise of 1e-5 mm in the distance moves them by 10 N, 37 N mm "
+        "and 3 elements",
+        {"examples/mbench_a22_kpec.inp": (5,)},
+        "the same distance with that noise, six times",
     ),
     Reason(
         "elements at the bound",

@@ -72,7 +72,7 @@ def test_a_case_stands_under_one_reason():
         (file, number) for reason in REASONS for file, numbers in reason.cases.items() for number in numbers
     )
     assert max(listed.values()) == 1
-    assert reason_of("examples/mbench_a22_kpec.inp", 5).name == "virtual penetration"
+    assert reason_of("examples/mbench_a22_kpec.inp", 6).name == "virtual penetration"
     assert reason_of("examples/mbench_a22_kpec.inp", 2) is None
 
 
