@@ -182,10 +182,7 @@ void check_wear(const WheelRailSetup& setup) {
     check_wear_model(setup.model);
     if (!setup.friction)
         throw InvalidArgument("wear", "is given, and friction is not; wear is that of rolling contact with friction");
-    if (setup.friction->layer && setup.friction->layer->yields())
-        throw InvalidArgument("friction.layer.yield_stress",
-                              "is given, and wear, too; what a layer that flows takes off the surfaces is not known: "
-                              "leave one of them out");
+    check_wear_layer(setup.friction->layer);
 }
 
 }  // namespace

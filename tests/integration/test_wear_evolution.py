@@ -151,7 +151,7 @@ def test_a_step_without_smoothing_lets_grooves_grow_beyond_the_critical_depth(sh
 
 
 def test_a_cylinder_takes_the_shape_of_the_rail_that_wears_it_in_one_place(shared):
-    """Of the area A it is worn by (3 A/(4 sqrt(2 R)))^(2/3), R the rail's radius; in steps that do not swing."""
+    """It is worn by (3 A/(4 sqrt(2 R)))^(2/3), A the worn area, R the rail's radius; in steps that do not swing."""
     wheel, rail = ConeProfile(0.0, ends=(-60.0, 60.0)), ArcProfile(300.0)
     setup = WheelRailSetup(
         wheel=wheel, rail=rail, track=Track(rail_origin=(750.0, 0.0), gauge_height=0.0), dx=0.5, dy=0.5,

@@ -69,7 +69,7 @@ struct WheelsetInput {
 class OpenWheel {
    public:
     virtual ~OpenWheel() = default;
-    /// Whether the next solve of such a set-up goes on from the one before, if there was one, and states stay.
+    /// Tells if the next solve of such a set-up goes on from the one before, where there was one, and states stay.
     virtual bool goes_on_with(const WheelRailSetup& setup) const = 0;
     /// Arrays are empty unless they are asked for. Throws as OpenContact, naming "setup.track.gauge", ...
     virtual WheelRailSolution solve(const WheelInput& input, const Control& control) = 0;

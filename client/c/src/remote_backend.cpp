@@ -1,6 +1,6 @@
 // Contacts that a daemon keeps, as sessions. Each has a connection of its own, so that threads with a contact each do
 // not wait for one another.
-#include <optional>
+#include <memory>
 #include <string_view>
 #include <utility>
 
@@ -81,15 +81,16 @@ class RemoteWheel final : public OpenWheel {
 
     bool goes_on_with(const WheelRailSetup& setup) const override { return session_ && serves(opened_, setup); }
     WheelRailSolution solve(const WheelInput& input, const Control& control) override {
-        if (!goes_on_with(input.setup)) session_.reset();
-        const bool starts_anew = input.state.motion == WheelRailMotion::steady_rolling && session_.has_value();
+        const bool may_reopen = input.state.motion == WheelRailMotion::steady_rolling && goes_on_with(input.setup);
         try {
             return named_as_set([&] { return step(input, control); });
         } catch (const StatusError& error) {
-            if (!starts_anew || error.status().code != StatusCode::not_found) throw;
+            if (!may_reopen || error.status().code != StatusCode::not_found) throw;
         }
-        session_.reset();  // its lease has ended, or its daemon
-        return named_as_set([&] { return step(input, control); });
+        return named_as_set([&] {  // its lease has ended, or its daemon
+            open(input.setup, control);
+            return step(input, control);
+        });
     }
     std::string save(const WheelRailSetup& setup, const Control& control) override {
         if (!goes_on_with(setup)) named_as_set([&] { return open(setup, control), 0; });
@@ -107,20 +108,22 @@ class RemoteWheel final : public OpenWheel {
 
    private:
     WheelRailSolution step(const WheelInput& input, const Control& control) {
+        const bool goes_on = goes_on_with(input.setup);
         WheelRailStepInput request =
-            step_of(session_ ? opened_ : input.setup, input);  // refuses before anything is sent
-        if (!session_) open(input.setup, control);
+            step_of(goes_on ? opened_ : input.setup, input);  // refuses before anything is sent
+        if (!goes_on) open(input.setup, control);
         request.again = input.again;
         return session_->step(request, options_of(control)).solution;
     }
+    /// The session before ends when the next one is open, so that a wheel that was open once always has one.
     void open(const WheelRailSetup& setup, const Control& control) {
-        session_.reset();
-        session_.emplace(client_, WheelRailSessionSpec{setup, {}, true}, options_of(control));
+        session_ = std::make_unique<client::WheelRailSession>(client_, WheelRailSessionSpec{setup, {}, true},
+                                                              options_of(control));
         opened_ = setup;
     }
 
     client::Client client_;  // outlives the session
-    std::optional<client::WheelRailSession> session_;
+    std::unique_ptr<client::WheelRailSession> session_;
     WheelRailSetup opened_;  // with which it was
 };
 

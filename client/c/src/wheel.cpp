@@ -33,7 +33,6 @@ OpenWheel& Wheel::open_for(const WheelRailSetup& setup, bool transient) {
             "setup",
             "is another one than that of the solve before, and tractions do not go on from one to the "
             "other; solve with state.motion steady_rolling first, or make another wheel");
-    moved_ = false;
     saved_.clear();
     return *open_;
 }

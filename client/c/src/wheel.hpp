@@ -66,7 +66,7 @@ class Wheel : public CancellableHandle {
     OpenWheel& open_for(const WheelRailSetup& setup, bool transient);
 
     std::unique_ptr<OpenWheel> open_;
-    bool moved_ = false;  // whether a solve went before, from which the next one goes on
+    bool moved_ = false;  // there was a solve, from which the next one goes on
     std::shared_ptr<const Result> result_;
     SavedStates<Saved> saved_;
 };

@@ -61,7 +61,7 @@ struct EnergyWear {
     bool operator==(const EnergyWear&) const = default;
 };
 
-/// Of a function that is straight in pieces, the piece from an argument on: value + slope (argument - from).
+/// A piece of a function that is straight in pieces, from an argument on: value + slope (argument - from).
 struct WearPiece {
     double from = 0, value = 0, slope = 0;
 

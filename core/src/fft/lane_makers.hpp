@@ -13,7 +13,7 @@
 namespace contactd {
 
 std::unique_ptr<const LaneFft> make_two_lanes(std::size_t nx, std::size_t ny);
-/// Of processors with AVX2 and FMA.
+/// Makes those of processors with AVX2 and FMA.
 std::unique_ptr<const LaneFft> make_four_lanes(std::size_t nx, std::size_t ny);
 /// By FFTW, where CMake's option CONTACTD_FFT asks for it.
 std::unique_ptr<const LaneFft> make_fftw_lanes(std::size_t nx, std::size_t ny);

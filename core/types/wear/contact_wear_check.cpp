@@ -36,6 +36,13 @@ void check_wear_model(Model model) {
                                            "model does not tell: take full or fastsim");
 }
 
+void check_wear_layer(const std::optional<InterfacialLayer>& layer) {
+    if (layer && layer->yields())
+        throw InvalidArgument("friction.layer.yield_stress",
+                              "is given, and wear, too; what a layer that flows takes off the surfaces is not known: "
+                              "leave one of them out");
+}
+
 void check_wear(const ContactProblem& problem, bool complete) {
     if (!problem.wear) return;
     validate(*problem.wear, "wear");
@@ -43,10 +50,7 @@ void check_wear(const ContactProblem& problem, bool complete) {
     if (!problem.friction && complete)
         throw InvalidArgument("wear", "is given, and friction is not; wear is that of rolling contact with friction");
     if (!problem.friction) return;
-    if (problem.friction->layer && problem.friction->layer->yields())
-        throw InvalidArgument("friction.layer.yield_stress",
-                              "is given, and wear, too; what a layer that flows takes off the surfaces is not known: "
-                              "leave one of them out");
+    check_wear_layer(problem.friction->layer);
     if (problem.bodies.any_viscoelastic() && problem.wear->energy == WearEnergy::scaled)
         throw InvalidArgument("wear.energy",
                               "is scaled, and a body is viscoelastic, whose creep takes energy, too, so that forces "

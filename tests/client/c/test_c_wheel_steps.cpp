@@ -110,3 +110,23 @@ TEST_CASE("With another set-up a wheel starts anew, and loses no tractions witho
     set(w, "setup.dx", 1.5);
     require_ok(contactd_wheel_solve(w), w);
 }
+
+TEST_CASE("A wheel that another set-up is refused for keeps its session, its tractions and no states", "[c]") {
+    const Somewhere place(GENERATE(true, false));
+    const WheelHandle w(place);
+    std::int32_t state = 0;
+    set_transient(w, "transient_rolling", 3);
+    const Numbers first = solved(w), second = solved(w);
+    require_ok(contactd_save(w, &state), w);
+    set_word(w, "state.motion", "steady_rolling");
+    clear(w, "state.time_step");
+    set_array(w, "setup.rail.points", {0, 0});
+    CHECK(contactd_wheel_solve(w) == CONTACTD_INVALID_ARGUMENT);
+    CHECK(contactd_restore(w, state) == CONTACTD_NOT_FOUND);
+    CHECK(contactd_forget(w, state) == CONTACTD_NOT_FOUND);
+    set(w, "setup.rail.rail_60e1.inclination", 0.025);
+    set_transient(w, "transient_rolling", 3);
+    const Numbers third = solved(w);
+    CHECK(third != first);  // it goes on
+    CHECK(third != second);
+}

@@ -68,7 +68,7 @@ class Stiffness:
         return high
 
     def is_stable(self, depth: float, length: float) -> bool:
-        """Whether no groove grows in a step that is smoothed by a wavelength (mm), in partial slip neither."""
+        """Tells if no groove grows in a step that is smoothed by a wavelength (mm), in partial slip neither."""
         return _PARTIAL_SLIP * self._largest(depth, length) <= 2
 
     def _largest(self, depth: float, length: float) -> float:

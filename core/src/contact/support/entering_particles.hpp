@@ -10,7 +10,7 @@
 
 namespace contactd {
 
-/// Of each element. Empty where no particle enters that is told from the others: in steps no longer than an element.
+/// Holds a value for each element, and none where no particle enters: in steps no longer than an element, too.
 struct EnteringParticles {
     /// For how much of the step its particle has been in contact: from the first element outside, upstream, on; at most
     /// 1, and 1 outside of the contact.

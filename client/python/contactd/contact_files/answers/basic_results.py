@@ -106,8 +106,9 @@ class BasicResult:
     def _normal_force(self) -> float:
         """The sum over the elements, but of pressures that are prescribed the force that is given with them (N)."""
         problem = self.contact.problem
-        is_prescribed = problem.normal_model in ("elliptic", "parabolic") and problem.Fn is not None
-        return float(problem.Fn if is_prescribed else self.solution.Fn)  # type: ignore[arg-type]
+        if problem.Fn is not None and problem.normal_model in ("elliptic", "parabolic"):
+            return problem.Fn
+        return float(self.solution.Fn)
 
     def _friction_coefficient(self) -> Floats:
         friction, none = self.contact.problem.friction, np.zeros(self.contact.area.grid.shape)
