@@ -1,5 +1,6 @@
 #include "contactd/grid.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -13,6 +14,16 @@ namespace contactd {
 double size_along(double chi, double x, double y) {
     const double c = std::cos(chi), s = std::sin(chi);
     return y * std::abs(c) >= x * std::abs(s) ? x / std::hypot(c, s * (x / y)) : y / std::hypot(s, c * (y / x));
+}
+
+int convenient_size(int n) {
+    int least = 2 * n;
+    for (const int odd : {1, 3, 5, 9, 15, 25}) {
+        int size = odd;
+        while (size < n) size *= 2;
+        least = std::min(least, size);
+    }
+    return least;
 }
 
 void validate(const Grid& grid, const char* field) {

@@ -33,6 +33,10 @@ struct Grid {
 /// and chi by a right angle changes nothing.
 double size_along(double chi, double x, double y);
 
+/// A number of elements >= n (n >= 1) along an axis whose transforms take little time for their size. There are few of
+/// them, so that grids of them need few operators.
+int convenient_size(int n);
+
 /// Largest number of elements of one grid that contactd works with: limits memory before anything is allocated.
 inline constexpr std::size_t max_grid_elements = 4'000'000;
 

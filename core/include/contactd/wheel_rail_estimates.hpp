@@ -1,6 +1,7 @@
 // What a step of a wheel on its rail leaves to the next one.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -15,10 +16,37 @@ struct HeightCorrection {
     double logarithm = 0, slope = 0;  ///< (1, 1/mm)
 };
 
+/// A number that changes little from step to step.
+class Trend {
+   public:
+    /// Returns what was learnt in this step, or what the step has if it changes as in those before; none where nothing
+    /// is known.
+    const std::optional<double>& expected() const { return expected_; }
+    /// None: the step has no such number.
+    void learn(std::optional<double> value) { expected_ = value; }
+    /// The step ends with what was learnt last.
+    void end_step() {
+        const bool goes_on = expected_ && last_ && std::abs(*expected_ - *last_) <= largest_change;
+        before_that_ = goes_on ? before_ : std::nullopt;
+        before_ = goes_on ? last_ : std::nullopt;
+        last_ = expected_;
+        if (before_that_)
+            expected_ = 3 * (*last_ - *before_) + *before_that_;
+        else if (before_)
+            expected_ = 2 * *last_ - *before_;
+    }
+
+   private:
+    static constexpr double largest_change = 0.05;  // of which the next one is expected to be alike
+    std::optional<double> expected_, last_, before_, before_that_;
+};
+
 /// Where the searches and solvers of a step start. They change what it costs; its answer within the tolerances only.
 /// The tractions are those, too, which a step that is not steady goes on from.
 struct WheelRailEstimates {
     HeightCorrection height{};
+    Trend height_logarithm{};  ///< of the correction at the height that was found
+    Trend vertical_share{};    ///< Fz over the normal force of the only patch, which friction has a part in
 
     struct Patch {
         Grid grid;
@@ -29,6 +57,11 @@ struct WheelRailEstimates {
     };
     std::vector<Patch> patches{};    ///< of model full
     std::optional<double> rail_y{};  ///< lateral deflection of a flexible rail (mm)
+
+    void end_step() {
+        height_logarithm.end_step();
+        vertical_share.end_step();
+    }
 };
 
 }  // namespace contactd

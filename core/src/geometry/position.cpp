@@ -285,6 +285,8 @@ bool Position::measure(CandidatePatch& found, double z) const {
     constexpr int most_rounds = 50;
     const WheelSurface wheel = wheel_.lowered(z);
     ContactPlace& place = found.place;
+    const bool flat = place.rows.empty();
+    widen(found, convenient(place.grid, flat), z);
     for (int round = 0; round < most_rounds; ++round) {
         observer_.throw_if_cancelled();
         found.gap = distances(setup_, wheel, rail_, place);
@@ -293,7 +295,7 @@ bool Position::measure(CandidatePatch& found, double z) const {
         Grid grid = place.grid;
         if (round + 1 == most_rounds || !grow(grid, found.gap, place.approach)) break;
         const Grid before = place.grid;
-        widen(found, grid, z);
+        widen(found, convenient(grid, flat), z);
         if (place.grid == before) break;  // there are no more rows
     }
     place.creepages = creepages(wheel, rail_, state_, place.reference, place.approach);

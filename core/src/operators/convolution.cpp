@@ -10,6 +10,7 @@
 #include "coarsening.hpp"
 #include "contactd/error.hpp"
 #include "contactd/given_ics.hpp"
+#include "contactd/grid.hpp"
 #include "lazy.hpp"
 #include "operators/fft/inverse_symbols.hpp"
 #include "operators/fft/padded_fft.hpp"
@@ -26,23 +27,12 @@ bool is_zero(const IcTable& table, Axis i, Axis j) {
 // A box is worth a transform of its own when it has at most this part of the elements; more when the contact, and so
 // its box, does not change during a solve.
 constexpr double small_box = 0.7, small_lasting_box = 0.95;
-// A size >= n whose transform takes little time for its size: few of them, so that few transforms are made.
-int fft_size(int n) {
-    int least = 2 * n;
-    for (const int odd : {1, 3, 5, 9, 15, 25}) {
-        int size = odd;
-        while (size < n) size *= 2;
-        least = std::min(least, size);
-    }
-    return least;
-}
-
 // Columns or rows first .. first + n - 1 with a margin, shifted into 0 .. all - 1.
 struct Interval {
     int first, n;
 };
 Interval convenient_interval(Interval needed, int all, int margin) {
-    const int n = std::min(fft_size(std::max(needed.n + margin, 1)), all);
+    const int n = std::min(convenient_size(std::max(needed.n + margin, 1)), all);
     return {std::clamp(needed.first - (n - needed.n) / 2, 0, all - n), n};
 }
 

@@ -35,6 +35,13 @@ void warn(Answer& answer, std::vector<std::string> warnings) {
     for (std::string& warning : warnings) answer.warnings.push_back(std::move(warning));
 }
 
+constexpr double least_share = 0.2;  // of the normal force in Fz, for either to tell the other
+
+std::optional<double> share_of(const WheelRailPatch& patch) {
+    if (!(patch.solution.forces.Fn > 0)) return std::nullopt;
+    return patch.forces.track.Fz / patch.solution.forces.Fn;
+}
+
 /// A wheel that rolls by next to nothing in a step, as one that starts, slips as in a shift.
 WheelRailState shifted_if_slow(const WheelRailSetup& setup, WheelRailState state) {
     constexpr double least_step = 1e-5;  // of rolling, over an element's size
@@ -165,35 +172,59 @@ WheelRailSolution RightWheel::at(double z, Observer& observer) {
 }
 
 WheelRailSolution RightWheel::at(double z, std::vector<CandidatePatch> candidates, Observer& observer) {
-    WheelRailSolution solution;
-    solution.z = z;
-    solution.pitch_rate = state_.velocity.pitch;
-    solution.clearance = position_.clearance(z);
+    return solve(placed(z, std::move(candidates), observer), {.z = z}, observer);
+}
+
+Placement RightWheel::placed(double z, std::vector<CandidatePatch> candidates, Observer& observer) const {
+    Placement placement{z, 0.2 * setup_.force.tolerance};
     const TractionHistory history = history_of(candidates);
-    std::vector<WheelRailEstimates::Patch> estimates;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         CandidatePatch& found = candidates[i];
         observer.throw_if_cancelled();
         if (before_) position_.widen(found, history.widened(i), z);
         if (!position_.measure(found, z)) {
-            solution.warnings.push_back(apart_along_normal(found.place.reference, setup_.side));
+            placement.warnings.push_back(apart_along_normal(found.place.reference, setup_.side));
             continue;
         }
         ContactProblem problem = problem_of(found);
         problem.previous = history.on(i, problem);
-        solution.patches.push_back(solve(found, std::move(problem), z, observer));
-        if (estimates_ && setup_.model == Model::full)
-            estimates.push_back(estimate_of(found, state_.position.x, solution.patches.back().solution));
-        const WheelRailPatch& patch = solution.patches.back();
-        solution.forces = sum(solution.forces, patch.forces);
-        warn(solution, warnings_of(found, setup_.side, setup_.friction && state_.motion != WheelRailMotion::shift));
-        warn(solution, plausibility_warnings(patch.place.reference, setup_.side, position_.wheel(z), position_.rail()));
-        warn(solution, warnings_of(patch.place.reference, setup_.side, patch.solution));
+        warn(placement, warnings_of(found, setup_.side, setup_.friction && state_.motion != WheelRailMotion::shift));
+        warn(placement,
+             plausibility_warnings(found.place.reference, setup_.side, position_.wheel(z), position_.rail()));
+        placement.add(std::move(found), std::move(problem));
     }
     if (history.force_left_behind() > 0 && !candidates.empty())
-        solution.warnings.push_back("Tractions of the step before, " + short_text(history.force_left_behind()) +
-                                    " N, lie farther from all contacts than these are large, and are left out: take "
-                                    "shorter steps, or begin anew.");
+        placement.warnings.push_back("Tractions of the step before, " + short_text(history.force_left_behind()) +
+                                     " N, lie farther from all contacts than these are large, and are left out: take "
+                                     "shorter steps, or begin anew.");
+    return placement;
+}
+
+WheelRailSolution RightWheel::solve(const Placement& placement, const Load& load, Observer& observer) {
+    WheelRailSolution solution;
+    solution.pitch_rate = state_.velocity.pitch;
+    solution.warnings = placement.warnings;
+    solution.z = load.z;
+    std::vector<WheelRailEstimates::Patch> estimates;
+    for (const Placement::Patch& placed : placement.patches) {
+        observer.throw_if_cancelled();
+        ContactProblem problem = placed.problem;
+        if (load.Fn) {
+            problem.approach.reset();
+            problem.Fn = load.Fn;
+        } else {
+            problem.approach = placement.approach_at(load.z, placed);
+        }
+        solution.patches.push_back(solve(placed.found, std::move(problem), observer));
+        WheelRailPatch& patch = solution.patches.back();
+        if (load.Fn) solution.z = placement.height_of(patch.solution.approach, placed);
+        patch.forces = forces_of(patch, solution.z);
+        if (estimates_ && setup_.model == Model::full)
+            estimates.push_back(estimate_of(placed.found, state_.position.x, patch.solution));
+        solution.forces = sum(solution.forces, patch.forces);
+        warn(solution, warnings_of(patch.place.reference, setup_.side, patch.solution));
+    }
+    solution.clearance = position_.clearance(solution.z);
     if (estimates_) estimates_->patches = std::move(estimates);
     return solution;
 }
@@ -217,16 +248,20 @@ ContactSolution RightWheel::solve(ContactProblem problem, const CandidatePatch& 
     });
 }
 
-WheelRailPatch RightWheel::solve(CandidatePatch& found, ContactProblem problem, double z, Observer& observer) const {
+WheelRailPatch RightWheel::solve(const CandidatePatch& found, ContactProblem problem, Observer& observer) const {
     WheelRailPatch patch;
     problem.displacements = state_.displacements;
     if (has_tractions_) problem.initial = estimate_for(found.place, estimates_->patches);
     patch.solution = solve(std::move(problem), found, observer);
     patch.place = found.place;
-    patch.gap = std::move(found.gap);
-    patch.forces = resultants(patch.place, patch.solution, !has_distances(setup_), position_.rail().frame(),
-                              position_.wheel(z).wheelset());
+    if (has_distances(setup_)) patch.place.approach = patch.solution.approach;
+    patch.gap = found.gap;
     return patch;
+}
+
+WheelRailForces RightWheel::forces_of(const WheelRailPatch& patch, double z) const {
+    return resultants(patch.place, patch.solution, !has_distances(setup_), position_.rail().frame(),
+                      position_.wheel(z).wheelset());
 }
 
 double RightWheel::simplified_force(double z, std::vector<CandidatePatch> candidates, Observer& observer) const {
@@ -234,7 +269,7 @@ double RightWheel::simplified_force(double z, std::vector<CandidatePatch> candid
     for (CandidatePatch& found : candidates) {
         // Forces of a whole ellipse need no elements, and those that are sums over elements all of them.
         if (!rolls_on_elements(problem_of(found))) found.place.grid = Grid::centred(1, 1, setup_.dx, setup_.dy);
-        force += solve(found, problem_of(found), z, observer).forces.track.Fz;
+        force += forces_of(solve(found, problem_of(found), observer), z).track.Fz;
     }
     return force;
 }
@@ -258,26 +293,78 @@ WheelRailSolution RightWheel::on_flexible_rail(Observer& observer) {
 
 WheelRailSolution RightWheel::under_force(double Fz, Observer& observer) {
     const auto begin = std::chrono::steady_clock::now();
-    WheelRailSolution solution;
+    // A first step of many does the same as one without estimates, to the last bit.
+    WheelRailEstimates own;
+    const bool alone = estimates_ == nullptr;
+    if (alone) estimates_ = &own;
     HeightTask task = height_task(Fz);
-    const bool simplified = !has_distances(setup_);
-    std::vector<CandidatePatch> candidates;  // at the last height
-    task.force = [&](double z) {
-        check_depth(z);
-        candidates = position_.candidates(z);
-        if (simplified) return simplified_force(z, candidates, observer);
-        solution = at(z, std::move(candidates), observer);
-        return solution.forces.track.Fz;
-    };
-    if (estimates_) task.correction = estimates_->height;
-    const HeightFound found = find_height(task);
-    if (estimates_) estimates_->height = found.correction;
-    if (simplified) solution = at(found.z, std::move(candidates), observer);
+    task.correction = estimates_->height;
+    task.correction.logarithm = estimates_->height_logarithm.expected().value_or(task.correction.logarithm);
+    WheelRailSolution solution;
+    const HeightFound found = has_distances(setup_) ? carry(Fz, task, solution, observer)
+                                                    : carry_by_simplified_model(task, solution, observer);
+    estimates_->height = found.correction;
+    estimates_->height_logarithm.learn(found.correction.logarithm);
+    if (alone) {
+        estimates_ = nullptr;
+        has_tractions_ = false;
+    }
     solution.force = found.evidence;
     if (!found.evidence.converged) solution.warnings.push_back(missed_force(Fz, found));
     const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - begin;
     solution.force->seconds = duration.count();
     return solution;
+}
+
+HeightFound RightWheel::carry_by_simplified_model(HeightTask& task, WheelRailSolution& solution, Observer& observer) {
+    std::vector<CandidatePatch> candidates;  // at the last height
+    task.force = [&](double& z) {
+        check_depth(z);
+        candidates = position_.candidates(z);
+        return simplified_force(z, candidates, observer);
+    };
+    const HeightFound found = find_height(task);
+    solution = at(found.z, std::move(candidates), observer);
+    return found;
+}
+
+HeightFound RightWheel::carry(double Fz, HeightTask& task, WheelRailSolution& solution, Observer& observer) {
+    constexpr int most_rounds = 5;
+    std::optional<Placement> placement;
+    std::optional<double> share = estimates_->vertical_share.expected();
+    int solves = 0;
+    const auto place = [&](double z) {
+        if (placement && placement->holds_at(z)) return;
+        check_depth(z);
+        placement = placed(z, position_.candidates(z), observer);
+    };
+    const auto solve_for = [&](const Load& load) {
+        ++solves;
+        solution = solve(*placement, load, observer);
+        has_tractions_ = true;
+        share = placement->patches.size() == 1 ? share_of(solution.patches.front()) : std::nullopt;
+    };
+    // The only patch of a wheel carries the normal force that brings Fz by the direction that the whole force had last.
+    // Its approach tells the height, which is off as friction's part of Fz is.
+    const auto carries_alone = [&](double& z) {
+        for (int round = 0; round < most_rounds; ++round) {
+            if (placement->patches.size() != 1 || !share || *share < least_share) return false;
+            solve_for({.z = z, .Fn = Fz / *share});
+            z = solution.z;
+            if (placement->holds_at(z)) return true;
+            place(z);
+        }
+        return false;
+    };
+    task.force = [&](double& z) {
+        place(z);
+        if (setup_.normal_model != NormalModel::of_model || !carries_alone(z)) solve_for({.z = z});
+        return solution.forces.track.Fz;
+    };
+    HeightFound found = find_height(task);
+    found.evidence.iterations = solves;
+    estimates_->vertical_share.learn(share);
+    return found;
 }
 
 // A pitch rate that grows pulls the rail forwards. Positions do not depend on it.

@@ -9,6 +9,7 @@
 #include "contactd/solve_wheel_rail.hpp"
 #include "geometry/position.hpp"
 #include "wheel_rail/position/height_search.hpp"
+#include "wheel_rail/position/placement.hpp"
 #include "wheel_rail/position/traction_history.hpp"
 
 namespace contactd {
@@ -61,12 +62,24 @@ class RightWheel {
     double expected_height();
     WheelRailSolution at_height(Observer& observer);
     WheelRailSolution at(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer);
-    WheelRailPatch solve(geometry::CandidatePatch& found, ContactProblem problem, double z, Observer& observer) const;
+    Placement placed(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer) const;
+    /// Where a wheel is solved: at a height, or where its only patch carries a normal force.
+    struct Load {
+        double z;  ///< then about where that is
+        std::optional<double> Fn{};
+    };
+    WheelRailSolution solve(const Placement& placement, const Load& load, Observer& observer);
+    /// Without forces on the wheel.
+    WheelRailPatch solve(const geometry::CandidatePatch& found, ContactProblem problem, Observer& observer) const;
+    WheelRailForces forces_of(const WheelRailPatch& patch, double z) const;
     TractionHistory history_of(const std::vector<geometry::CandidatePatch>& candidates) const;
     /// Returns the force by a simplified model, which does not depend on elements, and costs less than their arrays.
     double simplified_force(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer) const;
     WheelRailSolution on_flexible_rail(Observer& observer);
     WheelRailSolution under_force(double Fz, Observer& observer);
+    /// Finds the height of full theory; `solution` becomes that of the last one.
+    HeightFound carry(double Fz, HeightTask& task, WheelRailSolution& solution, Observer& observer);
+    HeightFound carry_by_simplified_model(HeightTask& task, WheelRailSolution& solution, Observer& observer);
     WheelRailSolution solve_for_Fx(double Fx, Observer& observer);
 
     const WheelRailSetup& setup_;

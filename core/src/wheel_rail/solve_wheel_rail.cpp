@@ -97,7 +97,9 @@ WheelRailSolution WheelRailContact::solve(const WheelRailState& state, WheelRail
                                              if (state.motion != WheelRailMotion::steady_rolling)
                                                  wheel.go_on_from(estimates.patches);
                                              wheel.start_from(estimates);
-                                             return wheel.solve(observer);
+                                             WheelRailSolution solution = wheel.solve(observer);
+                                             estimates.end_step();
+                                             return solution;
                                          }),
                   parts_->warnings, state);
 }

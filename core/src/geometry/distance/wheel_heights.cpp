@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "geometry/distance/heights.hpp"
+#include "geometry/distance/row_nodes.hpp"
 #include "geometry/placement/ascending_root.hpp"
 
 namespace contactd::geometry {
@@ -26,20 +28,37 @@ class WheelAbovePlane {
         start_ = std::clamp(s, span_.from, span_.to);
     }
 
+    /// At the row's elements, from their nodes where the surface is smooth there; false, and nothing, elsewhere.
+    bool add_row_by_nodes(double y, const RowNodes& nodes, std::vector<double>& heights) {
+        constexpr double settled = 1e-10;  // mm
+        const bool goes_on = !lines_.empty();
+        if (!goes_on) lines_.assign(RowNodes::count, Line(start_));
+        RowNodes::Values values;
+        for (std::size_t j = 0; j < RowNodes::count; ++j) {
+            double s = goes_on || j == 0 ? lines_[j].next() : lines_[j - 1].last();
+            values[j] = height(nodes.x()[j], y, s);
+            lines_[j].learn(s);
+        }
+        if (!RowNodes::smooth(values, settled)) {
+            lines_.clear();
+            return false;
+        }
+        nodes.interpolate(values, heights);
+        return true;
+    }
+
     /// At the row's elements, from x0 on.
     void add_row(double y, double x0, double dx, int count, std::vector<double>& heights) {
-        double s = start_, before = s, before_that = s;
-        int known = 0;
+        Line line(start_);
         for (int i = 0; i < count; ++i) {
-            const double guess = known > 2 ? 3 * (s - before) + before_that : known > 1 ? 2 * s - before : s;
-            double next = guess;
-            heights.push_back(height(x0 + i * dx, y, next));
-            known = std::isnan(heights.back()) ? 0 : known + 1;
-            if (known == 1 && i == 0) start_ = next;
-            if (known == 0) next = s;
-            before_that = before;
-            before = s;
-            s = next;
+            double s = line.next();
+            heights.push_back(height(x0 + i * dx, y, s));
+            if (std::isnan(heights.back())) {
+                line = Line(line.last());
+                continue;
+            }
+            line.learn(s);
+            if (i == 0) start_ = s;
         }
     }
 
@@ -77,7 +96,28 @@ class WheelAbovePlane {
         return here.height + step * here.height_slope;
     }
 
+    /// The profile's s where a node lies, from row to row.
+    class Line {
+       public:
+        explicit Line(double start) : s_(start) {}
+        double next() const {
+            return known_ > 2 ? 3 * (s_ - before_) + before_that_ : known_ > 1 ? 2 * s_ - before_ : s_;
+        }
+        void learn(double s) {
+            before_that_ = before_;
+            before_ = s_;
+            s_ = s;
+            ++known_;
+        }
+        double last() const { return s_; }
+
+       private:
+        double s_, before_ = 0, before_that_ = 0;
+        int known_ = 0;
+    };
+
     const WheelSurface& wheel_;
+    std::vector<Line> lines_;
     Vector3 along_, across_, normal_, centre_;  // of the contact, in the wheel's coordinates
     Span span_;
     double start_ = 0;
@@ -90,7 +130,12 @@ std::vector<double> wheel_heights(const WheelSurface& wheel, const ContactRefere
     WheelAbovePlane above(wheel, reference);
     std::vector<double> heights;
     heights.reserve(points.rows.size() * static_cast<std::size_t>(points.nx()));
-    for (const double y : points.rows) above.add_row(y, points.x(0), points.columns.dx, points.nx(), heights);
+    constexpr int worthwhile = 12;  // elements of a row
+    std::optional<RowNodes> nodes;
+    if (wheel.is_round() && points.nx() >= worthwhile) nodes.emplace(points.x(0), points.columns.dx, points.nx());
+    for (const double y : points.rows)
+        if (!nodes || !above.add_row_by_nodes(y, *nodes, heights))
+            above.add_row(y, points.x(0), points.columns.dx, points.nx(), heights);
     return heights;
 }
 

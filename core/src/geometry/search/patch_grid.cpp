@@ -71,6 +71,16 @@ Grid grid_of(const RegionGroup& group, const RailSurface& rail, double dx, doubl
             (rows.first - 0.5) * dy + middle.y};
 }
 
+Grid convenient(Grid grid, bool all_rows) {
+    const int more_x = convenient_size(grid.nx) - grid.nx;
+    const int more_y = all_rows ? convenient_size(grid.ny) - grid.ny : 0;
+    grid.x0 -= more_x / 2 * grid.dx;
+    grid.y0 -= more_y / 2 * grid.dy;
+    grid.nx += more_x;
+    grid.ny += more_y;
+    return grid;
+}
+
 bool grow(Grid& grid, const std::vector<double>& gap, double approach) {
     constexpr int more = 2;
     const auto overlaps = [&](int ix, int iy) {

@@ -25,6 +25,10 @@ double across_rail(const RailSurface& rail, double y);
 /// Throws InvalidArgument ("dx") for more elements than a patch may have.
 void check_size(const Grid& grid);
 
+/// Adds elements up to convenient numbers of them, so that contacts which move need few operators; rows only where
+/// `all_rows` says so.
+Grid convenient(Grid grid, bool all_rows);
+
 /// Adds elements where the overlap reaches the border, which is known by vertical distances only: true where it did.
 bool grow(Grid& grid, const std::vector<double>& gap, double approach);
 

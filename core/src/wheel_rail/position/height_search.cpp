@@ -21,7 +21,7 @@ class Correction {
     explicit Correction(HeightCorrection expected) : line_(expected) {}
 
     void learn(double z, double logarithm) {
-        if (z_ && z != *z_) line_.slope = (logarithm - line_.logarithm) / (z - *z_);
+        if (z_ && std::abs(z - *z_) > least_distance) line_.slope = (logarithm - line_.logarithm) / (z - *z_);
         line_.logarithm = logarithm;
         z_ = z;
     }
@@ -29,6 +29,7 @@ class Correction {
     HeightCorrection line_at(double z) const { return {at(z), line_.slope}; }
 
    private:
+    static constexpr double least_distance = 1e-5;  // mm: closer together friction tells forces apart, not the height
     HeightCorrection line_;
     std::optional<double> z_;  // where its logarithm is
 };
@@ -46,8 +47,8 @@ class Search {
         HeightFound found{task_.first_contact_height, {0, std::numeric_limits<double>::infinity(), false, 0}};
         double z = next();
         for (int solve = 1; solve <= task_.settings.max_iterations; ++solve) {
-            const double force = task_.force(z);
-            const double target = target_force(z);
+            const double force = task_.force(z), expected = estimate(z), target = target_force(z);
+            if (force > 0 && expected > 0) correction_.learn(z, std::log(force / expected));
             found = {z, {solve, std::abs(force - target) / target, false, 0}, correction_.line_at(z)};
             found.evidence.converged = found.evidence.residual <= task_.settings.tolerance;
             if (found.evidence.converged) break;
@@ -55,8 +56,6 @@ class Search {
             if (solve > 1 && force > runaway * target) break;
             (force < target ? low_ : high_) = z;
             if (high_ - low_ < 1e-12 * (1 + std::abs(high_))) break;
-            const double expected = estimate(z);
-            if (force > 0 && expected > 0) correction_.learn(z, std::log(force / expected));
             settled_ = std::max(tight(), loose * found.evidence.residual);
             const double last = z;
             z = force > 0 && expected > 0 ? next() : 0.5 * (low_ + high_);

@@ -10,10 +10,11 @@ namespace contactd {
 
 /// Forces rise with z. The estimate is cheap and close to the shape of the force: what is left is nearly constant.
 struct HeightTask {
-    std::function<double(double z)> estimate, force;  ///< (N), zero above `first_contact_height`
-    double first_contact_height = 0;                  ///< z of first contact (mm)
-    double deepest = 0;                               ///< largest z that makes sense (mm)
-    double target = 0;                                ///< (N), > 0
+    std::function<double(double z)> estimate;  ///< (N), zero above `first_contact_height`
+    std::function<double(double& z)> force;  ///< likewise; it may move z by little to where it is nearer to the target
+    double first_contact_height = 0;         ///< z of first contact (mm)
+    double deepest = 0;                      ///< largest z that makes sense (mm)
+    double target = 0;                       ///< (N), > 0
     SolverSettings settings;
     HeightCorrection correction{};  ///< as an earlier search has found it
     /// Stiffness of a spring below the rail (N/mm): z is that of the wheel over the rail, and the target force falls by

@@ -1,0 +1,39 @@
+#include "placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace contactd {
+namespace {
+
+/// Returns by how much gaps change beside the approach as the wheel is lowered, over that: it slides along the plane,
+/// where its profile is inclined at the ends of the contact, and the rows of a curved contact face other ways.
+double change_beside_approach(const ContactPlace& place) {
+    double across = 0, turned = 0;
+    for (const OverlapRegion& region : place.regions)
+        for (const double end : {region.y.from, region.y.to})
+            across = std::max(across, std::abs(end - place.reference.y) / std::cos(place.reference.angle));
+    for (const ContactRow& row : place.rows) turned = std::max(turned, 1 - std::cos(row.angle - place.reference.angle));
+    return std::abs(std::sin(place.reference.angle)) * across / std::abs(place.radii.wheel_across) + turned;
+}
+
+double upright(const ContactPlace& place) {
+    return std::abs(std::cos(place.reference.angle));
+}
+
+}  // namespace
+
+void Placement::add(geometry::CandidatePatch found, ContactProblem problem) {
+    reach_ = std::min(reach_, tolerance_ * found.place.approach / std::max(change_beside_approach(found.place), 1e-3));
+    patches.push_back({std::move(found), std::move(problem)});
+}
+
+double Placement::approach_at(double z, const Patch& patch) const {
+    return patch.found.place.approach + (z - z_) * upright(patch.found.place);
+}
+
+double Placement::height_of(double approach, const Patch& patch) const {
+    return z_ + (approach - patch.found.place.approach) / upright(patch.found.place);
+}
+
+}  // namespace contactd
