@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <numbers>
@@ -47,6 +48,21 @@ void check(std::int32_t code, const void* handle) {
     if (code != CONTACTD_OK) throw std::runtime_error(contactd_last_error(handle));
 }
 
+/// Of the processor where there is one thread, which other work on the machine does not slow down, else of the clock.
+class Stopwatch {
+   public:
+    explicit Stopwatch(int threads = 1) : threads_(threads) {}
+    double seconds() const {
+        if (threads_ == 1) return static_cast<double>(std::clock() - processor_) / CLOCKS_PER_SEC;
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - clock_).count();
+    }
+
+   private:
+    int threads_;
+    std::clock_t processor_ = std::clock();
+    std::chrono::steady_clock::time_point clock_ = std::chrono::steady_clock::now();
+};
+
 class Vehicle {
    public:
     explicit Vehicle(const char* model) {
@@ -67,9 +83,9 @@ class Vehicle {
         contactd_close(connection_);
     }
 
-    /// Returns processor time (s). Heights are those that the forces had, where `at` has them.
-    double step(Run run, int k, const Values* at = nullptr) {
-        const std::clock_t start = std::clock();
+    /// Returns how long it takes (s). Heights are those that the forces had, where `at` has them.
+    double step(Run run, int k, int threads, const Values* at = nullptr) {
+        const Stopwatch watch(threads);
         heights_.clear();
         for (int i = 0; i < 2 * wheelsets; ++i) {
             contactd_wheel* wheel = wheels_[static_cast<std::size_t>(i)];
@@ -85,13 +101,15 @@ class Vehicle {
                 check(contactd_set(wheel, "state.position.z", (*at)[static_cast<std::size_t>(i)]), wheel);
             else
                 check(contactd_set(wheel, "state.Fz", now.Fz), wheel);
-            check(contactd_wheel_solve(wheel), wheel);
+        }
+        check(contactd_wheel_solve_many(wheels_.data(), 2 * wheelsets, threads), nullptr);
+        for (contactd_wheel* wheel : wheels_) {
             check(contactd_get_array(wheel, "forces.track", forces_.data(), 6), wheel);
             double z;
             check(contactd_get(wheel, "z", &z), wheel);
             heights_.push_back(z);
         }
-        return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+        return watch.seconds();
     }
     const Values& heights() const { return heights_; }
 
@@ -108,7 +126,7 @@ double percentile(Values values, double share) {
     return *at;
 }
 
-/// Processor time (s) of the products that a patch of 36 x 56 elements takes.
+/// The time (s) of the products that a patch of 36 x 56 elements takes.
 class Product {
    public:
     Product() : p_(nx * ny, 1), u_(nx * ny) {
@@ -119,9 +137,9 @@ class Product {
     }
     double time() {
         constexpr int repeats = 20;
-        const std::clock_t start = std::clock();
+        const Stopwatch watch;
         for (int i = 0; i < repeats; ++i) influence_.current->normal(p_, u_);
-        return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / repeats;
+        return watch.seconds() / repeats;
     }
 
    private:
@@ -130,19 +148,19 @@ class Product {
     Values p_, u_;
 };
 
-void vehicle(benchmark::State& state, const char* model, Run run) {
+void vehicle(benchmark::State& state, const char* model, Run run, int threads) {
     Vehicle loaded(model), placed(model);
     Product product;
     Values under_load, at_height, products;
     int k = 0;
     for (; k < 20; ++k) {
-        loaded.step(run, k);
-        placed.step(run, k, &loaded.heights());
+        loaded.step(run, k, 1);
+        placed.step(run, k, 1, &loaded.heights());
     }
     for (auto _ : state) {
-        under_load.push_back(loaded.step(run, k));
+        under_load.push_back(loaded.step(run, k, threads));
         state.PauseTiming();
-        at_height.push_back(placed.step(run, k, &loaded.heights()));
+        at_height.push_back(placed.step(run, k, 1, &loaded.heights()));
         products.push_back(product.time());
         ++k;
         state.ResumeTiming();
@@ -154,10 +172,13 @@ void vehicle(benchmark::State& state, const char* model, Run run) {
     state.counters["over_placed"] = median / percentile(at_height, 0.5);
 }
 
-BENCHMARK_CAPTURE(vehicle, full_hunting, "full", Run::hunting)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(vehicle, full_curving, "full", Run::curving)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(vehicle, fastsim_hunting, "fastsim", Run::hunting)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(vehicle, fastsim_curving, "fastsim", Run::curving)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(vehicle, full_hunting, "full", Run::hunting, 1)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(vehicle, full_curving, "full", Run::curving, 1)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(vehicle, full_hunting_on_two_threads, "full", Run::hunting, 2)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(vehicle, full_curving_on_two_threads, "full", Run::curving, 2)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(vehicle, fastsim_hunting, "fastsim", Run::hunting, 1)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(vehicle, fastsim_curving, "fastsim", Run::curving, 1)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(vehicle, fastsim_hunting_on_two_threads, "fastsim", Run::hunting, 2)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 

@@ -32,6 +32,7 @@ PROGRAMS = [
     "bench_simplified",
     "bench_friction",
     "bench_wheel_rail",
+    "bench_vehicle",
     "bench_embedding",
     "bench_cntc",
     "bench_fem",
@@ -68,6 +69,8 @@ def ratio(row: dict[str, Any], by_name: dict[str, dict[str, Any]]) -> tuple[floa
     """The row's time over its baseline's, and the baseline in words."""
     if "over_plain" in row:  # measured by the row itself, alternately
         return row["over_plain"], "steps by contactd.h" if row["name"].startswith("bench_cntc") else "solves without"
+    if "over_product" in row:  # measured by the row itself, in turns
+        return row["over_product"], "A*p of a patch"
     if "over_solve" in row:  # measured by the row itself, alternately
         return row["over_solve"], "plain solves of its patches"
     if "ratio" in row:  # measured by the row itself, alternately

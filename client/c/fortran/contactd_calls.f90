@@ -151,6 +151,9 @@ module contactd_calls
         integer(c_int32_t) function contactd_wheel_solve(wheel) bind(c)
             import; type(c_ptr), value :: wheel
         end function
+        integer(c_int32_t) function contactd_wheel_solve_many(wheels, count, threads) bind(c)
+            import; type(c_ptr), intent(in) :: wheels(*); integer(c_int32_t), value :: count, threads
+        end function
         integer(c_int32_t) function contactd_wheel_solve_wheelset(right, left) bind(c)
             import; type(c_ptr), value :: right, left
         end function

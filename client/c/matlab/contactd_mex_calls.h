@@ -1,5 +1,7 @@
 /* The functions of contactd.h by name, for contactd_mex.c, whose helpers read the arguments. */
 
+enum { most_wheels = 256 };
+
 /* Calls the function `name` if that is the command, and ends. */
 #define CALL(name, ...)                      \
     if (!strcmp(command, #name)) {           \
@@ -86,9 +88,31 @@ static int call_of_steps(const char* command, mxArray* plhs[]) {
     return 0;
 }
 
+/* Wheels of a vehicle: the handle, and an array of the others. */
+static int32_t solve_many(int32_t threads) {
+    contactd_wheel* wheels[most_wheels];
+    const mxArray* others = argument(0);
+    const size_t count = mxGetNumberOfElements(others);
+    size_t i;
+    int32_t code;
+    if (!mxIsUint64(others) || count >= most_wheels)
+        mexErrMsgIdAndTxt("contactd:arguments", "Argument 3 must be an array of up to %d handles of other wheels.",
+                          most_wheels - 1);
+    wheels[0] = (contactd_wheel*)(uintptr_t)handle;
+    for (i = 0; i < count; ++i) wheels[i + 1] = (contactd_wheel*)(uintptr_t)((const uint64_t*)mxGetData(others))[i];
+    code = contactd_wheel_solve_many(wheels, (int32_t)count + 1, threads);
+    for (i = 0; i <= count && contactd_last_code(wheels[i]) != code;) ++i;
+    if (i <= count) handle = (uint64_t)(uintptr_t)wheels[i]; /* whose failure is told */
+    return code;
+}
+
 /* Wheels on rails. */
 static int call_of_wheel(const char* command) {
     contactd_wheel* w = (contactd_wheel*)(uintptr_t)handle;
+    if (!strcmp(command, "wheel_solve_many")) {
+        check(solve_many(whole(1)));
+        return 1;
+    }
     CALL(wheel_free, w)
     CALL(wheel_solve, w)
     CALL(wheel_solve_wheelset, w, (contactd_wheel*)(uintptr_t)handle_in(argument(0), 3))

@@ -1,5 +1,11 @@
 // contactd.h: wheels on rails from their making to their end.
+#include <algorithm>
+#include <atomic>
 #include <memory>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include "api_boundary.hpp"
 
@@ -19,6 +25,53 @@ std::int32_t contactd_wheel_free(contactd_wheel* wheel) {
 
 std::int32_t contactd_wheel_solve(contactd_wheel* wheel) {
     return with(wheel, [](Wheel& solved) { solved.solve(); });
+}
+
+namespace {
+
+/// Throws InvalidArgument or StatusError where these are not so many wheels, each of them once; `at_fault` is then the
+/// one that it is about.
+void check_wheels(contactd_wheel* const* handles, std::int32_t count, std::int32_t threads,
+                  const contactd_wheel*& at_fault) {
+    if (count < 0) throw InvalidArgument("count", "is " + std::to_string(count) + "; it must be at least 0");
+    if (threads < 0)
+        throw InvalidArgument("threads", "is " + std::to_string(threads) +
+                                             "; it must be positive, or 0 for as many as there are processors");
+    if (count > 0) given(handles, "wheels");
+    std::set<const contactd_wheel*> seen;
+    for (std::int32_t i = 0; i < count; ++i) {
+        const std::string field = "wheels[" + std::to_string(i) + "]";
+        at_fault = handles[i];
+        if (!wheels().find_any(handles[i])) throw not_a_handle(field.c_str(), handles[i]);
+        if (!seen.insert(handles[i]).second)
+            throw InvalidArgument(field, "stands twice; a wheel takes one step at a time");
+    }
+    at_fault = nullptr;
+}
+
+}  // namespace
+
+std::int32_t contactd_wheel_solve_many(contactd_wheel* const* handles, std::int32_t count, std::int32_t threads) {
+    const contactd_wheel* at_fault = nullptr;
+    try {
+        check_wheels(handles, count, threads, at_fault);
+        std::vector<std::int32_t> codes(static_cast<std::size_t>(count));
+        std::atomic<std::size_t> next = 0;
+        const auto work = [&] {
+            for (std::size_t i = next++; i < codes.size(); i = next++) codes[i] = contactd_wheel_solve(handles[i]);
+        };
+        const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
+        const std::size_t wanted = threads == 0 ? processors : static_cast<std::size_t>(threads);
+        {
+            std::vector<std::jthread> others;
+            for (std::size_t i = 1; i < std::min(wanted, codes.size()); ++i) others.emplace_back(work);
+            work();
+        }
+        const auto failing = std::ranges::find_if(codes, [](std::int32_t code) { return code != CONTACTD_OK; });
+        return failing == codes.end() ? CONTACTD_OK : *failing;
+    } catch (...) {
+        return failed<Wheel>(at_fault, nullptr);
+    }
 }
 
 std::int32_t contactd_wheel_solve_wheelset(contactd_wheel* right, contactd_wheel* left) {

@@ -34,6 +34,9 @@ class WheelRailContact {
     /// Solves within the tolerances, from where a step before has ended; the solves of a search for a force start from
     /// each other. `estimates` become those for the next step, and mean nothing where this throws.
     WheelRailSolution solve(const WheelRailState& state, WheelRailEstimates& estimates, Observer& observer) const;
+    /// Solves one state of several of a step that is searched for; estimates.end_step() ends it.
+    WheelRailSolution solve_within_step(const WheelRailState& state, WheelRailEstimates& estimates,
+                                        Observer& observer) const;
 
     /// The search for contacts alone: at position.z or, where Fz is given, where Hertz's theory expects that force.
     /// Throws as solve.
@@ -62,5 +65,8 @@ WheelRailSolution solve_wheel_rail(const WheelRailSetup& setup, const WheelRailS
 /// WheelRailContact::solve, and InvalidArgument ("Fz_left", "left", ...).
 WheelsetSolution solve_wheelset(const WheelRailContact& left, const WheelRailContact& right, const WheelsetState& state,
                                 Observer& observer, double height_tolerance = 1e-6);
+/// Solves within the tolerances, from where a step before has ended.
+WheelsetSolution solve_wheelset(const WheelRailContact& left, const WheelRailContact& right, const WheelsetState& state,
+                                WheelsetEstimates& estimates, Observer& observer, double height_tolerance = 1e-6);
 
 }  // namespace contactd

@@ -55,13 +55,21 @@ struct WheelRailEstimates {
         double x = 0;  ///< position.x then (mm)
         SurfaceState tractions;
     };
-    std::vector<Patch> patches{};    ///< of model full
-    std::optional<double> rail_y{};  ///< lateral deflection of a flexible rail (mm)
+    std::vector<Patch> patches{};          ///< of model full
+    std::optional<double> rail_y{};        ///< lateral deflection of a flexible rail (mm)
+    std::optional<double> slip{};          ///< the pitch rate that brings Fx, over that without creepage, less 1
+    std::vector<double> balance_slopes{};  ///< derivatives of the forces that both balance, row by row
 
     void end_step() {
         height_logarithm.end_step();
         vertical_share.end_step();
     }
+};
+
+/// What a step of a wheelset that is free to roll leaves to the next one.
+struct WheelsetEstimates {
+    WheelRailEstimates left{}, right{};
+    Trend roll{};  ///< (rad)
 };
 
 }  // namespace contactd

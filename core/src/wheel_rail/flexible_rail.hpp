@@ -1,13 +1,14 @@
-// A massless flexible rail: it deflects until wheel, springs and what else acts on it are in balance.
+// A massless flexible rail, which deflects: set-ups and states on it.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "contactd/observer.hpp"
-#include "contactd/wheel_rail_estimates.hpp"
 #include "contactd/wheel_rail_setup.hpp"
 #include "contactd/wheel_rail_solution.hpp"
 #include "contactd/wheel_rail_state.hpp"
+#include "wheel_rail/position/height_search.hpp"
 
 namespace contactd {
 
@@ -15,16 +16,23 @@ class RightWheel;
 
 inline constexpr double deepest_penetration = 5;  ///< of a wheel in its rail (mm): deeper than anything elastic
 
-/// Solves a right wheel under its height or force, the pitch rate as it is. Secants find the lateral deflection. The
-/// vertical one follows from a prescribed force; else it is searched for within each step of these, as the height that
-/// brings a force. Starts from `estimates`, and leaves those for the next step.
-WheelRailSolution solve_on_flexible_rail(const RightWheel& wheel, WheelRailEstimates& estimates, Observer& observer);
+/// Returns the state with the rail deflected and fixed there, the wheel at its height or under its force, the pitch
+/// rate as it is.
+WheelRailState deflected(WheelRailState state, const RailDeflection& deflection);
 
-/// Sets the derivatives of such a solution, in which the rail deflects, or says in a warning why there are none.
+/// Returns the search for the height over the rail of a wheel at its height in the track: where the rail carries what
+/// its spring then does. `unloaded` is the wheel with a rail not deflected vertically. None where it hangs above that.
+std::optional<HeightTask> height_over_rail(RightWheel& unloaded, const WheelRailState& given, double stiffness);
+
+/// Sets the derivatives of the solution of a wheel on a flexible rail, in which the rail deflects, or says in a warning
+/// why there are none.
 void differentiate_on_flexible_rail(const RightWheel& wheel, WheelRailSolution& solution, Observer& observer);
 
 /// Throws InvalidArgument for a force below `name` on a rail that is rigid in its direction.
 void check_rail_loads(const WheelRailSetup& setup, const RailDeviation& rail, const std::string& name);
+
+/// Returns the pitch rate of a wheel that rolls without creepage at its nominal radius (rad/s).
+double rolling_pitch_rate(const WheelRailSetup& setup, const WheelRailState& state);
 
 /// Returns the set-up with the rail fixed where it is.
 WheelRailSetup with_fixed_rail(WheelRailSetup setup);

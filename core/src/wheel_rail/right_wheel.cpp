@@ -10,13 +10,13 @@
 #include "contactd/below.hpp"
 #include "contactd/error.hpp"
 #include "types/number_text.hpp"
+#include "wheel_rail/balance.hpp"
 #include "wheel_rail/differentiate.hpp"
 #include "wheel_rail/flexible_rail.hpp"
 #include "wheel_rail/patches/patch_solver.hpp"
 #include "wheel_rail/patches/section_strips.hpp"
 #include "wheel_rail/plausibility.hpp"
 #include "wheel_rail/position/estimates.hpp"
-#include "wheel_rail/position/rising_search.hpp"
 #include "wheel_rail/resultants.hpp"
 #include "wheel_rail/warnings.hpp"
 
@@ -90,7 +90,12 @@ RightWheel::RightWheel(const WheelRailSetup& setup, const geometry::Profiles& pr
 WheelRailSolution RightWheel::solve(Observer& observer) {
     WheelRailSolution solution;
     if (first_contact_height()) {
-        solution = state_.Fx ? solve_for_Fx(*state_.Fx, observer) : at_height(observer);
+        if (state_.Fx || setup_.track.springs) {
+            WheelRailEstimates own;
+            solution = solve_in_balance(*this, estimates_ ? *estimates_ : own, observer);
+        } else {
+            solution = state_.Fz ? under_force(*state_.Fz, observer) : at(state_.position.z, observer);
+        }
         if (state_.derivatives) {
             if (solution.rail_deflection)
                 differentiate_on_flexible_rail(*this, solution, observer);
@@ -161,11 +166,6 @@ void RightWheel::check_depth(double z) const {
                                                       " mm are no elastic contact: lift the wheelset, or prescribe Fz");
 }
 
-WheelRailSolution RightWheel::at_height(Observer& observer) {
-    if (setup_.track.springs) return on_flexible_rail(observer);
-    return state_.Fz ? under_force(*state_.Fz, observer) : at(state_.position.z, observer);
-}
-
 WheelRailSolution RightWheel::at(double z, Observer& observer) {
     check_depth(z);
     return at(z, position_.candidates(z), observer);
@@ -215,7 +215,7 @@ WheelRailSolution RightWheel::solve(const Placement& placement, const Load& load
         } else {
             problem.approach = placement.approach_at(load.z, placed);
         }
-        solution.patches.push_back(solve(placed.found, std::move(problem), observer));
+        solution.patches.push_back(solve(placed.found, std::move(problem), placed.kept(influences_), observer));
         WheelRailPatch& patch = solution.patches.back();
         if (load.Fn) solution.z = placement.height_of(patch.solution.approach, placed);
         patch.forces = forces_of(patch, solution.z);
@@ -238,21 +238,27 @@ ContactProblem RightWheel::problem_of(const CandidatePatch& found) const {
 }
 
 ContactSolution RightWheel::solve(ContactProblem problem, const CandidatePatch& found, Observer& observer) const {
+    return solve(std::move(problem), found, influences_, observer);
+}
+
+ContactSolution RightWheel::solve(ContactProblem problem, const CandidatePatch& found,
+                                  const InfluenceSource& influences, Observer& observer) const {
     // The step of rolling is that of the set-up, or what the wheel rolls in the time of the state.
     const auto rename = [this](const std::string& field) {
         return field == "dq" && state_.time_step ? std::string("state.time_step") : field;
     };
     return renaming(rename, [&] {
         return solve_patch(std::move(problem), found.place, strips_of(setup_, profiles_, found), setup_.patches,
-                           influences_, observer);
+                           influences, observer);
     });
 }
 
-WheelRailPatch RightWheel::solve(const CandidatePatch& found, ContactProblem problem, Observer& observer) const {
+WheelRailPatch RightWheel::solve(const CandidatePatch& found, ContactProblem problem, const InfluenceSource& influences,
+                                 Observer& observer) const {
     WheelRailPatch patch;
     problem.displacements = state_.displacements;
     if (has_tractions_) problem.initial = estimate_for(found.place, estimates_->patches);
-    patch.solution = solve(std::move(problem), found, observer);
+    patch.solution = solve(std::move(problem), found, influences, observer);
     patch.place = found.place;
     if (has_distances(setup_)) patch.place.approach = patch.solution.approach;
     patch.gap = found.gap;
@@ -269,7 +275,7 @@ double RightWheel::simplified_force(double z, std::vector<CandidatePatch> candid
     for (CandidatePatch& found : candidates) {
         // Forces of a whole ellipse need no elements, and those that are sums over elements all of them.
         if (!rolls_on_elements(problem_of(found))) found.place.grid = Grid::centred(1, 1, setup_.dx, setup_.dy);
-        force += forces_of(solve(found, problem_of(found), observer), z).track.Fz;
+        force += forces_of(solve(found, problem_of(found), influences_, observer), z).track.Fz;
     }
     return force;
 }
@@ -284,11 +290,6 @@ HeightTask RightWheel::height_task(double Fz) {
     task.target = Fz;
     task.settings = setup_.force;
     return task;
-}
-
-WheelRailSolution RightWheel::on_flexible_rail(Observer& observer) {
-    WheelRailEstimates own;
-    return solve_on_flexible_rail(*this, estimates_ ? *estimates_ : own, observer);
 }
 
 WheelRailSolution RightWheel::under_force(double Fz, Observer& observer) {
@@ -347,58 +348,29 @@ HeightFound RightWheel::carry(double Fz, HeightTask& task, WheelRailSolution& so
     // The only patch of a wheel carries the normal force that brings Fz by the direction that the whole force had last.
     // Its approach tells the height, which is off as friction's part of Fz is.
     const auto carries_alone = [&](double& z) {
+        double at = z;
         for (int round = 0; round < most_rounds; ++round) {
+            place(at);
             if (placement->patches.size() != 1 || !share || *share < least_share) return false;
-            solve_for({.z = z, .Fn = Fz / *share});
-            z = solution.z;
-            if (placement->holds_at(z)) return true;
-            place(z);
+            solve_for({.z = at, .Fn = Fz / *share});
+            at = solution.z;
+            if (!placement->holds_at(at)) continue;
+            z = at;
+            return true;
         }
         return false;
     };
     task.force = [&](double& z) {
-        place(z);
-        if (setup_.normal_model != NormalModel::of_model || !carries_alone(z)) solve_for({.z = z});
+        if (setup_.normal_model != NormalModel::of_model || !carries_alone(z)) {
+            place(z);
+            solve_for({.z = z});
+        }
         return solution.forces.track.Fz;
     };
     HeightFound found = find_height(task);
     found.evidence.iterations = solves;
     estimates_->vertical_share.learn(share);
     return found;
-}
-
-// A pitch rate that grows pulls the rail forwards. Positions do not depend on it.
-WheelRailSolution RightWheel::solve_for_Fx(double Fx, Observer& observer) {
-    WheelRailSolution solution;
-    // From pitch rate to pitch rate heights hardly differ. A first step of many does the same, to the last bit.
-    WheelRailEstimates own;
-    if (!estimates_) estimates_ = &own;
-    const auto begin = std::chrono::steady_clock::now();
-    const double speed =
-        setup_.track.roller_radius ? state_.roller_pitch * *setup_.track.roller_radius : state_.velocity.x;
-    const double rolling = -speed / setup_.wheelset.nominal_radius, unit = std::abs(rolling);
-    RisingTask task;
-    double scale = 0;
-    task.function = [&](double pitch) {
-        state_.velocity.pitch = pitch;
-        solution = at_height(observer);
-        scale = solution.forces.track.Fz;
-        return scale > 0 ? (solution.forces.wheelset.Fx - Fx) / scale : 0;
-    };
-    task.start = rolling;
-    task.step = 1e-3 * unit;
-    task.low = rolling - unit;
-    task.high = rolling + unit;
-    task.tolerance = setup_.force.tolerance;
-    task.max_evaluations = setup_.force.max_iterations;
-    const RisingFound found = find_rising(task);
-    const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - begin;
-    solution.pitch_search = {found.evaluations, std::abs(found.value), found.converged, duration.count()};
-    if (!found.converged)
-        solution.warnings.push_back("No pitch rate brings Fx = " + number_text(Fx) + " N: at " + number_text(found.at) +
-                                    " rad/s it is " + short_text(solution.forces.wheelset.Fx) + " N.");
-    if (estimates_ == &own) estimates_ = nullptr;
-    return solution;
 }
 
 }  // namespace contactd

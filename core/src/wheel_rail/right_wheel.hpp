@@ -60,7 +60,6 @@ class RightWheel {
     void check_depth(double z) const;
     /// Where Hertz's theory expects Fz, or position.z.
     double expected_height();
-    WheelRailSolution at_height(Observer& observer);
     WheelRailSolution at(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer);
     Placement placed(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer) const;
     /// Where a wheel is solved: at a height, or where its only patch carries a normal force.
@@ -70,17 +69,18 @@ class RightWheel {
     };
     WheelRailSolution solve(const Placement& placement, const Load& load, Observer& observer);
     /// Without forces on the wheel.
-    WheelRailPatch solve(const geometry::CandidatePatch& found, ContactProblem problem, Observer& observer) const;
+    WheelRailPatch solve(const geometry::CandidatePatch& found, ContactProblem problem,
+                         const InfluenceSource& influences, Observer& observer) const;
+    ContactSolution solve(ContactProblem problem, const geometry::CandidatePatch& found,
+                          const InfluenceSource& influences, Observer& observer) const;
     WheelRailForces forces_of(const WheelRailPatch& patch, double z) const;
     TractionHistory history_of(const std::vector<geometry::CandidatePatch>& candidates) const;
     /// Returns the force by a simplified model, which does not depend on elements, and costs less than their arrays.
     double simplified_force(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer) const;
-    WheelRailSolution on_flexible_rail(Observer& observer);
     WheelRailSolution under_force(double Fz, Observer& observer);
     /// Finds the height of full theory; `solution` becomes that of the last one.
     HeightFound carry(double Fz, HeightTask& task, WheelRailSolution& solution, Observer& observer);
     HeightFound carry_by_simplified_model(HeightTask& task, WheelRailSolution& solution, Observer& observer);
-    WheelRailSolution solve_for_Fx(double Fx, Observer& observer);
 
     const WheelRailSetup& setup_;
     const geometry::Profiles& profiles_;

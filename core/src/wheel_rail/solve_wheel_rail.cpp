@@ -92,14 +92,19 @@ WheelRailSolution WheelRailContact::solve(const WheelRailState& state, Observer&
 
 WheelRailSolution WheelRailContact::solve(const WheelRailState& state, WheelRailEstimates& estimates,
                                           Observer& observer) const {
+    WheelRailSolution solution = solve_within_step(state, estimates, observer);
+    estimates.end_step();
+    return solution;
+}
+
+WheelRailSolution WheelRailContact::solve_within_step(const WheelRailState& state, WheelRailEstimates& estimates,
+                                                      Observer& observer) const {
     return warned(parts_->of_right_wheel(state, observer,
                                          [&](RightWheel&& wheel) {
                                              if (state.motion != WheelRailMotion::steady_rolling)
                                                  wheel.go_on_from(estimates.patches);
                                              wheel.start_from(estimates);
-                                             WheelRailSolution solution = wheel.solve(observer);
-                                             estimates.end_step();
-                                             return solution;
+                                             return wheel.solve(observer);
                                          }),
                   parts_->warnings, state);
 }

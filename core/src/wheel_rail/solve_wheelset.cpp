@@ -9,6 +9,7 @@
 #include "contactd/solve_wheel_rail.hpp"
 #include "types/number_text.hpp"
 #include "wheel_rail/flexible_rail.hpp"
+#include "wheel_rail/position/equilibrium_search.hpp"
 #include "wheel_rail/position/rising_search.hpp"
 
 namespace contactd {
@@ -54,10 +55,12 @@ auto of_wheel(Side side, const Solve& solve) {
 /// one rises.
 class Rolls {
    public:
-    Rolls(const WheelRailContact& left, const WheelRailContact& right, const WheelsetState& state)
+    Rolls(const WheelRailContact& left, const WheelRailContact& right, const WheelsetState& state,
+          WheelsetEstimates& estimates)
         : left_(left),
           right_(right),
           state_(state),
+          estimates_(estimates),
           larger_(left.setup().wheelset.nominal_radius - right.setup().wheelset.nominal_radius) {}
 
     double expected_difference(double roll, const Observer& observer) const {
@@ -67,23 +70,55 @@ class Rolls {
         return height(left_, Side::left) - height(right_, Side::right) - larger_;
     }
     double difference(double roll, Observer& observer) {
-        solution_.left =
-            of_wheel(Side::left, [&] { return left_.solve(state_of(state_, Side::left, roll), observer); });
-        solution_.right =
-            of_wheel(Side::right, [&] { return right_.solve(state_of(state_, Side::right, roll), observer); });
+        const auto solve = [&](const WheelRailContact& wheel, Side side, WheelRailEstimates& estimates) {
+            return of_wheel(side,
+                            [&] { return wheel.solve_within_step(state_of(state_, side, roll), estimates, observer); });
+        };
+        solution_.left = solve(left_, Side::left, estimates_.left);
+        solution_.right = solve(right_, Side::right, estimates_.right);
         solution_.roll = roll;
         solution_.z = 0.5 * (solution_.left.z + solution_.right.z);
         return solution_.left.z - solution_.right.z - larger_;
     }
-    RisingTask task(double start, double tolerance) const {
-        constexpr double first_step = 1e-4;  // rad
-        return {nullptr, start, first_step, -largest_roll, largest_roll, tolerance, 60};
+    /// Finds the roll at which a difference vanishes: by the distance of the contacts, and with bounds that close in,
+    /// from a first step on (rad), where that does not lead there.
+    RisingFound find(const std::function<double(double roll)>& difference, double start, double tolerance,
+                     double step) const {
+        EquilibriumTask near;
+        near.residuals = [&](const EquilibriumTask::Values& at) {
+            return EquilibriumTask::Values{difference(at.front())};
+        };
+        near.start = {start};
+        near.low = {-largest_roll};
+        near.high = {largest_roll};
+        near.first_step = {1e-3};
+        near.slopes = {arm()};
+        near.tolerance = tolerance;
+        near.max_evaluations = 8;
+        const EquilibriumFound close = find_equilibrium(near);
+        if (close.converged || !std::isfinite(close.residual))
+            return {close.at.front(), close.residual, close.evaluations, close.converged};
+        RisingFound found =
+            find_rising({difference, close.at.front(), step, -largest_roll, largest_roll, tolerance, most_evaluations});
+        found.evaluations += close.evaluations;
+        return found;
     }
     WheelsetSolution& solution() { return solution_; }
+    /// Returns how the difference grows with the roll (mm): the distance of the contacts.
+    double arm() const {
+        const auto y = [](const WheelRailSolution& wheel) {
+            return wheel.patches.empty() ? 0 : wheel.patches.front().place.reference.y;
+        };
+        const double distance = y(solution_.right) - y(solution_.left);
+        return distance > 0 ? distance : usual_arm;
+    }
 
    private:
+    static constexpr double usual_arm = 1500;
+    static constexpr int most_evaluations = 60;
     const WheelRailContact &left_, &right_;
     const WheelsetState& state_;
+    WheelsetEstimates& estimates_;
     double larger_;  // the left wheel's radius (mm): z of each wheel is against its own, and both have one axle
     WheelsetSolution solution_;
 };
@@ -105,31 +140,29 @@ std::string not_found(const RisingFound& found) {
 
 }  // namespace
 
-// The heights that Hertz's theory expects are off by micrometres, and by nearly the same ones at all rolls.
 WheelsetSolution solve_wheelset(const WheelRailContact& left, const WheelRailContact& right, const WheelsetState& state,
                                 Observer& observer, double height_tolerance) {
+    WheelsetEstimates estimates;
+    return solve_wheelset(left, right, state, estimates, observer, height_tolerance);
+}
+
+// The heights that Hertz's theory expects are off by micrometres, and by nearly the same ones at all rolls.
+WheelsetSolution solve_wheelset(const WheelRailContact& left, const WheelRailContact& right, const WheelsetState& state,
+                                WheelsetEstimates& estimates, Observer& observer, double height_tolerance) {
+    constexpr double expected_tolerance = 1e-3;  // mm
     check(left, right, state);
     const auto begin = std::chrono::steady_clock::now();
-    Rolls rolls(left, right, state);
-    double roll = state.position.roll, offset = 0;
-    int solves = 0;
-    RisingFound found;
-    for (int round = 0; round < 4; ++round) {
-        RisingTask expected = rolls.task(roll, 0.1 * height_tolerance);
-        expected.function = [&](double at) { return rolls.expected_difference(at, observer) + offset; };
-        roll = find_rising(expected).at;
-        found = {roll, rolls.difference(roll, observer), ++solves, false};
-        found.converged = std::abs(found.value) <= height_tolerance;
-        if (found.converged || !std::isfinite(found.value)) break;
-        offset = found.value - rolls.expected_difference(roll, observer);
-    }
-    if (!found.converged && std::isfinite(found.value)) {
-        RisingTask task = rolls.task(roll, height_tolerance);
-        task.step = 1e-6;
-        task.function = [&](double at) { return rolls.difference(at, observer); };
-        found = find_rising(task);
-        solves += found.evaluations;
-    }
+    Rolls rolls(left, right, state, estimates);
+    const auto expected = [&](double roll) { return rolls.expected_difference(roll, observer); };
+    const auto solved = [&](double roll) { return rolls.difference(roll, observer); };
+    if (!estimates.roll.expected())
+        estimates.roll.learn(rolls.find(expected, state.position.roll, expected_tolerance, 1e-4).at);
+    const RisingFound found = rolls.find(solved, *estimates.roll.expected(), height_tolerance, 1e-6);
+    const int solves = found.evaluations;
+    estimates.roll.learn(found.at);
+    estimates.roll.end_step();
+    estimates.left.end_step();
+    estimates.right.end_step();
     WheelsetSolution solution = std::move(rolls.solution());
     const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - begin;
     const char* unloaded = !carries_load(solution.left) ? "left" : !carries_load(solution.right) ? "right" : nullptr;

@@ -107,7 +107,7 @@ def test_octave_solves_a_wheelset(shared_daemon):
         "for side = {'left', 'right'}, w{end + 1} = contactd('wheel_new', c); contactd('set_word', w{end}, 'setup.side', side{1});"
         "contactd('set', w{end}, 'setup.dx', 1); contactd('set', w{end}, 'setup.dy', 1); contactd('set', w{end}, 'state.Fz', 1e4);"
         "contactd('set_array', w{end}, 'state.velocity', [2000 0 0 0 0 -2000 / 460]); end;"
-        "contactd('wheel_solve_wheelset', w{2}, w{1});"
+        "contactd('wheel_solve_many', w{1}, w{2}, 2); contactd('wheel_solve_wheelset', w{2}, w{1});"
         "for k = 1:2, F = contactd('get_array', w{k}, 'forces.track');"
         "printf('%.12g %.12g\\n', F(3), contactd('get', w{k}, 'roll')); end;"
         "contactd('get', w{1}, 'roll_search.residual'); contactd('wheel_solve_wheelset', w{1}, 7);"

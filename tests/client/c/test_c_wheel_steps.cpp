@@ -1,13 +1,17 @@
 // Wheels of the C interface as they go from step to step.
+#include <algorithm>
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <iterator>
 #include <string>
 
 #include "c_wheel.hpp"
 #include "client/cpp/own_daemon.hpp"
 
 using Catch::Approx;
+using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
@@ -129,4 +133,44 @@ TEST_CASE("A wheel that another set-up is refused for keeps its session, its tra
     const Numbers third = solved(w);
     CHECK(third != first);  // it goes on
     CHECK(third != second);
+}
+
+TEST_CASE("Wheels of a vehicle have the same answers on any number of threads, to the last bit", "[c]") {
+    const Somewhere place(GENERATE(true, false));
+    constexpr int count = 4;
+    const WheelHandle together[count] = {WheelHandle(place), WheelHandle(place), WheelHandle(place),
+                                         WheelHandle(place)};
+    const WheelHandle alone[count] = {WheelHandle(place), WheelHandle(place), WheelHandle(place), WheelHandle(place)};
+    contactd_wheel* handles[count];
+    std::copy(std::begin(together), std::end(together), handles);
+    for (int k = 0; k < 3; ++k) {
+        for (int i = 0; i < count; ++i) {
+            set_rolling(together[i], 0.5 * i + 0.02 * k);
+            set_rolling(alone[i], 0.5 * i + 0.02 * k);
+            require_ok(contactd_wheel_solve(alone[i]), alone[i]);
+        }
+        REQUIRE(contactd_wheel_solve_many(handles, count, k) == CONTACTD_OK);
+        for (int i = 0; i < count; ++i)
+            for (const char* result : {"z", "forces.track.Fx", "forces.track.Fy", "forces.track.Mz"})
+                CHECK(get(together[i], result) == get(alone[i], result));
+    }
+}
+
+TEST_CASE("A wheel of a vehicle that fails does not keep the others from being solved", "[c]") {
+    const Place here("local");
+    const WheelHandle good(here), bad(here);
+    set_rolling(good, 0);
+    set_rolling(bad, 0);
+    set(bad, "state.Fz", -1);
+    contactd_wheel* both[] = {bad, good};
+    CHECK(contactd_wheel_solve_many(both, 2, 2) == CONTACTD_INVALID_ARGUMENT);
+    CHECK(std::string(contactd_last_field(bad)) == "state.Fz");
+    CHECK(get(good, "converged") == 1);
+    contactd_wheel* twice[] = {good, good};
+    CHECK(contactd_wheel_solve_many(twice, 2, 1) == CONTACTD_INVALID_ARGUMENT);
+    CHECK_THAT(contactd_last_error(good), ContainsSubstring("wheels[1]"));
+    CHECK(contactd_wheel_solve_many(nullptr, 1, 1) == CONTACTD_INVALID_ARGUMENT);
+    CHECK(contactd_wheel_solve_many(both, -1, 1) == CONTACTD_INVALID_ARGUMENT);
+    CHECK(contactd_wheel_solve_many(both, 1, -1) == CONTACTD_INVALID_ARGUMENT);
+    CHECK(contactd_wheel_solve_many(nullptr, 0, 0) == CONTACTD_OK);
 }

@@ -23,9 +23,16 @@ double upright(const ContactPlace& place) {
 
 }  // namespace
 
+InfluenceSource Placement::Patch::kept(const InfluenceSource& source) const {
+    return [this, &source](const ContactProblem& asked, const PatchStrips& strips, Observer& observer) {
+        if (!influence_) influence_ = source(asked, strips, observer);
+        return *influence_;
+    };
+}
+
 void Placement::add(geometry::CandidatePatch found, ContactProblem problem) {
     reach_ = std::min(reach_, tolerance_ * found.place.approach / std::max(change_beside_approach(found.place), 1e-3));
-    patches.push_back({std::move(found), std::move(problem)});
+    patches.emplace_back(std::move(found), std::move(problem));
 }
 
 double Placement::approach_at(double z, const Patch& patch) const {

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "contactd/contact.hpp"
+#include "contactd/solve_wheel_rail.hpp"
 #include "geometry/position.hpp"
 
 namespace contactd {
@@ -14,9 +16,19 @@ namespace contactd {
 /// Near the height where places and gaps were found they stay as they are, and approaches follow the height.
 class Placement {
    public:
-    struct Patch {
+    class Patch {
+       public:
+        Patch(geometry::CandidatePatch found_, ContactProblem problem_)
+            : found(std::move(found_)), problem(std::move(problem_)) {}
+
+        /// Returns a source that asks the other one once. It must not outlive the patch.
+        InfluenceSource kept(const InfluenceSource& source) const;
+
         geometry::CandidatePatch found;
         ContactProblem problem;
+
+       private:
+        mutable std::optional<ContactInfluence> influence_{};
     };
 
     /// What is neglected near `z` (mm) changes gaps by at most this share of the approach.
@@ -35,7 +47,7 @@ class Placement {
 
    private:
     double z_, tolerance_;
-    double reach_ = 1e-3;  // mm
+    double reach_ = 2e-5;  // mm
 };
 
 }  // namespace contactd

@@ -96,6 +96,34 @@ TEST_CASE("Estimates change what a step costs and not what it answers") {
     CHECK(with < without);
 }
 
+TEST_CASE("What a step has is expected to change as it did before, until it jumps") {
+    Trend trend;
+    CHECK_FALSE(trend.expected());
+    for (const double value : {1.0, 1.01, 1.04}) {
+        trend.learn(value);
+        CHECK(trend.expected() == value);
+        trend.end_step();
+    }
+    CHECK_THAT(trend.expected().value(), WithinAbs(1.09, 1e-12));  // 1 + k^2/100
+    trend.learn(2.0);
+    trend.end_step();
+    CHECK(trend.expected() == 2.0);
+    trend.learn(std::nullopt);
+    trend.end_step();
+    CHECK_FALSE(trend.expected());
+}
+
+TEST_CASE("A wheel that hunts under its load takes one or two solves a step") {
+    const WheelRailContact contact(coarse_setup(Side::right));
+    Observer observer;
+    WheelRailEstimates estimates;
+    int solves = 0;
+    constexpr int steps = 30;
+    for (int k = 0; k < steps; ++k)
+        solves += contact.solve(state_at(1 + 0.02 * k), estimates, observer).force->iterations;
+    CHECK(solves <= 2 * steps);
+}
+
 TEST_CASE("Another friction shares what is cached") {
     const WheelRailContact contact(coarse_setup(Side::right));
     Observer observer;
