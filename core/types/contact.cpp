@@ -7,6 +7,7 @@
 #include "contact_columns_check.hpp"
 #include "contactd/error.hpp"
 #include "contactd/fields/contact_setup.hpp"
+#include "fatigue/contact_fatigue_check.hpp"
 #include "heat/contact_temperature_check.hpp"
 #include "magnitude.hpp"
 #include "number_text.hpp"
@@ -371,6 +372,7 @@ void check(const ContactProblem& problem, bool complete) {
     check_columns(problem);
     check_temperature(problem, complete);
     check_wear(problem, complete);
+    check_fatigue(problem, complete);
     check_state(problem.previous, size, "previous");
     check_settings(problem.settings.normal, "settings.normal");
     check_settings(problem.settings.tangential, "settings.tangential");

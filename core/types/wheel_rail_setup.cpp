@@ -9,6 +9,7 @@
 #include "contactd/error.hpp"
 #include "contactd/fields/wheel_rail_setup.hpp"
 #include "contactd/uniform_elements.hpp"
+#include "fatigue/contact_fatigue_check.hpp"
 #include "number_text.hpp"
 #include "wear/contact_wear_check.hpp"
 
@@ -185,6 +186,16 @@ void check_wear(const WheelRailSetup& setup) {
     check_wear_layer(setup.friction->layer);
 }
 
+void check_fatigue(const WheelRailSetup& setup) {
+    if (!setup.fatigue) return;
+    validate(*setup.fatigue, "fatigue");
+    check_fatigue_model(setup.model);
+    if (!setup.friction)
+        throw InvalidArgument("fatigue",
+                              "is given, and friction is not; it is that of rolling contact with friction, which may "
+                              "be small");
+}
+
 }  // namespace
 
 void validate(const WheelRailSetup& setup) {
@@ -234,6 +245,7 @@ void validate(const WheelRailSetup& setup) {
                                   " mm^3/N, and the simplified models know no sheet between bodies; take model full");
     check_temperature(setup);
     check_wear(setup);
+    check_fatigue(setup);
     if (setup.settings.tangential_solver == TangentialSolver::tangcg)
         throw InvalidArgument("settings.tangential.solver",
                               "is tangcg, whose operators are symmetric, and wheels roll steadily; take newton");

@@ -119,6 +119,12 @@ MODULES = [
         is_asked=True,
     ),
     Module(
+        "fatigue",
+        "What rolling contact fatigue is asked by: strengths and functions with their sources, none of which is a default.",
+        ("definitions.json#/definitions/fatigue_request",),
+        is_asked=True,
+    ),
+    Module(
         "friction",
         "Friction, and how the bodies move. Slip is that of the upper body over the lower one; in slip the traction on the upper "
         "body opposes it.",
@@ -134,6 +140,7 @@ MODULES = [
             "definitions.json#/definitions/contact_temperature",
             "definitions.json#/definitions/rolling_resistance",
             "definitions.json#/definitions/contact_wear",
+            "definitions.json#/definitions/contact_fatigue",
             "contact.solve.result.json#",
         ),
     ),

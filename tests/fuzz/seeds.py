@@ -97,6 +97,15 @@ def solves() -> Iterator[tuple[dict[str, Any], list[bytes]]]:
         ]},
         "friction": {"mu": 0.3, "rolling": {**steady, "velocity": 100}},
     }, []
+    yield {
+        **base, "bodies": bodies, "ics": {"source": "analytic"}, "gap": {"paraboloid": {"Rx": 10}}, "Fn": 2,
+        "fatigue": {
+            "body": "lower", "strength": {"name": "a", "source": "a test", "shear_yield": 300, "a_DV": 0.3, "tau_e": 200},
+            "damages": [{"name": "a", "source": "a test", "range": [0, 10], "pieces": pieces}],
+            "passage": {"depths": [0, 0.5], "residual": [{"depth": 0, "xx": -100, "yy": -50}]},
+        },
+        "friction": {"mu": 0.3, "rolling": {**steady, "velocity": 100}},
+    }, []
     creep = {"upper": {"G": 200, "nu": 0.42, "viscoelastic": {"f": 1, "tau": 0.01}}, "lower": {"rigid": True}}
     yield {
         **base, "bodies": creep, "ics": {"source": "analytic"}, "gap": {"paraboloid": {"Rx": 10}}, "Fn": 2,

@@ -63,6 +63,7 @@ from .values.evidence import (
     SolverSettings,
     TangentialSettings,
 )
+from .values.fatigue import DamageFunction, FatigueRequest, FatigueStrength, Passage
 from .values.fem_ics import FemIcs
 from .values.fit import Fit, FittedCurve, FittedParameter
 from .values.friction import Friction, InterfacialLayer
@@ -75,7 +76,7 @@ from .values.problem import ContactColumns, ContactProblem, Estimate
 from .values.profile_shapes import ProfileFile
 from .values.records import ImportedIc, QuarantinedIc, RecentPatch, RecentSolve, StoredIc
 from .values.registry import register
-from .values.result import ContactTemperature, ContactWear, RollingResistance
+from .values.result import ContactFatigue, ContactTemperature, ContactWear, RollingResistance
 from .values.service import Job, Limits, Progress, ServerInfo, SessionSummary
 from .values.solution import ContactSolution
 from .values.step_input import StepInput
@@ -114,6 +115,7 @@ __all__ = [
     "ComparedModel",
     "ConnectionFailed",
     "ContactColumns",
+    "ContactFatigue",
     "ContactProblem",
     "ContactSolution",
     "ContactTemperature",
@@ -121,10 +123,13 @@ __all__ = [
     "ContactWear",
     "ContactdError",
     "DaemonFailed",
+    "DamageFunction",
     "DeadlineExceeded",
     "EnergyWear",
     "Estimate",
     "FailedPrecondition",
+    "FatigueRequest",
+    "FatigueStrength",
     "FemIcs",
     "Fit",
     "FitFailed",
@@ -154,6 +159,7 @@ __all__ = [
     "NotFound",
     "Paraboloid",
     "PartialSolution",
+    "Passage",
     "PermissionDenied",
     "ProfileFile",
     "Progress",

@@ -131,6 +131,7 @@ struct ContactSolution {
     std::optional<double> plastic_work, plastic_power, largest_flow;
     std::optional<RollingResistance> rolling_resistance;  ///< of viscoelastic bodies
     std::optional<ContactWear> wear;                      ///< where asked for
+    std::optional<ContactFatigue> fatigue;                ///< where asked for
     std::optional<Motion> motion;                         ///< as asked, with what a prescribed force made of it
     std::optional<Derivatives> derivatives;               ///< where asked for, of a converged solution with contact
     std::vector<std::string> warnings;                    ///< sentences: what a user of the solution should know

@@ -5,6 +5,7 @@
 
 #include "contactd/body.hpp"
 #include "contactd/contact_columns.hpp"
+#include "contactd/fatigue.hpp"
 #include "contactd/friction.hpp"
 #include "contactd/grid.hpp"
 #include "contactd/temperature.hpp"
@@ -84,8 +85,9 @@ struct ContactSetup {
     double sheet_flexibility = 0;
     /// What both bodies have to do with heat, where temperatures of the surfaces are wanted: of steady rolling along x.
     std::optional<ThermalBodies> temperature{};
-    std::optional<WearRequest> wear{};    ///< where wear is wanted: of steady rolling along x
-    std::optional<FrictionLaw> friction;  ///< absent: frictionless
+    std::optional<WearRequest> wear{};        ///< where wear is wanted: of steady rolling along x
+    std::optional<FatigueRequest> fatigue{};  ///< where fatigue is wanted, likewise
+    std::optional<FrictionLaw> friction;      ///< absent: frictionless
     ContactSettings settings;
     std::optional<ContactColumns> columns{};  ///< where the surface is curved along y; absent: a plane
 };

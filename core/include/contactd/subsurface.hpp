@@ -55,6 +55,15 @@ SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tra
 SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tractions, const Layers& body,
                                    const StressBlock& block, Observer& observer);
 
+/// Inside a body whose rows of elements are inclined by `angles` (rad, ny of them, from the y of the frame towards its
+/// +z): tractions of each row act on another one as on its half-space, at the distance along the surface, turned by the
+/// angle between both. So what a row bears of its own tractions is exact, and what it bears of others' knows curvature
+/// to first order in depth over radius; of equal angles it is that of the plane. y of the points is the arc length, and
+/// stresses are in the axes of the row above, whose angle is interpolated. Errors as above, and InvalidArgument
+/// ("angles").
+SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tractions, double nu,
+                                   std::span<const double> angles, const SubsurfacePoints& points, Observer& observer);
+
 /// Displacements inside a half-space (Johnson, sections 3.2 and 3.6), in the frame of the body. Relative accuracy 1e-13
 /// times the square of the distance over the size of an element. Reports and throws as above, and for a body that is
 /// rigid ("material").

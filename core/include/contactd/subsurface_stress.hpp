@@ -53,10 +53,13 @@ struct SubsurfaceRequest {
     Grid grid;
     double nu = 0;  ///< Poisson's ratio of the body, 0 to 0.5; of no meaning where ics has layers
     ContactBody body = ContactBody::lower;
-    Ics ics;  ///< that the tractions were solved with: of a half-space (also of a line contact) or layers; none else
+    Ics ics;  ///< that the tractions were solved with: of a half-space (also of a line contact) or layers; with
+              ///< angles also of a longitudinally uniform body; none else
     /// Tractions of a contact solution, for either body: those on the upper one. Shape [ny, nx] (N/mm^2); tractions may
     /// be empty, which means zero.
     std::vector<double> pressure, traction_x, traction_y;
+    /// Inclination of each row (rad), as subsurface_stress() has it; none of a plane.
+    std::vector<double> angles{};
     SubsurfacePoints points;
     bool invariants = false;  ///< whether the reply has those of find_invariants
     /// The body's shear modulus (N/mm^2), where displacements are wanted, too; of half-spaces.

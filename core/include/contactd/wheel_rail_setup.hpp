@@ -158,6 +158,7 @@ struct WheelRailSetup {
     double sheet_flexibility = 0;  ///< of a thin sheet between them, as of ContactSetup (mm^3/N)
     /// What they have to do with heat, where temperatures of their surfaces are wanted: of steady rolling.
     std::optional<ThermalBodies> temperature{};
+    std::optional<FatigueRequest> fatigue{};  ///< where fatigue of rail (upper) or wheel (lower) is wanted, likewise
     std::optional<WearRequest> wear{};  ///< where wear of rail (upper) and wheel (lower) is wanted: of steady rolling
     std::optional<WheelRailFriction> friction = WheelRailFriction{};  ///< absent: frictionless
     double dx = 0.2, dy = 0.2;  ///< sizes of the elements along and across the track, in the contact plane (mm)

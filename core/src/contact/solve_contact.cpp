@@ -19,6 +19,7 @@
 #include "contactd/strip_frames.hpp"
 #include "curved_strips.hpp"
 #include "discretisation.hpp"
+#include "fatigue/contact_fatigue.hpp"
 #include "layer_resolution.hpp"
 #include "operators/sheets/sheet_step.hpp"
 #include "operators/sheets/thin_sheet.hpp"
@@ -270,6 +271,12 @@ void find_wear(const ContactProblem& problem, ContactSolution& solution) {
     solution.wear = contact_wear(*problem.wear, problem, place, solution);
 }
 
+void find_fatigue(const ContactProblem& problem, ContactSolution& solution, Observer& observer) {
+    if (!problem.fatigue || !solution.motion) return;
+    const FatiguePlace place = fatigue_place(problem, std::get<Rolling>(*solution.motion));
+    solution.fatigue = contact_fatigue(problem, place, solution, observer);
+}
+
 ContactSolution simplified(const ContactProblem& problem) {
     if (problem.normal_model == NormalModel::of_model) return solve_by_simplified_model(problem);
     const PenetrationContact penetration = penetration_contact(problem, undeformed_distance(problem));
@@ -282,6 +289,7 @@ ContactSolution solve_valid(const ContactProblem& problem, const ContactInfluenc
         count_elements(problem, solution);
         find_temperature(problem, solution, observer);
         find_wear(problem, solution);
+        find_fatigue(problem, solution, observer);
         warn(problem, solution);
         return solution;
     }
@@ -298,6 +306,7 @@ ContactSolution solve_valid(const ContactProblem& problem, const ContactInfluenc
     take_friction_losses(problem, solution);
     find_temperature(problem, solution, observer);
     find_wear(problem, solution);
+    find_fatigue(problem, solution, observer);
     find_displacements(problem, *bodies.current, solution);
     solution.evidence.discretisation = discretisation(problem, solution, problem.friction && bodies.current->coupled());
     warn(problem, solution);

@@ -62,6 +62,11 @@ void mirror(ContactSolution& solution, const Grid& grid) {
             for (double& value : values) flip_sign(value);
     }
     if (solution.motion) mirror(*solution.motion);
+    if (solution.fatigue) {
+        std::reverse(solution.fatigue->rows.begin(), solution.fatigue->rows.end());
+        double& angle = solution.fatigue->force_angle;
+        if (angle == -std::numbers::pi) angle = std::numbers::pi;
+    }
     if (solution.wear) std::reverse(solution.wear->rows.begin(), solution.wear->rows.end());
 }
 

@@ -81,6 +81,10 @@ RightWheel::RightWheel(const WheelRailSetup& setup, const geometry::Profiles& pr
         throw InvalidArgument("state.motion",
                               "is not steady_rolling, and setup.temperature is given; temperatures are those of "
                               "steady rolling");
+    if (state_.motion != WheelRailMotion::steady_rolling && setup_.fatigue)
+        throw InvalidArgument("state.motion",
+                              "is not steady_rolling, and setup.fatigue is given; the history of a particle is that of "
+                              "steady rolling");
     if (state_.motion != WheelRailMotion::steady_rolling && setup_.wear)
         throw InvalidArgument("state.motion",
                               "is not steady_rolling, and setup.wear is given; what a passage takes off is that of "
@@ -102,6 +106,7 @@ WheelRailSolution RightWheel::solve(Observer& observer) {
             else
                 differentiate(*this, solution, observer);
         }
+        for (WheelRailPatch& patch : solution.patches) add_fatigue(setup_, patch.place, patch.solution, observer);
         return solution;
     }
     solution.z = state_.position.z;

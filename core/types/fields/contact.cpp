@@ -12,9 +12,10 @@ namespace {
     [[maybe_unused]] const auto& [approach_, forces_, resultant_, pmax_, area_, elements_, element_division_, pressure_,
                                   traction_x_, traction_y_, slip_x_, slip_y_, flow_x_, flow_y_, yield_stress_,
                                   friction_coefficient_, displacement_x_, displacement_y_, displacement_z_,
-                                  upper_temperature_, lower_temperature_, temperature_, wear_, rolling_resistance_,
-                                  elastic_energy_, frictional_work_, frictional_power_, plastic_work_, plastic_power_,
-                                  largest_flow_, motion_, derivatives_, warnings_, evidence_] = all;
+                                  upper_temperature_, lower_temperature_, temperature_, wear_, fatigue_,
+                                  rolling_resistance_, elastic_energy_, frictional_work_, frictional_power_,
+                                  plastic_work_, plastic_power_, largest_flow_, motion_, derivatives_, warnings_,
+                                  evidence_] = all;
 }
 [[maybe_unused]] void all_of(const Forces& all) {
     [[maybe_unused]] const auto& [Fn_, Fx_, Fy_, Mz_] = all;
@@ -58,6 +59,7 @@ const FieldType& type_of<ContactProblem>() {
             "sheet_flexibility", {.bounds = {.least = 0, .most = 1e+06}, .unit = "mm^3/N"}),
         fields::field_along<ContactProblem, &ContactProblem::temperature>("temperature"),
         fields::field_along<ContactProblem, &ContactProblem::wear>("wear"),
+        fields::field_along<ContactProblem, &ContactProblem::fatigue>("fatigue"),
         fields::field_beside<ContactProblem, &ContactProblem::friction>("friction",
                                                                         &type_of<FrictionFields<ContactProblem>>),
         fields::field_along<ContactProblem, &ContactProblem::previous>("previous"),
@@ -97,6 +99,7 @@ const FieldType& type_of<ContactSolution>() {
         fields::custom_field<&ContactSolution::lower_temperature>("lower_temperature"),
         fields::field<&ContactSolution::temperature>("temperature"),
         fields::field<&ContactSolution::wear>("wear"),
+        fields::field<&ContactSolution::fatigue>("fatigue"),
         fields::field<&ContactSolution::rolling_resistance>("rolling_resistance"),
         fields::field<&ContactSolution::elastic_energy>("elastic_energy", {.unit = "N mm"}),
         fields::field<&ContactSolution::frictional_work>("frictional_work", {.unit = "N mm"}),

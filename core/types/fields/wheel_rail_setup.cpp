@@ -16,9 +16,9 @@ namespace {
 }
 [[maybe_unused]] void all_of(const WheelRailSetup& all) {
     [[maybe_unused]] const auto& [side_, wheel_, rail_, rail_slices_, wheel_slices_, track_, wheelset_, bodies_, model_,
-                                  normal_model_, simplified_, temperature_, wear_, sheet_flexibility_, friction_, dx_,
-                                  dy_, dq_, patches_, rail_spline_, wheel_spline_, wheel_surface_, rigid_slip_,
-                                  conformal_, settings_, force_] = all;
+                                  normal_model_, simplified_, temperature_, wear_, fatigue_, sheet_flexibility_,
+                                  friction_, dx_, dy_, dq_, patches_, rail_spline_, wheel_spline_, wheel_surface_,
+                                  rigid_slip_, conformal_, settings_, force_] = all;
 }
 [[maybe_unused]] void all_of(const RailSlice& all) {
     [[maybe_unused]] const auto& [x_, profile_, features_] = all;
@@ -83,6 +83,7 @@ const FieldType& type_of<WheelRailSetup>() {
         fields::field<&WheelRailSetup::simplified>("simplified"),
         fields::field<&WheelRailSetup::temperature>("temperature"),
         fields::field<&WheelRailSetup::wear>("wear"),
+        fields::field<&WheelRailSetup::fatigue>("fatigue"),
         fields::field<&WheelRailSetup::sheet_flexibility>("sheet_flexibility",
                                                           {.bounds = {.least = 0, .most = 1e+06}, .unit = "mm^3/N"}),
         fields::field<&WheelRailSetup::friction>("friction"),

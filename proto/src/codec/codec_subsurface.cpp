@@ -89,16 +89,19 @@ StressBlock decode_block(const json& source, const Frames& frames, std::size_t a
     return block;
 }
 
-void check_has_stresses(const Ics& ics) {
+void check_has_stresses(const Ics& ics, bool is_curved) {
+    if (is_curved && (ics.layered || ics.line_contact))
+        throw invalid_field("angles", "are given, and ics has layers or a line contact, whose rows lie on a plane");
+    if (is_curved && ics.body == BodyShape::longitudinally_uniform) return;
     if (ics.line_contact && (ics.body != BodyShape::half_space || ics.source != IcSource::analytic))
         throw invalid_field("ics.line_contact",
                             "goes with half-spaces in closed form; stresses below a line contact are theirs");
     if (ics.body == BodyShape::layered) return;
     if (ics.body == BodyShape::longitudinally_uniform)
-        throw invalid_field(
-            "ics.body",
-            "is longitudinally_uniform; the closed form of the stresses is that of the half-space, and says nothing of "
-            "what lies below the surface of a section");
+        throw invalid_field("ics.body",
+                            "is longitudinally_uniform; the closed form of the stresses is that of the half-space, "
+                            "which goes with such "
+                            "a body row by row: give the angles of the rows");
     if (ics.body != BodyShape::half_space)
         throw invalid_field("ics.body",
                             "is block; the closed form of the stresses is that of the half-space, which a block "
@@ -111,6 +114,7 @@ void check_has_stresses(const Ics& ics) {
 json encode_subsurface_request(const SubsurfaceRequest& request, ArrayWriter& arrays) {
     json params{{"grid", encode_grid(request.grid)}, {"nu", finite(request.nu, "nu")}, {"body", name_of(request.body)}};
     if (request.invariants) params["invariants"] = true;
+    if (!request.angles.empty()) params["angles"] = request.angles;
     if (request.G) params["G"] = finite(*request.G, "G");
     if (request.ics != Ics{}) params["ics"] = encode_ics(request.ics);
     for (const auto& [name, values] : tractions_of(request))
@@ -133,9 +137,12 @@ SubsurfaceRequest decode_subsurface_request(const json& params, const Frames& fr
     request.nu = params["nu"].get<double>();
     if (params.contains("body")) read_name(params["body"], request.body);
     if (params.contains("ics")) request.ics = decode_ics(params["ics"], frames);
-    check_has_stresses(request.ics);
+    if (params.contains("angles")) request.angles = params["angles"].get<std::vector<double>>();
+    check_has_stresses(request.ics, !request.angles.empty());
     request.invariants = params.value("invariants", false);
     if (params.contains("G")) request.G = params["G"].get<double>();
+    if (request.G && !request.angles.empty())
+        throw invalid_field("G", "is given, and angles, too; displacements are those of half-spaces under a plane");
     if (request.G && request.ics.line_contact)
         throw invalid_field("G",
                             "is given, and ics.line_contact, too: below an endless line displacements have no end");

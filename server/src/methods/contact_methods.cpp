@@ -69,6 +69,8 @@ SubsurfaceReply computed(const SubsurfaceRequest& request, Observer& observer) {
                 return subsurface_stress(request.grid, tractions, *request.ics.layered, points, observer);
             if (request.ics.line_contact)
                 return subsurface_stress(request.grid, tractions, PlaneStrain{request.nu}, points, observer);
+            if (!request.angles.empty())
+                return subsurface_stress(request.grid, tractions, request.nu, request.angles, points, observer);
             return subsurface_stress(request.grid, tractions, request.nu, points, observer);
         },
         request.points);
@@ -84,7 +86,8 @@ SubsurfaceReply computed(const SubsurfaceRequest& request, Observer& observer) {
 
 // The cost of a block: bytes of each point and of each offset of a point from an element, and seconds of each corner.
 constexpr double bytes_of_stress = 8 * 14, bytes_of_invariants = 8 * 10, bytes_of_displacement = 8 * 6,
-                 bytes_of_stress_offset = 8 * 40, seconds_of_corner = 1.5e-7;
+                 bytes_of_stress_offset = 8 * 40, seconds_of_corner = 1.5e-7,
+                 curved_fields = 2;  // five loads for three
 
 WorkCost cost_of_subsurface(const nlohmann::json& params, const Config& config) {
     check_grid_limit(params, config.max_grid_elements);
@@ -110,7 +113,8 @@ WorkCost cost_of_subsurface(const nlohmann::json& params, const Config& config) 
                 points * (bytes_of_stress + (params.value("invariants", false) ? bytes_of_invariants : 0) +
                           (params.contains("G") ? bytes_of_displacement : 0)) +
                 std::min(offsets, 16e6) * per_offset,
-            corners * (layered ? seconds_of_layered_offset : seconds_of_corner)};
+            corners * (layered ? seconds_of_layered_offset : seconds_of_corner) *
+                (params.contains("angles") ? curved_fields : 1)};
 }
 
 void subsurface(const CallPtr& call, const DaemonParts& parts) {

@@ -264,6 +264,30 @@
 #define CONTACTD_PATH_WEAR_LAWS_ZONES "wear.laws[%d].zones"
 #define CONTACTD_PATH_WEAR_LAWS_ZONES_ANGLE "wear.laws[%d].zones[%d].angle" /* rad */
 #define CONTACTD_PATH_WEAR_LAWS_ZONES_FACTOR "wear.laws[%d].zones[%d].factor"
+#define CONTACTD_PATH_FATIGUE "fatigue"
+#define CONTACTD_PATH_FATIGUE_BODY "fatigue.body"
+#define CONTACTD_PATH_FATIGUE_STRENGTH "fatigue.strength"
+#define CONTACTD_PATH_FATIGUE_STRENGTH_NAME "fatigue.strength.name"
+#define CONTACTD_PATH_FATIGUE_STRENGTH_SOURCE "fatigue.strength.source"
+#define CONTACTD_PATH_FATIGUE_STRENGTH_SHEAR_YIELD "fatigue.strength.shear_yield" /* N/mm^2 */
+#define CONTACTD_PATH_FATIGUE_STRENGTH_A_DV "fatigue.strength.a_DV"
+#define CONTACTD_PATH_FATIGUE_STRENGTH_TAU_E "fatigue.strength.tau_e" /* N/mm^2 */
+#define CONTACTD_PATH_FATIGUE_DAMAGES "fatigue.damages"
+#define CONTACTD_PATH_FATIGUE_DAMAGES_NAME "fatigue.damages[%d].name"
+#define CONTACTD_PATH_FATIGUE_DAMAGES_SOURCE "fatigue.damages[%d].source"
+#define CONTACTD_PATH_FATIGUE_DAMAGES_RANGE "fatigue.damages[%d].range"
+#define CONTACTD_PATH_FATIGUE_DAMAGES_RANGE_LEAST "fatigue.damages[%d].range.least"
+#define CONTACTD_PATH_FATIGUE_DAMAGES_RANGE_MOST "fatigue.damages[%d].range.most"
+#define CONTACTD_PATH_FATIGUE_DAMAGES_PIECES "fatigue.damages[%d].pieces"
+#define CONTACTD_PATH_FATIGUE_DAMAGES_PIECES_FROM "fatigue.damages[%d].pieces[%d].from"
+#define CONTACTD_PATH_FATIGUE_DAMAGES_PIECES_VALUE "fatigue.damages[%d].pieces[%d].value"
+#define CONTACTD_PATH_FATIGUE_DAMAGES_PIECES_SLOPE "fatigue.damages[%d].pieces[%d].slope"
+#define CONTACTD_PATH_FATIGUE_PASSAGE "fatigue.passage"
+#define CONTACTD_PATH_FATIGUE_PASSAGE_DEPTHS "fatigue.passage.depths"
+#define CONTACTD_PATH_FATIGUE_PASSAGE_RESIDUAL "fatigue.passage.residual"
+#define CONTACTD_PATH_FATIGUE_PASSAGE_RESIDUAL_DEPTH "fatigue.passage.residual[%d].depth" /* mm */
+#define CONTACTD_PATH_FATIGUE_PASSAGE_RESIDUAL_XX "fatigue.passage.residual[%d].xx"       /* N/mm^2 */
+#define CONTACTD_PATH_FATIGUE_PASSAGE_RESIDUAL_YY "fatigue.passage.residual[%d].yy"       /* N/mm^2 */
 #define CONTACTD_PATH_FRICTION "friction"
 #define CONTACTD_PATH_FRICTION_MU "friction.mu"
 #define CONTACTD_PATH_FRICTION_KINETIC "friction.kinetic"
@@ -426,6 +450,43 @@
 #define CONTACTD_PATH_WEAR_LAWS_AREA "wear.laws[%d].area"   /* mm^2 */
 #define CONTACTD_PATH_WEAR_LAWS_DEPTH "wear.laws[%d].depth" /* mm */
 #define CONTACTD_PATH_WEAR_LAWS_ARGUMENT "wear.laws[%d].argument"
+#define CONTACTD_PATH_FATIGUE_CAPITAL_T_GAMMA "fatigue.T_gamma" /* N */
+#define CONTACTD_PATH_FATIGUE_TRACTION_COEFFICIENT "fatigue.traction_coefficient"
+#define CONTACTD_PATH_FATIGUE_FORCE_ANGLE "fatigue.force_angle" /* rad */
+#define CONTACTD_PATH_FATIGUE_DRIVEN "fatigue.driven"
+#define CONTACTD_PATH_FATIGUE_FI_SURF "fatigue.FI_surf"
+#define CONTACTD_PATH_FATIGUE_FI_SUB "fatigue.FI_sub" /* N/mm^2 */
+#define CONTACTD_PATH_FATIGUE_LOAD "fatigue.load"
+#define CONTACTD_PATH_FATIGUE_LIMIT "fatigue.limit"
+#define CONTACTD_PATH_FATIGUE_SHEAR "fatigue.shear"
+#define CONTACTD_PATH_FATIGUE_SHEAR_VALUE "fatigue.shear.value" /* N/mm^2 */
+#define CONTACTD_PATH_FATIGUE_SHEAR_Y "fatigue.shear.y"         /* mm */
+#define CONTACTD_PATH_FATIGUE_SHEAR_Z "fatigue.shear.z"         /* mm */
+#define CONTACTD_PATH_FATIGUE_SHEAR_DEPTH "fatigue.shear.depth" /* mm */
+#define CONTACTD_PATH_FATIGUE_VON_MISES "fatigue.von_mises"
+#define CONTACTD_PATH_FATIGUE_VON_MISES_VALUE "fatigue.von_mises.value" /* N/mm^2 */
+#define CONTACTD_PATH_FATIGUE_VON_MISES_Y "fatigue.von_mises.y"         /* mm */
+#define CONTACTD_PATH_FATIGUE_VON_MISES_Z "fatigue.von_mises.z"         /* mm */
+#define CONTACTD_PATH_FATIGUE_VON_MISES_DEPTH "fatigue.von_mises.depth" /* mm */
+#define CONTACTD_PATH_FATIGUE_DANG_VAN "fatigue.dang_van"
+#define CONTACTD_PATH_FATIGUE_DANG_VAN_VALUE "fatigue.dang_van.value" /* N/mm^2 */
+#define CONTACTD_PATH_FATIGUE_DANG_VAN_Y "fatigue.dang_van.y"         /* mm */
+#define CONTACTD_PATH_FATIGUE_DANG_VAN_Z "fatigue.dang_van.z"         /* mm */
+#define CONTACTD_PATH_FATIGUE_DANG_VAN_DEPTH "fatigue.dang_van.depth" /* mm */
+#define CONTACTD_PATH_FATIGUE_UTILISATION "fatigue.utilisation"
+#define CONTACTD_PATH_FATIGUE_DAMAGES_VALUE "fatigue.damages[%d].value"
+#define CONTACTD_PATH_FATIGUE_ROWS "fatigue.rows"
+#define CONTACTD_PATH_FATIGUE_ROWS_Y "fatigue.rows[%d].y"                           /* mm */
+#define CONTACTD_PATH_FATIGUE_ROWS_Z "fatigue.rows[%d].z"                           /* mm */
+#define CONTACTD_PATH_FATIGUE_ROWS_ANGLE "fatigue.rows[%d].angle"                   /* rad */
+#define CONTACTD_PATH_FATIGUE_ROWS_PRESSURE "fatigue.rows[%d].pressure"             /* N/mm^2 */
+#define CONTACTD_PATH_FATIGUE_ROWS_TRACTION "fatigue.rows[%d].traction"             /* N/mm^2 */
+#define CONTACTD_PATH_FATIGUE_ROWS_FORCE_X "fatigue.rows[%d].force_x"               /* N/mm */
+#define CONTACTD_PATH_FATIGUE_ROWS_FORCE_Y "fatigue.rows[%d].force_y"               /* N/mm */
+#define CONTACTD_PATH_FATIGUE_ROWS_SHEAR "fatigue.rows[%d].shear"                   /* N/mm^2 */
+#define CONTACTD_PATH_FATIGUE_ROWS_SHEAR_DEPTH "fatigue.rows[%d].shear_depth"       /* mm */
+#define CONTACTD_PATH_FATIGUE_ROWS_DANG_VAN "fatigue.rows[%d].dang_van"             /* N/mm^2 */
+#define CONTACTD_PATH_FATIGUE_ROWS_DANG_VAN_DEPTH "fatigue.rows[%d].dang_van_depth" /* mm */
 #define CONTACTD_PATH_ROLLING_RESISTANCE "rolling_resistance"
 #define CONTACTD_PATH_ROLLING_RESISTANCE_FORCE "rolling_resistance.force"                           /* N */
 #define CONTACTD_PATH_ROLLING_RESISTANCE_POWER "rolling_resistance.power"                           /* N mm/s */
@@ -758,7 +819,31 @@
 #define CONTACTD_PATH_SETUP_WEAR_LAWS_ZONES "setup.wear.laws[%d].zones"
 #define CONTACTD_PATH_SETUP_WEAR_LAWS_ZONES_ANGLE "setup.wear.laws[%d].zones[%d].angle" /* rad */
 #define CONTACTD_PATH_SETUP_WEAR_LAWS_ZONES_FACTOR "setup.wear.laws[%d].zones[%d].factor"
-#define CONTACTD_PATH_SETUP_SHEET_FLEXIBILITY "setup.sheet_flexibility" /* mm^3/N */
+#define CONTACTD_PATH_SETUP_FATIGUE "setup.fatigue"
+#define CONTACTD_PATH_SETUP_FATIGUE_BODY "setup.fatigue.body"
+#define CONTACTD_PATH_SETUP_FATIGUE_STRENGTH "setup.fatigue.strength"
+#define CONTACTD_PATH_SETUP_FATIGUE_STRENGTH_NAME "setup.fatigue.strength.name"
+#define CONTACTD_PATH_SETUP_FATIGUE_STRENGTH_SOURCE "setup.fatigue.strength.source"
+#define CONTACTD_PATH_SETUP_FATIGUE_STRENGTH_SHEAR_YIELD "setup.fatigue.strength.shear_yield" /* N/mm^2 */
+#define CONTACTD_PATH_SETUP_FATIGUE_STRENGTH_A_DV "setup.fatigue.strength.a_DV"
+#define CONTACTD_PATH_SETUP_FATIGUE_STRENGTH_TAU_E "setup.fatigue.strength.tau_e" /* N/mm^2 */
+#define CONTACTD_PATH_SETUP_FATIGUE_DAMAGES "setup.fatigue.damages"
+#define CONTACTD_PATH_SETUP_FATIGUE_DAMAGES_NAME "setup.fatigue.damages[%d].name"
+#define CONTACTD_PATH_SETUP_FATIGUE_DAMAGES_SOURCE "setup.fatigue.damages[%d].source"
+#define CONTACTD_PATH_SETUP_FATIGUE_DAMAGES_RANGE "setup.fatigue.damages[%d].range"
+#define CONTACTD_PATH_SETUP_FATIGUE_DAMAGES_RANGE_LEAST "setup.fatigue.damages[%d].range.least"
+#define CONTACTD_PATH_SETUP_FATIGUE_DAMAGES_RANGE_MOST "setup.fatigue.damages[%d].range.most"
+#define CONTACTD_PATH_SETUP_FATIGUE_DAMAGES_PIECES "setup.fatigue.damages[%d].pieces"
+#define CONTACTD_PATH_SETUP_FATIGUE_DAMAGES_PIECES_FROM "setup.fatigue.damages[%d].pieces[%d].from"
+#define CONTACTD_PATH_SETUP_FATIGUE_DAMAGES_PIECES_VALUE "setup.fatigue.damages[%d].pieces[%d].value"
+#define CONTACTD_PATH_SETUP_FATIGUE_DAMAGES_PIECES_SLOPE "setup.fatigue.damages[%d].pieces[%d].slope"
+#define CONTACTD_PATH_SETUP_FATIGUE_PASSAGE "setup.fatigue.passage"
+#define CONTACTD_PATH_SETUP_FATIGUE_PASSAGE_DEPTHS "setup.fatigue.passage.depths"
+#define CONTACTD_PATH_SETUP_FATIGUE_PASSAGE_RESIDUAL "setup.fatigue.passage.residual"
+#define CONTACTD_PATH_SETUP_FATIGUE_PASSAGE_RESIDUAL_DEPTH "setup.fatigue.passage.residual[%d].depth" /* mm */
+#define CONTACTD_PATH_SETUP_FATIGUE_PASSAGE_RESIDUAL_XX "setup.fatigue.passage.residual[%d].xx"       /* N/mm^2 */
+#define CONTACTD_PATH_SETUP_FATIGUE_PASSAGE_RESIDUAL_YY "setup.fatigue.passage.residual[%d].yy"       /* N/mm^2 */
+#define CONTACTD_PATH_SETUP_SHEET_FLEXIBILITY "setup.sheet_flexibility"                               /* mm^3/N */
 #define CONTACTD_PATH_SETUP_FRICTION "setup.friction"
 #define CONTACTD_PATH_SETUP_FRICTION_MU "setup.friction.mu"
 #define CONTACTD_PATH_SETUP_FRICTION_MU_ANGLE "setup.friction.mu[%d].angle" /* rad */
@@ -1012,6 +1097,53 @@
 #define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_LAWS_AREA "patches[%d].solution.wear.laws[%d].area"   /* mm^2 */
 #define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_LAWS_DEPTH "patches[%d].solution.wear.laws[%d].depth" /* mm */
 #define CONTACTD_PATH_PATCHES_SOLUTION_WEAR_LAWS_ARGUMENT "patches[%d].solution.wear.laws[%d].argument"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE "patches[%d].solution.fatigue"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_BODY "patches[%d].solution.fatigue.body"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_CAPITAL_T_GAMMA "patches[%d].solution.fatigue.T_gamma" /* N */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_TRACTION_COEFFICIENT "patches[%d].solution.fatigue.traction_coefficient"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_FORCE_ANGLE "patches[%d].solution.fatigue.force_angle" /* rad */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_DRIVEN "patches[%d].solution.fatigue.driven"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_FI_SURF "patches[%d].solution.fatigue.FI_surf"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_FI_SUB "patches[%d].solution.fatigue.FI_sub" /* N/mm^2 */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_LOAD "patches[%d].solution.fatigue.load"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_LIMIT "patches[%d].solution.fatigue.limit"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_SHEAR "patches[%d].solution.fatigue.shear"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_SHEAR_VALUE "patches[%d].solution.fatigue.shear.value" /* N/mm^2 */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_SHEAR_Y "patches[%d].solution.fatigue.shear.y"         /* mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_SHEAR_Z "patches[%d].solution.fatigue.shear.z"         /* mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_SHEAR_DEPTH "patches[%d].solution.fatigue.shear.depth" /* mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_VON_MISES "patches[%d].solution.fatigue.von_mises"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_VON_MISES_VALUE \
+    "patches[%d].solution.fatigue.von_mises.value"                                                    /* N/mm^2 */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_VON_MISES_Y "patches[%d].solution.fatigue.von_mises.y" /* mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_VON_MISES_Z "patches[%d].solution.fatigue.von_mises.z" /* mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_VON_MISES_DEPTH "patches[%d].solution.fatigue.von_mises.depth" /* mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_DANG_VAN "patches[%d].solution.fatigue.dang_van"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_DANG_VAN_VALUE "patches[%d].solution.fatigue.dang_van.value"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_DANG_VAN_Y "patches[%d].solution.fatigue.dang_van.y"         /* mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_DANG_VAN_Z "patches[%d].solution.fatigue.dang_van.z"         /* mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_DANG_VAN_DEPTH "patches[%d].solution.fatigue.dang_van.depth" /* mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_UTILISATION "patches[%d].solution.fatigue.utilisation"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_DAMAGES "patches[%d].solution.fatigue.damages"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_DAMAGES_NAME "patches[%d].solution.fatigue.damages[%d].name"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_DAMAGES_VALUE "patches[%d].solution.fatigue.damages[%d].value"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_ROWS "patches[%d].solution.fatigue.rows"
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_ROWS_Y "patches[%d].solution.fatigue.rows[%d].y"         /* mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_ROWS_Z "patches[%d].solution.fatigue.rows[%d].z"         /* mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_ROWS_ANGLE "patches[%d].solution.fatigue.rows[%d].angle" /* rad */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_ROWS_PRESSURE \
+    "patches[%d].solution.fatigue.rows[%d].pressure" /* N/mm^2 */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_ROWS_TRACTION \
+    "patches[%d].solution.fatigue.rows[%d].traction"                                                        /* N/mm^2 */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_ROWS_FORCE_X "patches[%d].solution.fatigue.rows[%d].force_x" /* N/mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_ROWS_FORCE_Y "patches[%d].solution.fatigue.rows[%d].force_y" /* N/mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_ROWS_SHEAR "patches[%d].solution.fatigue.rows[%d].shear"     /* N/mm^2 */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_ROWS_SHEAR_DEPTH \
+    "patches[%d].solution.fatigue.rows[%d].shear_depth" /* mm */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_ROWS_DANG_VAN \
+    "patches[%d].solution.fatigue.rows[%d].dang_van" /* N/mm^2 */
+#define CONTACTD_PATH_PATCHES_SOLUTION_FATIGUE_ROWS_DANG_VAN_DEPTH \
+    "patches[%d].solution.fatigue.rows[%d].dang_van_depth" /* mm */
 #define CONTACTD_PATH_PATCHES_SOLUTION_ROLLING_RESISTANCE "patches[%d].solution.rolling_resistance"
 #define CONTACTD_PATH_PATCHES_SOLUTION_ROLLING_RESISTANCE_FORCE "patches[%d].solution.rolling_resistance.force"
 #define CONTACTD_PATH_PATCHES_SOLUTION_ROLLING_RESISTANCE_POWER "patches[%d].solution.rolling_resistance.power"

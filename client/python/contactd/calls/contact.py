@@ -61,7 +61,9 @@ class ContactCalls(Caller):
         SubsurfaceStress. `nu` is Poisson's ratio of the body, where it is not that of the problem; a LayeredBody has its
         own. With `invariants` there are the hydrostatic, principal and Tresca's stresses, too, with
         `displacements` those of a half-space. Below a line contact y means nothing. Nearer to the surface than an element the steps of the tractions show.
-        Blocks, longitudinally uniform bodies and TableIcs, which are not or may not be half-spaces, are refused
+        Below curved columns y is the arc length, counted as in the grid, and stresses are in the axes of the column above:
+        tractions act from column to column as on half-spaces, turned by the angle between them. Blocks, longitudinally
+        uniform bodies without columns and TableIcs, which are not or may not be half-spaces, are refused
         (InvalidArgument).
         """
         params, shape = subsurface_params(problem, solution, body, points, block, nu)

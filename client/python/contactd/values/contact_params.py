@@ -170,6 +170,9 @@ def subsurface_params(
     if nu is not None and isinstance(_material_of(problem, body), LayeredBody):
         raise invalid("nu", f"is {nu}, and body {body!r} has layers; layers have their own")
     params["nu"] = _nu_of(problem, body) if nu is None else nu
+    if problem.columns is not None:  # whose angles are those of normals, from z towards y
+        angles = np.asarray(problem.columns.frames, dtype=np.float64)[:, 2]
+        params["angles"] = [float(angle) for angle in (angles if body == "upper" else 0.0 - angles)]
     if (points is None) == (block is None):
         raise TypeError("subsurface() takes either points or block")
     if block is not None:
@@ -199,12 +202,6 @@ def shear_modulus_of(problem: ContactProblem, body: Literal["lower", "upper"]) -
 
 def _ics_of(problem: ContactProblem, body: str) -> dict[str, Any]:
     """Returns what tells the daemon of bodies that are no half-spaces."""
-    if problem.columns is not None:
-        raise invalid(
-            "columns",
-            "are curved; the closed form of the stresses is that of the half-space, under a plane, and says nothing of "
-            "what is below them",
-        )
     own = problem.upper_ics if body == "upper" else problem.lower_ics
     name, ics = ("ics", problem.ics) if own is None else (f"{body}_ics", own)
     if problem.model not in (None, "full"):  # of half-spaces by their theory

@@ -15,6 +15,7 @@ from ..refusals import public
 from .arrays import Array
 from .dictionaries import Saved
 from .evidence import Model, NormalModel, SimplifiedSettings, SolverSettings
+from .fatigue import FatigueRequest
 from .friction import Friction
 from .grid import Grid, HalfEllipses, Paraboloid, SemiAxes
 from .ics import Ics
@@ -126,6 +127,8 @@ class ContactProblem(ProblemMethods, Saved):
         temperature: What both bodies have to do with heat, where temperatures of the surfaces are wanted: of steady
             rolling along x (chi 0 or pi), with its velocity. None: none.
         wear: Laws of wear, where that is wanted: of steady rolling along x (chi 0 or pi). None: no answer of wear.
+        fatigue: Rolling contact fatigue of one of the bodies, where that is wanted: of steady rolling along x (chi 0 or
+            pi). None: no answer of fatigue.
     """
 
     grid: Grid
@@ -156,6 +159,7 @@ class ContactProblem(ProblemMethods, Saved):
     simplified: SimplifiedSettings | None = None
     temperature: ThermalBodies | None = None
     wear: WearRequest | None = None
+    fatigue: FatigueRequest | None = None
 
     @public
     def replace(self, **changes: Unpack[ProblemFields]) -> ContactProblem:
@@ -190,3 +194,4 @@ class ProblemFields(TypedDict, total=False):
     simplified: SimplifiedSettings | None
     temperature: ThermalBodies | None
     wear: WearRequest | None
+    fatigue: FatigueRequest | None

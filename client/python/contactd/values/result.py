@@ -11,6 +11,7 @@ from typing import Generic, Literal
 from .arrays import Array
 from .dictionaries import Saved
 from .evidence import ContactEvidence
+from .fatigue_methods import ContactFatigueMethods
 from .grid import Grid
 from .motion import Rolling, Shift
 from .representation import Shown
@@ -19,17 +20,21 @@ from .wear_methods import ContactWearMethods
 
 __all__ = [
     "Areas",
+    "ContactFatigue",
     "ContactTemperature",
     "ContactWear",
     "Counts",
     "Derivatives",
     "DerivativesOfAnswer",
+    "FatigueRow",
     "Field",
     "Forces",
+    "FunctionDamage",
     "LawWear",
     "Resultant",
     "RollingResistance",
     "Solution",
+    "StressPlace",
     "WearRow",
 ]
 
@@ -178,6 +183,112 @@ class ContactWear(ContactWearMethods):
 
 
 @dataclass(frozen=True)
+class StressPlace:
+    """Largest |xz| below the surface, which no residual stress changes, or |t| on it. With passage.
+
+    Attributes:
+        value: The stress (N/mm^2).
+        y: The middle of its row, as of rows (mm).
+        z: The middle of its row, as of rows (mm).
+        depth: The depth below that (mm).
+    """
+
+    value: float
+    y: float
+    z: float
+    depth: float
+
+
+@dataclass(frozen=True)
+class FunctionDamage:
+    """What a function makes of a contact.
+
+    Attributes:
+        name: The function.
+        value: Damage of a passage; below 0 wear takes cracks away.
+    """
+
+    name: str
+    value: float
+
+
+@dataclass(frozen=True)
+class FatigueRow:
+    """A row of elements, and what it bears.
+
+    Attributes:
+        y: Its middle (mm): y of the grid or of the strips' section, of wheels on rails in track coordinates.
+        z: Its middle, likewise (mm); 0 on a plane.
+        angle: Its inclination, likewise (rad).
+        pressure: Largest pressure (N/mm^2).
+        traction: Largest tangential traction (N/mm^2); the surface flows where it is above k.
+        force_x: Tangential force along x on the body (N/mm).
+        force_y: Tangential force along the row's y on the body (N/mm).
+        shear: Largest shear below it, as shear of the contact (N/mm^2). With passage.
+        shear_depth: Where that is (mm).
+        dang_van: Largest stress of Dang Van below it (N/mm^2). With passage and a_DV.
+        dang_van_depth: Where that is (mm).
+    """
+
+    y: float
+    z: float
+    angle: float
+    pressure: float
+    traction: float
+    force_x: float
+    force_y: float
+    shear: float | None = None
+    shear_depth: float | None = None
+    dang_van: float | None = None
+    dang_van_depth: float | None = None
+
+
+@dataclass(frozen=True)
+class ContactFatigue(ContactFatigueMethods):
+    """Rolling contact fatigue of one of the bodies.
+
+    Attributes:
+        body: The body. One of "upper", "lower".
+        T_gamma: T gamma by forces and creepages, without spin (N).
+        traction_coefficient: mu_u, the size of the tangential force over the normal one.
+        force_angle: Angle of the tangential force on the body from the way in which the contact runs over it, towards
+            +y where it runs along +x (rad); head checks run across it.
+        driven: Whether the force on the body is against the way in which the contact runs over it: the other body
+            drives, as a wheel that accelerates does a rail.
+        FI_sub: Subsurface fatigue index, Fn (1 + mu_u^2)/(4 A), with a_DV and residual stresses and a_DV times their
+            largest hydrostatic stress besides (N/mm^2).
+        damages: Damage of a passage by each function, in the order of the request.
+        rows: Rows of elements, dy of the grid wide, by ascending y, from the first to the last one in contact.
+        FI_surf: Surface fatigue index by the area A of the contact, mu_u - 2 A k/(3 Fn); the surface flows where it is
+            above 0. With strength.
+        load: The largest pressure over k: the load of shakedown diagrams. With strength.
+        limit: The load at which shakedown ends, by the contact's own tractions: the largest pressure over the largest
+            shear. With passage.
+        shear: Largest |xz| below the surface, which no residual stress changes, or |t| on it. With passage.
+        von_mises: Largest von Mises stress, without residual stresses. With passage.
+        dang_van: Largest stress of Dang Van, the shear stress less its middle of the passage and a_DV times the
+            hydrostatic stress. With passage and a_DV.
+        utilisation: Dang Van's largest stress over tau_e; cracks start beyond 1. With these.
+    """
+
+    body: Literal["upper", "lower"]
+    T_gamma: float
+    traction_coefficient: float
+    force_angle: float
+    driven: bool
+    FI_sub: float
+    damages: tuple[FunctionDamage, ...]
+    rows: tuple[FatigueRow, ...]
+    FI_surf: float | None = None
+    load: float | None = None
+    limit: float | None = None
+    shear: StressPlace | None = None
+    von_mises: StressPlace | None = None
+    dang_van: StressPlace | None = None
+    utilisation: float | None = None
+
+
+@dataclass(frozen=True)
 class Forces:
     """Total forces on the upper body (N), and their moment about z. On curved columns: of pressures what is along the
     direction of approach, of tractions what is along x and across both, and their moment about that direction.
@@ -314,6 +425,7 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
         lower_temperature: Temperature of the lower body's surface, as upper_temperature.
         temperature: The largest temperature, and the heat; where temperatures were asked for.
         wear: What a passage takes off the surfaces; where asked for.
+        fatigue: Rolling contact fatigue of a body; where asked for.
         rolling_resistance: What the creep of viscoelastic bodies takes of rolling; of contact with such a body.
         elastic_energy: Half the sum of traction times displacement, the energy that elastic bodies have stored (N mm);
             with displacements.
@@ -360,6 +472,7 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
     lower_temperature: Array | None = None
     temperature: ContactTemperature | None = None
     wear: ContactWear | None = None
+    fatigue: ContactFatigue | None = None
     rolling_resistance: RollingResistance | None = None
     elastic_energy: float | None = None
     frictional_work: float | None = None

@@ -8,6 +8,7 @@
 #include "contactd/fields/contact_load.hpp"
 #include "contactd/fields/contact_setup.hpp"
 #include "contactd/fields/derivatives.hpp"
+#include "contactd/fields/fatigue.hpp"
 #include "contactd/fields/gap.hpp"
 #include "contactd/fields/grid.hpp"
 #include "contactd/fields/session.hpp"

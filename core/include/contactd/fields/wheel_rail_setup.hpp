@@ -4,6 +4,7 @@
 
 #include "contactd/fields.hpp"
 #include "contactd/fields/contact_setup.hpp"
+#include "contactd/fields/fatigue.hpp"
 #include "contactd/fields/friction.hpp"
 #include "contactd/fields/profile_spec.hpp"
 #include "contactd/fields/temperature.hpp"

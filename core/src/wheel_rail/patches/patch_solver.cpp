@@ -9,6 +9,8 @@
 
 #include "contactd/error.hpp"
 #include "contactd/solve_contact.hpp"
+#include "fatigue/contact_fatigue.hpp"
+#include "types/fatigue/contact_fatigue_check.hpp"
 #include "wear/contact_wear.hpp"
 
 namespace contactd {
@@ -288,6 +290,20 @@ ContactSolution solve_patch(ContactProblem problem, const ContactPlace& place, c
     } catch (const InvalidArgument& error) {
         refuse_as_of_wheel(error, problem);
     }
+}
+
+void add_fatigue(const WheelRailSetup& setup, const ContactPlace& place, ContactSolution& solution,
+                 Observer& observer) {
+    if (!setup.fatigue || !solution.motion || !std::holds_alternative<Rolling>(*solution.motion)) return;
+    ContactProblem problem;
+    problem.grid = place.grid;
+    problem.bodies = setup.bodies;
+    problem.model = setup.model;
+    problem.fatigue = setup.fatigue;
+    check_fatigue(problem, false);
+    FatiguePlace of_rows{.wear = wear_place(place)};
+    for (const ContactRow& row : place.rows) of_rows.angles.push_back(row.angle);
+    solution.fatigue = contact_fatigue(problem, of_rows, solution, observer);
 }
 
 }  // namespace contactd

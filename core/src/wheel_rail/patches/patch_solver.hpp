@@ -23,4 +23,8 @@ ContactProblem problem_of(const WheelRailSetup& setup, const WheelRailState& sta
 ContactSolution solve_patch(ContactProblem problem, const ContactPlace& place, const PatchStrips& strips,
                             const PatchRules& rules, const InfluenceSource& influences, Observer& observer);
 
+/// Adds what the set-up asks of fatigue, of the solution of a patch that stays. Stresses take as long as a solve, and
+/// more, so that searches for a height leave them out.
+void add_fatigue(const WheelRailSetup& setup, const ContactPlace& place, ContactSolution& solution, Observer& observer);
+
 }  // namespace contactd

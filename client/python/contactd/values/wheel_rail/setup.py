@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Literal, TypedDict
 from ...refusals import public
 from ..dictionaries import Saved
 from ..evidence import Model, NormalModel, SimplifiedSettings, SolverSettings
+from ..fatigue import FatigueRequest
 from ..friction import InterfacialLayer
 from ..materials import Material, RigidBody
 from ..motion import KineticFriction, TemperatureFriction
@@ -187,6 +188,8 @@ class WheelRailSetup(Saved):
             wanted: of steady rolling, in each patch by itself. None: none.
         wear: Laws by which rail (upper) and wheel (lower) wear, where that is wanted: of steady rolling, in each patch
             by itself. None: no answer of wear.
+        fatigue: Rolling contact fatigue of rail (upper) or wheel (lower), where that is wanted: of steady rolling, in
+            each patch by itself. None: no answer of fatigue.
         sheet_flexibility: Flexibility of a thin sheet between rail and wheel, as in contact.solve (mm^3/N), >= 0. Of
             model full. Default 0.
         friction: Coulomb friction, by default 0.3 everywhere; None: frictionless.
@@ -235,6 +238,7 @@ class WheelRailSetup(Saved):
     simplified: SimplifiedSettings | None = None
     temperature: ThermalBodies | None = None
     wear: WearRequest | None = None
+    fatigue: FatigueRequest | None = None
     sheet_flexibility: float | None = None
     friction: WheelRailFriction | None = WheelRailFriction()
     dx: float | None = None
@@ -274,6 +278,7 @@ class WheelRailFields(TypedDict, total=False):
     simplified: SimplifiedSettings | None
     temperature: ThermalBodies | None
     wear: WearRequest | None
+    fatigue: FatigueRequest | None
     sheet_flexibility: float | None
     friction: WheelRailFriction | None
     dx: float | None

@@ -1,0 +1,52 @@
+"""Methods of the fatigue of a contact, whose fields are in `result`."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+__all__ = ["ContactFatigueMethods"]
+
+
+class ContactFatigueMethods:
+    """Methods of ContactFatigue."""
+
+    @property
+    def y(self: Any) -> npt.NDArray[np.float64]:
+        """The middles of the rows (mm)."""
+        return np.array([row.y for row in self.rows])
+
+    @property
+    def z(self: Any) -> npt.NDArray[np.float64]:
+        """The middles of the rows (mm)."""
+        return np.array([row.z for row in self.rows])
+
+    @property
+    def shear_of_rows(self: Any) -> npt.NDArray[np.float64]:
+        """The largest shear below each row (N/mm^2); NaN without a passage."""
+        return _values(self.rows, "shear")
+
+    @property
+    def dang_van_of_rows(self: Any) -> npt.NDArray[np.float64]:
+        """Dang Van's largest stress below each row (N/mm^2); NaN without a passage and a_DV."""
+        return _values(self.rows, "dang_van")
+
+    @property
+    def crack_angles(self: Any) -> npt.NDArray[np.float64]:
+        """The angle of a crack across the force of each row on the body, from x towards the row's y (rad, from 0 to pi): a
+        right angle where the force is along x."""
+        return np.array([(math.atan2(row.force_y, row.force_x) + math.pi / 2) % math.pi for row in self.rows])
+
+    def damage(self: Any, function: str) -> float:
+        """The damage of a passage by a function, by its name. Raises KeyError for one that was not asked for."""
+        found = {one.name: one.value for one in self.damages}
+        if function not in found:
+            raise KeyError(f"{function} is no function of this fatigue; it has {', '.join(found) or 'none'}.")
+        return float(found[function])
+
+
+def _values(rows: Any, name: str) -> npt.NDArray[np.float64]:
+    return np.array([math.nan if (value := getattr(row, name)) is None else value for row in rows])

@@ -1,0 +1,114 @@
+// Rolling contact fatigue of a body under a contact that rolls steadily, as plain values: what is asked, and answered.
+//
+// In steady rolling a particle goes through the stresses of a line along x, one line a row and depth: that is all of
+// its history. Residual stresses that balance do not depend on x and leave xz as it is, so that |xz| <= k is necessary
+// for shakedown (Johnson, Contact Mechanics, section 9.2), whatever they are. docs/damage.md tells what of this is
+// certain.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contactd/wear.hpp"
+
+namespace contactd {
+
+/// What a steel bears. None of it is a default.
+struct FatigueStrength {
+    std::string name, source;       ///< neither is empty
+    double shear_yield = 0;         ///< k, in cyclic shear (N/mm^2), > 0
+    std::optional<double> a_DV{};   ///< Dang Van's coefficient of the hydrostatic stress, >= 0
+    std::optional<double> tau_e{};  ///< endurance limit in alternating shear (N/mm^2), > 0
+
+    bool operator==(const FatigueStrength&) const = default;
+};
+
+/// Damage of a passage by T gamma without spin (N); below 0 wear takes cracks away (Burstow 2004).
+struct DamageFunction {
+    std::string name, source;         ///< neither is empty; no two functions have one name
+    WearRange range{};                ///< of T gamma
+    std::vector<WearPiece> pieces{};  ///< the first one from 0, ascending
+
+    bool operator==(const DamageFunction&) const = default;
+};
+
+/// Residual stresses at a depth (mm), tension positive (N/mm^2); those along z balance to none.
+struct ResidualStress {
+    double depth = 0, xx = 0, yy = 0;
+
+    bool operator==(const ResidualStress&) const = default;
+};
+
+/// Stresses below the rows of a contact while it passes over them.
+struct Passage {
+    std::vector<double> depths{};  ///< (mm), ascending; none: 0 and 20 more, up to twice the smaller half-length
+    std::vector<ResidualStress> residual{};  ///< by ascending depth, straight lines between, constant beyond
+
+    bool operator==(const Passage&) const = default;
+};
+
+struct FatigueRequest {
+    WornBody body = WornBody::upper;
+    std::optional<FatigueStrength> strength{};
+    std::vector<DamageFunction> damages{};
+    std::optional<Passage> passage{};
+
+    bool operator==(const FatigueRequest&) const = default;
+};
+
+/// The largest value of a stress (N/mm^2), and where it is: the middle of its row and the depth below (mm).
+struct StressPlace {
+    double value = 0, y = 0, z = 0, depth = 0;
+
+    bool operator==(const StressPlace&) const = default;
+};
+
+struct FunctionDamage {
+    std::string name;
+    double value = 0;  ///< of a passage
+
+    bool operator==(const FunctionDamage&) const = default;
+};
+
+/// A row of elements, dy wide, from the first to the last one in contact.
+struct FatigueRow {
+    double y = 0, z = 0, angle = 0;                ///< as of WearRow
+    double pressure = 0, traction = 0;             ///< the largest ones (N/mm^2)
+    double force_x = 0, force_y = 0;               ///< tangential, on the body (N/mm)
+    std::optional<double> shear{}, shear_depth{};  ///< as of the contact (N/mm^2, mm)
+    std::optional<double> dang_van{}, dang_van_depth{};
+
+    bool operator==(const FatigueRow&) const = default;
+};
+
+struct ContactFatigue {
+    WornBody body = WornBody::upper;
+    double T_gamma = 0;               ///< without spin (N)
+    double traction_coefficient = 0;  ///< mu_u = sqrt(Fx^2 + Fy^2)/Fn
+    double force_angle = 0;           ///< of the force on the body, from the way the contact runs over it (rad)
+    bool driven = false;              ///< whether that force is against this way
+    std::optional<double> FI_surf{};  ///< mu_u - 2 A k/(3 Fn) (Ekberg, Kabo and Andersson 2002), A the area of contact
+    double FI_sub = 0;                ///< Fn (1 + mu_u^2)/(4 A) (N/mm^2), and a_DV times residual stress
+    std::optional<double> load{};     ///< the largest pressure over k
+    std::optional<double> limit{};    ///< of the load: the largest pressure over the largest shear
+    /// Of |xz| at a depth, of |t| on the surface, where no residual stress turns it.
+    std::optional<StressPlace> shear{};
+    std::optional<StressPlace> von_mises{};
+    /// tau_a + a_DV sigma_h: half the difference of the principal values of the deviator less the middle of its
+    /// passage, that of the smallest ball around it, and the hydrostatic stress (Dang Van 1993).
+    std::optional<StressPlace> dang_van{};
+    std::optional<double> utilisation{};  ///< dang_van over tau_e
+    std::vector<FunctionDamage> damages{};
+    std::vector<FatigueRow> rows{};  ///< by ascending y of the grid; none without contact
+
+    bool operator==(const ContactFatigue&) const = default;
+};
+
+/// Throws InvalidArgument (`field` and below, such as "fatigue.damages[0].source").
+void validate(const FatigueRequest& request, const std::string& field);
+
+/// Returns the residual stresses at a depth (mm), zero of no table.
+ResidualStress residual_at(const std::vector<ResidualStress>& table, double depth);
+
+}  // namespace contactd
