@@ -19,7 +19,7 @@ FOLDERS = ["values", "calls", "transport"]
 #: File: the most literals, and why there are any.
 HOOKS: dict[str, tuple[int, str]] = {
     "values/answers.py": (1, '"result", where errors of answers stand'),
-    "values/contact_params.py": (76, "bodies, coefficients and tractions, which depend on each other on the wire; tables and stresses"),
+    "values/contact_params.py": (77, "bodies, coefficients and tractions, which depend on each other on the wire; tables and stresses"),
     "values/dictionaries.py": (7, '"type", the kind of a value in files'),
     "values/fit.py": (1, "rows of representations"),
     "values/friction_methods.py": (2, "a pair of arrays, x and y on the wire"),

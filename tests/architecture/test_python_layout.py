@@ -16,7 +16,7 @@ ROOT = Path(__file__).parents[2] / "client" / "python" / "contactd"
 ARROWS = {
     "values": [],
     "values/wheel_rail": ["values"],
-    "pictures": ["values", "values/wheel_rail"],
+    "pictures": ["values", "values/wheel_rail", "wear"],
     "files": ["values"],
     "transport": ["values", "files"],
     "calls": ["values", "values/wheel_rail", "files", "transport"],

@@ -15,6 +15,7 @@ READERS = {
     "client/python/contactctl/study/journal.py": "`.rows`",
     "client/python/contactctl/study/shares.py": "`.rows`",
     "client/python/contactctl/table_files.py": "IC file (`.h5`) of a stranger",
+    "client/python/contactctl/wearing/shares.py": "states and steps of wear",
     "client/python/contactd/files/case_text.py": "`.inp`",
     "client/python/contactd/files/contact_text.py": "`.txt`",
     "client/python/contactd/files/profile_text.py": "profiles",

@@ -41,9 +41,9 @@ STATE = WheelRailState(
 
 @pytest.mark.parametrize(("b", "shear", "dang_van"), [(5, 0.2137, 0.1602), (50, 0.2499, 0.1659)])
 def test_solved_ellipses_have_the_shear_and_the_stress_of_dang_van_that_are_known(shared, b, shear, dang_van):
-    a, p0, wide = 5, 1000, 1.1
+    a, p0, margin = 5, 1000, 1.1
     problem = ContactProblem(
-        grid=Grid(60, 60, 2 * a * wide / 60, 2 * b * wide / 60, x0=-a * wide, y0=-b * wide), upper=STEEL, gap=SemiAxes(a, b),
+        grid=Grid(60, 60, 2 * a * margin / 60, 2 * b * margin / 60, x0=-a * margin, y0=-b * margin), upper=STEEL, gap=SemiAxes(a, b),
         Fn=2 / 3 * np.pi * a * b * p0, friction=Friction(1e-6, rolling=Rolling(xi=0.01)), fatigue=REQUEST,
     )  # fmt: skip
     fatigue = shared.solve(problem).fatigue

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from contactd import EnergyWear, InvalidArgument, WearLaw
+from contactd import DamageFunction, EnergyWear, FatigueRequest, FatigueStrength, InvalidArgument, Passage, WearLaw
 from contactd.wear import Section, WearStudy, WeightedState, evolve, read_record, write_record
 from contactd.wheel_rail import (
     ArcProfile,
@@ -167,3 +167,47 @@ def test_a_cylinder_takes_the_shape_of_the_rail_that_wears_it_in_one_place(share
     pressures = [step.pmax for step in steps[8:]]
     assert max(pressures) < 1.15 * min(pressures)
     np.testing.assert_allclose(last.points[:, 1], last.points[::-1, 1], atol=2e-3)
+
+
+BOTH = replace(STUDY, wears="both", rail_law=replace(RAIL, name="of rails"), passages_per_km=50.0, until=60)
+
+
+def test_wheel_and_rail_wear_together(shared, tmp_path):
+    steps = run(shared, BOTH)
+    last = steps[-1]
+    for part in ("wheel", "rail"):
+        assert last.of(part).removed == pytest.approx(last.of(part).area, rel=1e-8)
+        assert last.of(part).area > 0
+    # A law linear in the energy takes as much off both in a passage, and a wheel passes itself once a revolution.
+    first = steps[1]
+    assert first.of("rail").area / 50 == pytest.approx(first.of("wheel").area / (1e6 / (2 * np.pi * 460)), rel=0.01)
+    pytest.importorskip("h5py")
+    write_record(tmp_path / "both.h5", BOTH, steps)
+    found = read_record(tmp_path / "both.h5", BOTH)
+    np.testing.assert_array_equal(found[-1].of("rail").points, last.of("rail").points)
+    np.testing.assert_array_equal(found[-1].points, last.points)
+
+
+def test_a_symmetric_study_is_that_of_the_states_and_their_mirror_images(shared):
+    symmetric = replace(STUDY, until=40, symmetric=True)
+    both = [state(y, yaw, 1.0, "straight") for y, yaw in PAIRS] + [state(5.0, 2e-3, 0.5, "curve")]
+    both += [state(y, yaw, 1.0, "straight", side=-1) for y, yaw in PAIRS] + [state(5.0, 2e-3, 0.5, "curve", side=-1)]
+    one, other = run(shared, symmetric)[-1], run(shared, replace(STUDY, until=40, states=both))[-1]
+    np.testing.assert_allclose(one.points, other.points, atol=1e-12)
+
+
+def test_what_a_rail_bears_is_told_along_its_section(shared, tmp_path):
+    function = DamageFunction("ours", "a test", (0, 1000), [(0, 0, 1e-7)])
+    request = FatigueRequest("upper", FatigueStrength("rail", "a test", 300, a_DV=1 / 3), [function], Passage())
+    study = replace(STUDY, wears="rail", law=RAIL, until=2e4, fatigue=request, states=STUDY.states[:3], depth=0.05)
+    steps = run(shared, study, most=2)
+    tired = steps[1].fatigue
+    size = np.diff(steps[1].edges)[0]
+    assert (tired.damages["ours"] > 0).sum() * size > 3
+    # Every row of a patch has all of its damage, so that the sum over y is that of widths.
+    assert tired.damages["ours"].max() <= steps[1].distance * 1e-7 * 40
+    assert np.nanmax(tired.dang_van) > 0 and 0 < np.nanmin(tired.limits) < 5
+    assert tired.contacts.shape[1] == 4 and len(tired.contacts) >= 3
+    pytest.importorskip("h5py")
+    write_record(tmp_path / "tired.h5", study, steps)
+    np.testing.assert_array_equal(read_record(tmp_path / "tired.h5", study)[1].fatigue.limits, tired.limits)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import os
 import time
 from pathlib import Path
@@ -11,19 +10,24 @@ from typing import Annotated, Any
 import click
 import typer
 
-from contactd import InvalidArgument
-from contactd.wear import WearStudy, WornStep, evolve, read_record, read_states, write_record
+from contactd import Client, InvalidArgument
+from contactd.wear import WearStudy, WornStep, evolve, read_record, write_record
+from contactd.wear.evolution import by_threads, place_of
 
 from ..codes import Code, Ended
 from ..common import Command, connected, setting
-from ..files import read_object, writable, write_text
+from ..files import writable, write_text
 from ..output import emit, listing, note, span, warn
 from ..progress import Bar
 from ..saving import need
+from ..study.shares import Share, share_of
+from ..wearing.by_dask import solving_by_dask
+from ..wearing.outputs import Measures, measured, write_pictures, write_profiles
+from ..wearing.reading import read_study
+from ..wearing.shares import ShareFiles, work
 
 __all__ = ["add_to"]
 
-_FIELDS = {"setup", "states", "wears", "law", "until", "step", "smoothing", "energy", "spacing"}
 _SHOWN = 40  #: steps of a table for people
 
 
@@ -37,14 +41,24 @@ def wear(
     output: Annotated[Path | None, typer.Option("--output", "-o", metavar="FILE", help="HDF5 with all steps; else FILE.h5 beside it.")] = None,
     workers: Annotated[int, typer.Option("--workers", "-w", min=1, max=128, help="Requests at a time.")] = os.cpu_count() or 1,
     profile: Annotated[Path | None, typer.Option("--profile", metavar="FILE", help="Write the last section, too: y and z, a point a line.")] = None,
+    profiles: Annotated[Path | None, typer.Option("--profiles", metavar="FOLDER", help="Write the last profiles there: .prw or .prr, .whl or .ban.")] = None,
+    pictures: Annotated[Path | None, typer.Option("--pictures", metavar="FOLDER", help="Draw profiles, depths, groups, conicity and more there.")] = None,
+    share: Annotated[str | None, typer.Option("--share", metavar="INDEX/COUNT", help="Solve a share of the states; 0/4 makes the steps, 1/4 to 3/4 help.")] = None,
+    longest_wait: Annotated[float, typer.Option("--longest-wait", metavar="SECONDS", min=1, help="How long shares wait for each other.")] = 3600,
+    dask: Annotated[str | None, typer.Option("--dask", metavar="SCHEDULER", help="By the workers of a Dask cluster, such as tcp://host:8786.")] = None,
     fresh: Annotated[bool, typer.Option("--fresh", help="Begin with the new profile, also where there are steps.")] = False,
 ) -> None:
-    """Wear a wheel or a rail under a collective of states, step by step.
+    """Wear a wheel or a rail, or both, under a collective of states, step by step.
 
     Killed at any moment and started again, it goes on behind the last step.
     """
     need("h5py", "HDF5 files", "python3-h5py")
-    study = _study(file)
+    if pictures is not None:
+        need("matplotlib", "pictures", "python3-matplotlib")
+    study = read_study(file)
+    part = None if share is None else share_of(share)
+    if part is not None and dask is not None:
+        raise click.UsageError("--share and --dask share the states in two ways; take one of them.")
     if output is None:
         if file == "-":
             raise click.UsageError("A study from standard input needs --output, where its steps are kept.")
@@ -52,17 +66,36 @@ def wear(
     writable("--output", output)
     if profile is not None:
         writable("--profile", profile)
+    if part is not None and part.index > 0:
+        _help(study, output, part, workers, longest_wait)
+        return
     steps = _before(output, study, fresh)
-    unit = "km" if study.wears == "wheel" else "passages"
     try:
-        _evolve(study, steps, output, workers, unit)
+        measures = _evolve(study, steps, output, workers, part, longest_wait, dask, pictures is not None)
     except BaseException:
         if steps:
-            note(f"{steps[-1].distance:g} of {study.until:g} {unit} are in {output}; the same command goes on.")
+            note(f"{steps[-1].distance:g} of {study.until:g} {study.unit} are in {output}; the same command goes on.")
         raise
     if profile is not None:
         write_text(profile, "".join(f"{y:.9g} {z:.9g}\n" for y, z in steps[-1].points))
-    _show(steps, unit)
+    written = [] if profiles is None else write_profiles(profiles, study, steps)
+    if pictures is not None:
+        if len(steps) < 2:
+            raise Ended(Code.USAGE, "Nothing is worn yet; there is nothing to draw.")
+        written += write_pictures(pictures, study, steps, measures)
+    for path in written:
+        note(f"wrote {path}")
+    _show(steps, study.unit)
+
+
+def _help(study: WearStudy, output: Path, share: Share, workers: int, longest_wait: float) -> None:
+    """What a share but the first does."""
+    with connected(workers=workers if setting().local else None) as client, Bar("wear") as bar:
+        files = ShareFiles(output, study, share, longest_wait)
+        work(
+            files, output, study, place_of(client, study), share, by_threads(client, workers, study), longest_wait,
+            lambda distance: bar.show(distance / study.until, f"{distance:g} of {study.until:g} {study.unit}"),
+        )  # fmt: skip
 
 
 def _before(output: Path, study: WearStudy, fresh: bool) -> list[WornStep]:
@@ -76,62 +109,35 @@ def _before(output: Path, study: WearStudy, fresh: bool) -> list[WornStep]:
         raise Ended(Code.USAGE, f"{output} holds no steps of wear; --fresh writes over it.") from None
 
 
-def _evolve(study: WearStudy, steps: list[WornStep], output: Path, workers: int, unit: str) -> None:
+def _evolve(
+    study: WearStudy, steps: list[WornStep], output: Path, workers: int, share: Share | None, longest_wait: float, dask: str | None, is_measured: bool
+) -> Measures:
     """Adds steps to the list as they end, and writes all to the file each time."""
     before, began = steps[-1].distance if steps else 0.0, time.monotonic()
     with connected(workers=workers if setting().local else None) as client, Bar("wear") as bar:
 
-        def show(share: float, sentence: str) -> None:
-            went = share - before / study.until
-            left = f"about {span((time.monotonic() - began) / went * (1 - share))} to go" if went > 0 else ""
-            bar.show(share, sentence, left)
+        def show(part: float, sentence: str) -> None:
+            went = part - before / study.until
+            left = f"about {span((time.monotonic() - began) / went * (1 - part))} to go" if went > 0 else ""
+            bar.show(part, sentence, left)
 
-        for step in evolve(client, study, steps, workers=workers, on_progress=show):
+        solve = _solving(client, study, steps, output, workers, share, longest_wait, dask)
+        for step in evolve(client, study, steps, solve=solve, on_progress=show):
             steps.append(step)
             write_record(output, study, steps)
-            bar.show(step.distance / study.until, f"{step.distance:g} of {study.until:g} {unit}")
+            bar.show(step.distance / study.until, f"{step.distance:g} of {study.until:g} {study.unit}")
+        return measured(client, study, steps) if is_measured else {}
 
 
-def _study(file: str) -> WearStudy:
-    given = read_object(file)
-    if unknown := given.keys() - _FIELDS:
-        raise click.UsageError(f"{file}: a study of wear has no {', '.join(sorted(unknown))}; it has {', '.join(sorted(_FIELDS))}.")
-    if missing := [name for name in ("states", "wears", "law", "until") if name not in given]:
-        raise click.UsageError(f"{file}: {', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing.")
-    step = _object(file, given, "step")
-    if unknown := step.keys() - {"depth", "distance"}:
-        raise click.UsageError(f"{file}: step has no {', '.join(sorted(unknown))}; it has depth and distance.")
-    law = _object(file, given, "law")
-    if not law.get("source") or not law.get("name"):
-        raise click.UsageError(f"{file}: law has no name or no source; say what it is called, and where its coefficients come from.")
-    named = {name: given[name] for name in ("smoothing", "energy", "spacing") if name in given}
-    path = given["states"]
-    if not isinstance(path, str):
-        raise click.UsageError(f"{file}: states is the name of a file: CSV, HDF5 or Parquet.")
-    place = Path(path) if file == "-" else Path(file).parent / path
-    for name in ("until", "spacing"):
-        _number(file, name, given.get(name))
-    for name in ("depth", "distance"):
-        _number(file, f"step.{name}", step.get(name))
-    try:
-        return WearStudy(_object(file, given, "setup"), read_states(place), given["wears"], law, given["until"], **step, **named)
-    except InvalidArgument as error:
-        raise click.UsageError(f"{file}: {error}") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise click.UsageError(f"{place}: {getattr(error, 'strerror', None) or 'it is no text'}") from None
-
-
-def _object(file: str, given: dict[str, Any], name: str) -> dict[str, Any]:
-    value = given.get(name, {})
-    if not isinstance(value, dict):
-        raise click.UsageError(f"{file}: {name} is {value!r}; it must be an object, fields with their values.")
-    return value
-
-
-def _number(file: str, name: str, value: Any) -> None:
-    is_number = isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
-    if value is not None and not is_number:
-        raise click.UsageError(f"{file}: {name} is {value!r}; it must be a number.")
+def _solving(
+    client: Client, study: WearStudy, steps: list[WornStep], output: Path, workers: int, share: Share | None, longest_wait: float, dask: str | None
+) -> Any:
+    if dask is not None:
+        return solving_by_dask(dask, setting())
+    own = by_threads(client, workers, study)
+    if share is None:
+        return own
+    return ShareFiles(output, study, share, longest_wait).solving(own, lambda: steps[-1].number)
 
 
 def _show(steps: list[WornStep], unit: str) -> None:

@@ -16,7 +16,7 @@ from .journal import Journal
 from .plan import Case, Plan
 from .solving import row_of
 
-__all__ = ["run_by_dask"]
+__all__ = ["client_of_worker", "run_by_dask"]
 
 _CLIENTS: dict[Any, Client] = {}  #: of this worker, by what was said of the daemon
 _OPEN = ExitStack()  #: what solves in process ends with the worker
@@ -54,10 +54,10 @@ def _solved(
 ) -> tuple[str, dict[str, Any]]:
     """On a worker."""
     key, params = argument
-    return key, row_of(_client(given), method, params, answers)
+    return key, row_of(client_of_worker(given), method, params, answers)
 
 
-def _client(given: dict[str, Any]) -> Client:
+def client_of_worker(given: dict[str, Any]) -> Client:
     """Returns the client of this worker: it has an endpoint of its own where the command names none, and CONTACTD_ENDPOINT there does."""
     there = Setting(**{name: value for name, value in given.items() if value not in (None, False)})
     identity = (there.local, there.folder, there.endpoint or DEFAULT_ENDPOINT)

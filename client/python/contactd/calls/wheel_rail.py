@@ -128,7 +128,7 @@ class WheelRailCalls(Caller):
     @asks
     def equivalent_conicity(
         self,
-        setup: WheelRailSetup,
+        setup: WheelRailSetup | Mapping[str, Any],
         amplitudes: Iterable[float],
         *,
         left: WheelRailSetup | None = None,
@@ -142,7 +142,7 @@ class WheelRailCalls(Caller):
 
         `roll` is "neglected" (default), by which a cone has its own conicity, or as both contacts demand. `contact_distance`
         is that between the contact points of both wheels (mm, default 1500), `tolerance` that of the radius difference
-        (mm, default 1e-3).
+        (mm, default 1e-3). The set-up may also be its parameters in the words of the wire.
         """
         given = {"roll": roll, "contact_distance": contact_distance, "tolerance": tolerance}
         requested = {"amplitudes": list(amplitudes), **{name: v for name, v in given.items() if v is not None}}

@@ -11,7 +11,7 @@ from .whole import read_whole
 if TYPE_CHECKING:
     from ..values.arrays import Array
 
-__all__ = ["ENDINGS", "format_profile", "read_profile_text"]
+__all__ = ["ENDINGS", "format_miniprof", "format_profile", "read_profile_text"]
 
 _MOST_BYTES = 1 << 21  #: as proto/schema has it
 #: The formats that are written, by the endings of files.
@@ -36,6 +36,12 @@ def format_profile(points: Array, kind: Literal["wheel", "rail"], ending: str, r
     keys = ["  approx.smooth = 0.0", "  units.len.f   = 1000.0", "  units.ang.f   = 1.0", "  point.begin"]
     rows = [f"    {row}" for row in _rows(points, " ")]
     return "\n".join([*comments, *head, *keys, *rows, "  point.end", "spline.end", ""])
+
+
+def format_miniprof(points: Array, remarks: Sequence[str] = ()) -> str:
+    """The text of a file of MiniProf, .whl or .ban: y to the field side, and z upwards there."""
+    head = [f"Remark={' '.join(remark.split())}" for remark in remarks]
+    return "\n".join([*head, "ColumnDef=X,Y", "", *(f"{float(y)!r} {0.0 - float(z)!r}" for y, z in points), ""])
 
 
 def _rows(points: Any, between: str) -> list[str]:

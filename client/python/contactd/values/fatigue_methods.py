@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -27,12 +28,12 @@ class ContactFatigueMethods:
     @property
     def shear_of_rows(self: Any) -> npt.NDArray[np.float64]:
         """The largest shear below each row (N/mm^2); NaN without a passage."""
-        return _values(self.rows, "shear")
+        return _values(row.shear for row in self.rows)
 
     @property
     def dang_van_of_rows(self: Any) -> npt.NDArray[np.float64]:
         """Dang Van's largest stress below each row (N/mm^2); NaN without a passage and a_DV."""
-        return _values(self.rows, "dang_van")
+        return _values(row.dang_van for row in self.rows)
 
     @property
     def crack_angles(self: Any) -> npt.NDArray[np.float64]:
@@ -48,5 +49,5 @@ class ContactFatigueMethods:
         return float(found[function])
 
 
-def _values(rows: Any, name: str) -> npt.NDArray[np.float64]:
-    return np.array([math.nan if (value := getattr(row, name)) is None else value for row in rows])
+def _values(values: Iterable[float | None]) -> npt.NDArray[np.float64]:
+    return np.array([math.nan if value is None else value for value in values])

@@ -24,27 +24,34 @@ from __future__ import annotations
 
 from .evolution import evolve
 from .filters import critical_depth, exponential_step, smoothed, smoothing_length
+from .measures import RailWear, WheelGauge, conicities, rail_wear, wheel_gauge
 from .places import rows_on_rail, rows_on_wheel
 from .record import read_record, write_record
 from .section import Section, deposit
 from .states import WeightedState, read_states
-from .steps import WornStep
+from .steps import StepFatigue, WornStep
 from .study import WearStudy
 
 __all__ = [
+    "RailWear",
     "Section",
+    "StepFatigue",
     "WearStudy",
     "WeightedState",
+    "WheelGauge",
     "WornStep",
+    "conicities",
     "critical_depth",
     "deposit",
     "evolve",
     "exponential_step",
+    "rail_wear",
     "read_record",
     "read_states",
     "rows_on_rail",
     "rows_on_wheel",
     "smoothed",
     "smoothing_length",
+    "wheel_gauge",
     "write_record",
 ]

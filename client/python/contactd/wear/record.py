@@ -14,13 +14,13 @@ import numpy as np
 from .._version import __version__
 from ..errors import invalid
 from ..files.whole import write_whole
-from ..values.wheel_rail.params import state_params
-from .steps import WornStep
+from .steps import StepFatigue, WornStep
 from .study import WearStudy
 
 __all__ = ["read_record", "write_record"]
 
 _NUMBERS = ("distance", "area", "removed", "T_gamma", "T_gamma_with_spin", "pmax", "mean_pressure", "smoothing")
+_FATIGUE = ("dang_van", "limits", "contacts")
 
 
 def write_record(path: str | os.PathLike[str], study: WearStudy, steps: Sequence[WornStep]) -> None:
@@ -30,15 +30,11 @@ def write_record(path: str | os.PathLike[str], study: WearStudy, steps: Sequence
 
     content = io.BytesIO()
     with h5py.File(content, "w", track_order=True) as file:
-        file.attrs.update(contactd=__version__, study=_described(study), wears=study.wears, unit="km" if study.wears == "wheel" else "passages")
-        file.create_dataset("points", data=np.stack([step.points for step in steps]))
-        for name in _NUMBERS:
-            file.create_dataset(name, data=np.array([getattr(step, name) for step in steps]))
-        for step in steps:
-            group = file.create_group(f"steps/{step.number:06d}")
-            group.create_dataset("edges", data=step.edges)
-            group.create_dataset("depths", data=step.depths)
-            group.attrs.update(groups=json.dumps(step.groups), warnings=json.dumps(step.warnings))
+        file.attrs.update(contactd=__version__, study=_described(study), wears=study.wears, unit=study.unit)
+        file.attrs["sources"] = json.dumps([f"{law['name']}: {law['source']}" for law in study.law_params()])
+        _write(file, steps)
+        if steps and steps[0].rail is not None:
+            _write(file.create_group("rail"), [step.of("rail") for step in steps])
 
     def write(into: Any) -> None:
         into.write(content.getvalue())
@@ -46,6 +42,24 @@ def write_record(path: str | os.PathLike[str], study: WearStudy, steps: Sequence
         os.fsync(into.fileno())
 
     write_whole(path, write)
+
+
+def _write(group: Any, steps: Sequence[WornStep]) -> None:
+    if len({step.points.shape for step in steps}) == 1:
+        group.create_dataset("points", data=np.stack([step.points for step in steps]))
+    for name in _NUMBERS:
+        group.create_dataset(name, data=np.array([getattr(step, name) for step in steps]))
+    for step in steps:
+        one = group.create_group(f"steps/{step.number:06d}")
+        for name in ("edges", "depths", "points"):
+            one.create_dataset(name, data=getattr(step, name))
+        one.attrs.update(groups=json.dumps(step.groups), warnings=json.dumps(step.warnings))
+        if step.fatigue is not None:
+            tired = one.create_group("fatigue")
+            for name in _FATIGUE:
+                tired.create_dataset(name, data=getattr(step.fatigue, name))
+            for name, values in step.fatigue.damages.items():
+                tired.create_dataset(f"damages/{name.replace('/', ' ')}", data=values)
 
 
 def read_record(path: str | os.PathLike[str], study: WearStudy | None = None) -> list[WornStep]:
@@ -59,31 +73,39 @@ def read_record(path: str | os.PathLike[str], study: WearStudy | None = None) ->
         if study is not None and (described := _described(study)) != file.attrs["study"]:
             names = _differences(json.loads(described), json.loads(file.attrs["study"]))
             raise invalid("study", f"differs in {', '.join(names)} from the one whose steps {os.fspath(path)} has; name another file")
-        numbers = {name: file[name][()] for name in _NUMBERS}
-        points = file["points"][()]
-        steps = []
-        for i, name in enumerate(sorted(file["steps"])):
-            group = file["steps"][name]
-            steps.append(
-                WornStep(
-                    number=int(name), points=points[i], edges=group["edges"][()], depths=group["depths"][()],
-                    groups=json.loads(group.attrs["groups"]), warnings=tuple(json.loads(group.attrs["warnings"])),
-                    **{field: float(values[i]) for field, values in numbers.items()},
-                )
+        steps = _read(file)
+        return [one.beside(rail) for one, rail in zip(steps, _read(file["rail"]))] if "rail" in file else steps
+
+
+def _read(file: Any) -> list[WornStep]:
+    numbers = {name: file[name][()] for name in _NUMBERS}
+    steps = []
+    for i, name in enumerate(sorted(file["steps"])):
+        group = file["steps"][name]
+        tired = group.get("fatigue")
+        steps.append(
+            WornStep(
+                number=int(name), points=group["points"][()] if "points" in group else file["points"][i], edges=group["edges"][()],
+                depths=group["depths"][()], groups=json.loads(group.attrs["groups"]), warnings=tuple(json.loads(group.attrs["warnings"])),
+                fatigue=None if tired is None else _read_fatigue(tired),
+                **_numbers_at(numbers, i),
             )
+        )  # fmt: skip
     return steps
+
+
+def _numbers_at(numbers: dict[str, Any], index: int) -> dict[str, Any]:
+    return {name: float(values[index]) for name, values in numbers.items()}
+
+
+def _read_fatigue(group: Any) -> StepFatigue:
+    damages = {name: values[()] for name, values in group["damages"].items()} if "damages" in group else {}
+    return StepFatigue(damages, **{name: group[name][()] for name in _FATIGUE})
 
 
 def _described(study: WearStudy) -> str:
     """What was asked for, but for where it ends."""
-    states = [
-        {"state": state_params(one.state, "state"), "weight": one.weight, "group": one.group, "mu": one.mu} for one in study.states
-    ]
-    described = {
-        "setup": study.setup_params(), "states": states, "wears": study.wears, "law": study.law_params(), "depth": study.depth,
-        "distance": study.distance, "smoothing": study.smoothing, "energy": study.energy, "spacing": study.spacing,
-    }  # fmt: skip
-    return json.dumps(described, sort_keys=True, default=lambda value: np.asarray(value).tolist())
+    return json.dumps(study.described(), sort_keys=True, default=lambda value: np.asarray(value).tolist())
 
 
 def _differences(one: dict[str, Any], other: dict[str, Any]) -> list[str]:

@@ -83,6 +83,16 @@ class Section:
             raise invalid("rows", f"lie up to {farthest:.3g} mm from the section; they are not in its coordinates")
         return np.asarray(self.lengths[best] + along[rows, best] * np.sqrt(squares[best]))
 
+    def resampled(self, spacing: float) -> Section:
+        """The section with as many points at equal distances, on a smooth curve, where points of steps have come farther apart
+        than 1.5 times the spacing (mm), or nearer to each other than a fiftieth of it; else as it is."""
+        gaps = np.linalg.norm(np.diff(self.points, axis=0), axis=1)
+        if gaps.max() <= 1.5 * spacing and gaps.min() >= 0.02 * spacing:
+            return self
+        fine = Section(_refined(self.points, 0.2 * spacing), self.body)
+        places = np.linspace(0.0, fine.lengths[-1], max(len(self.points), round(fine.lengths[-1] / spacing) + 1))
+        return Section(np.stack([np.interp(places, fine.lengths, column) for column in fine.points.T], axis=1), self.body)
+
     def area_above(self, other: Section) -> float:
         """The area between this section and what is left of it (mm^2), positive where matter is gone. Both have ends that lie
         along one normal."""

@@ -14,9 +14,10 @@ from ..errors import invalid
 from ..files.whole import read_whole
 from ..values.wheel_rail.state import WheelRailState
 
-__all__ = ["WeightedState", "read_states", "states_of_columns"]
+__all__ = ["WeightedState", "mirrored", "read_states", "states_of_columns"]
 
 _MOST_BYTES = 1 << 30  #: of a file of states
+_ODD = {"y", "roll", "yaw", "y_velocity", "roll_velocity", "yaw_velocity", "Fy"}
 _OWN = ("weight", "distance", "group", "mu")
 
 
@@ -39,7 +40,7 @@ class WeightedState:
 
 def read_states(path: str | os.PathLike[str]) -> list[WeightedState]:
     """The states of a file with a row a state: CSV with names in its first line, HDF5 with a dataset a column, or Parquet (with
-    pandas), as the name ends.
+    pyarrow), as the name ends.
 
     Columns are paths of a state, such as ``position.y``, ``velocity.yaw`` or ``Fz``; ``weight`` or ``distance``, of which one
     must be there; ``group`` and ``mu``. Raises InvalidArgument naming what is wrong, OSError for files that cannot be read.
@@ -48,10 +49,7 @@ def read_states(path: str | os.PathLike[str]) -> list[WeightedState]:
     if name.endswith((".h5", ".hdf5")):
         return states_of_columns(_hdf5_columns(path))
     if name.endswith(".parquet"):
-        import pandas
-
-        table = pandas.read_parquet(path)
-        return states_of_columns({str(column): table[column].tolist() for column in table.columns})
+        return states_of_columns(_parquet_columns(path))
     rows = list(csv.reader(io.StringIO(read_whole(path, _MOST_BYTES).decode("utf-8-sig"))))
     rows = [row for row in rows if row and not row[0].startswith("#")]
     if not rows:
@@ -86,6 +84,23 @@ def states_of_columns(columns: Mapping[str, Iterable[Any]]) -> list[WeightedStat
     return states
 
 
+def mirrored(one: WeightedState) -> WeightedState:
+    """The state whose wheel on the right rail does what the left wheel of the given one does."""
+    return replace(one, state=_turned(one.state))
+
+
+def _turned(value: Any) -> Any:
+    """Of what lies across the track, and of what turns about axes along it or upright, signs change in a mirror."""
+    changed: dict[str, Any] = {}
+    for field in fields(value):
+        part = getattr(value, field.name)
+        if hasattr(part, "__dataclass_fields__"):
+            changed[field.name] = _turned(part)
+        elif field.name in _ODD and part:
+            changed[field.name] = -part
+    return replace(value, **changed)
+
+
 def _with(value: Any, name: str, path: list[str], number: float) -> Any:
     known = {field.name for field in fields(value)}
     if path[0] not in known:
@@ -105,6 +120,15 @@ def _number(value: Any, field: str) -> float:
     if not math.isfinite(number):
         raise invalid(field, f"is {value!r}; it must be a number")
     return number
+
+
+def _parquet_columns(path: str | os.PathLike[str]) -> dict[str, list[Any]]:
+    try:
+        from pyarrow import parquet  # type: ignore[import-not-found]
+    except ImportError:
+        raise invalid("states", f"are in {os.fspath(path)}, and Parquet is read by pyarrow, which is missing: pip install pyarrow, or write CSV") from None
+    table = parquet.read_table(os.fspath(path))
+    return {str(name): table.column(name).to_pylist() for name in table.column_names}
 
 
 def _hdf5_columns(path: str | os.PathLike[str]) -> dict[str, list[Any]]:

@@ -2,14 +2,34 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import numpy.typing as npt
 
-__all__ = ["WornStep"]
+from .section import WornPart
+
+__all__ = ["StepFatigue", "WornStep"]
 
 Array = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class StepFatigue:
+    """What a step made a section bear, by the cells of its depths.
+
+    Attributes:
+        damages: Damage of all passages of the step, by the names of the functions.
+        dang_van: The largest stress of Dang Van of any state (N/mm^2); NaN where none is known.
+        limits: The least yield strength in shear over the largest shear of any state; below 1 no steel shakes down. Without a
+            strength it is 1 over that shear (mm^2/N).
+        contacts: Traction coefficient, load, limit and share of each patch, shape [n, 4]: the shakedown diagram.
+    """
+
+    damages: dict[str, Array]
+    dang_van: Array
+    limits: Array
+    contacts: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,6 +51,8 @@ class WornStep:
         smoothing: Wavelength that was smoothed (mm); 0: none, or by exponential steps.
         groups: What the step took off by groups of states (mm^2).
         warnings: Sentences.
+        fatigue: What the step made the section bear; None where that was not asked for.
+        rail: The same of the rail, where wheel and rail wear together; the step itself is that of the wheel then.
     """
 
     number: int
@@ -47,3 +69,17 @@ class WornStep:
     smoothing: float = 0.0
     groups: dict[str, float] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
+    fatigue: StepFatigue | None = None
+    rail: WornStep | None = None
+
+    def of(self, part: WornPart) -> WornStep:
+        """The step of a part that wears."""
+        return self if part == "wheel" or self.rail is None else self.rail
+
+    def beside(self, rail: WornStep) -> WornStep:
+        """The same step with that of the rail."""
+        return replace(self, rail=rail)
+
+    def warned(self, sentence: str) -> WornStep:
+        """The same step with a sentence more."""
+        return replace(self, warnings=(*self.warnings, sentence))

@@ -5,17 +5,21 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Literal
 
 from ..errors import invalid
+from ..values.fatigue import FatigueRequest
 from ..values.params import params_of
 from ..values.wear_laws import WearEnergy, WearLaw
 from ..values.wheel_rail.params import setup_params, state_params
 from ..values.wheel_rail.setup import WheelRailSetup
 from .section import WornPart
-from .states import WeightedState
+from .states import WeightedState, mirrored
 
 __all__ = ["WearStudy"]
+
+Law = WearLaw | Mapping[str, Any]
 
 
 @dataclass(frozen=True)
@@ -25,9 +29,9 @@ class WearStudy:
     Attributes:
         setup: The wheel on its rail, or its parameters in the words of the wire; its friction holds for states without a `mu`.
         states: The collective; weights are shares of the distance (of a wheel) or of the passages (over a rail).
-        wears: The wheel or the rail; the other one stays as it is.
-        law: The law, likewise; its `body` must be that which wears: lower of a wheel, upper of a rail.
-        until: Where it ends: km that the wheel runs, or passages of a wheel over the rail.
+        wears: "wheel" or "rail", where the other one stays as it is, or "both".
+        law: The law, likewise; its `body` must be that which wears: lower of a wheel, upper of a rail. Of both: the wheel's.
+        until: Where it ends: km that the wheel runs, or passages of a wheel over the rail where it alone wears.
         depth: Largest depth of a step (mm).
         distance: Most that a step goes (km or passages); None: as far as the depth lets it.
         smoothing: What keeps steps stable: "auto", depths are smoothed by the length that the depth of the step and the pressure
@@ -35,27 +39,34 @@ class WearStudy:
             wavelength (mm) of which half the amplitude is smoothed away in each step; 0: nothing.
         energy: As of WearRequest.
         spacing: Length of cells along the section, and most between its points (mm).
+        rail_law: The rail's law, where both wear.
+        passages_per_km: How many wheels pass the rail while a wheel runs a km, where both wear: those of a fleet.
+        symmetric: Whether every state stands for its mirror image, too, each with half of its weight: wheelsets that run both
+            ways, or are turned, so that the profile is the mean of a left and a right one.
+        fatigue: What a step makes the section bear, too; its `body` must be one that wears.
     """
 
     setup: WheelRailSetup | Mapping[str, Any]
     states: Sequence[WeightedState]
-    wears: WornPart
-    law: WearLaw | Mapping[str, Any]
+    wears: WornPart | Literal["both"]
+    law: Law
     until: float
     depth: float = 0.02
     distance: float | None = None
     smoothing: float | Literal["auto", "exponential_step"] = "auto"
     energy: WearEnergy = "scaled"
     spacing: float = 0.25
+    rail_law: Law | None = None
+    passages_per_km: float | None = None
+    symmetric: bool = False
+    fatigue: FatigueRequest | Mapping[str, Any] | None = None
 
     def __post_init__(self) -> None:
         """Raises InvalidArgument naming what makes no sense."""
-        body = "lower" if self.wears == "wheel" else "upper"
-        if self.wears not in ("wheel", "rail"):
-            raise invalid("wears", f"is {self.wears!r}; it must be wheel or rail: the other one stays as it is")
-        if (of_law := self.law_params().get("body")) != body:
-            raise invalid("law.body", f"is {of_law}, and the {self.wears} wears; its law is one of {body}")
-        for name in ("until", "depth", "spacing", "distance"):
+        if self.wears not in ("wheel", "rail", "both"):
+            raise invalid("wears", f"is {self.wears!r}; it must be wheel or rail, where the other one stays as it is, or both")
+        self._check_laws()
+        for name in ("until", "depth", "spacing", "distance", "passages_per_km"):
             value = getattr(self, name)
             if value is not None and not (math.isfinite(value) and value > 0):
                 raise invalid(name, f"is {value}; it must be positive")
@@ -72,19 +83,101 @@ class WearStudy:
         if {"rail_slices", "wheel_slices"} & self.setup_params().keys():
             raise invalid("setup", "has slices; profiles that are the same along the track, or round the wheel, can wear")
 
+    def _check_laws(self) -> None:
+        for name, part in zip(("law", "rail_law"), self.parts) if self.wears == "both" else (("law", self.parts[0]),):
+            if getattr(self, name) is None:
+                raise invalid(name, f"is missing; wheel and rail wear, and the {part} needs a law of its own")
+            body = "lower" if part == "wheel" else "upper"
+            if (of_law := self._law(name).get("body")) != body:
+                raise invalid(f"{name}.body", f"is {of_law}, and the {part} wears; its law is one of {body}")
+        if self.wears == "both" and self._law("law").get("name") == self._law("rail_law").get("name"):
+            raise invalid("rail_law.name", f"is {self._law('law').get('name')}, as that of the wheel's law; answers tell laws by their names")
+        if self.wears == "both" and self.passages_per_km is None:
+            raise invalid("passages_per_km", "is missing; say how many wheels pass the rail while a wheel runs a km")
+        for name in ("rail_law", "passages_per_km"):
+            if self.wears != "both" and getattr(self, name) is not None:
+                raise invalid(name, f"is given, and only the {self.wears} wears; it goes with wears both")
+        if self.fatigue is not None and self.tired_part not in self.parts:
+            raise invalid("fatigue.body", f"is that of the {self.tired_part}, and the {self.wears} wears; what it bears moves along it")
+
+    @property
+    def parts(self) -> tuple[WornPart, ...]:
+        """What wears."""
+        return ("wheel", "rail") if self.wears == "both" else (self.wears,)
+
+    @property
+    def unit(self) -> str:
+        """That of distances."""
+        return "passages" if self.wears == "rail" else "km"
+
+    @property
+    def passages_per_unit(self) -> float:
+        """How often the rail is passed in a unit of distance."""
+        return 1.0 if self.passages_per_km is None else self.passages_per_km
+
+    @property
+    def tired_part(self) -> WornPart | None:
+        """What fatigue is asked of."""
+        return None if self.fatigue is None else ("rail" if self._fatigue_params()["body"] == "upper" else "wheel")
+
+    @property
+    def shear_yield(self) -> float | None:
+        """That of the strength, where there is one."""
+        strength = self._fatigue_params().get("strength") if self.fatigue is not None else None
+        return float(strength["shear_yield"]) if strength else None
+
+    @cached_property
+    def collective(self) -> list[WeightedState]:
+        """The states that are solved: with their mirror images behind them where the study is symmetric."""
+        return [*self.states, *(mirrored(one) for one in self.states)] if self.symmetric else list(self.states)
+
+    @cached_property
+    def shares(self) -> list[float]:
+        """Of the distance, of each state that is solved."""
+        total = sum(one.weight for one in self.collective)
+        return [one.weight / total for one in self.collective]
+
+    def given_index(self, index: int) -> int:
+        """The index among the states that were given."""
+        return index % len(self.states)
+
+    def law_index(self, part: WornPart) -> int:
+        """Where the law of a part is in requests."""
+        return self.parts.index(part)
+
     def setup_params(self) -> dict[str, Any]:
         """The set-up in the words of the wire."""
         return setup_params(self.setup) if isinstance(self.setup, WheelRailSetup) else dict(self.setup)
 
-    def law_params(self) -> dict[str, Any]:
-        """The law in the words of the wire."""
-        return params_of(self.law, "law") if isinstance(self.law, WearLaw) else dict(self.law)
+    def law_params(self) -> list[dict[str, Any]]:
+        """The laws of the parts in the words of the wire."""
+        return [self._law(name) for name in ("law", "rail_law")[: len(self.parts)]]
+
+    def _law(self, name: str) -> dict[str, Any]:
+        law = getattr(self, name)
+        return params_of(law, name) if isinstance(law, WearLaw) else dict(law)
+
+    def _fatigue_params(self) -> dict[str, Any]:
+        request = self.fatigue
+        return params_of(request, "fatigue") if isinstance(request, FatigueRequest) else dict(request or {})
 
     def params(self, profiles: Mapping[str, Any]) -> list[dict[str, Any]]:
         """The parameters of wheelrail.solve for each state; `profiles` are fields of the set-up in place of its own."""
-        setup = {**self.setup_params(), **profiles, "wear": {"energy": self.energy, "laws": [self.law_params()]}}
+        setup = {**self.setup_params(), **profiles, "wear": {"energy": self.energy, "laws": self.law_params()}}
+        if self.fatigue is not None:
+            setup["fatigue"] = self._fatigue_params()
         found = []
-        for i, one in enumerate(self.states):
+        for i, one in enumerate(self.collective):
             own = setup if one.mu is None else {**setup, "friction": {**(setup.get("friction") or {}), "mu": one.mu}}
             found.append({"setup": own, "state": state_params(one.state, f"states[{i}]"), "fields": []})
         return found
+
+    def described(self) -> dict[str, Any]:
+        """What was asked for, but for where it ends, in the words of the wire."""
+        states = [{"state": state_params(one.state, "state"), "weight": one.weight, "group": one.group, "mu": one.mu} for one in self.states]
+        described: dict[str, Any] = {
+            "setup": self.setup_params(), "states": states, "wears": self.wears, "laws": self.law_params(), "depth": self.depth,
+            "distance": self.distance, "smoothing": self.smoothing, "energy": self.energy, "spacing": self.spacing,
+        }  # fmt: skip
+        more = {"passages_per_km": self.passages_per_km, "symmetric": self.symmetric or None, "fatigue": self._fatigue_params() or None}
+        return {**described, **{name: value for name, value in more.items() if value is not None}}

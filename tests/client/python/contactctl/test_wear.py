@@ -96,3 +96,52 @@ def test_states_without_weight_are_refused(files):
     files.write("states.csv", STATES.replace("weight", "speed"))
     ended = files("wear", "wear.yaml")
     assert ended.code == 2 and "neither weight nor distance" in ended.err
+
+
+def test_shares_together_make_the_steps_of_one(files):
+    files("wear", "wear.yaml", "--output", "whole.h5")
+    command = [*files.command, "wear", "wear.yaml", "--output", "shared.h5", "--longest-wait", "60", "--share"]
+    others = [subprocess.Popen([*command, f"{i}/3"], cwd=files.folder, env=files.environment, stderr=subprocess.DEVNULL) for i in (2, 1)]
+    try:
+        made = files("wear", "wear.yaml", "--output", "shared.h5", "--longest-wait", "60", "--share", "0/3")
+        assert made.code == 0, made.err
+        assert [process.wait(timeout=60) for process in others] == [0, 0]
+    finally:
+        for process in others:
+            process.kill()
+            process.wait()
+    for one, other in zip(points(files.folder / "shared.h5"), points(files.folder / "whole.h5"), strict=True):
+        np.testing.assert_array_equal(one, other)
+
+
+def test_a_share_that_is_alone_ends_with_a_sentence(files):
+    ended = files("wear", "wear.yaml", "--share", "0/2", "--longest-wait", "1")
+    assert ended.code == 7 and "Share 1/2 has not answered for 1 s" in ended.err
+    ended = files("wear", "wear.yaml", "--share", "1/2", "--output", "none.h5", "--longest-wait", "1")
+    assert ended.code == 7 and "has had no new step for 1 s" in ended.err
+
+
+def test_profiles_and_pictures_are_written(files):
+    pytest.importorskip("matplotlib")
+    made = files("wear", "wear.yaml", "--profiles", "worn", "--pictures", "pictures")
+    assert made.code == 0, made.err
+    folder = files.folder
+    sections, _ = points(folder / "wear.yaml.h5")
+    for name in ("wheel.prw", "wheel.whl"):
+        assert "a test" in (folder / "worn" / name).read_text()
+        shown = files("profile", "convert", f"worn/{name}", f"worn/{name}.csv")
+        assert shown.code == 0, shown.err
+        lines = [line for line in (folder / "worn" / f"{name}.csv").read_text().splitlines() if line[0] in "-0123456789"]
+        rows = np.array([[float(number) for number in line.split(",")] for line in lines])
+        np.testing.assert_allclose(rows, sections[-1], atol=1e-6)
+    assert {path.name for path in (folder / "pictures").iterdir()} == {
+        "wheel-worn.png", "wheel-depths.png", "wheel-groups.png", "wheel-wear.gif", "conicity.png", "flange.png", "measures.json",
+    }  # fmt: skip
+
+
+def test_wheel_and_rail_wear_together_from_a_file(files):
+    both = STUDY.replace("wears: wheel", "wears: both\npassages_per_km: 20") + "rail_law: {name: r, source: a test, body: upper, range: [0, 10], energy: {coefficient: 0.0006}}\n"
+    files.write("both.yaml", both)
+    made = files("wear", "both.yaml", "--profiles", "both")
+    assert made.code == 0, made.err
+    assert {path.name for path in (files.folder / "both").iterdir()} == {"wheel.prw", "wheel.whl", "rail.prr", "rail.ban"}

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import sys
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from contactd import EnergyWear, InvalidArgument, WearLaw
 from contactd.wear import WearStudy, WeightedState, read_states
-from contactd.wheel_rail import WheelRailSetup, WheelRailState, WheelsetPosition
+from contactd.wear.states import mirrored
+from contactd.wheel_rail import RailDeviation, WheelRailSetup, WheelRailState, WheelsetPosition, WheelsetVelocity
 
 LAW = WearLaw("energy", "a test", "lower", (0, 10), energy=EnergyWear(1e-3))
+RAIL = WearLaw("of rails", "a test", "upper", (0, 10), energy=EnergyWear(1e-3))
 STATE = WeightedState(WheelRailState(position=WheelsetPosition(y=1), Fz=8e4), 1.0)
 TEXT = """# From a run of 20 km.
 position.y, position.yaw, velocity.x, Fz, weight, group, mu
@@ -40,6 +45,31 @@ def test_hdf5_has_a_dataset_a_column(tmp_path):
     assert [(one.state.position.y, one.weight, one.group) for one in found] == [(1, 10, "a"), (2, 5, "b")]
 
 
+def test_parquet_has_columns_of_the_same_names(tmp_path):
+    pyarrow = pytest.importorskip("pyarrow")
+    from pyarrow import parquet
+
+    parquet.write_table(pyarrow.table({"position.y": [1.0, 2.0], "weight": [0.5, 0.25], "group": ["a", "b"]}), tmp_path / "s.parquet")
+    found = read_states(tmp_path / "s.parquet")
+    assert [(one.state.position.y, one.weight, one.group) for one in found] == [(1, 0.5, "a"), (2, 0.25, "b")]
+
+
+def test_parquet_without_its_library_is_refused_by_its_name(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    with pytest.raises(InvalidArgument, match="pyarrow, which is missing"):
+        read_states(tmp_path / "states.parquet")
+
+
+def test_a_mirrored_state_turns_what_lies_across_the_track():
+    made = WheelRailState(
+        position=WheelsetPosition(y=1, z=2, roll=3e-3, yaw=4e-3), velocity=WheelsetVelocity(x=5, y=6, pitch=7, yaw=8), rail=RailDeviation(y=9, z=1)
+    )
+    turned = mirrored(WeightedState(made, 0.5, "curve")).state
+    assert turned.position == WheelsetPosition(y=-1, z=2, roll=-3e-3, yaw=-4e-3)
+    assert turned.velocity == WheelsetVelocity(x=5, y=-6, pitch=7, yaw=-8)
+    assert turned.rail == RailDeviation(y=-9, z=1)
+
+
 @pytest.mark.parametrize(
     ("text", "match"),
     [
@@ -62,7 +92,12 @@ def test_what_is_wrong_with_a_file_is_named(tmp_path, text, match):
 @pytest.mark.parametrize(
     ("changed", "match"),
     [
-        ({"wears": "both"}, "must be wheel or rail"),
+        ({"wears": "axle"}, "must be wheel or rail"),
+        ({"wears": "both"}, "rail_law is missing"),
+        ({"wears": "both", "rail_law": replace(RAIL, name="energy")}, "as that of the wheel's law"),
+        ({"wears": "both", "rail_law": RAIL}, "passages_per_km is missing"),
+        ({"rail_law": RAIL}, "only the wheel wears"),
+        ({"fatigue": {"body": "upper"}}, "that of the rail, and the wheel wears"),
         ({"wears": "rail"}, r"law\.body is lower, and the rail wears"),
         ({"depth": 0.0}, "depth is 0"),
         ({"until": float("inf")}, "until is inf"),

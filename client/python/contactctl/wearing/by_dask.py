@@ -1,0 +1,45 @@
+"""States of a study of wear by the workers of a Dask cluster."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import click
+
+from contactd import ConnectionFailed
+from contactd.wear.evolution import Solve
+
+from ..common import Setting
+from ..study.by_dask import client_of_worker
+
+__all__ = ["solving_by_dask"]
+
+
+def solving_by_dask(scheduler: str, given: Setting) -> Solve:
+    """Each state by a worker, on which the package must be installed."""
+    try:
+        from dask.distributed import Client as Dask
+    except ImportError:
+        raise click.UsageError("--dask needs dask.distributed: pip install distributed, or on Debian python3-distributed.") from None
+    try:
+        dask = Dask(scheduler, timeout=10, set_as_default=False)
+    except (OSError, ValueError) as error:
+        raise ConnectionFailed(f"No Dask scheduler answers at {scheduler}: {error}") from None
+
+    def solve(requests: Sequence[dict[str, Any]], tell: Callable[[int], None]) -> list[dict[str, Any]]:
+        futures = dask.map(_solved, list(requests), given=vars(given), pure=False)
+        found = []
+        try:
+            for future in futures:
+                found.append(future.result())
+                tell(len(found))
+        finally:
+            dask.cancel(futures)
+        return found
+
+    return solve
+
+
+def _solved(params: dict[str, Any], given: dict[str, Any]) -> dict[str, Any]:
+    return client_of_worker(given).call("wheelrail.solve", params)

@@ -1,0 +1,107 @@
+"""States of a study of wear that are shared among processes, such as the tasks of an array of jobs.
+
+The process with share 0 makes the steps and writes the record. The others read it, solve their states on the section that it has
+last, and leave the answers in a file beside it. So no two processes need the same last bits.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from contactd.files.whole import read_whole, write_whole
+from contactd.wear import WearStudy, read_record
+from contactd.wear.evolution import Solve
+from contactd.wear.placed import StudyPlace
+
+from ..codes import Code, Ended
+from ..study.journal import MOST_BYTES
+from ..study.shares import Share
+
+__all__ = ["ShareFiles", "work"]
+
+_PAUSE = 0.1  #: s between two looks at a file
+Answers = list[dict[str, Any]]
+
+
+class ShareFiles:
+    """Files of answers, by steps and shares; those of another study are none."""
+
+    def __init__(self, record: Path, study: WearStudy, share: Share, longest_wait: float) -> None:
+        self._record, self._share, self._longest_wait = record, share, longest_wait
+        described = json.dumps(study.described(), sort_keys=True, default=lambda value: np.asarray(value).tolist())
+        self._study = hashlib.sha256(described.encode()).hexdigest()
+
+    def path(self, step: int, index: int) -> Path:
+        """The file of a share's answers to the section of a step."""
+        return Path(f"{self._record}.{step:06d}.{index}-of-{self._share.count}")
+
+    def read(self, step: int, index: int) -> Answers | None:
+        """The answers, or None while there are none."""
+        try:
+            found = json.loads(read_whole(self.path(step, index), MOST_BYTES))
+        except (OSError, ValueError):
+            return None
+        return list(found["answers"]) if found.get("study") == self._study else None
+
+    def write(self, step: int, answers: Answers) -> None:
+        """Leaves the answers of this share."""
+        content = json.dumps({"study": self._study, "answers": answers}).encode()
+        write_whole(self.path(step, self._share.index), lambda into: into.write(content))
+
+    def wait(self, step: int, index: int) -> Answers:
+        """The answers of another share, when they are there. Raises Ended when they do not come."""
+        until = time.monotonic() + self._longest_wait
+        while (answers := self.read(step, index)) is None:
+            if time.monotonic() > until:
+                raise Ended(Code.TIMEOUT, f"Share {index}/{self._share.count} has not answered for {self._longest_wait:g} s; start it, too.")
+            time.sleep(_PAUSE)
+        return answers
+
+    def forget(self, step: int) -> None:
+        """Removes what all have answered."""
+        for index in range(self._share.count):
+            self.path(step, index).unlink(missing_ok=True)
+
+    def solving(self, own: Solve, number: Callable[[], int]) -> Solve:
+        """All states, by this share and the others; `number` is that of the step whose section it is."""
+
+        def solve(requests: Sequence[dict[str, Any]], tell: Callable[[int], None]) -> Answers:
+            step = number()
+            mine = self.read(step, self._share.index) or own(requests[self._share.index :: self._share.count], tell)
+            self.write(step, mine)
+            merged: Answers = [{} for _ in requests]
+            for index in range(self._share.count):
+                merged[index :: self._share.count] = mine if index == self._share.index else self.wait(step, index)
+            if step >= 1:
+                self.forget(step - 1)
+            return merged
+
+        return solve
+
+
+def work(
+    files: ShareFiles, record: Path, study: WearStudy, place: StudyPlace, share: Share, own: Solve, longest_wait: float, on_step: Callable[[float], None]
+) -> None:
+    """What the other processes do: their states on each section of the record, until it is at the study's end."""
+    done, until = -1, time.monotonic() + longest_wait
+    while True:
+        steps = read_record(record, study)
+        if steps and steps[-1].distance >= study.until:
+            return
+        if steps and steps[-1].number != done:
+            last = steps[-1]
+            if files.read(last.number, share.index) is None:
+                requests = study.params(place.profiles({part: last.of(part).points for part in study.parts}))
+                files.write(last.number, own(requests[share.index :: share.count], lambda _: None))
+            done, until = last.number, time.monotonic() + longest_wait
+            on_step(last.distance)
+        elif time.monotonic() > until:
+            raise Ended(Code.TIMEOUT, f"{record} has had no new step for {longest_wait:g} s; start share 0/{share.count}, too.")
+        time.sleep(_PAUSE)

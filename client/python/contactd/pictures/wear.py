@@ -1,0 +1,153 @@
+"""Worn profiles, what wore them and what they bear, drawn on axes of matplotlib that the caller brings."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..errors import invalid
+from .canvas import COLOURS, INK
+
+if TYPE_CHECKING:
+    from ..wear.steps import WornStep
+
+__all__ = ["draw_competition", "draw_depths", "draw_groups", "draw_measures", "draw_shakedown", "draw_worn", "shakedown_limit"]
+
+_WORN = "#c8553d"
+
+
+def draw_worn(axes: Any, steps: Sequence[WornStep], magnified: float = 1.0, unit: str = "km") -> None:
+    """The new profile and that of the last step; what is gone is filled. `magnified` lets depths appear larger."""
+    first, last = _ends(steps)
+    worn = np.stack([np.interp(_shares(first), _shares(last), column) for column in last.points.T], axis=1)
+    shown = first.points + magnified * (worn - first.points)
+    axes.fill(*np.concatenate([first.points, shown[::-1]]).T, color=_WORN, alpha=0.35, linewidth=0)
+    axes.plot(*first.points.T, color=INK, linewidth=1.2, label="new")
+    many = "" if magnified == 1 else f", wear {magnified:g} times as large"
+    axes.plot(*shown.T, color=_WORN, linewidth=1.2, label=f"after {last.distance:g} {unit}{many}")
+    axes.set_aspect("equal")
+    axes.invert_yaxis()
+    axes.set(xlabel="y (mm)", ylabel="z (mm)")
+    axes.legend(frameon=False)
+
+
+def draw_depths(axes: Any, steps: Sequence[WornStep], unit: str = "km", most: int = 6) -> None:
+    """The depth from the new profile, over its y, of up to `most` steps."""
+    first, _ = _ends(steps)
+    chosen = [steps[i] for i in np.unique(np.linspace(1, len(steps) - 1, min(most, len(steps) - 1)).round().astype(int))]
+    for i, step in enumerate(chosen):
+        axes.plot(first.points[:, 0], _depths(first, step), color=_shade(i, len(chosen)), label=f"{step.distance:.4g} {unit}")
+    axes.set(xlabel="y (mm)", ylabel="depth (mm)")
+    axes.set_ylim(bottom=0)
+    axes.legend(frameon=False)
+
+
+def draw_groups(axes: Any, steps: Sequence[WornStep], unit: str = "km") -> None:
+    """The area that each group of states has taken off, over the distance."""
+    names = sorted({name for step in steps for name in step.groups})
+    sums = [np.cumsum([step.groups.get(name, 0.0) for step in steps]) for name in names]
+    colours = [COLOURS[i % len(COLOURS)] for i in range(len(names))]
+    axes.stackplot([step.distance for step in steps], *sums, labels=[name or "all" for name in names], colors=colours, alpha=0.75)
+    axes.set(xlabel=unit, ylabel="area taken off (mm$^2$)")
+    axes.margins(x=0)
+    axes.legend(loc="upper left", frameon=False)
+
+
+def draw_competition(axes: Any, steps: Sequence[WornStep], function: str) -> Any:
+    """Cracks and wear over y: damage by a function, summed over all steps, and the depth beside it. Returns the second axes.
+    Raises InvalidArgument where no step has such damage."""
+    first, last = _ends(steps)
+    y, sums = first.points[:, 0], np.zeros(len(first.points))
+    found = False
+    for step in steps[1:]:
+        if step.fatigue is None or function not in step.fatigue.damages:
+            continue
+        found = True
+        centres = 0.5 * (step.edges[1:] + step.edges[:-1]) / step.edges[-1]
+        sums += np.interp(_shares(first), centres, step.fatigue.damages[function])
+    if not found:
+        raise invalid("steps", f"have no damage by {function}; ask for fatigue with such a function")
+    axes.fill_between(y, np.maximum(sums, 0), color=COLOURS[0], alpha=0.35, linewidth=0)
+    axes.fill_between(y, np.minimum(sums, 0), color=COLOURS[2], alpha=0.35, linewidth=0)
+    axes.plot(y, sums, color=COLOURS[0])
+    axes.axhline(0, color=INK, linewidth=0.6)
+    axes.set(xlabel="y (mm)")
+    axes.set_ylabel(f"damage, {function}", color=COLOURS[0])
+    beside = axes.twinx()
+    beside.plot(y, _depths(first, last), color=_WORN)
+    beside.set_ylim(bottom=0)
+    beside.set_ylabel("depth (mm)", color=_WORN)
+    return beside
+
+
+def shakedown_limit(mu: Any) -> Any:
+    """p0/k at which shakedown ends in a line contact in full slip (Johnson): the largest shear of Hertz's pressure with a
+    traction in proportion to it, below the surface or on it."""
+    coefficients = np.atleast_1d(np.asarray(mu, dtype=np.float64))
+    depth = np.linspace(0.005, 1.5, 300)[:, None]
+    angle = np.linspace(0.0, np.pi, 361)[None, :]
+    s, t = depth, np.cos(angle) * 1.6
+    # By McEwen's formulas, Johnson (4.49) and section 7.2: m and n of a point, the stresses of pressure and of traction.
+    inner = np.sqrt((1 - t**2 + s**2) ** 2 + 4 * t**2 * s**2)
+    m = np.sqrt(np.maximum((inner + 1 - t**2 + s**2) / 2, 1e-300))
+    n = np.sign(t) * np.sqrt(np.maximum((inner - (1 - t**2 + s**2)) / 2, 0.0))
+    below = n * (m**2 - s**2) / (m**2 + n**2)
+    of_traction = m * (1 + (s**2 + n**2) / (m**2 + n**2)) - 2 * s
+    shear = [max(float(np.abs(below + value * of_traction).max()), float(value)) for value in coefficients]
+    return np.array([1 / value for value in shear]).reshape(np.shape(mu))
+
+
+def draw_shakedown(axes: Any, steps: Sequence[WornStep], step: int = 1) -> None:
+    """The loads of all contacts before a step over their traction coefficients, each with its own limit, and the limit of a line
+    contact in full slip, which is the only one that maps can draw."""
+    tired = steps[step].fatigue
+    if tired is None or np.isnan(tired.contacts[:, 1]).all():
+        raise invalid("steps", "have no loads; ask for fatigue with a strength")
+    mu, load, limit, share = tired.contacts.T
+    coefficients = np.linspace(0, max(0.5, float(mu.max()) * 1.1), 100)
+    axes.plot(coefficients, shakedown_limit(coefficients), color=INK, linewidth=1, label="line contact in full slip")
+    axes.vlines(mu, load, limit, color="0.75", linewidth=0.7, zorder=1)
+    axes.scatter(mu, limit, marker="_", color=INK, s=40, label="limit of the contact", zorder=2)
+    is_beyond = load > limit
+    for beyond, colour, name in ((False, COLOURS[2], "load below it"), (True, _WORN, "load beyond it")):
+        of_these = is_beyond == beyond
+        if of_these.any():
+            axes.scatter(mu[of_these], load[of_these], s=12 + 200 * share[of_these], color=colour, alpha=0.8, label=name, zorder=3)
+    axes.set(xlabel="traction coefficient", ylabel="p0/k", xlim=(0, coefficients[-1]))
+    axes.set_ylim(bottom=0)
+    axes.legend(frameon=False)
+
+
+def draw_measures(axes: Any, distances: Sequence[float], measures: dict[str, Sequence[float]], unit: str = "km", label: str = "") -> None:
+    """Numbers of a profile over the distance, such as conicities."""
+    for i, (name, values) in enumerate(measures.items()):
+        axes.plot(distances, values, marker=".", color=COLOURS[i % len(COLOURS)], label=name)
+    axes.set(xlabel=unit, ylabel=label)
+    axes.legend(frameon=False)
+
+
+def _ends(steps: Sequence[WornStep]) -> tuple[WornStep, WornStep]:
+    if len(steps) < 2:
+        raise invalid("steps", "are fewer than two; nothing is worn")
+    return steps[0], steps[-1]
+
+
+def _shares(step: WornStep) -> Any:
+    lengths = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(step.points, axis=0), axis=1))])
+    return lengths / lengths[-1]
+
+
+def _depths(first: WornStep, step: WornStep) -> Any:
+    """The distances of the new points from a section."""
+    starts, ways = step.points[:-1], np.diff(step.points, axis=0)
+    away = first.points[:, None, :] - starts[None, :, :]
+    along = np.clip((away * ways).sum(axis=2) / (ways**2).sum(axis=1), 0, 1)
+    return np.linalg.norm(away - along[:, :, None] * ways, axis=2).min(axis=1)
+
+
+def _shade(index: int, count: int) -> Any:
+    from matplotlib import colormaps
+
+    return colormaps["viridis"](0.9 * index / max(count - 1, 1))

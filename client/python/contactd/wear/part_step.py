@@ -1,0 +1,82 @@
+"""How far a step goes, and what it takes off a section."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from .filters import exponential_step, smoothed
+from .stability import LoadedRows, Stiffness
+
+__all__ = ["PartStep", "common_distance"]
+
+Array = npt.NDArray[np.float64]
+
+
+class PartStep:
+    """A step of a section, of any distance up to its own."""
+
+    def __init__(
+        self, rate: Array, size: float, contacts: Sequence[LoadedRows], modulus: float, depth: float, smoothing: float | str
+    ) -> None:
+        """`rate` is what a unit of distance takes off cells of a `size` (mm), `depth` the largest of a step (mm)."""
+        self._rate, self._size, self._modulus, self._depth, self._smoothing = rate, size, modulus, depth, smoothing
+        self._stiffness = Stiffness(contacts, modulus) if contacts else None
+
+    @property
+    def pressure(self) -> float:
+        """The mean pressure that stability goes by (N/mm^2)."""
+        return 0.0 if self._stiffness is None else self._stiffness.pressure
+
+    @property
+    def farthest(self) -> float:
+        """The distance at which the step is as deep as it may be; infinite where nothing wears."""
+        if self._stiffness is None:
+            return math.inf
+        deepest = min(self._depth, self._stiffness.deepest) if self._is_free else self._depth
+        taken, _ = self._filtered(deepest)
+        return float(deepest / taken.max())
+
+    def taken(self, distance: float) -> tuple[Array, float, list[str]]:
+        """The depths of a step over a distance up to the farthest, the wavelength that was smoothed, and what is doubtful."""
+        stiffness = self._stiffness
+        if stiffness is None:
+            return np.zeros(len(self._rate)), 0.0, []
+        if distance == self.farthest:
+            deepest = min(self._depth, stiffness.deepest) if self._is_free else self._depth
+            taken, length = self._filtered(deepest)
+        else:  # a step that ends before its depth is reached is smoothed by less
+            taken, length = self._filtered(distance * float(self._rate.max()))
+            for _ in range(3):
+                taken, length = self._filtered(distance * float(taken.max()))
+        depth = distance * float(taken.max())
+        warnings = []
+        if not self._is_free and not stiffness.is_stable(depth, length):
+            warnings.append(
+                f"In a step of {depth:.3g} mm under {stiffness.pressure:.3g} N/mm^2 grooves grow that smoothing by {length:g} mm leaves: "
+                "take smaller steps, or smoothing auto."
+            )
+        return np.asarray(taken * distance), float(length), warnings
+
+    @property
+    def _is_free(self) -> bool:
+        return self._smoothing in ("auto", "exponential_step")
+
+    def _filtered(self, depth: float) -> tuple[Array, float]:
+        stiffness = self._stiffness
+        assert stiffness is not None
+        if self._smoothing == "exponential_step":
+            return exponential_step(self._rate, self._size, depth, stiffness.pressure, self._modulus), 0.0
+        if self._smoothing == "auto":
+            length = stiffness.smoothing(min(depth, stiffness.deepest))
+        else:
+            length = float(self._smoothing)
+        return (smoothed(self._rate, self._size, length) if length > 0 else self._rate), length
+
+
+def common_distance(parts: Sequence[PartStep], left: float, most: float | None) -> float:
+    """The distance of a step of all parts together."""
+    return min(left, math.inf if most is None else most, *(part.farthest for part in parts))

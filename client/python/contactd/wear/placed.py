@@ -1,0 +1,58 @@
+"""Where the profiles of a study lie, as the daemon says it of the new ones; it stays."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ..values.params import params_of
+from ..values.profile_shapes import ProfilePoints
+from ..values.wheel_rail.params import STEEL
+from ..values.wheel_rail.rigid_wheelset import ProfilesOfSides
+
+__all__ = ["StudyPlace"]
+
+Array = npt.NDArray[np.float64]
+
+_RADIUS = 460.0  #: nominal radius where a set-up names none (mm)
+
+
+class StudyPlace:
+    """New profiles, and where their origins stand.
+
+    Attributes:
+        points: (y, z) of the new wheel and rail (mm).
+        wheel_origin, rail_origin: Where the profiles' origins are, from the middle of the axle and in the track (mm).
+    """
+
+    def __init__(self, profiles: ProfilesOfSides, setup: Mapping[str, Any]) -> None:
+        """By the answer to `placed_profiles` of a set-up in the words of the wire."""
+        placed = getattr(profiles, setup.get("side", "right"))
+        self._track = dict(setup.get("track", {}))
+        self.points: dict[str, Array] = {part: np.asarray(getattr(placed, part), dtype=np.float64) for part in ("wheel", "rail")}
+        self.left = setup.get("side") == "left"
+        self.wheel_origin = float(placed.wheel_origin)
+        self.rail_origin = (float(placed.rail_origin.y), float(placed.rail_origin.z))
+        self.radius = float(setup.get("wheelset", {}).get("nominal_radius", _RADIUS))
+        self.modulus = _modulus(setup.get("bodies", {}))
+
+    def profiles(self, points: Mapping[str, Array]) -> dict[str, Any]:
+        """The fields of a set-up that has sections of these points."""
+        fields: dict[str, Any] = {}
+        if "wheel" in points:
+            fields["wheel"] = params_of(ProfilePoints(points["wheel"]))
+        if "rail" in points:
+            y, z = self.rail_origin
+            track = {**self._track, "rail_origin": {"y": y, "z": z}, "cant": 0.0}
+            fields.update(rail=params_of(ProfilePoints(points["rail"])), track=track)
+        return fields
+
+
+def _modulus(bodies: Mapping[str, Any]) -> float:
+    """E*, with 1/E* = sum (1 - nu)/(2 G)."""
+    upper = bodies.get("upper", params_of(STEEL))
+    both = (upper, bodies.get("lower", upper))
+    return 1 / sum(float((1 - body["nu"]) / (2 * body["G"])) for body in both if "G" in body)
