@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import time
 from pathlib import Path
 from typing import Annotated, Any
@@ -11,8 +12,19 @@ import click
 import typer
 
 from contactd import Client, InvalidArgument
-from contactd.wear import WearStudy, WornStep, evolve, read_record, write_record
+from contactd.wear import (
+    Dynamics,
+    WearStudy,
+    WeightedState,
+    WornStep,
+    evolve,
+    evolve_with,
+    read_record,
+    states_of_stage,
+    write_record,
+)
 from contactd.wear.evolution import by_threads, place_of
+from contactd.wheel_rail import WheelRailState
 
 from ..codes import Code, Ended
 from ..common import Command, connected, setting
@@ -23,7 +35,7 @@ from ..saving import need
 from ..study.shares import Share, share_of
 from ..wearing.by_dask import solving_by_dask
 from ..wearing.outputs import Measures, measured, write_pictures, write_profiles
-from ..wearing.reading import read_study
+from ..wearing.reading import read_dynamics, read_study
 from ..wearing.shares import ShareFiles, work
 
 __all__ = ["add_to"]
@@ -55,7 +67,6 @@ def wear(
     need("h5py", "HDF5 files", "python3-h5py")
     if pictures is not None:
         need("matplotlib", "pictures", "python3-matplotlib")
-    study = read_study(file)
     part = None if share is None else share_of(share)
     if part is not None and dask is not None:
         raise click.UsageError("--share and --dask share the states in two ways; take one of them.")
@@ -64,6 +75,10 @@ def wear(
             raise click.UsageError("A study from standard input needs --output, where its steps are kept.")
         output = Path(f"{file}.h5")
     writable("--output", output)
+    dynamics = read_dynamics(file, Path(f"{output}.stages"))
+    if dynamics is not None and part is not None:
+        raise click.UsageError("--share shares states that a file has; dynamics tell them anew.")
+    study = read_study(file) if dynamics is None else _study_of(file, dynamics, fresh)
     if profile is not None:
         writable("--profile", profile)
     if part is not None and part.index > 0:
@@ -71,7 +86,7 @@ def wear(
         return
     steps = _before(output, study, fresh)
     try:
-        measures = _evolve(study, steps, output, workers, part, longest_wait, dask, pictures is not None)
+        measures = _evolve(study, steps, output, workers, part, longest_wait, dask, pictures is not None, dynamics)
     except BaseException:
         if steps:
             note(f"{steps[-1].distance:g} of {study.until:g} {study.unit} are in {output}; the same command goes on.")
@@ -86,6 +101,16 @@ def wear(
     for path in written:
         note(f"wrote {path}")
     _show(steps, study.unit)
+
+
+def _study_of(file: str, dynamics: Dynamics, fresh: bool) -> WearStudy:
+    """The study whose states are those that dynamics tell on the new profiles."""
+    if fresh and dynamics.folder.is_dir():
+        shutil.rmtree(dynamics.folder)
+    anyone = read_study(file, [WeightedState(WheelRailState(), 1.0)])
+    with connected(local_unless_named=True) as client:
+        new = next(evolve(client, anyone))
+    return read_study(file, states_of_stage(dynamics, 0, {part: new.of(part).points for part in anyone.parts}, 0.0))
 
 
 def _help(study: WearStudy, output: Path, share: Share, workers: int, longest_wait: float) -> None:
@@ -110,7 +135,8 @@ def _before(output: Path, study: WearStudy, fresh: bool) -> list[WornStep]:
 
 
 def _evolve(
-    study: WearStudy, steps: list[WornStep], output: Path, workers: int, share: Share | None, longest_wait: float, dask: str | None, is_measured: bool
+    study: WearStudy, steps: list[WornStep], output: Path, workers: int, share: Share | None, longest_wait: float, dask: str | None, is_measured: bool,
+    dynamics: Dynamics | None = None,
 ) -> Measures:
     """Adds steps to the list as they end, and writes all to the file each time."""
     before, began = steps[-1].distance if steps else 0.0, time.monotonic()
@@ -122,7 +148,8 @@ def _evolve(
             bar.show(part, sentence, left)
 
         solve = _solving(client, study, steps, output, workers, share, longest_wait, dask)
-        for step in evolve(client, study, steps, solve=solve, on_progress=show):
+        options = {"solve": solve, "on_progress": show}
+        for step in evolve(client, study, steps, **options) if dynamics is None else evolve_with(client, study, dynamics, steps, **options):
             steps.append(step)
             write_record(output, study, steps)
             bar.show(step.distance / study.until, f"{step.distance:g} of {study.until:g} {study.unit}")

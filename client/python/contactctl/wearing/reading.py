@@ -3,31 +3,38 @@
 from __future__ import annotations
 
 import math
+import shlex
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import click
 
 from contactd import InvalidArgument
-from contactd.wear import WearStudy, read_states
+from contactd.wear import WearStudy, WeightedState, read_states
+from contactd.wear.dynamics import Dynamics
 
 from ..files import read_object
 
-__all__ = ["FIELDS", "read_study"]
+__all__ = ["FIELDS", "read_dynamics", "read_study"]
 
 FIELDS = {
     "setup", "states", "wears", "law", "rail_law", "passages_per_km", "symmetric", "fatigue", "until", "step", "smoothing", "energy",
-    "spacing",
+    "spacing", "dynamics",
 }  # fmt: skip
 _NAMED = ("rail_law", "passages_per_km", "symmetric", "fatigue", "smoothing", "energy", "spacing")
 
 
-def read_study(file: str) -> WearStudy:
-    """The study that a file of JSON or YAML describes. Raises click.UsageError naming the file and what is wrong."""
+def read_study(file: str, states: Sequence[WeightedState] | None = None) -> WearStudy:
+    """The study that a file of JSON or YAML describes, with other states than its own. Raises click.UsageError naming the file and what is wrong."""
     given = read_object(file)
     if unknown := given.keys() - FIELDS:
         raise click.UsageError(f"{file}: a study of wear has no {', '.join(sorted(unknown))}; it has {', '.join(sorted(FIELDS))}.")
-    if missing := [name for name in ("states", "wears", "law", "until") if name not in given]:
+    if "dynamics" in given:
+        if "states" in given:
+            raise click.UsageError(f"{file}: states and dynamics are given; dynamics tell the states.")
+        _dynamics_object(file, given)
+    if missing := [name for name in (*(() if "dynamics" in given else ("states",)), "wears", "law", "until") if name not in given]:
         raise click.UsageError(f"{file}: {', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing.")
     step = _object(file, given, "step")
     if unknown := step.keys() - {"depth", "distance"}:
@@ -41,20 +48,42 @@ def read_study(file: str) -> WearStudy:
         _object(file, given, "fatigue")
     if not isinstance(named.get("symmetric", False), bool):
         raise click.UsageError(f"{file}: symmetric is {named['symmetric']!r}; it must be true or false.")
-    path = given["states"]
-    if not isinstance(path, str):
+    path = given.get("states")
+    if states is None and not isinstance(path, str):
         raise click.UsageError(f"{file}: states is the name of a file: CSV, HDF5 or Parquet.")
-    place = Path(path) if file == "-" else Path(file).parent / path
+    place = Path(str(path)) if file == "-" else Path(file).parent / str(path)
     for name in ("until", "spacing", "passages_per_km"):
         _number(file, name, given.get(name))
     for name in ("depth", "distance"):
         _number(file, f"step.{name}", step.get(name))
     try:
-        return WearStudy(_object(file, given, "setup"), read_states(place), given["wears"], given["law"], given["until"], **step, **named)
+        return WearStudy(_object(file, given, "setup"), states or read_states(place), given["wears"], given["law"], given["until"], **step, **named)
     except InvalidArgument as error:
         raise click.UsageError(f"{file}: {error}") from None
     except (OSError, UnicodeDecodeError) as error:
         raise click.UsageError(f"{place}: {getattr(error, 'strerror', None) or 'it is no text'}") from None
+
+
+def read_dynamics(file: str, folder: Path) -> Dynamics | None:
+    """What tells the states of a study, whose stages lie in a folder; None where a file has them."""
+    given = read_object(file)
+    if "dynamics" not in given:
+        return None
+    dynamics = _dynamics_object(file, given)
+    program = dynamics["program"]
+    others = {name: dynamics[name] for name in ("depth", "conicity", "distance") if name in dynamics}
+    return Dynamics(shlex.split(program) if isinstance(program, str) else [str(word) for word in program], folder, **others)
+
+
+def _dynamics_object(file: str, given: dict[str, Any]) -> dict[str, Any]:
+    dynamics = _object(file, given, "dynamics")
+    if unknown := dynamics.keys() - {"program", "depth", "conicity", "distance"}:
+        raise click.UsageError(f"{file}: dynamics has no {', '.join(sorted(unknown))}; it has program, depth, conicity and distance.")
+    if not dynamics.get("program") or not isinstance(dynamics["program"], (str, list)):
+        raise click.UsageError(f"{file}: dynamics.program is missing; it is a command, which is called with the name of a folder.")
+    for name in ("depth", "conicity", "distance"):
+        _number(file, f"dynamics.{name}", dynamics.get(name))
+    return dynamics
 
 
 def _object(file: str, given: dict[str, Any], name: str) -> dict[str, Any]:

@@ -74,6 +74,8 @@ def draw_competition(axes: Any, steps: Sequence[WornStep], function: str) -> Any
     axes.plot(y, sums, color=COLOURS[0])
     axes.axhline(0, color=INK, linewidth=0.6)
     axes.set(xlabel="y (mm)")
+    if sums.min() >= 0:
+        axes.set_ylim(bottom=0)
     axes.set_ylabel(f"damage, {function}", color=COLOURS[0])
     beside = axes.twinx()
     beside.plot(y, _depths(first, last), color=_WORN)

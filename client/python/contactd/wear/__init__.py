@@ -16,7 +16,7 @@
         for step in evolve(client, study):
             print(step.distance, step.area, step.points)
 
-docs/damage.md tells the way from depths to profiles, and what of it is assumption. The functions that take no client are
+The loop with dynamics is in `contactd.wear.dynamics`. docs/damage.md tells the way from depths to profiles, and what of it is assumption. The functions that take no client are
 those of the way: `deposit`, `exponential_step`, `smoothed`, `Section.worn`.
 """
 

@@ -9,11 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from ..client import Client
 from ..errors import InvalidArgument, invalid
 from .contributions import Contributions, fatigue_of
 from .part_step import PartStep, common_distance
-from .placed import StudyPlace
+from .placed import StudyPlace, WheelRailClient
 from .section import Section
 from .steps import WornStep
 from .study import WearStudy
@@ -29,7 +28,7 @@ _MOST_BY_FEW = 0.9  #: of the area that few states may carry without a warning
 
 
 def evolve(
-    client: Client,
+    client: WheelRailClient,
     study: WearStudy,
     steps: Sequence[WornStep] | None = None,
     *,
@@ -63,7 +62,7 @@ def evolve(
         yield last
 
 
-def place_of(client: Client, study: WearStudy) -> StudyPlace:
+def place_of(client: WheelRailClient, study: WearStudy) -> StudyPlace:
     """Where the new profiles lie."""
     return StudyPlace(client.placed_profiles(study.setup), study.setup_params())
 
@@ -74,7 +73,7 @@ def _new(study: WearStudy, place: StudyPlace) -> WornStep:
     return made[0] if len(made) == 1 else made[0].beside(made[1])
 
 
-def by_threads(client: Client, workers: int, study: WearStudy) -> Solve:
+def by_threads(client: WheelRailClient, workers: int, study: WearStudy) -> Solve:
     """By so many requests of a client at a time."""
 
     def solve(requests: Requests, tell: Callable[[int], None]) -> list[dict[str, Any]]:
@@ -82,7 +81,7 @@ def by_threads(client: Client, workers: int, study: WearStudy) -> Solve:
 
         def ask(i: int) -> dict[str, Any]:
             try:
-                return client.call("wheelrail.solve", requests[i])
+                return dict(client.call("wheelrail.solve", requests[i]))
             except InvalidArgument as error:
                 raise invalid(f"states[{study.given_index(i)}]", f"cannot be solved: {error}") from error
 

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from ..errors import invalid
-from .placed import StudyPlace
+from .placed import StudyPlace, WheelRailClient
 from .steps import WornStep
 from .study import WearStudy
 
@@ -76,15 +75,15 @@ def rail_wear(new: npt.ArrayLike, worn: npt.ArrayLike) -> RailWear:
     for points in (before, after):
         gauge = points[points[:, 0] <= middle][::-1]  # from the top down
         sides.append(_crossing(gauge[:, 0], 0 - gauge[:, 1], 0 - (points[:, 1].min() + _GAUGE), "points"))
-    # Along y - z the gauge corner is farthest out, where its normal is at 45 degrees.
-    corner = before[:, 0] - before[:, 1] < middle - top
-    best = np.flatnonzero(corner)[(before[corner, 0] - before[corner, 1]).argmin()] if corner.any() else int(before[:, 1].argmin())
-    across = float(before[best, 0] + before[best, 1])
+    # Where its normal is at 45 degrees the gauge corner is farthest out, y + z least.
+    gauge = before[before[:, 0] <= middle]
+    corner = gauge[gauge.sum(axis=1).argmin()]
+    across = float(corner[0] - corner[1])
     return RailWear(W1, sides[1] - sides[0], _outwards(after, across) - _outwards(before, across))
 
 
 def conicities(
-    client: Any, study: WearStudy, place: StudyPlace, step: WornStep, amplitudes: tuple[float, ...] = (3.0, 5.0)
+    client: WheelRailClient, study: WearStudy, place: StudyPlace, step: WornStep, amplitudes: tuple[float, ...] = (3.0, 5.0)
 ) -> tuple[float, ...]:
     """The equivalent conicities (EN 15302), asked of a client, of a wheelset whose wheels, or on rails that, are worn alike; NaN where it does not
     swing."""
@@ -103,10 +102,8 @@ def _crossing(y: Array, z: Array, level: float, name: str) -> float:
 
 
 def _outwards(points: Array, across: float) -> float:
-    """(y - z)/sqrt 2 of the outermost place with this y + z."""
-    along, out = points.sum(axis=1) - across, (points[:, 0] - points[:, 1]) / np.sqrt(2)
-    found = [
-        out[i] + along[i] / (along[i] - along[i + 1]) * (out[i + 1] - out[i])
-        for i in np.flatnonzero(np.sign(along[:-1]) != np.sign(along[1:]))
-    ]
+    """(y + z)/sqrt 2 of the outermost place with this y - z."""
+    along, out = points[:, 0] - points[:, 1] - across, points.sum(axis=1) / np.sqrt(2)
+    crossed = np.flatnonzero((along[:-1] <= 0) & (along[1:] > 0))
+    found = [out[i] + along[i] / (along[i] - along[i + 1]) * (out[i + 1] - out[i]) for i in crossed]
     return float(min(found)) if found else float("nan")

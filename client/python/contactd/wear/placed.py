@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -13,11 +13,22 @@ from ..values.profile_shapes import ProfilePoints
 from ..values.wheel_rail.params import STEEL
 from ..values.wheel_rail.rigid_wheelset import ProfilesOfSides
 
-__all__ = ["StudyPlace"]
+__all__ = ["StudyPlace", "WheelRailClient"]
 
 Array = npt.NDArray[np.float64]
 
 _RADIUS = 460.0  #: nominal radius where a set-up names none (mm)
+
+
+class WheelRailClient(Protocol):
+    """What wear asks of a client: a Client, or what has these calls of it."""
+
+    @property
+    def call(self) -> Any: ...
+    @property
+    def placed_profiles(self) -> Any: ...
+    @property
+    def equivalent_conicity(self) -> Any: ...
 
 
 class StudyPlace:

@@ -19,7 +19,7 @@ from .study import WearStudy
 
 __all__ = ["read_record", "write_record"]
 
-_NUMBERS = ("distance", "area", "removed", "T_gamma", "T_gamma_with_spin", "pmax", "mean_pressure", "smoothing")
+_NUMBERS = ("distance", "area", "removed", "T_gamma", "T_gamma_with_spin", "pmax", "mean_pressure", "smoothing", "stage")
 _FATIGUE = ("dang_van", "limits", "contacts")
 
 
@@ -95,7 +95,7 @@ def _read(file: Any) -> list[WornStep]:
 
 
 def _numbers_at(numbers: dict[str, Any], index: int) -> dict[str, Any]:
-    return {name: float(values[index]) for name, values in numbers.items()}
+    return {name: int(values[index]) if name == "stage" else float(values[index]) for name, values in numbers.items()}
 
 
 def _read_fatigue(group: Any) -> StepFatigue:

@@ -52,6 +52,7 @@ class WornStep:
         groups: What the step took off by groups of states (mm^2).
         warnings: Sentences.
         fatigue: What the step made the section bear; None where that was not asked for.
+        stage: How often dynamics have told new states before.
         rail: The same of the rail, where wheel and rail wear together; the step itself is that of the wheel then.
     """
 
@@ -70,6 +71,7 @@ class WornStep:
     groups: dict[str, float] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
     fatigue: StepFatigue | None = None
+    stage: int = 0
     rail: WornStep | None = None
 
     def of(self, part: WornPart) -> WornStep:

@@ -1,0 +1,159 @@
+"""The loop of dynamics and wear: states by a simulation on the profiles as they are, steps of wear until these have changed,
+and states again."""
+
+from __future__ import annotations
+
+import csv
+import io
+import subprocess
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, fields, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ..errors import invalid
+from ..files.profile_text import format_profile
+from ..files.whole import write_whole
+from .evolution import evolve, place_of
+from .measures import conicities
+from .placed import WheelRailClient
+from .states import WeightedState, read_states
+from .steps import WornStep
+from .study import WearStudy
+
+__all__ = ["Dynamics", "evolve_with", "states_of_stage", "write_states"]
+
+Array = npt.NDArray[np.float64]
+#: Profiles (y, z) by "wheel" and "rail", those that wear, and the distance so far; answers states.
+StatesOf = Callable[[Mapping[str, Array], float], Sequence[WeightedState]]
+
+_LINES = 5  #: of what a program wrote last
+
+
+@dataclass(frozen=True)
+class Dynamics:
+    """Who says what states there are, and when they are asked again.
+
+    Attributes:
+        states: A function of the profiles that wear, (y, z) by "wheel" and "rail", and the distance so far; or a program with its
+            arguments, which is called with the name of a folder behind them: wheel.prw and rail.prr lie there, those that wear,
+            and distance.txt with the km or passages so far; it writes states.csv, which read_states reads.
+        folder: Where each stage has a folder, stage-000 and so on, with its profiles and states; a stage that has states is not
+            run again.
+        depth: Depth since states were asked for, at which they are asked for again (mm): the largest of each step, summed.
+        conicity: Change of the equivalent conicity at 3 mm, likewise; None: whatever it is.
+        distance: Distance, likewise (km or passages); None: whatever it is.
+    """
+
+    states: StatesOf | Sequence[str]
+    folder: Path
+    depth: float = 0.1
+    conicity: float | None = 0.02
+    distance: float | None = None
+
+
+def evolve_with(
+    client: WheelRailClient, study: WearStudy, dynamics: Dynamics, steps: Sequence[WornStep] | None = None, **options: Any
+) -> Iterator[WornStep]:
+    """As evolve, with its options; the states are those that dynamics tell, stage by stage, and those of the study those of the
+    first one (`states_of_stage`), which nothing else depends on. Raises InvalidArgument ("dynamics") for a program that fails."""
+    place, done = place_of(client, study), list(steps or ())
+    if not done:
+        done += _first(evolve(client, study, None, **options))
+        yield done[0]
+    while done[-1].distance < study.until:
+        stage = done[-1].stage
+        start = max((step for step in done if step.stage < stage), key=lambda step: step.number, default=done[0])
+        conicity = _conicity(client, study, place, start) if dynamics.conicity is not None else 0.0
+        if done[-1].number > start.number and _is_due(client, study, place, dynamics, done, start, conicity):
+            stage, start = stage + 1, done[-1]
+            conicity = _conicity(client, study, place, start) if dynamics.conicity is not None else 0.0
+        points: dict[str, Array] = {part: start.of(part).points for part in study.parts}
+        of_stage = replace(study, states=states_of_stage(dynamics, stage, points, start.distance))
+        for step in evolve(client, of_stage, done, **options):
+            made = replace(step, stage=stage)
+            done.append(made)
+            yield made
+            if _is_due(client, study, place, dynamics, done, start, conicity):
+                break
+
+
+def states_of_stage(dynamics: Dynamics, stage: int, points: Mapping[str, Array], distance: float) -> list[WeightedState]:
+    """The states of a stage: those of its folder, or new ones, which are then there. Raises InvalidArgument ("dynamics")."""
+    folder = dynamics.folder / f"stage-{stage:03d}"
+    path = folder / "states.csv"
+    if path.is_file():
+        return read_states(path)
+    folder.mkdir(parents=True, exist_ok=True)
+    for part in ("wheel", "rail"):
+        if part in points:
+            ending = ".prw" if part == "wheel" else ".prr"
+            (folder / f"{part}{ending}").write_text(format_profile(points[part], part, ending, [f"after {distance!r}"]))
+    (folder / "distance.txt").write_text(f"{distance!r}\n")
+    if callable(dynamics.states):
+        write_states(path, dynamics.states(points, distance))
+        return read_states(path)
+    program = [*dynamics.states, str(folder)]
+    try:
+        ended = subprocess.run(program, stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace", check=False)
+    except OSError as error:
+        raise invalid("dynamics", f"cannot be started: {' '.join(program)}: {error.strerror}") from None
+    if ended.returncode != 0:
+        last = " ".join(ended.stderr.splitlines()[-_LINES:])
+        path.unlink(missing_ok=True)
+        raise invalid("dynamics", f"ended with {ended.returncode}: {' '.join(program)}: {last or 'it wrote nothing'}")
+    if not path.is_file():
+        raise invalid("dynamics", f"wrote no states: {' '.join(program)} must leave {path}")
+    return read_states(path)
+
+
+def write_states(path: Path, states: Sequence[WeightedState]) -> None:
+    """Writes a file of CSV that read_states reads, with the columns in which a state is not as it is by default."""
+    if not states:
+        raise invalid("states", "are none")
+    rows = [_flat(one.state) for one in states]
+    plain = _flat(type(states[0].state)())
+    names = [name for name in rows[0] if any(row[name] != plain[name] for row in rows)]
+    written = io.StringIO()
+    table = csv.writer(written, lineterminator="\n")
+    table.writerow([*names, "weight", "group", "mu"])
+    for one, row in zip(states, rows):
+        table.writerow([*(repr(float(row[name])) for name in names), repr(float(one.weight)), one.group, "" if one.mu is None else repr(float(one.mu))])
+    write_whole(path, lambda into: into.write(written.getvalue().encode()))
+
+
+def _flat(value: Any, path: str = "") -> dict[str, Any]:
+    """Numbers of a state by their paths; those that are not given are None."""
+    found: dict[str, Any] = {}
+    for field in fields(value):
+        part = getattr(value, field.name)
+        if hasattr(part, "__dataclass_fields__"):
+            found.update(_flat(part, f"{path}{field.name}."))
+        elif part is None or (isinstance(part, (int, float)) and not isinstance(part, bool)):
+            found[f"{path}{field.name}"] = part
+    return found
+
+
+def _first(steps: Iterator[WornStep]) -> list[WornStep]:
+    """The new profiles, which no state is solved for."""
+    return [next(steps)]
+
+
+def _conicity(client: WheelRailClient, study: WearStudy, place: Any, step: WornStep) -> float:
+    return conicities(client, study, place, step, (3.0,))[0]
+
+
+def _is_due(
+    client: WheelRailClient, study: WearStudy, place: Any, dynamics: Dynamics, done: Sequence[WornStep], start: WornStep, conicity: float
+) -> bool:
+    last = done[-1]
+    behind = [step for step in done if step.number > start.number]
+    depth = sum(max(float(step.of(part).depths.max()) for part in study.parts) for step in behind)
+    if depth >= dynamics.depth or (dynamics.distance is not None and last.distance - start.distance >= dynamics.distance):
+        return True
+    if dynamics.conicity is None:
+        return False
+    return abs(_conicity(client, study, place, last) - conicity) >= dynamics.conicity

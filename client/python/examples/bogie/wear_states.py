@@ -1,0 +1,106 @@
+"""States of a wheel of the bogie on worn profiles, for contactctl wear: straight track and two curves. docs/damage.md tells of it.
+
+Run: python3 client/python/examples/bogie/wear_states.py [--seconds 2] [--speed 50] FOLDER
+
+FOLDER has wheel.prw, as contactctl wear leaves it; states.csv of the leading right wheel is written there. It solves with the
+contactd_local or the daemon that the example of the bogie takes.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).parents[1]))  # railway, which the examples share
+
+from line import Line
+from railway.track import IrregularTrack, Track
+from railway.wheels import OnWheelset, SessionWheels
+from runs import simulate
+
+import contactd
+from contactd import Client
+from contactd.wear import WeightedState
+from contactd.wear.dynamics import write_states
+from contactd.wheel_rail import ProfileFile, WheelRailSetup, WheelRailState
+
+RIGHT = 1  #: of the wheels: the leading wheelset's right one
+SETTLED = 0.4  #: of the time, from which on states are taken
+
+
+class HeardWheels:
+    """Wheels of a worn profile; the states of one of them and the forces on it are kept."""
+
+    def __init__(self, client: Client, setups: Sequence[WheelRailSetup], wheel: ProfileFile) -> None:
+        self._wheels = SessionWheels(client, [setup.replace(wheel=wheel) for setup in setups])
+        self.kept: list[WheelRailState] = []
+
+    def __call__(self, states: Sequence[WheelRailState]) -> list[OnWheelset]:
+        answers = self._wheels(states)
+        load = -float(answers[RIGHT].force[2])
+        if load > 0:
+            self.kept.append(replace(states[RIGHT], Fz=load))
+        return answers
+
+    def __enter__(self) -> HeardWheels:
+        return self
+
+    def __exit__(self, *of_an_error: object) -> None:
+        self._wheels.__exit__(None, None, None)
+
+
+def run(client: Client, wheel: ProfileFile, line: Line, track: Track, speed: float, seconds: float) -> list[WheelRailState]:
+    """The states of the leading right wheel, in the order that they were asked for."""
+    kept: list[WheelRailState] = []
+
+    def open_wheels(client: Client, setups: Sequence[WheelRailSetup]) -> HeardWheels:
+        wheels = HeardWheels(client, setups, wheel)
+        wheels.kept = kept
+        return wheels
+
+    found = simulate(client, "fastsim", speed, seconds, line=line, track=track, open_wheels=open_wheels)
+    if found.derailed:
+        raise SystemExit(f"The bogie left the track at {speed:g} m/s after {found.times[-1]:.2f} s.")
+    return kept
+
+
+def states_of(client: Client, wheel: ProfileFile, speed: float, seconds: float, count: int, radius: float) -> list[WeightedState]:
+    """States on straight track, four fifths of the distance, and in a curve to each side (m)."""
+    parts = [
+        ("straight", 0.8, Line(), IrregularTrack(), speed),
+        ("right curve", 0.1, _curve(radius), Track(), 30.0),
+        ("left curve", 0.1, _curve(-radius), Track(), 30.0),
+    ]
+    found = []
+    for group, weight, line, track, at in parts:
+        kept = run(client, wheel, line, track, at, seconds)
+        kept = kept[int(SETTLED * len(kept)) :]
+        chosen = [kept[i * len(kept) // count] for i in range(count)]
+        found += [WeightedState(state, weight / count, group) for state in chosen]
+    return found
+
+
+def _curve(radius: float) -> Line:
+    """Begins at once, so that a short run is in it."""
+    return Line(curvature=1e-3 / radius, cant=100.0, begin=1e3, transition=20e3, length=400e3)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(prog="wear_states.py", description=(__doc__ or "").split("\n")[0])
+    parser.add_argument("folder", type=Path, help="with wheel.prw; states.csv is written there")
+    parser.add_argument("--seconds", type=float, default=2.0, help="simulated of each part; default: %(default)g")
+    parser.add_argument("--speed", type=float, default=50.0, help="on straight track (m/s); default: %(default)g")
+    parser.add_argument("--radius", type=float, default=600.0, help="of both curves (m); default: %(default)g")
+    parser.add_argument("--count", type=int, default=20, help="states of each part; default: %(default)s")
+    options = parser.parse_args()
+    with contactd.local() as client:
+        wheel = ProfileFile(options.folder / "wheel.prw")
+        found = states_of(client, wheel, options.speed, options.seconds, options.count, options.radius)
+    write_states(options.folder / "states.csv", found)
+
+
+if __name__ == "__main__":
+    main()
