@@ -10,7 +10,7 @@ using bench::Elliptic;
 
 ContactProblem on_ellipse(int n, const Motion& motion) {
     ContactProblem problem;
-    problem.grid = Grid::centred(n, n, 13.2 / n, 8.8 / n);
+    problem.grid = Grid::of_elements(n, n, 13.2 / n, 8.8 / n);
     problem.bodies = Bodies::of({Elliptic::steel, Elliptic::steel});
     problem.gap = radii_of_force({6, 4}, (1 - Elliptic::steel.nu) / Elliptic::steel.G, Elliptic::Fn);
     problem.Fn = Elliptic::Fn;

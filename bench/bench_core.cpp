@@ -60,7 +60,7 @@ void TangCG_warm(benchmark::State& state) {
 
 void closed_form_table(benchmark::State& state) {
     const int n = static_cast<int>(state.range(0));
-    const Grid grid = Grid::centred(n, n, 2.4 / n, 2.4 / n);
+    const Grid grid = Grid::of_elements(n, n, 2.4 / n, 2.4 / n);
     for (auto _ : state) benchmark::DoNotOptimize(bench::pair_table(grid, {200, 0.42}));
 }
 
@@ -78,7 +78,7 @@ void layers_table(benchmark::State& state) {
 
 void convolution_operator(benchmark::State& state) {
     const int n = static_cast<int>(state.range(0));
-    const IcTable pair = bench::pair_table(Grid::centred(n, n, 2.4 / n, 2.4 / n), {200, 0.42});
+    const IcTable pair = bench::pair_table(Grid::of_elements(n, n, 2.4 / n, 2.4 / n), {200, 0.42});
     for (auto _ : state) benchmark::DoNotOptimize(ConvolutionOperator(pair, n, n));
 }
 

@@ -29,7 +29,7 @@ Rolling rolling(int step) {
 
 ContactProblem problem_of(Model model) {
     ContactProblem problem;
-    problem.grid = Grid::centred(n, n, dx, dy);
+    problem.grid = Grid::of_elements(n, n, dx, dy);
     problem.bodies = Bodies::of({{82000, 0.28}, {82000, 0.28}});
     problem.model = model;
     problem.gap = SemiAxes{6, 4};

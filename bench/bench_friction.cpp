@@ -21,7 +21,7 @@ constexpr Material steel{82000, 0.28};
 /// 50 kN on semi-axes of about 6 x 4 mm; half of the contact slips.
 ContactProblem rolling_problem(int n) {
     ContactProblem problem;
-    problem.grid = Grid::centred(n, n, 13.2 / n, 8.8 / n);
+    problem.grid = Grid::of_elements(n, n, 13.2 / n, 8.8 / n);
     problem.bodies = {{steel}, {steel}};
     problem.gap = radii_of_force({6, 4}, (1 - steel.nu) / steel.G, 50000);
     problem.Fn = 50000;

@@ -8,7 +8,8 @@ using bench::Values;
 
 void A_p(benchmark::State& state) {
     const int n = static_cast<int>(state.range(0));
-    const ConvolutionOperator influence(bench::pair_table(Grid::centred(n, n, 2.4 / n, 2.4 / n), {200, 0.42}), n, n);
+    const ConvolutionOperator influence(bench::pair_table(Grid::of_elements(n, n, 2.4 / n, 2.4 / n), {200, 0.42}), n,
+                                        n);
     const Values p(influence.size(), 1.0);
     Values u(p.size());
     for (auto _ : state) influence.normal(p, u);

@@ -29,7 +29,7 @@ using proto::Frames;
 /// The paper's Cattaneo problem on n x n elements.
 ContactProblem cattaneo(int n, bool friction) {
     ContactProblem problem;
-    problem.grid = Grid::centred(n, n, 2.4 / n, 2.4 / n);
+    problem.grid = Grid::of_elements(n, n, 2.4 / n, 2.4 / n);
     problem.bodies = {{200, 0.42}, {200, 0.42}};
     problem.gap = Paraboloid{50, 50};
     problem.approach = 0.02;

@@ -23,7 +23,7 @@ const SemiAxes axes{6, 4};
 const EllipticContact contact{axes, Fn, steel};
 
 Grid window(int n) {
-    return Grid::centred(n, n, 13.2 / n, 8.8 / n);
+    return Grid::of_elements(n, n, 13.2 / n, 8.8 / n);
 }
 
 double seconds_of(std::clock_t ticks) {

@@ -24,7 +24,7 @@ struct Rolled {
     mutable Observer observer;
 
     Rolled(int nx, int ny) {
-        const Grid grid = Grid::centred(nx, ny, 13.2 / nx, 8.8 / ny);
+        const Grid grid = Grid::of_elements(nx, ny, 13.2 / nx, 8.8 / ny);
         problem.grid = grid;
         problem.bodies = {{Material::rigid()}, {steel}};
         problem.friction = FrictionLaw{{0.3}};

@@ -132,7 +132,7 @@ class Product {
     Product() : p_(nx * ny, 1), u_(nx * ny) {
         contactd::ContactProblem problem;
         problem.bodies = contactd::WheelRailSetup{}.bodies;
-        problem.grid = contactd::Grid::centred(static_cast<int>(nx), static_cast<int>(ny), 0.5, 0.5);
+        problem.grid = contactd::Grid::of_elements(static_cast<int>(nx), static_cast<int>(ny), 0.5, 0.5);
         influence_ = contactd::HalfSpaceCache(problem.bodies).of(problem);
     }
     double time() {

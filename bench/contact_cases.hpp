@@ -81,7 +81,7 @@ struct Cattaneo {
     mutable Observer observer;
 
     explicit Cattaneo(int n)
-        : grid(Grid::centred(n, n, 2.4 / n, 2.4 / n)),
+        : grid(Grid::of_elements(n, n, 2.4 / n, 2.4 / n)),
           influence(pair_table(grid, {200, 0.42}), n, n),
           gap(sampled(Paraboloid{50, 50}, grid)) {
         for (double& h : gap) h -= 0.02;
@@ -118,7 +118,7 @@ struct Elliptic {
     mutable Observer observer;
 
     explicit Elliptic(int n)
-        : grid(Grid::centred(n, n, 13.2 / n, 8.8 / n)),
+        : grid(Grid::of_elements(n, n, 13.2 / n, 8.8 / n)),
           pair(pair_table(grid, steel)),
           influence(pair, n, n),
           change(change_over_step(pair, shifted_half_spaces({{steel, steel}, LoadShape::constant}, grid, grid.dx, 0))),

@@ -208,7 +208,7 @@ void validate(const WheelRailSetup& setup) {
     check_slices(setup.wheel_slices);
     check(setup.wheelset);
     // The grid is known at each contact only; bodies that need one are checked there.
-    validate(setup.bodies, Grid::centred(2, 2, 1, 1));
+    validate(setup.bodies, Grid::of_elements(2, 2, 1, 1));
     for (const auto& [body, name] : {std::pair(&setup.bodies.upper, "bodies.upper.viscoelastic"),
                                      std::pair(&setup.bodies.lower, "bodies.lower.viscoelastic")})
         if (body->viscoelastic)

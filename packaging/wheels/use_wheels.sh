@@ -20,6 +20,11 @@ say "contactd[local], and nothing else: contactd.local() solves in process"
 install plain "contactd[local]"
 plain/bin/python "$here/try_local.py" || fail "contactd[local] does not work"
 plain/bin/python "$here/import_time.py" >&2
+plain/bin/python -m contactd.examples | grep -q '^cattaneo.py ' || fail "the examples are missing"
+plain/bin/python -m contactd.examples examples >/dev/null
+plain/bin/python examples/cattaneo.py | grep -q '^Fz 9.1973' || fail "an example does not work"
+plain/bin/python -m contactd.demo 2>&1 | grep -q 'pip install "contactd\[pictures\]"' || fail "the demo does not say what it lacks"
+rm -r examples
 
 say "contactd[local,daemon]: it also builds tables, in process and in a daemon"
 install plain "contactd[local,daemon]"
@@ -37,7 +42,9 @@ rm -r plain
 
 say "the guide and the tutorials, as they are written"
 python3 -m venv whole
-install whole "contactd[local,daemon,cli,hdf5,pictures,progress,xarray]"
+install whole "contactd[all]"
+whole/bin/python -m contactd.demo demo.png >&2
+[ -s demo.png ] || fail "the demo draws nothing"
 MPLBACKEND=Agg whole/bin/python "$here/test_guides.py" /srv/docs/python.md /srv/docs/tutorials/*.ipynb || fail "a guide failed"
 
 say "the command line, as its page has it"

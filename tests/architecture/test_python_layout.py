@@ -22,6 +22,7 @@ ARROWS = {
     "calls": ["values", "values/wheel_rail", "files", "transport"],
     "fits": ["", "values", "calls", "transport"],
     "wear": ["", "values", "values/wheel_rail", "files"],
+    "demo": ["", "values", "pictures"],
     "contact_files": ["", "values", "values/wheel_rail", "files", "contact_files/problems", "contact_files/answers", "contact_files/prints"],
     "contact_files/problems": ["values", "values/wheel_rail"],
     "contact_files/answers": ["values", "values/wheel_rail", "contact_files/problems"],

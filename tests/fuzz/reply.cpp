@@ -15,7 +15,8 @@ void decode(const std::string& method, const nlohmann::json& result, const Frame
     if (method == "contact.solve") decode_solve_reply(result, frames);
     if (method == "contact.solve_many") decode_solve_replies(result, frames);
     if (method == "contact.subsurface") decode_subsurface_reply(result, frames);
-    if (method == "contact.temperature") decode_temperature_reply(result, contactd::Grid::centred(2, 1, 1, 1), frames);
+    if (method == "contact.temperature")
+        decode_temperature_reply(result, contactd::Grid::of_elements(2, 1, 1, 1), frames);
     if (method == "wheelrail.solve") decode_wheel_rail_solution(result, frames);
     if (method == "wheelrail.wheelset") decode_wheelset_solution(result, frames);
     if (method == "wheelrail.geometry") decode_wheel_rail_geometries(result);
@@ -23,7 +24,7 @@ void decode(const std::string& method, const nlohmann::json& result, const Frame
     if (method == "wheelrail.geometry" && result.contains("contacts")) decode_contacts(result["contacts"]);
     if (method == "wheelrail.geometry" && result.contains("profiles")) decode_profiles(result["profiles"], frames);
     if (method == "session.info") decode_session_info(result);
-    if (method == "session.step") decode_step_reply(result, frames, contactd::Grid::centred(2, 1, 1, 1));
+    if (method == "session.step") decode_step_reply(result, frames, contactd::Grid::of_elements(2, 1, 1, 1));
 }
 
 }  // namespace

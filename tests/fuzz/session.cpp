@@ -51,7 +51,7 @@ void check_wheel_step(const Request& request) {
 /// A step is laid over sessions that differ in what it may leave out.
 std::vector<ContactProblem> sessions() {
     ContactProblem shift;
-    shift.grid = Grid::centred(3, 2, 0.1, 0.1);
+    shift.grid = Grid::of_elements(3, 2, 0.1, 0.1);
     shift.bodies = {{200, 0.42}, {200, 0.42}};
     shift.friction = FrictionLaw{{0.3}};
     ContactProblem rolling = shift, whole = shift;

@@ -97,7 +97,9 @@ def test_the_wheel_of_the_client_has_its_packages_and_nothing_of_other_wheels(tm
     assert made.name == f"contactd-{contactd.__version__}-py3-none-any.whl"
     assert {name.split("/")[0] for name in content if name.endswith(".py")} == {"contactd", "contactctl"}
     ours = {path.relative_to(ROOT / "client/python") for package in ("contactd", "contactctl") for path in (ROOT / "client/python" / package).rglob("*.py")}
-    assert {Path(name) for name in content if name.endswith(".py")} == ours
+    examples = {"contactd" / path.relative_to(ROOT / "client/python") for path in (ROOT / "client/python/examples").rglob("*.py")}
+    assert {Path(name) for name in content if name.endswith(".py")} == ours | examples
+    assert "contactd/examples/creep_tables/study.yaml" in content
     assert {"contactd/py.typed", "licenses/LICENSE"} <= content.keys()
 
 

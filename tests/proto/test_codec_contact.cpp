@@ -150,7 +150,7 @@ TEST_CASE("A problem may ask for an accuracy", "[codec]") {
 TEST_CASE("What a request leaves out has its default", "[codec]") {
     const ContactProblem read = decode_problem(wire::solve_params(), {});
 
-    CHECK(read.grid == Grid::centred(3, 2, 0.06, 0.06));
+    CHECK(read.grid == Grid::of_elements(3, 2, 0.06, 0.06));
     CHECK(read.bodies.lower == read.bodies.upper);
     CHECK(read.settings.normal == ContactProblem{}.settings.normal);
     CHECK(read.settings.tangential == ContactProblem{}.settings.tangential);
@@ -184,7 +184,7 @@ TEST_CASE("A radius left out is a flat direction, one corner may be given", "[co
     const ContactProblem read = decode_problem(params, {});
 
     CHECK(read.grid.x0 == 100);
-    CHECK(read.grid.y0 == Grid::centred(3, 2, 0.06, 0.06).y0);
+    CHECK(read.grid.y0 == Grid::of_elements(3, 2, 0.06, 0.06).y0);
     CHECK(read.gap == Gap{Paraboloid{infinity, -10}});
 }
 

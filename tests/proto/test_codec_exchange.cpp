@@ -25,7 +25,7 @@ GivenIcs given(int nx = 3, int ny = 2) {
 
 ContactProblem problem(const GivenIcs& ics) {
     ContactProblem problem;
-    problem.grid = Grid::centred(3, 2, 0.06, 0.06);
+    problem.grid = Grid::of_elements(3, 2, 0.06, 0.06);
     problem.gap = std::vector<double>(6, 0.1);
     problem.approach = 0.2;
     problem.bodies.pair = ics;
@@ -169,7 +169,7 @@ TEST_CASE("The answer says that coefficients were given", "[codec]") {
     reply.ics.pair = IcUse{"given", "abc", {}};
     reply.ics.pair->evidence.source = "table";
     ArrayWriter arrays(ArrayEncoding::frame);
-    const json result = encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays);
+    const json result = encode_solve_reply(reply, Grid::of_elements(3, 2, 1, 1), arrays);
     CHECK(violations_of("contact.solve.result", result).empty());
     const SolveReply read = decode_solve_reply(result, arrays.take_frames());
     REQUIRE(read.ics.pair);

@@ -20,7 +20,7 @@ const std::vector<double> gap{0, 1, 2, 3, 4, 5};
 
 ContactProblem problem(double approach) {
     ContactProblem problem;
-    problem.grid = Grid::centred(3, 2, 0.1, 0.1);
+    problem.grid = Grid::of_elements(3, 2, 0.1, 0.1);
     problem.bodies = {{200, 0.42}, {200, 0.42}};
     problem.gap = gap;
     problem.approach = approach;
@@ -136,7 +136,7 @@ TEST_CASE("Solutions and failures come back in their order", "[codec]") {
     Status status{StatusCode::invalid_argument, "grid.nx is bad.", "FIELD_INVALID", {{"grid.nx", "is bad"}}, 0};
     SolveReply second = wire::solve_reply();
     second.solution.forces.Fn = 1.0 / 3;
-    const Grid grid = Grid::centred(3, 2, 1, 1);
+    const Grid grid = Grid::of_elements(3, 2, 1, 1);
     std::vector<ResultOrStatus> results{encode_outcome(wire::solve_reply(), grid, ArrayEncoding::frame), status,
                                         encode_outcome(second, grid, ArrayEncoding::frame)};
     Frames frames;
@@ -156,7 +156,7 @@ TEST_CASE("Solutions and failures come back in their order", "[codec]") {
 TEST_CASE("A reply that is not finite fails alone and leaves no frames behind", "[codec]") {
     SolveReply bad = wire::solve_reply();
     bad.solution.traction_y[3] = std::numeric_limits<double>::quiet_NaN();
-    const Grid grid = Grid::centred(3, 2, 1, 1);
+    const Grid grid = Grid::of_elements(3, 2, 1, 1);
     Frames frames;
 
     const json result = encode_results("solutions",

@@ -35,7 +35,7 @@ TEST_CASE("A solution comes back exactly", "[codec]") {
         reply.solution.frictional_work.reset();
     }
     ArrayWriter arrays(encoding);
-    const json result = encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays);
+    const json result = encode_solve_reply(reply, Grid::of_elements(3, 2, 1, 1), arrays);
 
     CHECK(violations_of("contact.solve.result", result).empty());
     const SolveReply read = decode_solve_reply(sent(result), arrays.take_frames());
@@ -74,7 +74,7 @@ TEST_CASE("A solution comes back exactly", "[codec]") {
 
 TEST_CASE("A solution whose arrays disagree is refused", "[codec]") {
     ArrayWriter arrays(ArrayEncoding::list);
-    json result = encode_solve_reply(solve_reply(), Grid::centred(3, 2, 1, 1), arrays);
+    json result = encode_solve_reply(solve_reply(), Grid::of_elements(3, 2, 1, 1), arrays);
     SECTION("shape") {
         result["traction_x"].erase(0);
     }
@@ -100,11 +100,11 @@ TEST_CASE("The resultant on curved columns comes back", "[codec]") {
     SolveReply reply = solve_reply();
     reply.solution.resultant = Resultant{1, -2, 1.0 / 3, 4, 5e-9, -6};
     ArrayWriter arrays(ArrayEncoding::list);
-    const json result = encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays);
+    const json result = encode_solve_reply(reply, Grid::of_elements(3, 2, 1, 1), arrays);
     CHECK(violations_of("contact.solve.result", result).empty());
     CHECK(decode_solve_reply(sent(result), {}).solution.resultant == reply.solution.resultant);
     reply.solution.resultant->My = std::numeric_limits<double>::infinity();
-    CHECK_THROWS_AS(encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays), Error);
+    CHECK_THROWS_AS(encode_solve_reply(reply, Grid::of_elements(3, 2, 1, 1), arrays), Error);
 }
 
 TEST_CASE("Every motion comes back", "[codec]") {
@@ -118,7 +118,7 @@ TEST_CASE("Every motion comes back", "[codec]") {
         reply.solution.frictional_power = 1.0 / 3;
     }
     ArrayWriter arrays(ArrayEncoding::list);
-    const json result = sent(encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays));
+    const json result = sent(encode_solve_reply(reply, Grid::of_elements(3, 2, 1, 1), arrays));
     CHECK(violations_of("contact.solve.result", result).empty());
     const ContactSolution read = decode_solve_reply(result, {}).solution;
     CHECK(read.motion == reply.solution.motion);
@@ -129,18 +129,18 @@ TEST_CASE("A step that the request left out is told", "[codec]") {
     SolveReply reply = solve_reply();
     reply.solution.motion = Rolling{};
     ArrayWriter arrays(ArrayEncoding::list);
-    const json along_x = encode_solve_reply(reply, Grid::centred(3, 2, 0.25, 1), arrays)["motion"];
+    const json along_x = encode_solve_reply(reply, Grid::of_elements(3, 2, 0.25, 1), arrays)["motion"];
     CHECK(along_x["dq"] == 0.25);
     CHECK(along_x["spin_offset"] == 0);
     reply.solution.motion = Rolling{.chi = std::numbers::pi / 2};
-    CHECK(encode_solve_reply(reply, Grid::centred(3, 2, 0.25, 1), arrays)["motion"]["dq"] == 1);
+    CHECK(encode_solve_reply(reply, Grid::of_elements(3, 2, 0.25, 1), arrays)["motion"]["dq"] == 1);
 }
 
 TEST_CASE("Operators beyond the budget come back", "[codec]") {
     SolveReply reply = solve_reply();
     reply.operators = OperatorUse{true, 400'000'000, 268'435'456};
     ArrayWriter arrays(ArrayEncoding::list);
-    const json result = encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays);
+    const json result = encode_solve_reply(reply, Grid::of_elements(3, 2, 1, 1), arrays);
     CHECK(violations_of("contact.solve.result", result).empty());
     CHECK(decode_solve_reply(result, {}).operators == reply.operators);
 }
@@ -155,12 +155,12 @@ TEST_CASE("Errors of the discretisation come back", "[codec]") {
     }
     SECTION("none") {}
     ArrayWriter arrays(ArrayEncoding::list);
-    const json result = sent(encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays));
+    const json result = sent(encode_solve_reply(reply, Grid::of_elements(3, 2, 1, 1), arrays));
     CHECK(violations_of("contact.solve.result", result).empty());
     CHECK(decode_solve_reply(result, {}).solution.evidence.discretisation == reply.solution.evidence.discretisation);
-    const json step = sent(encode_step_reply(1, reply.solution, Grid::centred(3, 2, 1, 1), {}, arrays));
+    const json step = sent(encode_step_reply(1, reply.solution, Grid::of_elements(3, 2, 1, 1), {}, arrays));
     CHECK(violations_of("session.step.result", step).empty());
-    CHECK(decode_step_reply(step, {}, Grid::centred(3, 2, 1, 1)).solution.evidence.discretisation ==
+    CHECK(decode_step_reply(step, {}, Grid::of_elements(3, 2, 1, 1)).solution.evidence.discretisation ==
           reply.solution.evidence.discretisation);
 }
 
@@ -181,7 +181,7 @@ TEST_CASE("Derivatives come back exactly", "[codec]") {
     }
     reply.solution.derivatives = derivatives;
     reply.solution.evidence.derivatives = SolverEvidence{20, 1e-6, true, 0.01};
-    const Grid grid = Grid::centred(3, 2, 1, 1);
+    const Grid grid = Grid::of_elements(3, 2, 1, 1);
     ArrayWriter arrays(ArrayEncoding::list);
     const json result = sent(encode_solve_reply(reply, grid, arrays));
     CHECK(violations_of("contact.solve.result", result).empty());
@@ -203,7 +203,7 @@ TEST_CASE("Derivatives that are not finite are not sent", "[codec]") {
     reply.solution.derivatives = Derivatives{};
     reply.solution.derivatives->Fn = DerivativesOfAnswer{.mu = std::numeric_limits<double>::infinity()};
     ArrayWriter arrays(ArrayEncoding::list);
-    CHECK_THROWS_AS(encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays), Error);
+    CHECK_THROWS_AS(encode_solve_reply(reply, Grid::of_elements(3, 2, 1, 1), arrays), Error);
 }
 
 TEST_CASE("Evidence tells of the solvers that ran and of the coefficients that were used", "[codec]") {
@@ -225,7 +225,7 @@ TEST_CASE("Evidence tells of the solvers that ran and of the coefficients that w
         reply.ics.lower.reset();
     }
     ArrayWriter arrays(ArrayEncoding::list);
-    const json result = sent(encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays));
+    const json result = sent(encode_solve_reply(reply, Grid::of_elements(3, 2, 1, 1), arrays));
     CAPTURE(result["evidence"].dump());
     CHECK(violations_of("contact.solve.result", result).empty());
     const SolveReply read = decode_solve_reply(result, {});

@@ -58,7 +58,7 @@ TEMPLATE_TEST_CASE("Every field of what cannot be compared is written again as i
 
 TEST_CASE("Arrays of a problem have the shape of its grid", "[fields]") {
     ContactProblem problem;
-    problem.grid = Grid::centred(2, 1, 1, 1);
+    problem.grid = Grid::of_elements(2, 1, 1, 1);
     problem.gap = std::vector<double>{0, 0.5};
     problem.friction = FrictionLaw{{0.2, 0.3}};
     problem.rigid_slip = {{1, 2}, {3, 4}};

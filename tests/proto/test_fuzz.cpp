@@ -191,7 +191,7 @@ TEST_CASE("Damaged parameters are read or refused, with a field where a schema i
 TEST_CASE("Damaged answers are read or refused", "[fuzz]") {
     Generator generator(99);
     ArrayWriter arrays(ArrayEncoding::frame);
-    const json result = encode_solve_reply(wire::solve_reply(), Grid::centred(3, 2, 1, 1), arrays);
+    const json result = encode_solve_reply(wire::solve_reply(), Grid::of_elements(3, 2, 1, 1), arrays);
     const auto frames = arrays.take_frames();
     int read = 0;
     for (int i = 0; i < 2'000; ++i) {

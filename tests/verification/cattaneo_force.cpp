@@ -25,7 +25,7 @@ TEST_CASE("forces of the Cattaneo problem give back its shift", "[verification]"
                              Row{160, 3.22162302, 3464, 10556, 8});
     const bool both = GENERATE(true, false);
     CAPTURE(row.n, both);
-    const Grid grid = Grid::centred(row.n, row.n, 2.4 / row.n, 2.4 / row.n);
+    const Grid grid = Grid::of_elements(row.n, row.n, 2.4 / row.n, 2.4 / row.n);
     RandomFriction problem{grid, half_space_pair(grid, {200, 0.42}), {}, {}, {}, {}};
     const ConvolutionOperator influence(problem.table, row.n, row.n);
     Values gap;

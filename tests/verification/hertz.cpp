@@ -22,7 +22,7 @@ TEST_CASE("ellipses agree with Hertz", "[verification]") {
     const double e = std::sqrt(1 - b * b / (a * a)), K = std::comp_ellint_1(e), E = std::comp_ellint_2(e);
     const double common = p0 * b / (modulus * e * e * a * a);
     ContactProblem problem;
-    problem.grid = Grid::centred(100, 96, 2.2 * a / 100, 2.2 * b / 96);
+    problem.grid = Grid::of_elements(100, 96, 2.2 * a / 100, 2.2 * b / 96);
     problem.bodies = Bodies::of({steel, steel});
     problem.gap = Paraboloid{0.5 / (common * (K - E)), 0.5 / (common * (a * a / (b * b) * E - K))};
     problem.approach = p0 * b * K / modulus;
@@ -41,7 +41,7 @@ TEST_CASE("spheres of different materials agree with Hertz", "[verification]") {
     const MaterialPair bodies{{200, 0.42}, {3000, 0.1}};
     const auto hertz = reference::hertz(bodies, 20, 0.01);
     ContactProblem problem;
-    problem.grid = Grid::centred(90, 75, 2.4 * hertz.radius / 90, 2.4 * hertz.radius / 75);
+    problem.grid = Grid::of_elements(90, 75, 2.4 * hertz.radius / 90, 2.4 * hertz.radius / 75);
     problem.bodies = Bodies::of(bodies);
     problem.gap = Paraboloid{20, 20};
     problem.approach = 0.01;

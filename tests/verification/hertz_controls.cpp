@@ -25,7 +25,7 @@ Errors errors_of(const SemiAxes& axes, int n, bool force_prescribed) {
     const Material steel{82000, 0.28};
     const double compliance = (1 - steel.nu) / steel.G, Fn = 1000;
     const HertzContact exact = hertz_of_semi_axes_and_force(axes, compliance, Fn);
-    const Grid grid = Grid::centred(n, n, 2.4 * axes.a / n, 2.4 * axes.b / n);
+    const Grid grid = Grid::of_elements(n, n, 2.4 * axes.a / n, 2.4 * axes.b / n);
     const ConvolutionOperator influence(half_space_pair(grid, steel), n, n);
     Values distance = sampled(radii_of_force(axes, compliance, Fn), grid);
     Observer observer;

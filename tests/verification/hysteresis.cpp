@@ -27,7 +27,7 @@ struct Path {
     double shift = 0, work = 0;  // since the beginning: displacement of the force, and what friction dissipated
 
     Path() {
-        problem.grid = Grid::centred(n, n, 2.4 / n, 2.4 / n);
+        problem.grid = Grid::of_elements(n, n, 2.4 / n, 2.4 / n);
         problem.bodies = Bodies::of(bodies);
         problem.gap = Paraboloid{radius, radius};
         problem.approach = approach;

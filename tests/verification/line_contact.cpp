@@ -31,7 +31,7 @@ Ics line_contact_ics(double distance) {
 
 ContactProblem pressed(int n = 500) {
     ContactProblem problem;
-    problem.grid = Grid::centred(n, 1, 2.2 * cylinder.half_width / n, length);
+    problem.grid = Grid::of_elements(n, 1, 2.2 * cylinder.half_width / n, length);
     problem.bodies = Bodies::of(bodies, line_contact_ics(datum));
     problem.gap = Paraboloid{radius, std::numeric_limits<double>::infinity()};
     problem.Fn = P * length;

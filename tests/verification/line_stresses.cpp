@@ -20,7 +20,7 @@ constexpr double nu = 0.3;
 const Points inside{{0, 0, -0.786}, {0.3, 5, -0.5}, {-0.95, -1e6, -0.2}, {1.5, 3, -0.7}, {-4, 0, -2}, {0.4, 0, -8}};
 
 Grid row(int n = 2000) {
-    return Grid::centred(n, 1, 2.2 / n, 0.7);
+    return Grid::of_elements(n, 1, 2.2 / n, 0.7);
 }
 
 /// Hertz's pressure with p0 = 1 on |x| < 1.
@@ -82,7 +82,7 @@ TEST_CASE("below a sliding cylinder stresses are McEwen's", "[verification]") {
 }
 
 TEST_CASE("a traction along a line contact makes anti-plane shear", "[verification]") {
-    const Grid strip = Grid::centred(1, 1, 2, 0.7);
+    const Grid strip = Grid::of_elements(1, 1, 2, 0.7);
     const auto stress = at(strip, {{}, {1}, {}}, inside);
     for (std::size_t i = 0; i < inside.size(); ++i) {
         const auto [x, y, z] = inside[i];
@@ -96,7 +96,7 @@ TEST_CASE("a traction along a line contact makes anti-plane shear", "[verificati
 
 TEST_CASE("a line contact is the limit of long elements, at points and on blocks", "[verification]") {
     const int n = 40;
-    Grid grid = Grid::centred(n, 1, 0.05, 1e6);
+    Grid grid = Grid::of_elements(n, 1, 0.05, 1e6);
     SurfaceTractions tractions{Values(n), Values(n), Values(n)};
     for (int ix = 0; ix < n; ++ix) {
         const auto e = static_cast<std::size_t>(ix);
@@ -123,7 +123,7 @@ TEST_CASE("a line contact is the limit of long elements, at points and on blocks
 }
 
 TEST_CASE("the surface of a line contact carries its tractions", "[verification]") {
-    const Grid grid = Grid::centred(3, 1, 1, 1);
+    const Grid grid = Grid::of_elements(3, 1, 1, 1);
     const auto stress =
         at(grid, {{0, 0.2, 0}, {0, -0.1, 0}, {-1, -2, -3}}, {{-1, 0, 0}, {0, 0, 0}, {1.5, 0, 0}, {9, 0, 0}});
     CHECK_THAT(stress.zz[0], WithinAbs(-1, 1e-14));
@@ -135,7 +135,7 @@ TEST_CASE("the surface of a line contact carries its tractions", "[verification]
 }
 
 TEST_CASE("a line contact has one row of elements, also for its stresses", "[verification]") {
-    const Grid grid = Grid::centred(2, 2, 1, 1);
+    const Grid grid = Grid::of_elements(2, 2, 1, 1);
     const SurfaceTractions tractions{{}, {}, {-1, -1, -1, -1}};
     try {
         at(grid, tractions, inside);

@@ -21,7 +21,7 @@ struct EllipticCase : RollingCase {
     NormalSolution normal;
 
     explicit EllipticCase(double spin_offset)
-        : RollingCase(Grid::centred(25, 25, 13.2 / 25, 8.8 / 25), {82000, 0.28}, 1, 0, 13.2 / 25) {
+        : RollingCase(Grid::of_elements(25, 25, 13.2 / 25, 8.8 / 25), {82000, 0.28}, 1, 0, 13.2 / 25) {
         const Paraboloid gap = radii_of_force({6, 4}, (1 - 0.28) / 82000, 50000);
         Observer observer;
         normal =
@@ -95,7 +95,7 @@ TEST_CASE("small creepages give Kalker's coefficients, the better the finer the 
         double C11, C22, C23, C32, C33;
     };
     const auto coefficients = [&](int n) {
-        RollingCase rolling(Grid::centred(n, n, 2.0 / n, 2.0 / n), {1, 0.25}, 1, 0, 2.0 / n);
+        RollingCase rolling(Grid::of_elements(n, n, 2.0 / n, 2.0 / n), {1, 0.25}, 1, 0, 2.0 / n);
         const auto forces = [&](double xi, double eta, double phi) {
             rolling.set(xi, eta, phi);
             const RollingSolution solution = rolling.steady();
@@ -138,7 +138,7 @@ TEST_CASE("a long line contact rolls as Carter describes", "[verification]") {
         // Elements may not be longer than this; three of them are long enough for the middle one.
         const double dy = 999 * dx;
         const int ny = 2 * static_cast<int>(std::ceil(20 * contact.half_width / dy)) + 1;
-        RollingCase rolling(Grid::centred(n, ny, dx, dy), material, 1, 0, dx);
+        RollingCase rolling(Grid::of_elements(n, ny, dx, dy), material, 1, 0, dx);
         for (std::size_t i = 0; i < rolling.bound.size(); ++i) {
             const double x = rolling.grid.x(static_cast<int>(i) % n) / contact.half_width;
             rolling.bound[i] = mu * contact.pmax * std::sqrt(1 - x * x);

@@ -18,7 +18,7 @@ constexpr double mu = 0.3, Fn = 50000, bound = mu * Fn;
 
 ContactProblem ellipse(double a, double b, const Material& material, int n, const Rolling& rolling) {
     ContactProblem problem;
-    problem.grid = Grid::centred(n, n, 2.2 * a / n, 2.2 * b / n);
+    problem.grid = Grid::of_elements(n, n, 2.2 * a / n, 2.2 * b / n);
     problem.bodies = Bodies::of({material, material});
     problem.gap = SemiAxes{a, b};
     problem.Fn = Fn;

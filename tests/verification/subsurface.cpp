@@ -35,7 +35,7 @@ Values depths(double deepest, int n) {
 
 TEST_CASE("stresses on the axis of a circular contact agree with Hertz", "[verification]") {
     const double nu = GENERATE(0.0, 0.3, 0.5);
-    const Grid grid = Grid::centred(160, 160, 2.2 / 160, 2.2 / 160);
+    const Grid grid = Grid::of_elements(160, 160, 2.2 / 160, 2.2 / 160);
     const StressBlock axis{{0}, {0}, depths(3, 300)};
     Observer observer;
 
@@ -57,7 +57,7 @@ TEST_CASE("stresses on the axis of a circular contact agree with Hertz", "[verif
 }
 
 TEST_CASE("the largest von Mises stress of a circular contact lies on its axis", "[verification]") {
-    const Grid grid = Grid::centred(41, 41, 2.2 / 41, 2.2 / 41);
+    const Grid grid = Grid::of_elements(41, 41, 2.2 / 41, 2.2 / 41);
     StressBlock block{{}, {}, depths(1, 50)};
     for (int i = 0; i < 41; ++i) block.x.push_back(grid.x(i));
     block.y = block.x;
@@ -71,7 +71,7 @@ TEST_CASE("the largest von Mises stress of a circular contact lies on its axis",
 
 TEST_CASE("a long contact is in plane strain as Hertz's line contact", "[verification]") {
     const double nu = 0.3;
-    const Grid grid = Grid::centred(400, 1, 2.0 / 400, 1e6);
+    const Grid grid = Grid::of_elements(400, 1, 2.0 / 400, 1e6);
     const StressBlock axis{{0}, {0}, depths(3, 60)};
     Observer observer;
     const auto stress = subsurface_stress(
@@ -88,7 +88,7 @@ TEST_CASE("a strip dragged along is sheared as in plane strain", "[verification]
     // Line forces Q along x give a radial stress -2 Q cos(t)/(pi r) (Johnson, section 2.3), integrated over |x| < 1.
     const double nu = 0.3;
     Observer observer;
-    const Grid strip = Grid::centred(1, 1, 2, 1e6);
+    const Grid strip = Grid::of_elements(1, 1, 2, 1e6);
     for (const auto& [x, d] : {std::pair{0.3, 0.5}, {-1.4, 0.2}, {2.5, 1.5}}) {
         const auto s =
             subsurface_stress(strip, {{1}, {}, {}}, nu, std::vector<std::array<double, 3>>{{x, 0, -d}}, observer);
@@ -102,7 +102,7 @@ TEST_CASE("a strip dragged along is sheared as in plane strain", "[verification]
 }
 
 TEST_CASE("planes below the surface carry the normal force", "[verification]") {
-    const Grid grid = Grid::centred(8, 6, 0.5, 0.4);
+    const Grid grid = Grid::of_elements(8, 6, 0.5, 0.4);
     std::mt19937 generator(1);
     std::uniform_real_distribution<double> uniform(0, 1);
     Values pressure(48), tangential(48);
@@ -127,7 +127,7 @@ TEST_CASE("planes below the surface carry the normal force", "[verification]") {
 }
 
 TEST_CASE("stresses are in equilibrium inside the body", "[verification]") {
-    const Grid grid = Grid::centred(5, 4, 0.5, 0.7);
+    const Grid grid = Grid::of_elements(5, 4, 0.5, 0.7);
     std::mt19937 generator(2);
     std::uniform_real_distribution<double> uniform(-1, 1);
     SurfaceTractions tractions{Values(20), Values(20), Values(20)};

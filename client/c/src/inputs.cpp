@@ -159,7 +159,7 @@ const Section* ContactInputs::section_of(bool upper_one) const {
 
 Grid ContactInputs::grid() const {
     Grid grid = problem.grid;
-    const Grid centre = Grid::centred(grid.nx, grid.ny, grid.dx, grid.dy);
+    const Grid centre = Grid::of_elements(grid.nx, grid.ny, grid.dx, grid.dy);
     if (grid.x0 == centred) grid.x0 = centre.x0;
     if (grid.y0 == centred) grid.y0 = centre.y0;
     return grid;

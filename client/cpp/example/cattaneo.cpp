@@ -13,10 +13,10 @@ int main(int argc, char** argv) {
     }
     try {
         contactd::ContactProblem problem;
-        problem.grid = contactd::Grid::centred(40, 40, 0.06, 0.06);  // mm
-        problem.bodies = {{200, 0.42}, {200, 0.42}};                 // G (N/mm^2), nu
-        problem.gap = contactd::Paraboloid{50, 50};                  // radii (mm)
-        problem.approach = 0.02;                                     // mm; or problem.Fn, a force (N)
+        problem.grid = contactd::Grid::of_elements(40, 40, 0.06, 0.06);  // mm
+        problem.bodies = {{200, 0.42}, {200, 0.42}};                     // G (N/mm^2), nu
+        problem.gap = contactd::Paraboloid{50, 50};                      // radii (mm)
+        problem.approach = 0.02;                                         // mm; or problem.Fn, a force (N)
         contactd::Shift shift;
         shift.rigid_shift.x = 0.00817;  // mm
         problem.friction = contactd::FrictionLaw{{0.4}};

@@ -10,6 +10,7 @@ from contactd import (
     ConnectionFailed,
     DaemonFailed,
     InternalError,
+    MissingExtra,
     ProtocolError,
     StatusError,
     TimeoutExpired,
@@ -52,6 +53,9 @@ class Ended(Exception):
         super().__init__(message)
         self.code = code
 
+    def __reduce__(self) -> tuple[object, ...]:
+        return type(self), (self.code, str(self))  # workers of a cluster send it
+
 
 class HungUp(KeyboardInterrupt):
     """SIGHUP: the terminal has gone. It interrupts as Ctrl-C does."""
@@ -75,6 +79,7 @@ def code_of(error: BaseException) -> Code:
         (Unavailable, Code.CONNECTION),
         (Cancelled, Code.CANCELLED),
         (InternalError, Code.FAILED),
+        (MissingExtra, Code.USAGE),
     )
     for kind, code in kinds:
         if isinstance(error, kind):

@@ -1,4 +1,5 @@
-"""Fields by their paths, as refusals name them: ``friction.rolling.xi``, ``ics.layers[0].G``."""
+"""Fields by their paths, as refusals name them: ``friction.rolling.xi``, ``ics.layers[0].G``; and Young's modulus, which the
+wire has not, in place of the shear modulus."""
 
 from __future__ import annotations
 
@@ -11,7 +12,7 @@ import click
 from contactd.values import field_paths
 from contactd.values.field_paths import copied
 
-__all__ = ["changed", "copied", "get", "parts", "put"]
+__all__ = ["changed", "copied", "get", "parts", "put", "with_shear_moduli"]
 
 
 def parts(path: str) -> list[str | int]:
@@ -39,14 +40,38 @@ def get(document: Any, path: str) -> Any:
 
 
 def changed(document: dict[str, Any], settings: Iterable[str]) -> dict[str, Any]:
-    """A copy with each PATH=VALUE of the command line in place; a value is JSON, or else a text."""
+    """A copy with each PATH=VALUE of the command line in place; a value is JSON, or else a text. Of materials it has shear
+    moduli, as with_shear_moduli makes them."""
     found: dict[str, Any] = copied(document)
     for setting in settings:
         path, sign, text = setting.partition("=")
         if not sign:
             raise click.UsageError(f"--set {setting}: it must be PATH=VALUE, such as friction.mu=0.3.")
         put(found, path, _value(text))
+    with_shear_moduli(found)
     return found
+
+
+def with_shear_moduli(document: Any, path: str = "") -> None:
+    """Puts G = E / (2 (1 + nu)) in the place of E where an object has both E and nu. Changes `document`.
+
+    Raises click.UsageError for E that stands beside G, or is no positive number.
+    """
+    if isinstance(document, list):
+        for i, item in enumerate(document):
+            with_shear_moduli(item, f"{path}[{i}]")
+    if not isinstance(document, dict):
+        return
+    if "E" in document and isinstance(nu := document.get("nu"), (int, float)) and nu > -1:
+        E = document.pop("E")
+        where = f"{path}.E" if path else "E"
+        if "G" in document:
+            raise click.UsageError(f"{where} stands beside G; a material is given by either of them, and by nu.")
+        if isinstance(E, bool) or not isinstance(E, (int, float)) or not E > 0:
+            raise click.UsageError(f"{where} is {E!r:.60}; Young's modulus must be a positive number.")
+        document["G"] = E / (2 * (1 + nu))
+    for name, item in document.items():
+        with_shear_moduli(item, f"{path}.{name}" if path else name)
 
 
 def _value(text: str) -> Any:

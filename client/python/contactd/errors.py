@@ -8,6 +8,7 @@
     |   +-- DeadlineExceeded      ... and the daemon said so itself; also a StatusError
     +-- ProtocolError             an answer that breaks docs/protocol.md
     +-- DaemonFailed              LocalDaemon: the daemon did not start or did not end in order
+    +-- MissingExtra              what an extra brings is not installed; the sentence says which     (ImportError)
     +-- TableFileError            a file that holds no table of coefficients, or a damaged one      (ValueError)
     +-- SavedFileError            a file that holds no problem or solution, or a damaged one         (ValueError)
     +-- StatusError               the daemon refused; .code, .name, .reason, .message
@@ -48,6 +49,7 @@ __all__ = [
     "FailedPrecondition",
     "InternalError",
     "InvalidArgument",
+    "MissingExtra",
     "NotFound",
     "OutOfRange",
     "PermissionDenied",
@@ -87,6 +89,24 @@ class ProtocolError(ContactdError):
 
 class DaemonFailed(ContactdError):
     """A daemon that LocalDaemon started did not become ready, or did not end in order."""
+
+
+class MissingExtra(ContactdError, ImportError):
+    """A package that one of contactd's extras brings is not installed. `extra` is the name of the extra.
+
+    Attributes:
+        extra: Name of the extra, as in ``pip install "contactd[pictures]"``.
+    """
+
+    def __init__(self, task: str, package: str, extra: str, debian: str = "") -> None:
+        """`task` needs `package`, which Debian has as `debian`."""
+        on_debian = f", or on Debian {debian}" if debian else ""
+        super().__init__(f'{task} needs {package}: pip install "contactd[{extra}]"{on_debian}.', name=package)
+        self.extra = extra
+        self._inputs = (task, package, extra, debian)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return type(self), self._inputs
 
 
 class TableFileError(ContactdError, ValueError):

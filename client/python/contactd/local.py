@@ -16,7 +16,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from .client import Client, ClientOptions
-from .errors import DaemonFailed
+from .errors import DaemonFailed, MissingExtra
 from .refusals import public
 from .transport.connections import ConnectionPool
 from .transport.in_process import Engine, can_solve_here
@@ -76,7 +76,8 @@ def local(
 
     A client that solves in process belongs to it: it cannot be pickled, and a process that is forked opens its own.
 
-    Raises DaemonFailed when the daemon or the engine cannot be started.
+    Raises DaemonFailed when the daemon or the engine cannot be started, and MissingExtra when `in_process` insists on the
+    extension and it is not installed.
     """
     why = _needs_daemon(program, checked(config))
     if in_process and why:
@@ -85,7 +86,7 @@ def local(
         in_process = not why and can_solve_here()
     if in_process:
         if not can_solve_here():
-            raise DaemonFailed("contactd_local is not installed, which solving in process takes; local() needs it not.")
+            raise MissingExtra("Solving in process", "contactd_local", "local", "python3-contactd-local")
         return InProcessClient(folder, config)
     return _ClientOfItsOwn(LocalDaemon(program, folder=folder, config=config))
 
@@ -218,7 +219,7 @@ class LocalDaemon:
         except OSError as error:
             if self._temporary:
                 shutil.rmtree(self.folder, ignore_errors=True)
-            advice = "" if os.sep in program else " Put it on PATH, or name it: LocalDaemon(program); pip install contactd-daemon brings one."
+            advice = "" if os.sep in program else " Put it on PATH, or name it: LocalDaemon(program); pip install \"contactd[daemon]\" brings one."
             raise DaemonFailed(f"{program} cannot be started: {error.strerror}.{advice}") from None
 
     def _wait_until_ready(self, timeout: float) -> None:

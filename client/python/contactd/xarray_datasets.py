@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .errors import MissingExtra
 from .values.grid import Grid
 from .values.solution import Solution
 from .values.subsurface import SubsurfaceStress
@@ -41,7 +42,7 @@ def _xarray() -> Any:
     try:
         import xarray
     except ImportError:
-        raise ImportError('to_xarray() needs xarray: pip install "contactd[xarray]"', name="xarray") from None
+        raise MissingExtra("to_xarray()", "xarray", "xarray", "python3-xarray") from None
     return xarray
 
 

@@ -1,16 +1,17 @@
 """The Cattaneo problem of the paper (section 4): a sphere is pressed on a plane, then shifted.
 
-Run: cattaneo.py [ENDPOINT], e.g. tcp://127.0.0.1:5555; without one it starts a daemon of its own (`contactd` on PATH).
+Run: cattaneo.py [ENDPOINT], e.g. tcp://127.0.0.1:5555; without one it solves
+in its own process (contactd-local), or starts a daemon of its own.
 """
 
 import sys
 from contextlib import ExitStack
 
-from contactd import Client, Friction, Grid, LocalDaemon, Material, Paraboloid
+import contactd
+from contactd import Client, Friction, Grid, Material, Paraboloid
 
 with ExitStack() as stack:
-    endpoint = sys.argv[1] if sys.argv[1:] else stack.enter_context(LocalDaemon()).endpoint
-    client = stack.enter_context(Client(endpoint, timeout=60))
+    client = stack.enter_context(Client(sys.argv[1], timeout=60) if sys.argv[1:] else contactd.local())
     solution = client.solve(
         grid=Grid.centred(40, 40, 2.4, 2.4),
         upper=Material(G=200, nu=0.42),

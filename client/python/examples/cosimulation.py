@@ -6,20 +6,21 @@ sticks and slips depends on the way.
 
 Units: N, mm, s, and t for masses, so that energies are in mJ.
 
-Run: cosimulation.py [ENDPOINT]; without one it starts a daemon of its own (`contactd` on PATH).
+Run: cosimulation.py [ENDPOINT]; without one it solves
+in its own process (contactd-local), or starts a daemon of its own.
 """
 
 import sys
 from contextlib import ExitStack
 
-from contactd import Client, Friction, Grid, LocalDaemon, Material, Paraboloid
+import contactd
+from contactd import Client, Friction, Grid, Material, Paraboloid
 
 MASS = 5e-4  # t
 LARGEST_CHANGE = 40.0  # N, of the force over one step
 
 with ExitStack() as stack:
-    endpoint = sys.argv[1] if sys.argv[1:] else stack.enter_context(LocalDaemon()).endpoint
-    client = stack.enter_context(Client(endpoint))
+    client = stack.enter_context(Client(sys.argv[1]) if sys.argv[1:] else contactd.local())
     session = stack.enter_context(
         client.session(
             grid=Grid.centred(25, 25, 10, 10),

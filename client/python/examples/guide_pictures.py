@@ -13,7 +13,8 @@ from typing import Any
 import matplotlib.pyplot as plt
 import numpy as np
 
-from contactd import Client, LocalDaemon
+import contactd
+from contactd import Client
 
 GUIDE = Path(__file__).parents[3] / "docs" / "contact.md"
 
@@ -100,8 +101,7 @@ def main() -> None:
         raise SystemExit("usage: guide_pictures.py FOLDER [ENDPOINT]")
     folder = Path(sys.argv[1])
     with ExitStack() as stack:
-        endpoint = sys.argv[2] if sys.argv[2:] else stack.enter_context(LocalDaemon()).endpoint
-        names = results_of_guide(stack.enter_context(Client(endpoint, timeout=120)))
+        names = results_of_guide(stack.enter_context(Client(sys.argv[2], timeout=120) if sys.argv[2:] else contactd.local()))
     draw_cattaneo(names, folder / "contact-cattaneo.png")
     draw_carter(names, folder / "contact-carter.png")
     draw_wheel(names, folder / "contact-wheel.png")

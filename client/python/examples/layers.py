@@ -1,17 +1,18 @@
 """A ball on rubber that is bonded to steel, from thick to thin, and with Poisson's ratio 0.5: what a half-space gets wrong.
 
-Run: layers.py [ENDPOINT]; without one it starts a daemon of its own (`contactd` on PATH).
+Run: layers.py [ENDPOINT]; without one it solves
+in its own process (contactd-local), or starts a daemon of its own.
 """
 
 import math
 import sys
 from contextlib import ExitStack
 
-from contactd import Client, Grid, Layer, LayeredBody, LocalDaemon, Material, Paraboloid, RigidBody
+import contactd
+from contactd import Client, Grid, Layer, LayeredBody, Material, Paraboloid, RigidBody
 
 with ExitStack() as stack:
-    endpoint = sys.argv[1] if sys.argv[1:] else stack.enter_context(LocalDaemon()).endpoint
-    client = stack.enter_context(Client(endpoint))
+    client = stack.enter_context(Client(sys.argv[1]) if sys.argv[1:] else contactd.local())
     grid, ball, steel = Grid.centred(64, 64, 9, 9), Paraboloid(50, 50), Material(G=82000, nu=0.28)
 
     def press(name, lower):

@@ -12,7 +12,8 @@ from typing import Any
 
 import matplotlib.pyplot as plt
 
-from contactd import Client, LocalDaemon
+import contactd
+from contactd import Client
 
 PAGE = Path(__file__).parents[3] / "docs" / "temperature.md"
 
@@ -49,8 +50,7 @@ def main() -> None:
     if not sys.argv[1:]:
         raise SystemExit("usage: temperature_picture.py FILE [ENDPOINT]")
     with ExitStack() as stack:
-        endpoint = sys.argv[2] if sys.argv[2:] else stack.enter_context(LocalDaemon()).endpoint
-        names = results_of_page(stack.enter_context(Client(endpoint, timeout=120)))
+        names = results_of_page(stack.enter_context(Client(sys.argv[2], timeout=120) if sys.argv[2:] else contactd.local()))
     draw(names, Path(sys.argv[1]))
 
 

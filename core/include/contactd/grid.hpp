@@ -15,8 +15,9 @@ struct Grid {
     double x0 = 0;  ///< x of the lower left corner of element (0, 0) (mm)
     double y0 = 0;  ///< y of the same corner (mm)
 
-    /// The grid whose centre is the origin.
-    static Grid centred(int nx, int ny, double dx, double dy) {
+    /// nx x ny elements of size dx x dy whose middle is the origin. (Python's Grid.centred takes the size of the
+    /// whole.)
+    static Grid of_elements(int nx, int ny, double dx, double dy) {
         return {nx, ny, dx, dy, -0.5 * nx * dx, -0.5 * ny * dy};
     }
 

@@ -279,7 +279,7 @@ double RightWheel::simplified_force(double z, std::vector<CandidatePatch> candid
     double force = 0;
     for (CandidatePatch& found : candidates) {
         // Forces of a whole ellipse need no elements, and those that are sums over elements all of them.
-        if (!rolls_on_elements(problem_of(found))) found.place.grid = Grid::centred(1, 1, setup_.dx, setup_.dy);
+        if (!rolls_on_elements(problem_of(found))) found.place.grid = Grid::of_elements(1, 1, setup_.dx, setup_.dy);
         force += forces_of(solve(found, problem_of(found), influences_, observer), z).track.Fz;
     }
     return force;

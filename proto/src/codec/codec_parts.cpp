@@ -10,7 +10,7 @@ using nlohmann::json;
 json encode_grid(const Grid& grid) {
     json result = object(
         {{"nx", grid.nx}, {"ny", grid.ny}, {"dx", finite(grid.dx, "grid.dx")}, {"dy", finite(grid.dy, "grid.dy")}});
-    const Grid centred = Grid::centred(grid.nx, grid.ny, grid.dx, grid.dy);
+    const Grid centred = Grid::of_elements(grid.nx, grid.ny, grid.dx, grid.dy);
     if (grid.x0 != centred.x0) result["x0"] = finite(grid.x0, "grid.x0");
     if (grid.y0 != centred.y0) result["y0"] = finite(grid.y0, "grid.y0");
     return result;
@@ -27,8 +27,8 @@ int decode_count(const json& grid, const char* name) {
 }
 
 Grid decode_grid(const json& source) {
-    Grid grid = Grid::centred(decode_count(source, "nx"), decode_count(source, "ny"), source["dx"].get<double>(),
-                              source["dy"].get<double>());
+    Grid grid = Grid::of_elements(decode_count(source, "nx"), decode_count(source, "ny"), source["dx"].get<double>(),
+                                  source["dy"].get<double>());
     grid.x0 = source.value("x0", grid.x0);
     grid.y0 = source.value("y0", grid.y0);
     // Before anything of its size is allocated.

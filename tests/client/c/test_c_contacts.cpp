@@ -14,7 +14,7 @@ namespace {
 
 contactd::SessionSpec sphere_spec() {
     contactd::SessionSpec spec;
-    spec.setup.grid = contactd::Grid::centred(across, across, 0.2, 0.2);
+    spec.setup.grid = contactd::Grid::of_elements(across, across, 0.2, 0.2);
     spec.setup.bodies = {{200, 0.42}, {200, 0.42}};
     spec.load.gap = contactd::Paraboloid{50, 50};
     spec.load.approach = 0.02;

@@ -28,7 +28,7 @@ ContactSolution solve(const ContactProblem& problem) {
 /// wheel() in core's words.
 ContactProblem wheel_problem() {
     ContactProblem problem;
-    problem.grid = Grid::centred(25, 25, 2 * 6 * 1.1 / 25, 2 * 4 * 1.1 / 25);
+    problem.grid = Grid::of_elements(25, 25, 2 * 6 * 1.1 / 25, 2 * 4 * 1.1 / 25);
     problem.bodies = Bodies::of({{82000, 0.28}, {82000, 0.28}});
     problem.gap = SemiAxes{6, 4};
     problem.Fn = 50000;
@@ -212,7 +212,7 @@ TEST_CASE("every line of the table of creepages is that of solve_contact") {
         const auto [dx, dy] = table.contact().element_size();
         const Creepages creepages = CreepTable::creepages(k);
         ContactProblem problem = wheel_problem();
-        problem.grid = Grid::centred(CreepTable::elements, CreepTable::elements, dx, dy);
+        problem.grid = Grid::of_elements(CreepTable::elements, CreepTable::elements, dx, dy);
         problem.bodies = Bodies::of({{1, CreepTable::nu}, {1, CreepTable::nu}});
         problem.gap = Paraboloid{1 / (2 * hertz[0]), 1 / (2 * hertz[1])};
         problem.Fn = 1;

@@ -18,7 +18,7 @@ inline const nlohmann::json healthy{{"state", "serving"}};
 
 inline ContactProblem problem() {
     ContactProblem problem;
-    problem.grid = Grid::centred(3, 2, 0.1, 0.1);
+    problem.grid = Grid::of_elements(3, 2, 0.1, 0.1);
     problem.bodies = {{200, 0.42}, {200, 0.42}};
     problem.gap = Paraboloid{50, 50};
     problem.approach = 0.02;

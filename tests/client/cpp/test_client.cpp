@@ -91,7 +91,7 @@ TEST_CASE("Of many problems the one that cannot be solved is named", "[client]")
 
 TEST_CASE("Stresses are asked for and read", "[client]") {
     SubsurfaceRequest request;
-    request.grid = Grid::centred(2, 1, 0.1, 0.1);
+    request.grid = Grid::of_elements(2, 1, 0.1, 0.1);
     request.nu = 0.3;
     request.body = ContactBody::upper;
     request.pressure = {1, 2};
@@ -132,7 +132,7 @@ TEST_CASE("Stresses are asked for and read", "[client]") {
 
 TEST_CASE("Temperatures are asked for and read", "[client]") {
     TemperatureRequest request;
-    request.grid = Grid::centred(2, 1, 0.1, 0.1);
+    request.grid = Grid::of_elements(2, 1, 0.1, 0.1);
     request.temperature.upper.bulk_temperature = 20;
     request.velocity = 2e4;
     request.pressure = {1, 2};
@@ -258,7 +258,7 @@ TEST_CASE("What the daemon says of itself is read", "[client]") {
         REQUIRE(solves.size() == 2);
         CHECK(solves[0].number == 17);
         CHECK(solves[0].method == "contact.solve");
-        CHECK(solves[0].grid == Grid::centred(40, 40, 0.06, 0.06));
+        CHECK(solves[0].grid == Grid::of_elements(40, 40, 0.06, 0.06));
         CHECK(solves[0].forces == std::array{3.1, 0.0, 10.5});
         CHECK(solves[0].has_pressures);
         CHECK_FALSE(solves[1].grid);

@@ -174,7 +174,7 @@ TEST_CASE("What cannot be solved or sent is refused before it is sent", "[client
     CHECK_THROWS_AS(client.solve(bad), InvalidArgument);
 
     ContactProblem large = problem();
-    large.grid = Grid::centred(50, 50, 0.1, 0.1);
+    large.grid = Grid::of_elements(50, 50, 0.1, 0.1);
     large.gap = Paraboloid{50, 50};
     try {
         client.solve(large);

@@ -74,7 +74,7 @@ TEST_CASE("A daemon answers every call of the client", "[client][daemon]") {
     CHECK(reply.table(contactd::Axis::z, contactd::Axis::z, 0, 0) > 0);
 
     contactd::ContactProblem problem;
-    problem.grid = contactd::Grid::centred(8, 8, 0.3, 0.3);
+    problem.grid = contactd::Grid::of_elements(8, 8, 0.3, 0.3);
     problem.bodies = {{200, 0.42}, {contactd::Material::rigid()}};
     problem.gap = contactd::Paraboloid{50, 50};
     problem.Fn = 9.2;
@@ -143,7 +143,7 @@ TEST_CASE("A session steps, goes back and comes to the same", "[client][daemon]"
     Daemon daemon;
     contactd::client::Client client(daemon.endpoint(), {.connect_timeout = 20s});
     contactd::SessionSpec spec;
-    spec.setup.grid = contactd::Grid::centred(12, 12, 0.2, 0.2);
+    spec.setup.grid = contactd::Grid::of_elements(12, 12, 0.2, 0.2);
     spec.setup.bodies = {{200, 0.42}, {200, 0.42}};
     spec.load.gap = contactd::Paraboloid{50, 50};
     contactd::Shift shift;

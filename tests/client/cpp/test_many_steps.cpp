@@ -11,7 +11,7 @@ namespace {
 
 ContactProblem ball_on_plate() {
     ContactProblem problem;
-    problem.grid = Grid::centred(10, 8, 0.5, 0.5);
+    problem.grid = Grid::of_elements(10, 8, 0.5, 0.5);
     problem.bodies = Bodies::of({{82000, 0.28}, {82000, 0.28}});
     problem.gap = Paraboloid{400, 400};
     problem.Fn = 5000;

@@ -20,7 +20,7 @@ constexpr int contacts = 48, threads = 4;
 
 ContactProblem contact(int number) {
     ContactProblem problem;
-    problem.grid = Grid::centred(12, 12, 0.2, 0.2);
+    problem.grid = Grid::of_elements(12, 12, 0.2, 0.2);
     problem.bodies = {{200, 0.42}, {200, 0.42}};
     problem.gap = Paraboloid{50, 50};
     problem.approach = 0.005 + 0.0003 * number;

@@ -23,7 +23,7 @@ namespace {
 
 WheelRailPatch patch_with(std::size_t pressures) {
     WheelRailPatch patch;
-    patch.place.grid = Grid::centred(2, 1, 0.2, 0.2);
+    patch.place.grid = Grid::of_elements(2, 1, 0.2, 0.2);
     patch.place.reference.y = 750;
     patch.solution.pressure.assign(pressures, 3);
     return patch;

@@ -33,7 +33,7 @@ WheelRailStepInput rolling_at(double y) {
 
 SessionSpec ball_on_plate() {
     SessionSpec spec;
-    spec.setup.grid = Grid::centred(10, 8, 0.5, 0.5);
+    spec.setup.grid = Grid::of_elements(10, 8, 0.5, 0.5);
     spec.setup.bodies = Bodies::of({{82000, 0.28}, {82000, 0.28}});
     spec.load.gap = Paraboloid{400, 400};
     spec.load.Fn = 5000;

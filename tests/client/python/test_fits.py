@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import contactd
-from contactd import Client, FitFailed, InvalidArgument, ResourceExhausted
+from contactd import Client, FitFailed, InvalidArgument, MissingExtra, ResourceExhausted
 
 PROBLEM: dict[str, Any] = {"Fn": 1000.0, "friction": {"mu": 0.3, "rolling": {}}}
 CREEPAGE = np.concatenate([np.linspace(2e-4, 3e-3, 12), np.linspace(4e-3, 0.03, 10)])
@@ -262,7 +262,7 @@ def test_what_cannot_be_fitted_is_refused(changes, error, said):
 
 def test_without_scipy_it_says_what_to_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "scipy.optimize", None)
-    with pytest.raises(ImportError, match=r'pip install "contactd\[fit\]"'):
+    with pytest.raises(MissingExtra, match=r'pip install "contactd\[fit\]"'):
         contactd.fit(Closed(tanh), PROBLEM, CREEPAGE, curve(tanh), BOUNDS)
 
 

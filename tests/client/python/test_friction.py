@@ -87,9 +87,9 @@ def test_what_is_no_pair_goes_out_for_the_daemon_to_refuse():
     assert Friction(0.4, rigid_shift=0.1).params()["rigid_shift"] == 0.1
 
 
-def test_friction_needs_a_motion():
-    with pytest.raises(TypeError, match="rigid_shift, force, rolling or rigid_slip"):
-        Friction(mu=0.4)
+def test_friction_without_a_motion_is_a_shift_of_zero():
+    assert Friction(mu=0.4).params() == {"mu": 0.4, "rigid_shift": [0.0, 0.0]}
+    assert "rigid_shift" not in Friction(mu=0.4, rolling=Rolling(xi=1e-3)).params()
 
 
 def test_the_documentation_has_every_option_and_every_word():

@@ -10,7 +10,6 @@ import pytest
 
 from contactd import (
     AnalyticIcs,
-    ContactdError,
     ContactProblem,
     FemIcs,
     Grid,
@@ -18,6 +17,7 @@ from contactd import (
     Layer,
     LayeredBody,
     Material,
+    MissingExtra,
     Paraboloid,
     RigidBody,
     TableFileError,
@@ -236,7 +236,7 @@ def test_hdf5_is_written_by_the_daemon(tmp_path):
 
 def test_hdf5_without_h5py_says_what_to_install(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "h5py", None)
-    with pytest.raises(ContactdError, match="pip install h5py"):
+    with pytest.raises(MissingExtra, match="needs h5py: pip install"):
         load_table(tmp_path / "table.h5")
 
 

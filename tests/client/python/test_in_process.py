@@ -26,6 +26,7 @@ from contactd import (
     Friction,
     Grid,
     InvalidArgument,
+    MissingExtra,
     NotFound,
     Paraboloid,
     Rolling,
@@ -80,7 +81,7 @@ def test_where_it_is_not_installed_a_private_daemon_is(monkeypatch):
     with contactd.local() as client:
         assert client.endpoint.startswith("ipc://")
         assert client.solve(QUICKLY).converged
-    with pytest.raises(DaemonFailed, match="contactd_local is not installed"), contactd.local(in_process=True):
+    with pytest.raises(MissingExtra, match="Solving in process needs contactd_local"), contactd.local(in_process=True):
         pass
 
 

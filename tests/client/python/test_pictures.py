@@ -14,6 +14,7 @@ from contactd import (
     Friction,
     Grid,
     Material,
+    MissingExtra,
     Paraboloid,
     Progress,
     Rolling,
@@ -52,6 +53,11 @@ def no_figure_left():
 def drawn(axes):
     """The texts of a picture, once it has been drawn."""
     axes.figure.canvas.draw()
+    for shown in axes.figure.axes:
+        if shown.get_legend() is not None:
+            inside, whole = shown.get_legend().get_window_extent(), axes.figure.bbox
+            assert min(inside.x0, inside.y0) > -1, "no legend is cut off"
+            assert (inside.x1, inside.y1) < (whole.x1 + 1, whole.y1 + 1), "no legend is cut off"
     legend = axes.get_legend()
     texts = [] if legend is None else [text.get_text() for text in legend.get_texts()]
     return [axes.get_title(), axes.get_xlabel(), axes.get_ylabel(), *texts]
@@ -184,6 +190,10 @@ def test_a_wheel_on_a_rail_is_one_figure(client):
         assert [axes.get_title() for axes in shown] == ["Contacts, and forces on the rail", "Contact 1, on the rail"][:panels]
         assert drawn(shown[0])[1:3] == ["y of the track (mm)", "z of the track (mm), down"]
         assert "Fz 80 kN" in figure.get_suptitle()
+        wheel, rail = (line for line in shown[0].lines if len(line.get_xdata()) > 100)
+        y = np.mean(next(line for line in shown[0].lines if line.get_linewidth() == 4).get_xdata())
+        heights = [np.interp(y, *np.transpose(sorted(zip(*line.get_data())))) for line in (wheel, rail)]
+        assert heights[0] == pytest.approx(heights[1], abs=0.3), "wheel and rail meet where they touch"
     high = client.wheel_rail(setup, WheelRailState(position=WheelsetPosition(z=-9), velocity=velocity))
     assert "no contact" in [text.get_text() for text in high.plot().axes[0].texts]
 
@@ -196,7 +206,7 @@ def test_matplotlib_is_imported_with_the_first_picture_only():
 def test_a_picture_without_matplotlib_says_what_to_install(monkeypatch, rolling):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     monkeypatch.delitem(sys.modules, "matplotlib.pyplot")
-    with pytest.raises(ImportError, match=r'pictures need matplotlib: pip install "contactd\[pictures\]"'):
+    with pytest.raises(MissingExtra, match=r'A picture needs matplotlib: pip install "contactd\[pictures\]"'):
         rolling.plot()
 
 

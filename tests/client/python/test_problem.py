@@ -15,6 +15,7 @@ from contactd import (
     Friction,
     Grid,
     InvalidArgument,
+    Layer,
     LineContact,
     Material,
     Paraboloid,
@@ -220,6 +221,8 @@ def test_a_material_is_given_by_its_shear_modulus_or_by_youngs():
     assert Material(E=210000, nu=0.28) == Material(G=210000 / 2.56, nu=0.28)
     assert Material(82000, 0.28).E == 2 * 82000 * 1.28
     assert Material(E=1, nu=0.5).G == pytest.approx(1 / 3)
+    assert Layer(2, E=3, nu=0.5) == Layer(2, G=1, nu=0.5)
+    assert Layer(2, 1, 0.5).E == 3
 
 
 def test_a_material_of_youngs_modulus_goes_out_as_one_of_the_shear_modulus():

@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from contactd import AnalyticIcs, Client, Grid, Material
+from contactd import AnalyticIcs, Client, Grid, Material, MissingExtra
 from support import answers
 from support.fake_server import FakeServer
 
@@ -41,7 +41,7 @@ def test_no_bar_is_left_where_the_call_fails(client):
 
 def test_without_rich_it_is_said_what_to_install(client, monkeypatch):
     monkeypatch.setitem(sys.modules, "rich.progress", None)
-    with pytest.raises(ImportError, match=r'progress=True needs rich: pip install "contactd\[progress\]"'):
+    with pytest.raises(MissingExtra, match=r'progress=True needs rich: pip install "contactd\[progress\]"'):
         client.get_ic(STEEL, GRID, AnalyticIcs(), progress=True)
 
 

@@ -8,7 +8,6 @@ import pytest
 
 from contactd import (
     AnalyticIcs,
-    ContactdError,
     ContactProblem,
     ContactSolution,
     Estimate,
@@ -20,6 +19,7 @@ from contactd import (
     LayeredBody,
     LineContact,
     Material,
+    MissingExtra,
     Paraboloid,
     PartialSolution,
     RigidBody,
@@ -216,7 +216,7 @@ def test_a_file_of_hdf5_that_is_not_ours_is_refused(tmp_path):
 
 def test_without_h5py_it_is_said_what_to_install(tmp_path, monkeypatch):
     monkeypatch.setitem(__import__("sys").modules, "h5py", None)
-    with pytest.raises(ContactdError, match=r"need the package h5py: pip install"):
+    with pytest.raises(MissingExtra, match=r'needs h5py: pip install "contactd\[hdf5\]"'):
         PROBLEM.save(tmp_path / "x.h5")
 
 
@@ -243,5 +243,5 @@ def test_tables_and_stresses_have_coordinates_in_xarray():
 
 def test_without_xarray_it_is_said_what_to_install(monkeypatch):
     monkeypatch.setitem(__import__("sys").modules, "xarray", None)
-    with pytest.raises(ImportError, match=r'to_xarray\(\) needs xarray: pip install "contactd\[xarray\]"'):
+    with pytest.raises(MissingExtra, match=r'to_xarray\(\) needs xarray: pip install "contactd\[xarray\]"'):
         solution().to_xarray()

@@ -65,7 +65,6 @@ CALLS = {
     "a changed problem": "ContactProblem(grid=grid, upper=steel, gap=ball, Fn=1).replace(grid=3)",
     "a material": "Material(E=-1, nu=0.3)",
     "layers": "LayeredBody([1], steel)",
-    "friction": "Friction(mu=0.3)",
     "closed forms": "AnalyticIcs(line_contact=3)",
     "a table": "TableIcs(np.zeros((2, 2, 2)), 1, 1)",
     "a text that is not there": 'TableIcs.from_contact_text("nowhere.txt")',

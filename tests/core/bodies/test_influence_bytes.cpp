@@ -33,7 +33,7 @@ BodyTable table_of(const Body& body, const Grid& grid) {
 
 TEST_CASE("what operators are expected to take is what they say, or more", "[strips]") {
     ContactProblem problem;
-    problem.grid = Grid::centred(20, 15, 0.5, 0.4);
+    problem.grid = Grid::of_elements(20, 15, 0.5, 0.4);
     problem.friction = FrictionLaw{{0.3}};
     problem.motion = Rolling{.xi = 1e-3, .dq = GENERATE(0.0, 0.5, 0.2)};
     const Body upper = GENERATE(Body{Material::rigid()}, Body{steel}, uniform_body());
@@ -51,7 +51,7 @@ TEST_CASE("what operators are expected to take is what they say, or more", "[str
 TEST_CASE("a longitudinally uniform body takes memory by its strips squared", "[strips]") {
     const Bodies uniform{{Material::rigid()}, uniform_body()}, flat{{Material::rigid()}, {steel}};
     const auto bytes = [&](int ny, const Bodies& bodies) {
-        return influence_bytes(Grid::centred(100, ny, 0.5, 0.4), bodies);
+        return influence_bytes(Grid::of_elements(100, ny, 0.5, 0.4), bodies);
     };
     CHECK(bytes(80, uniform) > 20 * bytes(80, flat));
     CHECK(2 * bytes(80, uniform) > 7 * bytes(40, uniform));

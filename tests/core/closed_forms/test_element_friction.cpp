@@ -26,7 +26,7 @@ struct Creepage {
 
 ContactProblem rolling_ellipse(Model model, const SemiAxes& axes, double Fn, const Creepage& creepage, int nx, int ny) {
     ContactProblem problem;
-    problem.grid = Grid::centred(nx, ny, 2.2 * axes.a / nx, 2.2 * axes.b / ny);
+    problem.grid = Grid::of_elements(nx, ny, 2.2 * axes.a / nx, 2.2 * axes.b / ny);
     problem.bodies = Bodies::of({steel, steel});
     problem.model = model;
     problem.gap = axes;

@@ -26,7 +26,7 @@ const EllipticContact ellipse{{1.5, 1}, 10, combined_material({soft, hard})};
 constexpr double mu = 0.4, bound = mu * 10;
 
 Grid window(int n) {
-    return Grid::centred(n, n, 3.2 / n, 2.2 / n);
+    return Grid::of_elements(n, n, 3.2 / n, 2.2 / n);
 }
 
 // Displacement difference (x, y) of the two bodies at a point, from the tractions on the grid.

@@ -26,7 +26,7 @@ const EllipticContact circle{{5, 5}, 50000, steel};
 constexpr double mu = 0.3, bound = mu * 50000;
 
 Grid window(const EllipticContact& of, int n) {
-    return Grid::centred(n, n, 2.2 * of.axes.a / n, 2.2 * of.axes.b / n);
+    return Grid::of_elements(n, n, 2.2 * of.axes.a / n, 2.2 * of.axes.b / n);
 }
 
 Rolling rolling(double xi, double eta, double phi, double chi = 0) {

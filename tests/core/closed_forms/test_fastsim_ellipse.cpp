@@ -86,7 +86,7 @@ TEST_CASE("FASTSIM's sums are the same with their derivatives and without", "[fa
 
 TEST_CASE("A row of elements has the same FASTSIM tractions whatever rows are beside it", "[fastsim]") {
     const double chi = GENERATE(0.0, std::numbers::pi);
-    const Grid grid = Grid::centred(30, 23, 0.43, 0.37);
+    const Grid grid = Grid::of_elements(30, 23, 0.43, 0.37);
     std::mt19937 random(1);
     for (int i = 0; i < 20; ++i) {
         const Rolling rolling = rolling_of(random_creepages(random), chi);
@@ -109,7 +109,7 @@ TEST_CASE("A row of elements has the same FASTSIM tractions whatever rows are be
 
 TEST_CASE("FASTSIM's tractions in a mirror are those of the mirrored motion", "[fastsim]") {
     const int ny = GENERATE(9, 10, 11, 12);
-    const Grid grid = Grid::centred(20, ny, 0.65, 8.5 / ny);
+    const Grid grid = Grid::of_elements(20, ny, 0.65, 8.5 / ny);
     std::mt19937 random(static_cast<unsigned>(ny));
     for (int i = 0; i < 20; ++i) {
         const FastsimCreepages<double> creepages = random_creepages(random);
@@ -134,7 +134,7 @@ TEST_CASE("FASTSIM divides nothing by zero, which programs around it may trap", 
         FastsimCreepages<double> creepages = random_creepages(random);
         if (i % 4 == 0) creepages.phi = 0;
         if (i % 8 == 0) creepages.xi = creepages.eta = 0;
-        fastsim(Grid::centred(25, 25, 0.5, 0.35), contact, i % 16 == 0 ? 0 : mu, rolling_of(creepages));
+        fastsim(Grid::of_elements(25, 25, 0.5, 0.35), contact, i % 16 == 0 ? 0 : mu, rolling_of(creepages));
     }
     CHECK(std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW) == 0);
 }

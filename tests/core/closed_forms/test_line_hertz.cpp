@@ -22,7 +22,7 @@ const reference::LineContact cylinder = reference::line_contact(bodies, radius, 
 
 ContactProblem pressed(Model model, const MaterialPair& pair = bodies) {
     ContactProblem problem;
-    problem.grid = Grid::centred(800, 1, 2.2 * cylinder.half_width / 800, length);
+    problem.grid = Grid::of_elements(800, 1, 2.2 * cylinder.half_width / 800, length);
     Ics ics;
     ics.line_contact = LineContactSpec{datum};
     problem.bodies = Bodies::of(pair, ics);
@@ -140,7 +140,7 @@ TEST_CASE("derivatives of model hertz on line contacts are central differences",
         CAPTURE(seed);
         Dice dice(seed + 7'000'000);
         ContactProblem problem = pressed(Model::hertz);
-        problem.grid = Grid::centred(60, 1, 2.2 * cylinder.half_width / 60, length);
+        problem.grid = Grid::of_elements(60, 1, 2.2 * cylinder.half_width / 60, length);
         problem.Fn = *problem.Fn * dice.log_uniform(0.1, 1);
         const ContactSolution normal = solve_half_spaces(problem);
         if (dice.chance(0.5)) problem.approach = normal.approach, problem.Fn.reset();
@@ -171,7 +171,7 @@ TEST_CASE("what a line contact's closed form does not know is refused by name", 
     ContactProblem rotates = moved(Model::hertz, Shift{{}, 1e-4});
     CHECK(field_refused(rotates) == "friction.rotation");
     ContactProblem broad = pressed(Model::hertz);
-    broad.grid = Grid::centred(8, 3, 1, 1);
+    broad.grid = Grid::of_elements(8, 3, 1, 1);
     CHECK(field_refused(broad) == "grid.ny");
     ContactProblem ellipse = pressed(Model::hertz);
     ellipse.gap = Paraboloid{radius, radius};

@@ -13,7 +13,7 @@ using Catch::Matchers::WithinAbs;
 
 TEST_CASE("Half an ellipsoid has its heights at element centres, and none outside", "[simplified]") {
     const int nx = GENERATE(1, 3, 4, 7, 30);
-    const Grid grid = Grid::centred(nx, 9, 14.0 / nx, 1.1);
+    const Grid grid = Grid::of_elements(nx, 9, 14.0 / nx, 1.1);
     const SemiEllipsoid of{{6, 4}, 0.8, 1.2, -0.3};
     std::vector<double> heights(static_cast<std::size_t>(nx));
     for (int iy = 0; iy < grid.ny; ++iy) {
@@ -31,7 +31,7 @@ TEST_CASE("Half an ellipsoid has its heights at element centres, and none outsid
 
 TEST_CASE("Half an ellipsoid of infinite length is the half cylinder of a line contact", "[simplified]") {
     const double infinite = std::numeric_limits<double>::infinity();
-    const Grid grid = Grid::centred(5, 4, 1e3, 1);
+    const Grid grid = Grid::of_elements(5, 4, 1e3, 1);
     std::vector<double> heights(5);
     std::feclearexcept(FE_ALL_EXCEPT);
     heights_along(grid, 1, {{infinite, 2}}, heights);

@@ -15,7 +15,7 @@ namespace {
 ContactProblem random_simplified(std::uint64_t seed) {
     Dice dice(seed + 5'000'000);
     ContactProblem problem;
-    problem.grid = Grid::centred(12, 12, 14, 14);
+    problem.grid = Grid::of_elements(12, 12, 14, 14);
     problem.bodies = Bodies::of(random_bodies(dice));
     const double R = dice.log_uniform(50, 1000);
     problem.gap = Paraboloid{R, R * dice.log_uniform(0.1, 10)};

@@ -89,7 +89,7 @@ inline double largest(const Values& values) {
 /// The Cattaneo problem of the paper's section 4 on n x n elements.
 inline ContactProblem cattaneo_problem(int n) {
     ContactProblem problem;
-    problem.grid = Grid::centred(n, n, 2.4 / n, 2.4 / n);
+    problem.grid = Grid::of_elements(n, n, 2.4 / n, 2.4 / n);
     problem.bodies = {{200, 0.42}, {200, 0.42}};
     problem.gap = Paraboloid{50, 50};
     problem.approach = 0.02;

@@ -36,7 +36,7 @@ inline Grid random_grid(Dice& dice, int smallest, int largest) {
     const auto size = [&] { return static_cast<int>(std::lround(dice.log_uniform(smallest, largest))); };
     const int nx = size(), ny = dice.chance(0.3) ? nx : size();
     const double dx = dice.log_uniform(0.01, 1), dy = dx * (dice.chance(0.3) ? 1 : dice.log_uniform(0.1, 10));
-    Grid grid = Grid::centred(nx, ny, dx, dy);
+    Grid grid = Grid::of_elements(nx, ny, dx, dy);
     if (dice.chance(0.5)) grid.x0 += dice.uniform(-0.3, 0.3) * nx * dx;
     return grid;
 }

@@ -14,7 +14,7 @@ namespace {
 
 ContactProblem sliding_sphere(const Motion& motion) {
     ContactProblem problem;
-    problem.grid = Grid::centred(30, 30, 0.08, 0.08);
+    problem.grid = Grid::of_elements(30, 30, 0.08, 0.08);
     problem.bodies = {{1000, 0.28}, {1000, 0.28}};
     problem.gap = Paraboloid{50, 50};
     problem.approach = 0.02;
@@ -65,7 +65,7 @@ TEST_CASE("TangCG finds the shift that a force takes", "[tangential]") {
 
 TEST_CASE("TangCG starts where Newton's method does: from a good estimate, else from a coarser grid", "[tangential]") {
     ContactProblem problem = sliding_sphere(Shift{.rigid_shift = {0.003, 0.0004}});
-    problem.grid = Grid::centred(66, 64, 0.04, 0.04);
+    problem.grid = Grid::of_elements(66, 64, 0.04, 0.04);
     problem.settings.tangential_solver = TangentialSolver::tangcg;
     const ContactSolution cold = solve_half_spaces(problem);
     REQUIRE(cold.converged());

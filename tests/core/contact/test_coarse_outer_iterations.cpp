@@ -17,7 +17,7 @@ namespace {
 
 ContactProblem ellipse(int n, const Motion& motion) {
     ContactProblem problem;
-    problem.grid = Grid::centred(n, n, 13.0 / n, 8.6 / n);
+    problem.grid = Grid::of_elements(n, n, 13.0 / n, 8.6 / n);
     problem.bodies = Bodies::of({{82000, 0.28}, {41000, 0.1}});
     problem.gap = SemiAxes{6, 4};
     problem.Fn = 50000;

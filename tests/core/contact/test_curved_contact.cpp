@@ -18,7 +18,7 @@ namespace {
 /// An ellipse, as an array of distances, that rolls or shifts.
 ContactProblem ellipse() {
     ContactProblem problem;
-    problem.grid = Grid::centred(15, 13, 0.2, 0.25);
+    problem.grid = Grid::of_elements(15, 13, 0.2, 0.25);
     problem.bodies = {{Material{1000, 0.28}}, {Material{700, 0.4}}};
     problem.gap = sampled(Paraboloid{60, 45}, problem.grid);
     problem.Fn = 50;
@@ -60,7 +60,7 @@ ContactProblem random_contact(unsigned seed) {
     const auto one_of = [&](int n) { return std::uniform_int_distribution<int>(0, n - 1)(generator); };
     ContactProblem problem;
     const int nx = 3 + one_of(10), ny = 2 + one_of(11);
-    problem.grid = Grid::centred(nx, ny, between(0.3, 0.6), between(0.3, 0.6));
+    problem.grid = Grid::of_elements(nx, ny, between(0.3, 0.6), between(0.3, 0.6));
     const double half_arc = 0.5 * ny * problem.grid.dy, radius = half_arc / between(0.05, 1.2) * (one_of(2) ? 1 : -1);
     ContactColumns strips;
     strips.frames = arc_frames(ny, problem.grid.dy, radius, between(-1, 1), {between(-5, 5), between(-5, 5)});
@@ -206,7 +206,7 @@ TEST_CASE("turned half-spaces in a groove carry less pressure than plane ones wi
     CAPTURE(groove);
     constexpr double roller = 10, along_x = 460;
     ContactProblem problem;
-    problem.grid = Grid::centred(35, 41, 0.5, 0.5);
+    problem.grid = Grid::of_elements(35, 41, 0.5, 0.5);
     problem.bodies = {{Material{82000, 0.28}}, {Material{82000, 0.28}}};
     problem.columns = ContactColumns{arc_frames(41, 0.5, -roller), 0, {}};
     Values gap;

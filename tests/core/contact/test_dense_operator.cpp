@@ -42,7 +42,7 @@ ContactInfluence sum_of_kinds(const ContactProblem& problem) {
 /// An ellipse of nine by seven elements.
 ContactProblem ellipse() {
     ContactProblem problem;
-    problem.grid = Grid::centred(11, 9, 0.2, 0.25);
+    problem.grid = Grid::of_elements(11, 9, 0.2, 0.25);
     problem.bodies = {{1000, 0.28}, {1000, 0.28}};
     problem.gap = Paraboloid{60, 45};
     problem.Fn = 50;

@@ -19,7 +19,7 @@ namespace {
 /// Half of the contact slips; the lower body may be another one.
 ContactProblem ellipse(const Motion& motion, const Material& lower = {82000, 0.28}) {
     ContactProblem problem;
-    problem.grid = Grid::centred(21, 21, 13.2 / 21, 8.8 / 21);
+    problem.grid = Grid::of_elements(21, 21, 13.2 / 21, 8.8 / 21);
     problem.bodies = {{82000, 0.28}, lower};
     problem.gap = Paraboloid{500, 300};
     problem.Fn = 50000;
@@ -219,7 +219,7 @@ TEST_CASE("semi-axes stand for the gap that they make, which is frozen", "[deriv
 
 TEST_CASE("a line contact has no derivatives by rotation and spin", "[derivatives]") {
     ContactProblem problem;
-    problem.grid = Grid::centred(60, 1, 0.04, 1);
+    problem.grid = Grid::of_elements(60, 1, 0.04, 1);
     Ics ics;
     ics.line_contact = LineContactSpec{1000};
     problem.bodies = Bodies::of({{82000, 0.28}, {82000, 0.28}}, ics);

@@ -24,7 +24,7 @@ const Material steel{82000, 0.28};
 /// n x n elements over 1.1 times the box of the ellipse.
 ContactProblem rolling_ellipse(double a, double b, int n, const Rolling& rolling) {
     ContactProblem problem;
-    problem.grid = Grid::centred(n, n, 2.2 * a / n, 2.2 * b / n);
+    problem.grid = Grid::of_elements(n, n, 2.2 * a / n, 2.2 * b / n);
     problem.bodies = Bodies::of({steel, steel});
     problem.gap = SemiAxes{a, b};
     problem.Fn = 50000;
@@ -37,7 +37,7 @@ ContactProblem rolling_ellipse(double a, double b, int n, const Rolling& rolling
 ContactProblem sphere(int n, double element) {
     ContactProblem problem = cattaneo_problem(n);
     problem.friction.reset();
-    problem.grid = Grid::centred(n, n, element, element);
+    problem.grid = Grid::of_elements(n, n, element, element);
     return problem;
 }
 
@@ -54,7 +54,7 @@ double relative_difference(double value, double truth) {
 }  // namespace
 
 TEST_CASE("a step that is left out is the size of an element along the rolling direction", "[discretisation]") {
-    const Grid grid = Grid::centred(4, 4, 0.5, 0.05);
+    const Grid grid = Grid::of_elements(4, 4, 0.5, 0.05);
     CHECK(step_length(Rolling{.chi = 0}, grid) == 0.5);
     CHECK(step_length(Rolling{.chi = pi}, grid) == 0.5);
     CHECK(step_length(Rolling{.chi = pi / 2}, grid) == 0.05);
@@ -62,9 +62,10 @@ TEST_CASE("a step that is left out is the size of an element along the rolling d
     const double oblique = step_length(Rolling{.chi = 0.3}, grid);
     CHECK(oblique > 0.05);
     CHECK(oblique < 0.5);
-    CHECK_THAT(step_length(Rolling{.chi = pi / 2 + 0.3}, Grid::centred(4, 4, 0.05, 0.5)), WithinRel(oblique, 1e-12));
+    CHECK_THAT(step_length(Rolling{.chi = pi / 2 + 0.3}, Grid::of_elements(4, 4, 0.05, 0.5)),
+               WithinRel(oblique, 1e-12));
     const double chi = GENERATE(0.3, pi / 4, 2.0, -1.4);
-    CHECK_THAT(step_length(Rolling{.chi = chi}, Grid::centred(4, 4, 0.5, 0.5)), WithinRel(0.5, 1e-12));
+    CHECK_THAT(step_length(Rolling{.chi = chi}, Grid::of_elements(4, 4, 0.5, 0.5)), WithinRel(0.5, 1e-12));
     CHECK(step_length(Rolling{.chi = chi, .dq = 0.7}, grid) == 0.7);
 }
 
@@ -205,7 +206,7 @@ TEST_CASE("a contact of fewer than eight elements across is warned of", "[discre
     CHECK(under_force.evidence.discretisation->force_error > 0.4);
     SECTION("in one direction only") {
         ContactProblem problem = sphere(11, 0.2);
-        problem.grid = Grid::centred(11, 31, 2.0 / 6, 0.1);
+        problem.grid = Grid::of_elements(11, 31, 2.0 / 6, 0.1);
         CHECK(says(solve_half_spaces(problem), "7 elements across"));
     }
     SECTION("each of several") {
@@ -224,11 +225,11 @@ TEST_CASE("a line contact is not asked for elements along it", "[discretisation]
     ContactProblem problem = sphere(1, 1);
     const int rows = GENERATE(1, 3);
     problem.gap = Paraboloid{.Rx = 50};
-    problem.grid = Grid::centred(40, rows, 0.06, 60.0 / rows);
+    problem.grid = Grid::of_elements(40, rows, 0.06, 60.0 / rows);
     const auto solution = solve_half_spaces(problem);
     CHECK(solution.elements.contact == rows * solution.evidence.discretisation->elements_across);
     CHECK_FALSE(says(solution, "elements across"));
-    problem.grid = Grid::centred(8, rows, 0.4, 60.0 / rows);
+    problem.grid = Grid::of_elements(8, rows, 0.4, 60.0 / rows);
     CHECK(says(solve_half_spaces(problem), "elements across"));
 }
 
@@ -248,7 +249,7 @@ TEST_CASE("a grid without an element in the contact says so", "[discretisation]"
 
 TEST_CASE("simplified models have no elements that err", "[discretisation]") {
     ContactProblem problem = rolling_ellipse(6, 4, 5, Rolling{.xi = 1e-3, .dq = 20});
-    problem.grid = Grid::centred(7, 7, 3, 2);
+    problem.grid = Grid::of_elements(7, 7, 3, 2);
     problem.model = GENERATE(Model::hertz, Model::fastsim);
     Observer observer;
     const auto solution = solve_contact(problem, {}, observer);
@@ -294,7 +295,7 @@ TEST_CASE("spin evaluated ahead or at the centres has one limit, to which ahead 
 }
 
 TEST_CASE("a rotation of a shift is about the element centres whatever rolling does", "[discretisation]") {
-    const Grid grid = Grid::centred(3, 2, 1, 1);
+    const Grid grid = Grid::of_elements(3, 2, 1, 1);
     const RigidSlip turned = rigid_slip(grid, Shift{.rigid_shift = {.x = 0.5}, .rotation = 0.1});
     CHECK_THAT(turned.x[0], WithinAbs(0.5 - 0.1 * grid.y(0), 1e-15));
     CHECK_THAT(turned.y[0], WithinAbs(0.1 * grid.x(0), 1e-15));

@@ -16,7 +16,7 @@ namespace {
 /// A sphere pressed on a plane and held against shifting.
 ContactProblem sphere(const MaterialPair& bodies, double mu, int n = 24) {
     ContactProblem problem;
-    problem.grid = Grid::centred(n, n, 2.4 / n, 2.4 / n);
+    problem.grid = Grid::of_elements(n, n, 2.4 / n, 2.4 / n);
     problem.bodies = Bodies::of(bodies);
     problem.gap = Paraboloid{50, 50};
     problem.approach = 0.02;

@@ -16,7 +16,7 @@ using Catch::Matchers::WithinAbs;
 namespace {
 
 struct SmallRolling : RollingCase {
-    SmallRolling() : RollingCase(Grid::centred(20, 18, 0.1, 0.1), {1000, 0.28}, 3, 0.3, 0.1) {
+    SmallRolling() : RollingCase(Grid::of_elements(20, 18, 0.1, 0.1), {1000, 0.28}, 3, 0.3, 0.1) {
         set(0.001, -5e-4, 1e-3);
     }
 

@@ -21,7 +21,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// An ellipse of 6 x 4 mm in a window 1.1 times its box, 50 kN.
 ContactProblem ellipse(int n) {
     ContactProblem problem;
-    problem.grid = Grid::centred(n, n, 13.2 / n, 8.8 / n);
+    problem.grid = Grid::of_elements(n, n, 13.2 / n, 8.8 / n);
     problem.bodies = Bodies::of({{82000, 0.28}, {82000, 0.28}});
     problem.gap = SemiAxes{6, 4};
     problem.Fn = 50000;
@@ -126,13 +126,13 @@ TEST_CASE("there is no start where Hertz has no answer", "[normal]") {
 TEST_CASE("a poor start does not change the answer", "[normal]") {
     ContactProblem problem = ellipse(24);
     SECTION("the grid cuts the contact off") {
-        problem.grid = Grid::centred(24, 24, 0.3, 0.1);
+        problem.grid = Grid::of_elements(24, 24, 0.3, 0.1);
     }
     SECTION("half of the contact lies beyond the grid") {
         problem.grid.x0 += 6;
     }
     SECTION("few elements") {
-        problem.grid = Grid::centred(5, 4, 3, 3);
+        problem.grid = Grid::of_elements(5, 4, 3, 3);
     }
     SECTION("a cylinder that ends with the grid") {
         problem.gap = Paraboloid{300, infinity};

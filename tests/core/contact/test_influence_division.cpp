@@ -14,7 +14,7 @@ namespace {
 
 /// An ellipse that adheres in its right part, from column `first` on.
 struct Example {
-    RollingCase rolling{Grid::centred(64, 48, 2.0 / 64, 1.4 / 48), {1000, 0.28}, 3, 0, 2.0 / 64};
+    RollingCase rolling{Grid::of_elements(64, 48, 2.0 / 64, 1.4 / 48), {1000, 0.28}, 3, 0, 2.0 / 64};
     Contact contact{rolling.bound, Values(rolling.bound.size()), Values(rolling.bound.size())};
     Linearisation law{contact.size()};
     Field r{contact.size()}, q{contact.size()};

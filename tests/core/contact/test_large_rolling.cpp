@@ -19,7 +19,7 @@ const Material steel{82000, 0.28};
 
 /// Semi-axes 6 x 4 mm, about 1000 N/mm^2, mu 0.3, on n x n elements.
 RollingCase ellipse(int n) {
-    return {Grid::centred(n, n, 12.0 / n, 8.0 / n), steel, 300, 0, 12.0 / n};
+    return {Grid::of_elements(n, n, 12.0 / n, 8.0 / n), steel, 300, 0, 12.0 / n};
 }
 
 struct Iterations {
@@ -74,7 +74,8 @@ TEST_CASE("iterations of steady rolling do not grow with the grid", "[rolling]")
 
 TEST_CASE("friction law holds on many elements in any direction", "[rolling]") {
     const auto [chi, elements_per_step] = GENERATE(std::pair{0.0, 1.0}, std::pair{0.7, 0.4}, std::pair{-2.0, 2.0});
-    RollingCase rolling(Grid::centred(74, 72, 2.0 / 74, 1.4 / 72), {1000, 0.28}, 3, chi, elements_per_step * 2.0 / 74);
+    RollingCase rolling(Grid::of_elements(74, 72, 2.0 / 74, 1.4 / 72), {1000, 0.28}, 3, chi,
+                        elements_per_step * 2.0 / 74);
     rolling.set(0.001, -0.0005, 0.001);
     CAPTURE(chi, elements_per_step);
     const RollingSolution solution = rolling.steady();
@@ -84,7 +85,7 @@ TEST_CASE("friction law holds on many elements in any direction", "[rolling]") {
 }
 
 TEST_CASE("many elements slip one and all", "[rolling]") {
-    RollingCase rolling(Grid::centred(74, 72, 2.0 / 74, 1.4 / 72), {1000, 0.28}, 3, 0, 2.0 / 74);
+    RollingCase rolling(Grid::of_elements(74, 72, 2.0 / 74, 1.4 / 72), {1000, 0.28}, 3, 0, 2.0 / 74);
     rolling.set(0.1, 0.05, 0);
     const RollingSolution solution = rolling.steady();
     check_steady_law(rolling, solution, 2e-5);
@@ -107,7 +108,7 @@ TEST_CASE("a step without inverses rolls to the same tractions", "[rolling]") {
 
 TEST_CASE("dissimilar bodies roll on many elements", "[rolling]") {
     ContactProblem problem;
-    problem.grid = Grid::centred(78, 78, 12.8 / 78, 8.4 / 78);
+    problem.grid = Grid::of_elements(78, 78, 12.8 / 78, 8.4 / 78);
     problem.bodies = Bodies::of({steel, {8000, 0.1}});
     problem.gap = SemiAxes{6, 4};
     problem.Fn = 20000;
@@ -124,7 +125,7 @@ TEST_CASE("a line contact of thousands of elements is Carter's", "[rolling]") {
     const MaterialPair bodies{steel, steel};
     const auto line = reference::line_contact(bodies, 250, 2000);
     ContactProblem problem;
-    problem.grid = Grid::centred(n, 1, 2.1 * line.half_width / n, 1);
+    problem.grid = Grid::of_elements(n, 1, 2.1 * line.half_width / n, 1);
     Ics ics;
     ics.line_contact = LineContactSpec{1000};
     problem.bodies = Bodies::of(bodies, ics);

@@ -21,7 +21,7 @@ namespace {
 ContactProblem sphere(const Layers& body, double element, int across, int finer = 1) {
     ContactProblem problem;
     const int n = 2 * across * finer;
-    problem.grid = Grid::centred(n, n, element / finer, element / finer);
+    problem.grid = Grid::of_elements(n, n, element / finer, element / finer);
     problem.bodies = {{Material::rigid()}, Body::of(body)};
     const double radius = across * element / 2;
     problem.approach = 1e-3;

@@ -26,7 +26,7 @@ double largest_difference(const Values& one, const Values& other) {
 
 ContactProblem ball(int n, double size, const Body& upper, const Body& lower) {
     ContactProblem problem;
-    problem.grid = Grid::centred(n, n, size / n, size / n);
+    problem.grid = Grid::of_elements(n, n, size / n, size / n);
     problem.bodies = {upper, lower};
     problem.gap = Paraboloid{100, 60};
     problem.approach = 0.01;
@@ -100,7 +100,7 @@ TEST_CASE("a thin incompressible layer tends to one that only shears, as fast as
     const auto [thickness, off] = GENERATE(std::pair(0.02, 15.6), std::pair(0.005, 3.9), std::pair(0.001, 0.79));
     const Layers coated{{{thickness, thickness / flexibility, 0.5}}, steel};
     ContactProblem problem;
-    problem.grid = Grid::centred(17, 15, 0.65, 0.6);
+    problem.grid = Grid::of_elements(17, 15, 0.65, 0.6);
     problem.bodies = {{steel}, Body::of(coated)};
     problem.gap = Paraboloid{460, 300};
     problem.Fn = 30000;

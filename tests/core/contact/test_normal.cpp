@@ -67,7 +67,7 @@ double sphere(double x, double y) {
 TEST_CASE("contact conditions hold for many shapes", "[normal]") {
     const auto [nx, ny, aspect] =
         GENERATE(std::tuple{17, 13, 1.0}, std::tuple{1, 31, 1.0}, std::tuple{24, 9, 0.1}, std::tuple{21, 22, 7.0});
-    const Case problem(Grid::centred(nx, ny, 2.4 / nx, 2.4 / nx / aspect));
+    const Case problem(Grid::of_elements(nx, ny, 2.4 / nx, 2.4 / nx / aspect));
     const double R = nx < ny ? 1 : problem.grid.ny * problem.grid.dy / 2.4;
     SECTION("sphere") {
         const Values h = problem.gap([&](double x, double y) { return sphere(x, y / R) - 0.01; });
@@ -94,14 +94,14 @@ TEST_CASE("contact conditions hold for many shapes", "[normal]") {
 }
 
 TEST_CASE("no overlap means no contact", "[normal]") {
-    const Case problem(Grid::centred(9, 8, 0.1, 0.1));
+    const Case problem(Grid::of_elements(9, 8, 0.1, 0.1));
     const auto solution = problem.solve(Values(72, 0.1), GENERATE(Values{}, Values(72, 5.0)));
     CHECK(solution.evidence.converged);
     CHECK(largest(solution.pressure) == 0);
 }
 
 TEST_CASE("a single element in contact carries h/A", "[normal]") {
-    const Case problem(Grid::centred(5, 5, 0.1, 0.1));
+    const Case problem(Grid::of_elements(5, 5, 0.1, 0.1));
     Values h(25, 1.0);
     h[12] = -0.01;
     const auto solution = problem.solve(h);
@@ -111,7 +111,7 @@ TEST_CASE("a single element in contact carries h/A", "[normal]") {
 }
 
 TEST_CASE("the estimate does not change the answer", "[normal]") {
-    const Case problem(Grid::centred(18, 18, 0.13, 0.13));
+    const Case problem(Grid::of_elements(18, 18, 0.13, 0.13));
     const Values h = problem.gap([](double x, double y) { return sphere(x, y) - 0.01; });
     const auto plain = problem.solve(h);
     const auto same = [&](const Values& initial) {
@@ -139,7 +139,7 @@ TEST_CASE("the estimate does not change the answer", "[normal]") {
 
 TEST_CASE("pressures of a sphere approach Hertz", "[normal]") {
     const int n = GENERATE(60, 61);
-    const Case problem(Grid::centred(n, n, 1.3 / n, 1.3 / n));
+    const Case problem(Grid::of_elements(n, n, 1.3 / n, 1.3 / n));
     const auto solution = problem.solve(problem.gap([](double x, double y) { return (x * x + y * y) / 20 - 0.025; }));
     double Fn = 0;
     for (const double p : solution.pressure) Fn += p * problem.grid.element_area();
@@ -149,7 +149,7 @@ TEST_CASE("pressures of a sphere approach Hertz", "[normal]") {
 }
 
 TEST_CASE("a solution that missed the tolerance says so", "[normal]") {
-    const Case problem(Grid::centred(18, 18, 0.13, 0.13));
+    const Case problem(Grid::of_elements(18, 18, 0.13, 0.13));
     const Values h = problem.gap([](double x, double y) { return sphere(x, y) - 0.01; });
     const auto solution = problem.solve(h, {}, {1e-6, 2});
     CHECK_FALSE(solution.evidence.converged);
@@ -171,7 +171,7 @@ TEST_CASE("normal contact can be cancelled and reports progress", "[normal]") {
         }
         bool cancelled() const override { return ++questions >= cancel_at; }
     } observer;
-    const Case problem(Grid::centred(18, 18, 0.13, 0.13));
+    const Case problem(Grid::of_elements(18, 18, 0.13, 0.13));
     const Values h = problem.gap([](double x, double y) { return sphere(x, y) - 0.01; });
     solve_normal(problem.influence, h, {}, {}, observer);
     CHECK(observer.reports > 0);
@@ -180,7 +180,7 @@ TEST_CASE("normal contact can be cancelled and reports progress", "[normal]") {
 }
 
 TEST_CASE("arrays of the wrong size are refused", "[normal]") {
-    const Case problem(Grid::centred(4, 4, 1, 1));
+    const Case problem(Grid::of_elements(4, 4, 1, 1));
     CHECK_THROWS_AS(problem.solve(Values(15)), InvalidArgument);
     CHECK_THROWS_AS(problem.solve(Values(16), Values(3)), InvalidArgument);
 }

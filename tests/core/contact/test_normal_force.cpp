@@ -45,7 +45,7 @@ struct Case {
 };
 
 Case ellipse() {
-    return {Grid::centred(30, 24, 0.1, 0.09), radii_of_force({1.3, 0.9}, compliance, 2000)};
+    return {Grid::of_elements(30, 24, 0.1, 0.09), radii_of_force({1.3, 0.9}, compliance, 2000)};
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ TEST_CASE("the force that an approach makes finds the approach", "[normal]") {
 }
 
 TEST_CASE("the established code's approach and largest pressure", "[normal]") {
-    const Case problem(Grid::centred(25, 25, 13.2 / 25, 8.8 / 25), radii_of_force({6, 4}, compliance, 50000));
+    const Case problem(Grid::of_elements(25, 25, 13.2 / 25, 8.8 / 25), radii_of_force({6, 4}, compliance, 50000));
     const auto solution = problem.at_force(50000, {}, {1e-8, 1000});
     REQUIRE(solution.evidence.converged);
     CHECK_THAT(solution.approach, WithinRel(0.0665015273, 1e-9));
@@ -89,7 +89,7 @@ TEST_CASE("a large force brings the whole window into contact", "[normal]") {
 }
 
 TEST_CASE("one element carries all of the force", "[normal]") {
-    const Case problem(Grid::centred(1, 1, 0.1, 0.1), {50, 50});
+    const Case problem(Grid::of_elements(1, 1, 0.1, 0.1), {50, 50});
     const auto solution = problem.at_force(3);
     CHECK(solution.evidence.converged);
     CHECK_THAT(solution.pressure[0], WithinRel(300.0, 1e-12));
@@ -97,7 +97,7 @@ TEST_CASE("one element carries all of the force", "[normal]") {
 }
 
 TEST_CASE("the pressures of another force are a good start", "[normal]") {
-    const Case problem(Grid::centred(60, 60, 0.05, 0.04), radii_of_force({1.3, 0.9}, compliance, 2000));
+    const Case problem(Grid::of_elements(60, 60, 0.05, 0.04), radii_of_force({1.3, 0.9}, compliance, 2000));
     const auto before = problem.at_force(2000);
     const auto cold = problem.at_force(2100);
 
@@ -117,9 +117,9 @@ TEST_CASE("forces that pull or have no value are refused", "[normal]") {
 
 TEST_CASE("a small contact anywhere in a large window is that of a small window", "[normal]") {
     const double x = GENERATE(0.0, -1.9, 1.2), y = GENERATE(0.0, 1.6);
-    Case large(Grid::centred(100, 90, 0.05, 0.05), {});
+    Case large(Grid::of_elements(100, 90, 0.05, 0.05), {});
     large.distance = sampled({10, 10}, {100, 90, 0.05, 0.05, -2.5 - x, -2.25 - y});
-    const Case small(Grid::centred(30, 30, 0.05, 0.05), {10, 10});
+    const Case small(Grid::of_elements(30, 30, 0.05, 0.05), {10, 10});
     const auto expected = small.at_force(50);
 
     const auto by_force = large.at_force(50), by_approach = large.at_approach(expected.approach);
@@ -132,7 +132,7 @@ TEST_CASE("a small contact anywhere in a large window is that of a small window"
 }
 
 TEST_CASE("a second contact far from the estimate is found", "[normal]") {
-    Case problem(Grid::centred(100, 90, 0.05, 0.05), {});
+    Case problem(Grid::of_elements(100, 90, 0.05, 0.05), {});
     const Grid& grid = problem.grid;
     for (int iy = 0; iy < grid.ny; ++iy)
         for (int ix = 0; ix < grid.nx; ++ix)
@@ -150,12 +150,12 @@ TEST_CASE("a second contact far from the estimate is found", "[normal]") {
 }
 
 TEST_CASE("border elements are counted once", "[normal]") {
-    const Grid grid = Grid::centred(4, 3, 1, 1);
+    const Grid grid = Grid::of_elements(4, 3, 1, 1);
     Values pressure(12);
     CHECK(border_elements(grid, pressure) == 0);
     pressure[5] = 1;
     CHECK(border_elements(grid, pressure) == 0);
     pressure[0] = pressure[7] = 1;
     CHECK(border_elements(grid, pressure) == 2);
-    CHECK(border_elements(Grid::centred(1, 1, 1, 1), Values{1}) == 1);
+    CHECK(border_elements(Grid::of_elements(1, 1, 1, 1), Values{1}) == 1);
 }

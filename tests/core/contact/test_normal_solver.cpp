@@ -23,7 +23,7 @@ const SolverSettings exact{1e-10, 200};
 
 // A sphere on a grid that is wider than its contact; boxes around that save products.
 struct Sphere {
-    Grid grid = Grid::centred(48, 40, 0.1, 0.1);
+    Grid grid = Grid::of_elements(48, 40, 0.1, 0.1);
     PairOperator influence{half_space_pair(grid, {82000, 0.28}), grid.nx, grid.ny};
     Values distance = sampled(Paraboloid{300, 300}, grid);
 

@@ -48,7 +48,7 @@ PrescribedForces forces(std::optional<double> Fx, std::optional<double> Fy) {
 
 // A contact whose bound is a hemisphere.
 RandomFriction hemisphere() {
-    const Grid grid = Grid::centred(20, 18, 0.1, 0.1);
+    const Grid grid = Grid::of_elements(20, 18, 0.1, 0.1);
     RandomFriction problem{grid, half_space_pair(grid, {200, 0.3}), {}, {}, {}, {}};
     for (int iy = 0; iy < grid.ny; ++iy)
         for (int ix = 0; ix < grid.nx; ++ix)

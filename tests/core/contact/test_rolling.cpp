@@ -17,7 +17,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double law_accuracy = 2e-5;  // in the largest norm, of a root mean square to 1e-6
 
 Grid window(int nx, int ny, double aspect = 1) {
-    return Grid::centred(nx, ny, 2.0 / nx, 2.0 * aspect / ny);
+    return Grid::of_elements(nx, ny, 2.0 / nx, 2.0 * aspect / ny);
 }
 
 double total(const Values& values) {
@@ -117,7 +117,7 @@ TEST_CASE("rolling problems turned by a right angle have the same solution, turn
     const Grid grid = window(15, 11, 0.6);
     RollingCase along(grid, material, 3, 0, grid.dx);
     along.set(0.002, 0.001, 0.002);
-    RollingCase across(Grid::centred(grid.ny, grid.nx, grid.dy, grid.dx), material, 3, 0.5 * pi, grid.dx);
+    RollingCase across(Grid::of_elements(grid.ny, grid.nx, grid.dy, grid.dx), material, 3, 0.5 * pi, grid.dx);
     across.set(-0.001, 0.002, 0.002);
 
     const TangentialForces a = along.forces(along.steady({1e-9, 1000}));

@@ -88,11 +88,11 @@ TEST_CASE("bodies that do not touch carry nothing", "[contact]") {
 
 TEST_CASE("a shift along y is a shift along x turned", "[contact]") {
     ContactProblem problem = cattaneo_problem(21);
-    problem.grid = Grid::centred(21, 33, 0.11, 0.08);
+    problem.grid = Grid::of_elements(21, 33, 0.11, 0.08);
     problem.gap = Paraboloid{40, 60};
     problem.settings.tangential.tolerance = 1e-8;
     const auto along_x = solve_half_spaces(problem);
-    problem.grid = Grid::centred(33, 21, 0.08, 0.11);
+    problem.grid = Grid::of_elements(33, 21, 0.08, 0.11);
     problem.gap = Paraboloid{60, 40};
     problem.friction = FrictionLaw{{0.4}};
     problem.motion = Shift{{0, 0.00817}};
@@ -129,7 +129,7 @@ TEST_CASE("only bodies that couple, or a slip law, need an outer loop", "[contac
 TEST_CASE("invalid problems and operators of another size are refused", "[contact]") {
     ContactProblem problem = cattaneo_problem(10);
     const ContactInfluence influence{
-        std::make_shared<PairOperator>(half_space_pair(Grid::centred(9, 10, 1, 1), {200, 0.42}), 9, 10), nullptr};
+        std::make_shared<PairOperator>(half_space_pair(Grid::of_elements(9, 10, 1, 1), {200, 0.42}), 9, 10), nullptr};
     Observer observer;
     CHECK_THROWS_AS(solve_contact(problem, influence, observer), InvalidArgument);
     problem.friction->mu = {-1};
@@ -311,7 +311,7 @@ TEST_CASE("contact at the border of the potential contact area is warned of", "[
 TEST_CASE("semi-axes stand for the paraboloid whose contact has them", "[contact]") {
     ContactProblem problem = cattaneo_problem(40);
     problem.friction.reset();
-    problem.grid = Grid::centred(60, 50, 4.8 / 60, 2.4 / 50);
+    problem.grid = Grid::of_elements(60, 50, 4.8 / 60, 2.4 / 50);
     problem.gap = SemiAxes{2, 1};
     SECTION("under a force") {
         problem.approach.reset();

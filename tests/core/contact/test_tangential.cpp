@@ -96,13 +96,13 @@ TEST_CASE("friction law holds for shifts in any direction and size", "[tangentia
     const double angle = GENERATE(0.0, 1.1, 3.9);
     const double size = GENERATE(0.0005, 0.003, 0.008, 0.1);
     CAPTURE(nx, ny, angle, size);
-    const ShiftCase shift(Grid::centred(nx, ny, 2.0 / nx, 2.0 / nx / aspect), 1.7, size * std::cos(angle),
+    const ShiftCase shift(Grid::of_elements(nx, ny, 2.0 / nx, 2.0 / nx / aspect), 1.7, size * std::cos(angle),
                           size * std::sin(angle));
     check_friction_law(shift, shift.solve(), law_accuracy);
 }
 
 TEST_CASE("friction law holds for rigid slip that differs by element", "[tangential]") {
-    ShiftCase shift(Grid::centred(19, 16, 0.1, 0.12), 1.5, 0, 0);
+    ShiftCase shift(Grid::of_elements(19, 16, 0.1, 0.12), 1.5, 0, 0);
     SECTION("spin") {
         const double shift_x = GENERATE(0.0, 0.002);
         for (int iy = 0; iy < 16; ++iy)
@@ -123,7 +123,7 @@ TEST_CASE("friction law holds for rigid slip that differs by element", "[tangent
 }
 
 TEST_CASE("small shifts adhere everywhere, large ones slip everywhere", "[tangential]") {
-    const Grid grid = Grid::centred(14, 14, 0.15, 0.15);
+    const Grid grid = Grid::of_elements(14, 14, 0.15, 0.15);
     ShiftCase small(grid, 1.7, 1e-3, 0);
     for (double& g : small.bound)
         if (g > 0) g = 1e3;
@@ -137,7 +137,7 @@ TEST_CASE("small shifts adhere everywhere, large ones slip everywhere", "[tangen
 }
 
 TEST_CASE("no shift, no traction", "[tangential]") {
-    const ShiftCase shift(Grid::centred(12, 12, 0.1, 0.1), 1.7, 0, 0);
+    const ShiftCase shift(Grid::of_elements(12, 12, 0.1, 0.1), 1.7, 0, 0);
     const std::size_t n = shift.bound.size();
     const bool estimate = GENERATE(false, true);
     const auto solution = estimate ? shift.solve(random_values(n, 1), random_values(n, 2)) : shift.solve();
@@ -149,7 +149,7 @@ TEST_CASE("no shift, no traction", "[tangential]") {
 }
 
 TEST_CASE("no bound, no traction", "[tangential]") {
-    const ShiftCase shift(Grid::centred(6, 6, 0.1, 0.1), 0, 0.01, 0.01);
+    const ShiftCase shift(Grid::of_elements(6, 6, 0.1, 0.1), 0, 0.01, 0.01);
     const auto solution = shift.solve();
     CHECK(solution.evidence.converged);
     CHECK(largest(solution.traction_x) == 0);
@@ -157,7 +157,7 @@ TEST_CASE("no bound, no traction", "[tangential]") {
 }
 
 TEST_CASE("the estimate does not change the tractions", "[tangential]") {
-    const ShiftCase shift(Grid::centred(20, 20, 0.1, 0.1), 1.7, 0.004, 0.003);
+    const ShiftCase shift(Grid::of_elements(20, 20, 0.1, 0.1), 1.7, 0.004, 0.003);
     const std::size_t n = shift.bound.size();
     const auto reference = shift.solve({}, {}, {1e-11, 1000});
     const auto same = [&](const Values& x, const Values& y) {
@@ -186,7 +186,7 @@ TEST_CASE("the estimate does not change the tractions", "[tangential]") {
 }
 
 TEST_CASE("an opposite shift gives opposite tractions", "[tangential]") {
-    const Grid grid = Grid::centred(15, 12, 0.1, 0.1);
+    const Grid grid = Grid::of_elements(15, 12, 0.1, 0.1);
     const auto one = ShiftCase(grid, 1.7, 0.004, 0.001).solve(), other = ShiftCase(grid, 1.7, -0.004, -0.001).solve();
     CHECK(total(one.traction_x) < 0);
     CHECK(one.element_division == other.element_division);
@@ -194,7 +194,7 @@ TEST_CASE("an opposite shift gives opposite tractions", "[tangential]") {
 }
 
 TEST_CASE("tractions that missed the tolerance say so and keep the bound", "[tangential]") {
-    const ShiftCase shift(Grid::centred(16, 16, 0.125, 0.125), 1.7, 0.006, 0.002);
+    const ShiftCase shift(Grid::of_elements(16, 16, 0.125, 0.125), 1.7, 0.006, 0.002);
     const auto solution = shift.solve({}, {}, {1e-6, 3});
     CHECK_FALSE(solution.evidence.converged);
     CHECK(solution.evidence.iterations == 3);
@@ -206,7 +206,7 @@ TEST_CASE("tangential contact can be cancelled", "[tangential]") {
     struct : Observer {
         bool cancelled() const override { return true; }
     } observer;
-    const ShiftCase shift(Grid::centred(24, 24, 0.1, 0.1), 1.7, 0.004, 0.001);
+    const ShiftCase shift(Grid::of_elements(24, 24, 0.1, 0.1), 1.7, 0.004, 0.001);
     CHECK_THROWS_AS(solve_tangential(shift.influence, shift.bound, shift.rigid_x, shift.rigid_y, {}, {}, {}, observer),
                     Cancelled);
 }

@@ -28,7 +28,7 @@ ThermalBody body_of(double effusivity, double bulk_temperature = 0) {
 
 ContactProblem rolling_problem(const Rolling& rolling, double mu) {
     ContactProblem problem;
-    problem.grid = Grid::centred(21, 17, 0.6, 0.6);
+    problem.grid = Grid::of_elements(21, 17, 0.6, 0.6);
     problem.bodies = Bodies::of({{82000, 0.28}, {82000, 0.28}});
     problem.gap = Paraboloid{460, 300};
     problem.Fn = 40000;

@@ -17,7 +17,7 @@ namespace {
 /// A sphere on a plane, about eleven elements across the contact.
 ContactProblem rolling_sphere(const Rolling& rolling) {
     ContactProblem problem;
-    problem.grid = Grid::centred(14, 12, 2.4 / 14, 2.4 / 12);
+    problem.grid = Grid::of_elements(14, 12, 2.4 / 14, 2.4 / 12);
     problem.bodies = {{1000, 0.28}, {1000, 0.28}};
     problem.gap = Paraboloid{50, 50};
     problem.approach = 0.02;
@@ -114,7 +114,7 @@ TEST_CASE("the steps of one problem are those of many", "[rolling]") {
 }
 
 TEST_CASE("particles that enter during a step are known by how far they have come", "[rolling]") {
-    const Grid grid = Grid::centred(5, 2, 1, 1);  // elements of 1 x 1
+    const Grid grid = Grid::of_elements(5, 2, 1, 1);  // elements of 1 x 1
     const std::vector<double> pressure{0, 1, 1, 1, 0, 1, 1, 0, 1, 1};
     CHECK(entering_particles(grid, pressure, {1, 0}).empty());
     CHECK(entering_particles(grid, std::vector<double>(10), {4, 0}).empty());
@@ -135,7 +135,7 @@ TEST_CASE("particles that enter during a step are known by how far they have com
 TEST_CASE("a first step longer than an element has the division that its particles ask for", "[rolling]") {
     // Printed of this problem by the CONTACT program, which takes such particles so, too: 466 elements adhere.
     ContactProblem problem;
-    problem.grid = Grid::centred(41, 41, 0.2, 0.2);
+    problem.grid = Grid::of_elements(41, 41, 0.2, 0.2);
     problem.bodies = Bodies::of({{1, 0.28}, {1, 0.28}});
     problem.gap = Paraboloid{1 / 0.005926, 1 / 0.005926};
     problem.Fn = 0.4705;

@@ -104,7 +104,7 @@ TEST_CASE("A longitudinally uniform body and a half-space have the products of b
     const bool uniform_above = GENERATE(false, true);
     const double dq = GENERATE(0.4, 0.25);
     ContactProblem problem;
-    problem.grid = Grid::centred(14, 10, 0.4, 0.4);
+    problem.grid = Grid::of_elements(14, 10, 0.4, 0.4);
     const Section section = uniform_above ? Section{EdgeBlock{100, 50, 3}} : Section{RailSection{.from = 8}};
     problem.bodies =
         uniform_above ? Bodies{uniform_body(rubber, section), {steel}} : Bodies{{steel}, uniform_body(rubber, section)};

@@ -22,7 +22,7 @@ constexpr Material steel{82000, 0.28};
 
 ContactProblem pressed(NormalModel normal, int nx, int ny, double dx, double dy) {
     ContactProblem problem;
-    problem.grid = Grid::centred(nx, ny, dx, dy);
+    problem.grid = Grid::of_elements(nx, ny, dx, dy);
     problem.bodies = Bodies::of({steel, steel});
     problem.model = Model::fastsim;
     problem.normal_model = normal;

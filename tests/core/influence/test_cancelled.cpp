@@ -59,7 +59,7 @@ IcSpec spec(int nx, int ny) {
 }  // namespace
 
 TEST_CASE("Tables of coefficients are ended row by row") {
-    const Grid grid = Grid::centred(7, 9, 0.5, 0.4);
+    const Grid grid = Grid::of_elements(7, 9, 0.5, 0.4);
     check_asks(9, [](Observer& observer) { half_space_table(spec(7, 9), observer); });
     check_asks(18, [&](Observer& observer) {
         rotated_strips(Section{Slab{100, 100}}, grid, steel, LoadShape::constant, 0, "section", observer);
@@ -75,7 +75,7 @@ TEST_CASE("Tables of coefficients are ended row by row") {
 }
 
 TEST_CASE("Stresses on a raster are ended row by row") {
-    const Grid grid = Grid::centred(20, 20, 1, 1);
+    const Grid grid = Grid::of_elements(20, 20, 1, 1);
     std::vector<double> pressure;
     for (std::size_t i = 0; i < grid.size(); ++i) pressure.push_back(1 + std::sin(static_cast<double>(i * i)));
     StressBlock block;

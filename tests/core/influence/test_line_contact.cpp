@@ -48,7 +48,7 @@ std::string field_refused(const std::function<void(IcSpec&)>& change) {
 
 ContactProblem rolling_cylinder() {
     ContactProblem problem;
-    problem.grid = Grid::centred(20, 1, 0.1, 7);
+    problem.grid = Grid::of_elements(20, 1, 0.1, 7);
     Ics ics;
     ics.line_contact = LineContactSpec{datum};
     problem.bodies = Bodies::of({steel, steel}, ics);
@@ -108,7 +108,7 @@ TEST_CASE("a hat function along x is a mean of constant loads, near and far", "[
             const double shift = ((n + 0.5) / points - 0.5) * dx;
             const ShiftedTable shifted =
                 shifted_half_spaces({{Material::rigid(), steel}, LoadShape::constant, LineContactSpec{datum}},
-                                    Grid::centred(40, 1, dx, 7), shift, 0);
+                                    Grid::of_elements(40, 1, dx, 7), shift, 0);
             zz += shifted(x, x, k, 0) / points;
             xz += shifted(x, z, k, 0) / points;
         }
@@ -144,7 +144,7 @@ TEST_CASE("a line contact that cannot be is refused by name", "[line]") {
 
 TEST_CASE("a problem that changes along y is no line contact", "[line]") {
     CHECK(field_refused_of([](ContactProblem&) {}).empty());
-    CHECK(field_refused_of([](ContactProblem& p) { p.grid = Grid::centred(20, 3, 0.1, 7); }) == "grid.ny");
+    CHECK(field_refused_of([](ContactProblem& p) { p.grid = Grid::of_elements(20, 3, 0.1, 7); }) == "grid.ny");
     CHECK(field_refused_of([](ContactProblem& p) { p.gap = Paraboloid{100, 100}; }) == "gap.paraboloid.Ry");
     CHECK(field_refused_of([](ContactProblem& p) { p.gap = SemiAxes{1, 1}; }) == "gap.semi_axes.b");
     CHECK(field_refused_of([](ContactProblem& p) { p.motion = Rolling{.phi = 1e-4}; }) == "friction.rolling.phi");

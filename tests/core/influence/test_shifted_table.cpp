@@ -79,7 +79,7 @@ TEST_CASE("closed form between element centres is that of each point", "[shifted
     const auto bodies =
         GENERATE(different, MaterialPair{{2, 0.3}, {2, 0.3}}, MaterialPair{Material::rigid(), {5, 0.25}});
     CAPTURE(steps.x, steps.y, int(load_shape), aspect);
-    const Grid grid = Grid::centred(6, 4, 0.3, 0.3 / aspect);
+    const Grid grid = Grid::of_elements(6, 4, 0.3, 0.3 / aspect);
     const double shift_x = steps.x * grid.dx, shift_y = steps.y * grid.dy;
 
     const ShiftedTable table = shifted_half_spaces({bodies, load_shape}, grid, shift_x, shift_y);
@@ -89,13 +89,14 @@ TEST_CASE("closed form between element centres is that of each point", "[shifted
 
 TEST_CASE("closed form stays accurate on long grids", "[shifted]") {
     const auto load_shape = GENERATE(LoadShape::constant, LoadShape::bilinear);
-    const Grid grid = GENERATE(Grid::centred(400, 2, 1, 1), Grid::centred(3, 120, 1, 20), Grid::centred(60, 60, 1, 1));
+    const Grid grid =
+        GENERATE(Grid::of_elements(400, 2, 1, 1), Grid::of_elements(3, 120, 1, 20), Grid::of_elements(60, 60, 1, 1));
     const ShiftedTable table = shifted_half_spaces({different, load_shape}, grid, 0.4 * grid.dx, 0);
     CHECK(error(table, half_spaces(different, load_shape, grid.dx, grid.dy), grid, 0.4 * grid.dx, 0) < 1e-12);
 }
 
 TEST_CASE("a shift by whole elements takes the numbers of the table", "[shifted]") {
-    const Grid grid = Grid::centred(4, 3, 1, 0.7);
+    const Grid grid = Grid::of_elements(4, 3, 1, 0.7);
     IcTable table(9, 6);
     for (std::size_t i = 0; i < table.values.size(); ++i) table.values[i] = std::sin(7.0 * static_cast<double>(i));
     const auto [steps_x, steps_y] = GENERATE(std::pair{1, 0}, std::pair{0, -1}, std::pair{-2, 3}, std::pair{5, 1});
@@ -111,8 +112,8 @@ TEST_CASE("tables of half-spaces shift as the closed form does", "[shifted]") {
     const auto load_shape = GENERATE(LoadShape::constant, LoadShape::bilinear);
     const bool known = GENERATE(true, false);
     const auto steps = GENERATE(Steps{1, 0}, Steps{0.5, 0}, Steps{0, 1.0 / 3}, Steps{0.3, -0.9}, Steps{2, 3});
-    const Grid grid = GENERATE(Grid::centred(7, 5, 0.5, 0.3), Grid::centred(2, 1, 1, 1), Grid::centred(3, 1, 1, 2),
-                               Grid::centred(3, 2, 2, 1));
+    const Grid grid = GENERATE(Grid::of_elements(7, 5, 0.5, 0.3), Grid::of_elements(2, 1, 1, 1),
+                               Grid::of_elements(3, 1, 1, 2), Grid::of_elements(3, 2, 2, 1));
     const Exact exact = half_spaces(different, load_shape, grid.dx, grid.dy);
     const IcTable table = sampled(exact, grid.nx, grid.ny, grid.dx, grid.dy);
     const auto nearest = known ? std::optional(HalfSpaces{different, load_shape}) : std::nullopt;
@@ -124,7 +125,7 @@ TEST_CASE("tables of half-spaces shift as the closed form does", "[shifted]") {
 
 TEST_CASE("tables of other bodies are interpolated and go on beyond their end", "[shifted]") {
     const double h = 0.5;
-    const Grid grid = Grid::centred(20, 20, h, h);
+    const Grid grid = Grid::of_elements(20, 20, h, h);
     const Exact exact = layer(different, h, h, 2 * h);
     const bool known = GENERATE(true, false);
     const auto nearest = known ? std::optional(HalfSpaces{different, LoadShape::constant}) : std::nullopt;
@@ -143,7 +144,7 @@ TEST_CASE("tables of other bodies are interpolated and go on beyond their end", 
 }
 
 TEST_CASE("roughness of a computed table does not grow", "[shifted]") {
-    const Grid grid = Grid::centred(8, 8, 1, 1);
+    const Grid grid = Grid::of_elements(8, 8, 1, 1);
     const Exact exact = half_spaces(different, LoadShape::constant, 1, 1);
     IcTable table = sampled(exact, 8, 8, 1, 1);
     for (std::size_t i = 0; i < table.values.size(); ++i)
@@ -155,14 +156,14 @@ TEST_CASE("roughness of a computed table does not grow", "[shifted]") {
 TEST_CASE("the smallest tables can be shifted any distance", "[shifted]") {
     const auto [nx, ny] = GENERATE(std::pair{1, 1}, std::pair{1, 4}, std::pair{2, 1}, std::pair{2, 2});
     const double steps = GENERATE(0.5, 1.0, 40.25, -3000.0);
-    const Grid grid = Grid::centred(nx, ny, 1, 2);
+    const Grid grid = Grid::of_elements(nx, ny, 1, 2);
     const Exact exact = layer(different, 1, 2, 3);
     const ShiftedTable table = shifted_table(sampled(exact, nx, ny, 1, 2), {}, grid, steps, -steps);
     for (const double value : table.values) CHECK(std::abs(value) < 3 * exact(Axis::x, Axis::x, 0, 0));
 }
 
 TEST_CASE("a shifted table is cropped around its origin", "[shifted]") {
-    const Grid large = Grid::centred(6, 5, 1, 2), small = Grid::centred(4, 2, 1, 2);
+    const Grid large = Grid::of_elements(6, 5, 1, 2), small = Grid::of_elements(4, 2, 1, 2);
     const HalfSpaces pair{different, LoadShape::constant};
     const ShiftedTable part = cropped(shifted_half_spaces(pair, large, 0.3, 0.1), 4, 2);
     const ShiftedTable own = shifted_half_spaces(pair, small, 0.3, 0.1);
@@ -171,7 +172,7 @@ TEST_CASE("a shifted table is cropped around its origin", "[shifted]") {
 }
 
 TEST_CASE("a shifted table needs a table of the grid's extent", "[shifted]") {
-    const Grid grid = Grid::centred(3, 3, 1, 1);
+    const Grid grid = Grid::of_elements(3, 3, 1, 1);
     CHECK_THROWS_AS(shifted_table(IcTable(2, 3), {}, grid, 1, 0), InvalidArgument);
     CHECK_THROWS_AS(shifted_table(IcTable(3, 3), {}, grid, NAN, 0), InvalidArgument);
     CHECK_THROWS_AS(shifted_half_spaces({different, LoadShape::constant}, grid, 0, 1e9), InvalidArgument);

@@ -73,7 +73,7 @@ TEST_CASE("convolution equals the dense sum", "[convolution]") {
         GENERATE(std::pair{1, 1}, std::pair{1, 9}, std::pair{8, 1}, std::pair{2, 2}, std::pair{13, 11}, std::pair{8, 6},
                  std::pair{5, 17}, std::pair{23, 3}, std::pair{128, 2}, std::pair{129, 3});
     CAPTURE(nx, ny);
-    const IcTable table = rough_table(Grid::centred(nx + 2, ny + 1, 1, 0.7));
+    const IcTable table = rough_table(Grid::of_elements(nx + 2, ny + 1, 1, 0.7));
     const ConvolutionOperator influence(table, nx, ny);
     CHECK(influence.diagonal(Axis::y) == Values(influence.size(), table(Axis::y, Axis::y, 0, 0)));
     check_against_dense_sums(influence, table, nx, ny);
@@ -82,14 +82,14 @@ TEST_CASE("convolution equals the dense sum", "[convolution]") {
 }
 
 TEST_CASE("without Poisson's effect the tangential directions are on their own", "[convolution]") {
-    IcTable table = rough_table(Grid::centred(7, 5, 1, 0.7));
+    IcTable table = rough_table(Grid::of_elements(7, 5, 1, 0.7));
     for (const auto& [i, j] : {std::pair{Axis::x, Axis::y}, {Axis::y, Axis::x}})
         std::fill_n(&table(i, j, 0, 0), table.component_size(), 0.0);
     check_against_dense_sums(ConvolutionOperator(table, 7, 5), table, 7, 5);
 }
 
 TEST_CASE("an uncoupled operator gives no displacements across", "[convolution]") {
-    IcTable table = half_space_pair(Grid::centred(6, 4, 1, 1), {1, 0.3});
+    IcTable table = half_space_pair(Grid::of_elements(6, 4, 1, 1), {1, 0.3});
     table(Axis::x, Axis::z, 2, 1) = 1e-9;  // rounding
     const ConvolutionOperator influence(table, 6, 4);
     CHECK_FALSE(influence.coupled());
@@ -103,7 +103,7 @@ TEST_CASE("an uncoupled operator gives no displacements across", "[convolution]"
 }
 
 TEST_CASE("convolution skips rows without traction correctly", "[convolution]") {
-    const IcTable table = rough_table(Grid::centred(6, 7, 1, 1));
+    const IcTable table = rough_table(Grid::of_elements(6, 7, 1, 1));
     const ConvolutionOperator influence(table, 6, 7);
     Values p(42), u(42);
     p[20] = 2;
@@ -114,7 +114,7 @@ TEST_CASE("convolution skips rows without traction correctly", "[convolution]") 
 
 TEST_CASE("convolution of both tangential components skips rows without traction correctly", "[convolution]") {
     const int nx = 6, ny = 11;
-    const IcTable table = rough_table(Grid::centred(nx, ny, 1, 1));
+    const IcTable table = rough_table(Grid::of_elements(nx, ny, 1, 1));
     const ConvolutionOperator influence(table, nx, ny);
     const Values noise = random_values(influence.size(), 5), none(influence.size());
     Values p(influence.size()), ux(influence.size()), uy(ux);
@@ -130,7 +130,7 @@ TEST_CASE("convolution of both tangential components skips rows without traction
 
 TEST_CASE("one operator serves several threads at once", "[convolution]") {
     const int nx = 11, ny = 14;
-    const IcTable table = rough_table(Grid::centred(nx, ny, 1, 1));
+    const IcTable table = rough_table(Grid::of_elements(nx, ny, 1, 1));
     const ConvolutionOperator shared(table, nx, ny);
     const Values p = random_values(shared.size(), 3);
     const Values expected = dense_product(table, Axis::z, Axis::z, nx, ny, p);
@@ -151,7 +151,7 @@ TEST_CASE("preconditioner is symmetric and positive on any contact set", "[convo
     const auto [nx, ny, aspect] =
         GENERATE(std::tuple{7, 6, 1.0}, std::tuple{1, 20, 1.0}, std::tuple{9, 4, 10.0}, std::tuple{5, 9, 0.01});
     const Axis axis = GENERATE(Axis::x, Axis::y, Axis::z);
-    const ConvolutionOperator influence(rough_table(Grid::centred(nx, ny, aspect, 1)), nx, ny);
+    const ConvolutionOperator influence(rough_table(Grid::of_elements(nx, ny, aspect, 1)), nx, ny);
     const std::size_t n = influence.size();
     std::vector<std::size_t> set;
     const Values chance = random_values(n, 11, 0, 1);
@@ -176,7 +176,7 @@ TEST_CASE("preconditioner is symmetric and positive on any contact set", "[convo
 
 TEST_CASE("coarser operator stands for elements of twice the size", "[convolution]") {
     const int nx = 40, ny = 21;
-    const Grid grid = Grid::centred(nx, ny, 1, 1);
+    const Grid grid = Grid::of_elements(nx, ny, 1, 1);
     const ConvolutionOperator fine(dissimilar_pair(grid), nx, ny);
     const CoarserGrid* grid_of_coarse = fine.coarser();
     REQUIRE(grid_of_coarse != nullptr);
@@ -203,12 +203,12 @@ TEST_CASE("coarser operator stands for elements of twice the size", "[convolutio
 }
 
 TEST_CASE("small grids have no coarser operator", "[convolution]") {
-    const ConvolutionOperator influence(half_space_pair(Grid::centred(10, 1, 1, 1), {1, 0.3}), 10, 1);
+    const ConvolutionOperator influence(half_space_pair(Grid::of_elements(10, 1, 1, 1), {1, 0.3}), 10, 1);
     CHECK(influence.coarser() == nullptr);
 }
 
 TEST_CASE("a convenient box holds what is needed, with a margin where the contact may grow", "[convolution]") {
-    const ConvolutionOperator influence(half_space_pair(Grid::centred(40, 30, 0.1, 0.1), {200, 0.3}), 40, 30);
+    const ConvolutionOperator influence(half_space_pair(Grid::of_elements(40, 30, 0.1, 0.1), {200, 0.3}), 40, 30);
     const ElementBox needed = GENERATE(ElementBox{3, 4, 11, 9}, ElementBox{29, 0, 11, 12}, ElementBox{20, 20, 1, 1});
     for (const bool may_grow : {true, false}) {
         const ElementBox box = influence.boxes()->convenient(needed, may_grow);
@@ -224,7 +224,7 @@ TEST_CASE("a convenient box holds what is needed, with a margin where the contac
 }
 
 TEST_CASE("convolution refuses a table that is too small", "[convolution]") {
-    const IcTable table = half_space_pair(Grid::centred(5, 5, 1, 1), {1, 0.3});
+    const IcTable table = half_space_pair(Grid::of_elements(5, 5, 1, 1), {1, 0.3});
     CHECK_THROWS_AS(ConvolutionOperator(table, 6, 5), InvalidArgument);
     CHECK_THROWS_AS(ConvolutionOperator(table, 5, 0), InvalidArgument);
 }

@@ -81,7 +81,7 @@ TEST_CASE("displacements on a shifted grid are those the particles have there", 
                        half_space_table(analytic(lower, 1, 0.5, extent_x, ny)));
     };
     const ConvolutionOperator influence(pair(nx), nx, ny);
-    const ShiftedOperator shifted(shifted_table(pair(nx + 1), {}, Grid::centred(nx, ny, 1, 0.5), 1, 0));
+    const ShiftedOperator shifted(shifted_table(pair(nx + 1), {}, Grid::of_elements(nx, ny, 1, 0.5), 1, 0));
     REQUIRE(shifted.coupled());
     const Values p = random_values(influence.size(), 1), q = random_values(influence.size(), 2);
     Values ux(p.size()), uy(p), ahead_x(p), ahead_y(p);
@@ -101,7 +101,7 @@ TEST_CASE("displacements on a shifted grid are those the particles have there", 
 }
 
 TEST_CASE("bodies alike give no shifted displacements across", "[shifted]") {
-    const Grid grid = Grid::centred(4, 4, 1, 1);
+    const Grid grid = Grid::of_elements(4, 4, 1, 1);
     const ShiftedOperator shifted(shifted_half_spaces({{{1, 0.3}, {1, 0.3}}, LoadShape::constant}, grid, 0.5, 0));
     CHECK_FALSE(shifted.coupled());
     Values ux(16, 1.0), uy(16, 1.0);
@@ -155,7 +155,7 @@ TEST_CASE("the inverse of a step with something added undoes its product away fr
     const auto [nx, ny] = GENERATE(std::pair{40, 40}, std::pair{64, 1}, std::pair{31, 50});
     CAPTURE(nx, ny);
     const Material material{3, 0.3};
-    const Grid grid = Grid::centred(nx, ny, 1, 0.7);
+    const Grid grid = Grid::of_elements(nx, ny, 1, 0.7);
     const IcTable body = half_space_table(analytic(material, 1, 0.7, nx, ny)), pair = pair_of(body, body);
     const ShiftedOperator change(
         change_over_step(pair, shifted_half_spaces({{material, material}, LoadShape::constant}, grid, 0.8, 0.3)));

@@ -23,7 +23,7 @@ using enum Axis;
 /// A reciprocal table whose strips have nothing in common, its offsets along x those of half-spaces.
 StripTable rough_table(int nx, int strips) {
     const Material soft{1, 0.1}, stiff{3, 0.4};
-    const Grid grid = Grid::centred(nx, strips, 1, 0.7);
+    const Grid grid = Grid::of_elements(nx, strips, 1, 0.7);
     StripTable table = strip_table_of(pair_of(body_table(grid, stiff), body_table(grid, soft)));
     const Values noise = random_values(table.values.size(), 7, 0.9, 1.1);
     for (std::size_t i = 0; i < noise.size(); ++i) table.values[i] *= noise[i];
@@ -71,7 +71,7 @@ void check_against_dense_sums(const InfluenceOperator& influence, const StripTab
 }
 
 std::shared_ptr<const ConvolutionOperator> near_operator(int nx, int ny) {
-    return std::make_shared<const ConvolutionOperator>(half_space_pair(Grid::centred(nx, ny, 1, 0.7), {1, 0.3}), nx,
+    return std::make_shared<const ConvolutionOperator>(half_space_pair(Grid::of_elements(nx, ny, 1, 0.7), {1, 0.3}), nx,
                                                        ny);
 }
 
@@ -86,7 +86,7 @@ struct FlatRolling {
     ContactInfluence strips, half_spaces;
 
     explicit FlatRolling(double chi, double elements_per_step, int more_offsets = 0) {
-        problem.grid = Grid::centred(14, 9, 0.5, 0.4);
+        problem.grid = Grid::of_elements(14, 9, 0.5, 0.4);
         problem.bodies = {{Material{300, 0.3}}, {Material{100, 0.45}}};
         problem.friction = FrictionLaw{{0.3}};
         problem.motion = Rolling{.xi = 1e-3, .chi = chi, .dq = elements_per_step * problem.grid.dx};
@@ -167,7 +167,7 @@ TEST_CASE("the strip operator of a flat surface is that of half-spaces", "[strip
 
 TEST_CASE("coarser grids of a flat strip operator are those of half-spaces", "[strips]") {
     const int n = 23;
-    const IcTable flat = half_space_pair(Grid::centred(n, n, 1, 0.7), {1, 0.3});
+    const IcTable flat = half_space_pair(Grid::of_elements(n, n, 1, 0.7), {1, 0.3});
     const auto near = std::make_shared<const ConvolutionOperator>(flat, n, n);
     const auto parts = std::make_shared<const StripParts>(strip_table_of(flat), n);
     const StripOperator strips(parts, parts->extent(), near);
@@ -223,7 +223,7 @@ TEST_CASE("a step of rolling changes the same on a flat strip table as on half-s
 
 TEST_CASE("operators of an upper body alone are those of its mirror image below", "[strips]") {
     ContactProblem problem;
-    problem.grid = Grid::centred(6, 5, 0.5, 0.4);
+    problem.grid = Grid::of_elements(6, 5, 0.5, 0.4);
     problem.bodies = {{Material{300, 0.3}}, {Material{100, 0.45}}};
     const Grid& grid = problem.grid;
     StripTable upper = symmetrised([&] {
@@ -272,7 +272,7 @@ TEST_CASE("bodies with a cross-section roll along x only, and not farther than t
 
 TEST_CASE("a strip table must fit the grid", "[strips]") {
     ContactProblem problem;
-    problem.grid = Grid::centred(6, 5, 0.5, 0.4);
+    problem.grid = Grid::of_elements(6, 5, 0.5, 0.4);
     problem.bodies = {{Material{300, 0.3}}, {Material::rigid()}};
     CHECK_THROWS_AS(strip_influence(problem, StripTable(6, 4)), InvalidArgument);
     CHECK_THROWS_AS(strip_influence(problem, StripTable(5, 5)), InvalidArgument);

@@ -16,7 +16,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-const Grid grid = Grid::centred(40, 24, 0.2, 0.3);
+const Grid grid = Grid::of_elements(40, 24, 0.2, 0.3);
 const Material steel{82000, 0.28}, rubber{20000, 0.45};
 
 std::shared_ptr<const ConvolutionOperator> convolution(IcTable table) {

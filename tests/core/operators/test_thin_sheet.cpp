@@ -25,7 +25,7 @@ constexpr Material steel{82000, 0.28};
 /// A ball of 100 mm on a plane.
 ContactProblem ball(int n, double size, const Material& material = steel) {
     ContactProblem problem;
-    problem.grid = Grid::centred(n, n, size / n, size / n);
+    problem.grid = Grid::of_elements(n, n, size / n, size / n);
     problem.bodies = Bodies::of({material, material});
     problem.gap = Paraboloid{100, 100};
     return problem;

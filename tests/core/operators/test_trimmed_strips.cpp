@@ -21,11 +21,11 @@ struct Trimmed {
     StripOperator influence;
 
     Trimmed(int nx, int strips, double left_out)
-        : table(strip_table_of(half_space_pair(Grid::centred(nx + 1, strips, 1, 0.7), {1, 0.3}))),
+        : table(strip_table_of(half_space_pair(Grid::of_elements(nx + 1, strips, 1, 0.7), {1, 0.3}))),
           parts(std::make_shared<const StripParts>(table, nx, OffsetParity::natural, left_out)),
           influence(parts, parts->extent(),
                     std::make_shared<const ConvolutionOperator>(
-                        half_space_pair(Grid::centred(nx, strips, 1, 0.7), {1, 0.3}), nx, strips)) {}
+                        half_space_pair(Grid::of_elements(nx, strips, 1, 0.7), {1, 0.3}), nx, strips)) {}
 };
 
 double product(const Values& a, const Values& b) {

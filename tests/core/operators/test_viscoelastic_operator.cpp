@@ -18,7 +18,7 @@ namespace {
 
 ContactProblem rolling_problem(int nx, int ny, double chi = 0) {
     ContactProblem problem;
-    problem.grid = Grid::centred(nx, ny, 0.5, 0.7);
+    problem.grid = Grid::of_elements(nx, ny, 0.5, 0.7);
     problem.bodies = {{{1143, 0.4}, Ics{}, Viscoelasticity{1.5, 2e-3}},
                       {{900, 0.2}, Ics{}, Viscoelasticity{0.5, 1e-2}}};
     problem.friction = FrictionLaw{{0.3}};

@@ -15,7 +15,7 @@ namespace {
 using Point = std::array<double, 3>;
 using Tensor = std::array<double, 6>;  // xx, yy, zz, xy, xz, yz
 
-const Grid grid = Grid::centred(5, 4, 1, 0.8);
+const Grid grid = Grid::of_elements(5, 4, 1, 0.8);
 
 SurfaceTractions uneven() {
     SurfaceTractions tractions;

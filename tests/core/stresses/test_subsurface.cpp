@@ -33,9 +33,9 @@ SurfaceTractions unit_traction(Axis load) {
 
 std::array<double, 6> below_element(Axis load, double dx, double dy, const Point& point, double nu) {
     Observer observer;
-    return stress_at(
-        subsurface_stress(Grid::centred(1, 1, dx, dy), unit_traction(load), nu, std::vector<Point>{point}, observer),
-        0);
+    return stress_at(subsurface_stress(Grid::of_elements(1, 1, dx, dy), unit_traction(load), nu,
+                                       std::vector<Point>{point}, observer),
+                     0);
 }
 
 Values random_values(std::size_t n, unsigned seed) {
@@ -94,7 +94,7 @@ TEST_CASE("far below, an element is a point force", "[subsurface]") {
 }
 
 TEST_CASE("at the surface the stresses are the tractions", "[subsurface]") {
-    const Grid grid = Grid::centred(5, 4, 1, 0.6);
+    const Grid grid = Grid::of_elements(5, 4, 1, 0.6);
     const SurfaceTractions tractions{random_values(20, 1), random_values(20, 2), random_values(20, 3)};
     const double depth = GENERATE(0.0, 1e-9);
     std::vector<Point> points;
@@ -125,8 +125,8 @@ TEST_CASE("edges between equal tractions do not show", "[subsurface]") {
     Observer observer;
     const std::array<Point, 2> points{Point{0, 0.1, 0}, {0, 0, -1e-12}};
     const Values equal(16, 0.7);
-    const auto many = subsurface_stress(Grid::centred(4, 4, 1, 1), {equal, equal, equal}, 0.3, points, observer);
-    const auto one = subsurface_stress(Grid::centred(1, 1, 4, 4), {{0.7}, {0.7}, {0.7}}, 0.3, points, observer);
+    const auto many = subsurface_stress(Grid::of_elements(4, 4, 1, 1), {equal, equal, equal}, 0.3, points, observer);
+    const auto one = subsurface_stress(Grid::of_elements(1, 1, 4, 4), {{0.7}, {0.7}, {0.7}}, 0.3, points, observer);
     check_equal(many, one, 1e-12);
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("blocks hold the stresses of their points", "[subsurface]") {
 
 TEST_CASE("von Mises stress and its largest value are found", "[subsurface]") {
     Observer observer;
-    const Grid grid = Grid::centred(1, 1, 1, 1);
+    const Grid grid = Grid::of_elements(1, 1, 1, 1);
     const StressBlock block{{0}, {0}, {0, -0.3, -0.6, -2}};
     const auto s = subsurface_stress(grid, {{}, {}, {-5}}, 0.3, block, observer);
     for (std::size_t i = 0; i < 4; ++i)  // on the axis xx = yy and nothing is sheared
@@ -192,7 +192,7 @@ TEST_CASE("tractions on the two bodies are opposite, each in the frame of its bo
 
 TEST_CASE("without tractions there is no stress", "[subsurface]") {
     Observer observer;
-    const auto s = subsurface_stress(Grid::centred(3, 3, 1, 1), {{}, Values(9), {}}, 0.3,
+    const auto s = subsurface_stress(Grid::of_elements(3, 3, 1, 1), {{}, Values(9), {}}, 0.3,
                                      StressBlock{{0, 1}, {0}, {0, -1}}, observer);
     CHECK(s.von_mises == Values(4));
 }
@@ -210,7 +210,7 @@ TEST_CASE("stresses can be watched and cancelled", "[subsurface]") {
         }
         bool cancelled() const override { return reports >= cancel_after; }
     };
-    const Grid grid = Grid::centred(30, 30, 1, 1);
+    const Grid grid = Grid::of_elements(30, 30, 1, 1);
     const SurfaceTractions tractions{{}, {}, random_values(900, 1)};
     const std::vector<Point> points(400, Point{0.3, 0.3, -1});
     const StressBlock block{{0, 1.1, 2.3, 3.7}, {0}, Values(100, -1.0)};
@@ -232,7 +232,7 @@ TEST_CASE("stresses can be watched and cancelled", "[subsurface]") {
 
 TEST_CASE("impossible requests for stresses are refused", "[subsurface]") {
     Observer observer;
-    const Grid grid = Grid::centred(2, 1, 1, 1);
+    const Grid grid = Grid::of_elements(2, 1, 1, 1);
     const SurfaceTractions tractions{{}, {}, {1, 2}};
     const auto field_of = [&](const SurfaceTractions& given, double nu, const StressBlock& block) -> std::string {
         try {
@@ -284,7 +284,7 @@ TEST_CASE("Displacements inside agree with quadrature of point forces", "[subsur
              {Point{0, 0, -2}, {1, -2, -1.5}, {-3, 0, 0}, {0, 2.5, -0.1}, {-2, -2, 0}, {6, 4, -3}}) {
             CAPTURE(nu, int(load), point);
             const auto expected = half_space_displacement(spec, load, point);
-            const auto found = subsurface_displacement(Grid::centred(1, 1, dx, dy), unit_traction(load), material,
+            const auto found = subsurface_displacement(Grid::of_elements(1, 1, dx, dy), unit_traction(load), material,
                                                        StressPoints{point}, observer);
             const double largest = dx * dy / (4 * 3.14 * 70 * 2);
             CHECK_THAT(found.x[0], WithinAbs(expected[0], 1e-6 * largest));
@@ -300,7 +300,7 @@ TEST_CASE("On the surface displacements are the influence coefficients", "[subsu
     const StressBlock block{{-1, 0, 0.5}, {-0.8, 0, 1.6}, {0}};
     for (const Axis load : {Axis::x, Axis::y, Axis::z}) {
         const auto found =
-            subsurface_displacement(Grid::centred(1, 1, dx, dy), unit_traction(load), material, block, observer);
+            subsurface_displacement(Grid::of_elements(1, 1, dx, dy), unit_traction(load), material, block, observer);
         const std::array<const Values*, 3> components{&found.x, &found.y, &found.z};
         for (std::size_t j = 0; j < 3; ++j)
             for (std::size_t i = 0; i < 3; ++i)
@@ -314,7 +314,7 @@ TEST_CASE("On the surface displacements are the influence coefficients", "[subsu
 }
 
 TEST_CASE("Displacements on a block are those of its points", "[subsurface]") {
-    const Grid grid = Grid::centred(6, 5, 0.5, 0.8);
+    const Grid grid = Grid::of_elements(6, 5, 0.5, 0.8);
     const SurfaceTractions tractions{random_values(30, 1), random_values(30, 2), random_values(30, 3)};
     const Material material{70, 0.28};
     StressBlock block{{}, {-0.8, 0, 0.8, 1.7}, {0, -0.3, -2}};

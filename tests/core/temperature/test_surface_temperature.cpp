@@ -92,7 +92,7 @@ TEST_CASE("The heat of a Hertzian strip raises its temperature by the closed for
     CHECK_THAT(unit * 2.188306674, WithinRel(150.28967, 1e-6));
     for (const auto& [dx, right] : {std::pair(0.1, 150.2863), std::pair(0.05, 150.2840), std::pair(0.02, 150.2892)}) {
         const int n = 2 * static_cast<int>(std::ceil(a / dx)) + 2;
-        const SurfaceTemperatures answer = found(request_of(Grid::centred(n, 1, dx, 1), V, heat));
+        const SurfaceTemperatures answer = found(request_of(Grid::of_elements(n, 1, dx, 1), V, heat));
         CHECK_THAT(answer.temperature.rise, WithinRel(unit * 2.188306674, 1e-4));
         CHECK_THAT(answer.temperature.rise, WithinRel(right, 2e-4));
         CHECK_THAT(answer.temperature.x / a, WithinAbs(-0.652229515, dx / a));

@@ -28,7 +28,7 @@ IcSpec good_spec() {
 
 ContactProblem good_problem() {
     ContactProblem problem;
-    problem.grid = Grid::centred(4, 3, 0.5, 0.5);
+    problem.grid = Grid::of_elements(4, 3, 0.5, 0.5);
     problem.bodies = {{200, 0.42}, {200, 0.42}};
     problem.gap = Paraboloid{50, 50};
     problem.approach = 0.02;
@@ -236,7 +236,7 @@ TEST_CASE("A material is given by its shear modulus or by Young's") {
 
 TEST_CASE("What opens a session may leave gap and load to its steps") {
     ContactProblem opening;
-    opening.grid = Grid::centred(2, 2, 1, 1);
+    opening.grid = Grid::of_elements(2, 2, 1, 1);
     opening.bodies = {{1, 0}, {1, 0}};
     CHECK_NOTHROW(validate_opening(opening));
     CHECK_THROWS_AS(validate(opening), InvalidArgument);

@@ -24,7 +24,7 @@ ContactProblem ellipse_problem(double dx, const Rolling& rolling) {
     ContactProblem problem;
     const double dy = dx * 2 / 3;
     const auto count = [](double length, double size) { return 2 * static_cast<int>(std::ceil(length / size / 2)); };
-    problem.grid = Grid::centred(count(12.8, dx), count(8.6, dy), dx, dy);
+    problem.grid = Grid::of_elements(count(12.8, dx), count(8.6, dy), dx, dy);
     problem.bodies = Bodies::of({{82000, 0.28}, {82000, 0.28}});
     problem.gap = SemiAxes{6, 4};
     problem.Fn = 80000;
@@ -48,7 +48,7 @@ Rolling rolling_of(double xi, double eta = 0, double phi = 0) {
 ContactProblem carter_problem(int n, double half_width, double xi) {
     constexpr double length = 10;
     ContactProblem problem;
-    problem.grid = Grid::centred(n, 1, 2.4 * half_width / n, length);
+    problem.grid = Grid::of_elements(n, 1, 2.4 * half_width / n, length);
     problem.bodies = Bodies::of({{82000, 0.28}, {82000, 0.28}});
     Ics ics;
     ics.line_contact = LineContactSpec{length};

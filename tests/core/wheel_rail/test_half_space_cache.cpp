@@ -35,8 +35,8 @@ TEST_CASE("Operators of grids that differ by their origin only are the same ones
 
 TEST_CASE("Cached operators are those that are made alone") {
     HalfSpaceCache cache(problem_on({}).bodies);
-    cache.of(problem_on(Grid::centred(30, 20, 0.2, 0.3)));  // its table is larger
-    const ContactProblem problem = problem_on(Grid::centred(8, 7, 0.2, 0.3));
+    cache.of(problem_on(Grid::of_elements(30, 20, 0.2, 0.3)));  // its table is larger
+    const ContactProblem problem = problem_on(Grid::of_elements(8, 7, 0.2, 0.3));
     const Values pressure = random_values(problem.grid.size(), 3, 0, 1);
     Values kept(pressure.size()), alone(pressure.size());
     cache.of(problem).current->normal(pressure, kept);

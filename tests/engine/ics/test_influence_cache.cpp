@@ -13,7 +13,7 @@ namespace {
 
 ContactProblem problem_of(int n) {
     ContactProblem problem;
-    problem.grid = Grid::centred(n, n, 6.0 / n, 6.0 / n);
+    problem.grid = Grid::of_elements(n, n, 6.0 / n, 6.0 / n);
     problem.bodies = Bodies::of({{82000, 0.28}, {82000, 0.28}});
     problem.gap = Paraboloid{400, 400};
     problem.Fn = 5000;

@@ -11,7 +11,7 @@ namespace {
 
 SessionSpec ball_on_plate() {
     SessionSpec spec;
-    spec.setup.grid = Grid::centred(12, 12, 0.5, 0.5);
+    spec.setup.grid = Grid::of_elements(12, 12, 0.5, 0.5);
     spec.setup.bodies = Bodies::of({{82000, 0.28}, {82000, 0.28}});
     spec.setup.friction = FrictionLaw{.mu = {0.3}};
     spec.load.gap = Paraboloid{400, 400};

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t plenty = 1 << 20;
 const MessageLimits limits;
-const Grid grid = Grid::centred(3, 2, 0.5, 0.5);
+const Grid grid = Grid::of_elements(3, 2, 0.5, 0.5);
 const auto begun = RecentSolves::Clock::now();
 
 std::shared_ptr<Call> call_of(const std::string& user, const std::string& id = "one") {
@@ -107,7 +107,7 @@ TEST_CASE("Pressures that are too many go, the oldest first, and their figures s
     CHECK(reason_of(solves, "alice", 3).empty());
     CHECK(reason_of(solves, "alice", 4).empty());
 
-    const Grid large = Grid::centred(20, 20, 0.5, 0.5);
+    const Grid large = Grid::of_elements(20, 20, 0.5, 0.5);
     solves.add(*call_of("alice"), begun, solution_with(5, large), large);
     CHECK_FALSE(solves.of("alice").front().pressures);  // more than all together may take
     CHECK(reason_of(solves, "alice", 4).empty());

@@ -99,8 +99,8 @@ HertzResult hertz_of(const HertzArea& area, const Settings& settings) {
 /// A line contact ends at the given half width.
 Grid grid_of(const HertzArea& area, const HertzResult& hertz) {
     const double scale_y = area.option >= -3 ? area.scale : 1;
-    return Grid::centred(area.mx, area.my, 2 * hertz.axes.a * area.scale / area.mx,
-                         2 * hertz.axes.b * scale_y / area.my);
+    return Grid::of_elements(area.mx, area.my, 2 * hertz.axes.a * area.scale / area.mx,
+                             2 * hertz.axes.b * scale_y / area.my);
 }
 
 const HertzArea* hertz_area(const Settings& settings) {

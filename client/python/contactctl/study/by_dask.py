@@ -38,7 +38,7 @@ def run_by_dask(
     with dask:
         by_key = {case.key: case for case in cases}
         arguments = [(case.key, plan.params(case)) for case in cases]
-        futures = dask.map(_solved, arguments, method=plan.method, answers=plan.answers, given=vars(given), pure=False)
+        futures = dask.map(_solved, arguments, method=plan.method, varying=plan.names, answers=plan.answers, given=vars(given), pure=False)
         try:
             for future, (key, row) in as_completed(futures, loop=dask.loop, with_results=True):
                 journal.add({"key": key, "values": by_key[key].values, **row})
@@ -50,11 +50,11 @@ def run_by_dask(
 
 
 def _solved(
-    argument: tuple[str, dict[str, Any]], method: str, answers: Sequence[str], given: dict[str, Any]
+    argument: tuple[str, dict[str, Any]], method: str, varying: Sequence[str], answers: Sequence[str], given: dict[str, Any]
 ) -> tuple[str, dict[str, Any]]:
     """On a worker."""
     key, params = argument
-    return key, row_of(client_of_worker(given), method, params, answers)
+    return key, row_of(client_of_worker(given), method, params, varying, answers)
 
 
 def client_of_worker(given: dict[str, Any]) -> Client:

@@ -23,7 +23,7 @@ def run_here(
     builds = OwnBuilds(client)
 
     def answer(case: Case, add: Add) -> None:
-        row = row_of(client, plan.method, plan.params(case), plan.answers, builds.notice)
+        row = row_of(client, plan.method, plan.params(case), plan.names, plan.answers, builds.notice)
         add({"key": case.key, "values": case.values, **row})
 
     by_threads(cases, answer, journal, workers, on_row, builds.cancel)

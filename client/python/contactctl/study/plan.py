@@ -15,7 +15,7 @@ import click
 
 from ..files import read_named, read_object, with_arrays
 from ..output import plain_json
-from ..paths import copied, parts, put
+from ..paths import copied, parts, put, with_shear_moduli
 from .values import MOST, values_of
 
 __all__ = ["Case", "Plan", "read_plan"]
@@ -73,6 +73,7 @@ class Plan:
         found: dict[str, Any] = copied(self.problem)
         for path, value in case.asked.items():
             put(found, path, value)
+        with_shear_moduli(found)
         return found
 
 

@@ -17,9 +17,10 @@ from contactd import (
     Unavailable,
 )
 
-from ..codes import Code, code_of
+from ..codes import Code, Ended, code_of
 from ..output import plain_json
 from ..paths import get
+from .answers import may_answer
 
 __all__ = ["row_of"]
 
@@ -29,11 +30,13 @@ ProgressCallback = Callable[[Progress], None]
 
 
 def row_of(
-    client: Client, method: str, params: dict[str, Any], answers: Sequence[str], on_progress: ProgressCallback | None = None
+    client: Client, method: str, params: dict[str, Any], varying: Sequence[str], answers: Sequence[str],
+    on_progress: ProgressCallback | None = None,
 ) -> dict[str, Any]:
     """The row without its key and values: `code`, of the exit codes, and `answers` or an `error`.
 
-    Raises Cancelled, and what says that there is no daemon to ask: these are no property of the case.
+    Raises Cancelled, and what says that there is no daemon to ask: these are no property of the case. Neither is that a field
+    that varies, or an answer, is of no row: Ended says so.
     """
     began = time.monotonic()
     try:
@@ -41,10 +44,20 @@ def row_of(
     except (Cancelled, Unauthenticated, Unavailable):
         raise
     except (StatusError, TimeoutExpired) as error:
+        _check_names(error, varying)
         return {"code": int(code_of(error)), "error": str(error), "seconds": time.monotonic() - began}
     code = Code.DONE if answer["converged"] else Code.NOT_CONVERGED
     found = {path: plain_json(get(answer, path)) for path in answers}
+    if unknown := [path for path, value in found.items() if value is None and not may_answer(method, path)]:
+        raise Ended(Code.USAGE, f"answers has {', '.join(unknown)}, which no answer has; it has {', '.join(sorted(answer))}.")
     return {"code": int(code), "answers": found, "seconds": time.monotonic() - began}
+
+
+def _check_names(error: StatusError | TimeoutExpired, varying: Sequence[str]) -> None:
+    """Raises Ended where a field that varies is none: every row would be refused alike."""
+    for violation in error.violations if isinstance(error, StatusError) else ():
+        if violation.field in varying and violation.description.startswith("is not a field of"):
+            raise Ended(Code.USAGE, f"vary has {violation.field}, which {violation.description}.")
 
 
 def _asked(client: Client, method: str, params: dict[str, Any], on_progress: ProgressCallback | None) -> dict[str, Any]:

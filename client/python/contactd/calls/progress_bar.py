@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+from ..errors import MissingExtra
 from ..values.service import Progress
 
 __all__ = ["progress_shown"]
@@ -20,7 +21,7 @@ def progress_shown(method: str, requested: bool) -> Iterator[Callable[[Progress]
         from rich.progress import BarColumn, TextColumn, TimeElapsedColumn
         from rich.progress import Progress as Bar
     except ImportError:
-        raise ImportError('progress=True needs rich: pip install "contactd[progress]"', name="rich") from None
+        raise MissingExtra("progress=True", "rich", "progress", "python3-rich") from None
     columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.percentage:>3.0f} %"), TimeElapsedColumn())
     with Bar(*columns, TextColumn("{task.fields[remark]}")) as bar:
         task = bar.add_task(method, total=1.0, remark="")

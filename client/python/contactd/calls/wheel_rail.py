@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import weakref
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from ..errors import ProtocolError
 from ..values.answers import read
 from ..values.solution import Fields, names_of
+from ..values.wheel_rail.origins import Origin, remember
 from ..values.wheel_rail.params import setup_params, state_params, wheelset_state_params
 from ..values.wheel_rail.places import WheelRailGeometry
 from ..values.wheel_rail.rigid_wheelset import (
     EquivalentConicity,
+    PlacedProfiles,
     ProfilesOfSides,
     WheelsetContacts,
     WheelsetRoll,
@@ -49,7 +52,9 @@ class WheelRailCalls(Caller):
         names = None if fields is None else names_of(fields)
         params = {"setup": setup_params(setup), "state": state_params(state, "state"), **_of_patches(names, gap)}
         result = yield from self.asked("wheelrail.solve", params, timeout=timeout, on_progress=on_progress, progress=progress)
-        return read_wheel_rail(names, gap, result)
+        solution = read_wheel_rail(names, gap, result)
+        remember(solution, Origin(setup, state, _profiles_by(self, setup)))
+        return solution
 
     @asks
     def wheelset(
@@ -178,6 +183,23 @@ class WheelRailCalls(Caller):
         if answer not in result:
             raise ProtocolError(f"The answer to wheelrail.geometry lacks the {answer}.")
         return result[answer]
+
+
+def _profiles_by(client: WheelRailCalls, setup: WheelRailSetup) -> Callable[[], PlacedProfiles | None]:
+    """Asks the client for the profiles of the side, as long as it is there, open, and answers at once."""
+    asked = weakref.ref(client)
+
+    def profiles() -> PlacedProfiles | None:
+        there: Any = asked()
+        if there is None or getattr(there, "is_closed", False):
+            return None
+        both = there.placed_profiles(setup)
+        if not isinstance(both, ProfilesOfSides):  # of an AsyncClient, who must be awaited
+            both.close()
+            return None
+        return both.left if setup.side == "left" else both.right
+
+    return profiles
 
 
 def _of_patches(names: list[str] | None, gap: bool) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from ..errors import ContactdError
+from ..errors import MissingExtra
 
 __all__ = ["has_own_data", "need_h5py", "own_members"]
 
@@ -29,12 +29,9 @@ def has_own_data(h5py: Any, dataset: Any) -> bool:
 
 
 def need_h5py() -> Any:
-    """The package. Raises ContactdError where it is missing."""
+    """The package. Raises MissingExtra where it is missing."""
     try:
         import h5py
     except ImportError:
-        raise ContactdError(
-            "Reading HDF5 files needs the package h5py: pip install h5py, or on Debian python3-h5py. "
-            "Files .npz and .txt can be read without it."
-        ) from None
+        raise MissingExtra("A table in a file of HDF5, unlike .npz and .txt,", "h5py", "hdf5", "python3-h5py") from None
     return h5py

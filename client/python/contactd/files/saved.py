@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from .._version import __version__
-from ..errors import ContactdError, SavedFileError
+from ..errors import MissingExtra, SavedFileError
 from ..refusals import public
 from ..values.dictionaries import Saved, from_dict, to_dict
 from .hdf5 import has_own_data, own_members
@@ -82,9 +82,7 @@ def _h5py() -> Any:
     try:
         import h5py
     except ImportError:
-        raise ContactdError(
-            "Files of HDF5 need the package h5py: pip install \"contactd[hdf5]\", or on Debian python3-h5py."
-        ) from None
+        raise MissingExtra("A file of HDF5", "h5py", "hdf5", "python3-h5py") from None
     return h5py
 
 

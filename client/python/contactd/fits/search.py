@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ContactdError, invalid
+from ..errors import ContactdError, MissingExtra, invalid
 from ..values.arrays import Array
 from .creep_curves import CreepCurves
 from .measured_curve import MeasuredCurve
@@ -75,7 +75,7 @@ class Search:
         return [one.value(float(place)) for one, place in zip(self._parameters, places)]
 
     def run(self, starts: int, most: int) -> Found:
-        """From the best of some starts on, and from the next best ones where that gets stuck. Raises FitFailed, and ImportError
+        """From the best of some starts on, and from the next best ones where that gets stuck. Raises FitFailed, and MissingExtra
         without scipy."""
         least_squares = _least_squares()
         failure: FitFailed | None = None
@@ -225,5 +225,5 @@ def _least_squares() -> Any:
     try:
         from scipy.optimize import least_squares
     except ImportError:
-        raise ImportError('fits need scipy: pip install "contactd[fit]"', name="scipy") from None
+        raise MissingExtra("A fit", "scipy", "fit", "python3-scipy") from None
     return least_squares

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from ..errors import MissingExtra
 from ..values.arrays import Array
 from ..values.grid import Grid
 
@@ -13,24 +14,25 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["ADHESION", "COLOURS", "INK", "aspect_of", "axes_or_new", "bare", "colour_bar", "edges", "extent", "legend_below", "map_over", "new_figure", "warm"]
+__all__ = ["ADHESION", "COLOURS", "INK", "aspect_of", "axes_or_new", "bare", "colour_bar", "edges", "extent", "legend_below", "map_over", "new_figure", "pyplot", "warm"]
 
 INK = "#1d1d2b"
 ADHESION = "#1449b8"
 COLOURS = ("#1449b8", "#c8553d", "#0f8b8d", "#b8860b", "#6a4c93", "#5c5c66")
 
 
-def _pyplot() -> Any:
+def pyplot() -> Any:
+    """The module. Raises MissingExtra where it is not installed."""
     try:
         import matplotlib.pyplot as plt
     except ImportError:
-        raise ImportError('pictures need matplotlib: pip install "contactd[pictures]"', name="matplotlib") from None
+        raise MissingExtra("A picture", "matplotlib", "pictures", "python3-matplotlib") from None
     return plt
 
 
 def new_figure(width: float, height: float) -> Figure:
     """An empty figure (inches) that pyplot shows."""
-    figure: Figure = _pyplot().figure(figsize=(width, height), layout="constrained")
+    figure: Figure = pyplot().figure(figsize=(width, height), layout="constrained")
     return figure
 
 
@@ -44,7 +46,7 @@ def axes_or_new(axes: Axes | None, width: float = 6.4, height: float = 4.8) -> A
 
 def warm() -> Any:
     """Yellow to red, light enough everywhere for what is dark to stand out."""
-    colours = _pyplot().get_cmap("YlOrRd")(np.linspace(0.0, 0.8, 256))
+    colours = pyplot().get_cmap("YlOrRd")(np.linspace(0.0, 0.8, 256))
     from matplotlib.colors import LinearSegmentedColormap
 
     return LinearSegmentedColormap.from_list("contactd-warm", colours)

@@ -30,7 +30,7 @@ def draw_contact(solution: Solution[Any, Any], axes: Axes | None = None) -> Axes
     axes.add_collection(edges(contact, grid, color=INK, linewidth=0.9, label="edge of contact"))
     if adhesion.any():
         axes.add_collection(edges(adhesion, grid, color=ADHESION, linewidth=2.0, label="edge of adhesion"))
-    legend_below(axes, ncols=3)
+    legend_below(axes, ncols=2)
     return axes
 
 

@@ -14,7 +14,7 @@ from ..values.wheel_rail.setup import Side
 from ..values.wheel_rail.solution import WheelRailPatch, WheelRailSolution
 from ..values.wheel_rail.state import RailDeviation, WheelRailState, WheelsetPosition
 
-__all__ = ["draw_conicity", "draw_contact_locus", "draw_patches", "placed_rail", "placed_wheel"]
+__all__ = ["draw_body", "draw_conicity", "draw_contact_locus", "draw_patches", "placed_rail", "placed_wheel"]
 
 INK, STEEL, PRESSURE = "#1d1d2b", "0.88", "#c8401d"
 
@@ -66,8 +66,8 @@ def draw_contact_locus(
     at_wheel = np.array(
         [[out * (profiles.wheel_origin + contact.wheel_y), rise - lift] for contact, rise in zip(contacts, rises, strict=True)]
     )
-    _draw_body(axes, wheel * (out, 1), upwards=True)
-    _draw_body(axes, placed_rail(profiles, side=side), upwards=False)
+    draw_body(axes, wheel * (out, 1), upwards=True)
+    draw_body(axes, placed_rail(profiles, side=side), upwards=False)
     colours = axes.scatter(*at_rail.T, c=shifts, cmap="coolwarm", s=12, zorder=3, edgecolors=INK, linewidths=0.3)
     axes.scatter(*at_wheel.T, c=shifts, cmap="coolwarm", s=12, zorder=3, edgecolors=INK, linewidths=0.3)
     for shift, above, below in zip(shifts, at_wheel, at_rail, strict=True):
@@ -113,9 +113,9 @@ def draw_patches(
     """
     at = state.position
     position = WheelsetPosition(y=at.y, z=solution.z, roll=at.roll)
-    _draw_body(axes, placed_wheel(profiles, position, side, nominal_radius), upwards=True)
+    draw_body(axes, placed_wheel(profiles, position, side, nominal_radius), upwards=True)
     rail = placed_rail(profiles, state.rail, side)
-    _draw_body(axes, rail, upwards=False)
+    draw_body(axes, rail, upwards=False)
     largest = max((patch.solution.pmax for patch in solution.patches), default=1)
     for patch in solution.patches:
         surface, hill = _hill(patch, rail, 6 / largest if scale is None else scale)
@@ -150,7 +150,8 @@ def _hill(patch: WheelRailPatch, rail: Array, scale: float) -> tuple[Array, Arra
     return surface, surface + scale * pressure[:, None] * into
 
 
-def _draw_body(axes: Any, outline: Array, upwards: bool) -> None:
+def draw_body(axes: Any, outline: Array, upwards: bool) -> None:
+    """Fills a body whose outline is given, shape [n, 2]: a wheel lies above it, `upwards`, a rail below."""
     beyond = outline[:, 1].min() - 12 if upwards else outline[:, 1].max() + 6
     axes.fill_between(*outline.T, beyond, color=STEEL, lw=0)
     axes.plot(*outline.T, color=INK, lw=1.2)

@@ -6,9 +6,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..values.wheel_rail.origins import origin_of
 from ..values.wheel_rail.solution import WheelRailPatch, WheelRailSolution
+from ..values.wheel_rail.state import WheelsetPosition
 from .canvas import COLOURS, INK, bare, legend_below, map_over, new_figure
 from .contact import draw_contact
+from .profiles import draw_body, placed_rail, placed_wheel
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -35,7 +38,9 @@ def draw_wheel_rail(solution: WheelRailSolution) -> Figure:
 
 
 def _draw_cross_section(axes: Axes, solution: WheelRailSolution) -> None:
-    """Contacts in the plane across the track, as wide as they are, and the forces on the rail."""
+    """Contacts in the plane across the track, as wide as they are, and the forces on the rail, with wheel and rail behind
+    them where their profiles can be had."""
+    _draw_profiles(axes, solution)
     largest = max((_across(patch) for patch in solution.patches), default=1.0)
     for number, (patch, color) in enumerate(zip(solution.patches, [*COLOURS] * (len(solution.patches) + 1)), 1):
         at, force, width = patch.place.reference, patch.forces.track, patch.place.grid.ny * patch.place.grid.dy
@@ -58,6 +63,18 @@ def _draw_cross_section(axes: Axes, solution: WheelRailSolution) -> None:
         axes.set(xticks=[], yticks=[])
     axes.set(xlabel="y of the track (mm)", ylabel="z of the track (mm), down", aspect="equal", title="Contacts, and forces on the rail")
     bare(axes)
+
+
+def _draw_profiles(axes: Axes, solution: WheelRailSolution) -> None:
+    origin = origin_of(solution)
+    profiles = None if origin is None else origin.profiles()
+    if origin is None or profiles is None:
+        return
+    at, wheelset, side = origin.state.position, origin.setup.wheelset, origin.setup.side or "right"
+    radius = None if wheelset is None else wheelset.nominal_radius
+    position = WheelsetPosition(y=at.y, z=solution.z, roll=at.roll)
+    draw_body(axes, placed_wheel(profiles, position, side, 460.0 if radius is None else radius), upwards=True)
+    draw_body(axes, placed_rail(profiles, origin.state.rail, side), upwards=False)
 
 
 def _across(patch: WheelRailPatch) -> float:

@@ -41,11 +41,13 @@ class InterfacialLayer:
 @public
 @dataclass(frozen=True, eq=False)
 class Friction(FrictionMethods):
-    """Coulomb friction and a motion: a shift (by `rigid_shift`, `force` or both), or `rolling`.
+    """Coulomb friction and a motion: a shift (by `rigid_shift`, `force` or both), or `rolling`. Without one the shift
+    is zero.
 
     ::
 
         Friction(mu=0.4, rigid_shift=(0.00817, 0))
+        Friction(mu=0.4)  # no motion: the rigid shift is zero
         Friction(mu=0.4, force=(-3.2, None))  # the rigid shift along x is found, along y it is zero
         Friction(mu=0.3, rolling=Rolling(xi=1e-3, phi=1e-4))
 

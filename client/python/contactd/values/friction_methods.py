@@ -14,6 +14,8 @@ from .params import HasParams
 
 __all__ = ["Force", "FrictionMethods"]
 
+_MOTIONS = {"rigid_shift", "force", "rolling", "rigid_slip"}  #: of which the wire wants one
+
 #: (Fx, Fy) on the upper body (N); None where the motion is prescribed instead
 Force = tuple[float | None, float | None]
 
@@ -21,9 +23,10 @@ Force = tuple[float | None, float | None]
 class FrictionMethods(HasParams):
     """Methods of a Friction."""
 
-    def __post_init__(self: Any) -> None:
-        if all(motion is None for motion in (self.rigid_shift, self.force, self.rolling, self.rigid_slip)):
-            raise TypeError("Friction() takes a motion: rigid_shift, force, rolling or rigid_slip")
+    @staticmethod
+    def _completed(written: dict[str, Any]) -> dict[str, Any]:
+        """Without a motion the bodies stay where they touch: the shift is zero."""
+        return written if _MOTIONS & written.keys() else {**written, "rigid_shift": [0.0, 0.0]}
 
     @staticmethod
     def _write_mu(mu: float | npt.ArrayLike, _field: str) -> Any:

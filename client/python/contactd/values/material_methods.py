@@ -10,7 +10,7 @@ from typing import Any, Generic, TypeVar
 from ..errors import invalid
 from ..refusals import public
 
-__all__ = ["LayeredBodyMethods", "MaterialMethods", "ViscoelasticBodyMethods"]
+__all__ = ["LayeredBodyMethods", "MaterialMethods", "SingleLayerMethods", "ViscoelasticBodyMethods"]
 
 
 L = TypeVar("L")  #: a layer
@@ -77,6 +77,26 @@ def _shear_modulus(E: float, nu: float) -> float:
     if not 0 <= nu <= 0.5:
         raise invalid("nu", f"is {nu}; it must lie in [0, 0.5]")
     return float(E / (2 * (1 + nu)))
+
+
+class SingleLayerMethods:
+    """A Layer is made of its shear modulus or of Young's, as a Material is."""
+
+    @public
+    def __init__(self, thickness: float, G: float | None = None, nu: float | None = None, *, E: float | None = None) -> None:
+        if nu is None:
+            raise TypeError("Layer() lacks nu")
+        if (G is None) == (E is None):
+            raise TypeError("Layer() takes either G, the shear modulus, or E, Young's modulus")
+        object.__setattr__(self, "thickness", thickness)
+        object.__setattr__(self, "G", _shear_modulus(E, nu) if E is not None else G)
+        object.__setattr__(self, "nu", nu)
+
+    @property
+    def E(self: Any) -> float:
+        """Young's modulus 2 G (1 + nu) (N/mm^2)."""
+        modulus: float = 2 * self.G * (1 + self.nu)
+        return modulus
 
 
 class LayeredBodyMethods(Generic[L, B]):

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .material_methods import LayeredBodyMethods, MaterialMethods, ViscoelasticBodyMethods
+from .material_methods import LayeredBodyMethods, MaterialMethods, SingleLayerMethods, ViscoelasticBodyMethods
 from .params import Checked, HasParams
 
 __all__ = ["Layer", "LayeredBody", "Material", "RigidBody", "ViscoelasticBody"]
@@ -63,9 +63,14 @@ class ViscoelasticBody(ViscoelasticBodyMethods, Checked):
     tau: float
 
 
-@dataclass(frozen=True)
-class Layer:
-    """A layer of a LayeredBody.
+@dataclass(frozen=True, init=False)
+class Layer(SingleLayerMethods):
+    """A layer of a LayeredBody, given by its shear modulus or by Young's.
+
+    ::
+
+        Layer(thickness=2, G=1, nu=0.5)
+        Layer(thickness=2, E=3, nu=0.5)  # G = E / (2 (1 + nu))
 
     Attributes:
         thickness: Thickness, 1e-6 to 1e6 times dx (mm), > 0.

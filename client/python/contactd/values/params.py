@@ -35,10 +35,13 @@ def params_of(value: Any, field: str = "") -> Any:
     * by the metadata of its field: "within" is the object that it is in, "keys" are the names that the parts of a tuple have,
       and an "array" is anything that numpy takes for one, in an object of this name unless that is empty;
     * by a method ``_write_NAME(value, field)`` of its class;
+    * by a method ``_completed(written)``, which adds what the wire asks for in any case;
     * by what the class says: ``_fixed`` is a name and the value that it always has, ``_key`` the name of all the rest.
     """
     kind: type = value.__class__
     written = fields_of(kind, vars(value), field)
+    if (completed := getattr(kind, "_completed", None)) is not None:
+        written = completed(written)
     if (fixed := getattr(kind, "_fixed", None)) is not None:
         written = {fixed[0]: fixed[1], **written}
     return written if (key := getattr(kind, "_key", None)) is None else {key: written}

@@ -19,10 +19,8 @@ import warnings
 from pathlib import Path
 
 from checks import Check, cattaneo_checks, table_checks
-from closed_form import Sphere
 from conformal import show_conformal
 from conicity import show_profiles
-from picture import draw
 from terminal import ProgressBar, rows, say, section, styled, table, verdict
 from wheelrail import show_wheelset
 
@@ -40,6 +38,8 @@ from contactd import (
     Material,
     Paraboloid,
 )
+from contactd.demo.closed_form import Sphere
+from contactd.demo.picture import draw
 
 BLOCK = 1024.0  # L, the size of the finite-element block (mm)
 

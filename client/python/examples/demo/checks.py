@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from closed_form import Sphere
-
 from contactd import ContactSolution, IcTable
+from contactd.demo.closed_form import Sphere
 
 # An established half-space code with the same discretisation, 40 x 40 elements, to six digits.
 ESTABLISHED = {"Fz": 9.19731113, "|Fx|": 3.22211266, "pmax": 4.38757728}

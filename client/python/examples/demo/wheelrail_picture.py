@@ -12,9 +12,9 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from manchester import KNOWN, POSITIONS
-from picture import INK, WARM
 from profiles import placed_rail, placed_wheel
 
+from contactd.pictures.canvas import INK, warm
 from contactd.wheel_rail import WheelRailPatch, WheelRailSolution
 
 Sweep = dict[str, list[WheelRailSolution]]
@@ -112,7 +112,7 @@ def _draw_patch(figure: Any, axes: Any, patch: WheelRailPatch) -> None:
     assert solution.pressure is not None
     extent = (grid.x[0] - grid.dx / 2, grid.x[-1] + grid.dx / 2, grid.y[0] - grid.dy / 2, grid.y[-1] + grid.dy / 2)
     pressure = np.ma.masked_equal(solution.pressure, 0)
-    image = axes.imshow(pressure, origin="lower", extent=extent, cmap=WARM, vmin=0, interpolation="nearest")
+    image = axes.imshow(pressure, origin="lower", extent=extent, cmap=warm(), vmin=0, interpolation="nearest")
     figure.colorbar(image, ax=axes, label="pressure (N/mm$^2$)", shrink=0.9)
     axes.set(xlabel="x (mm)", ylabel="y in the contact plane (mm)", aspect="equal")
     axes.set_title(f"Right wheel at y = {SHIFTS[SHOWN_PATCH]:g} mm: tread and throat")

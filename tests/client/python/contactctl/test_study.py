@@ -72,10 +72,36 @@ def test_arrays_that_vary_are_named_in_their_rows(ctl):
     assert "gap2.npy" in ctl("study", "study.yaml").out
 
 
-def test_an_answer_that_no_row_has_is_told(ctl):
-    ctl.write("study.yaml", "problem: contact.yaml\nvary: {friction.mu: [0.1]}\nanswers: [forces.Fm, pmax]\n")
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("vary: {friction.mu: [0.1, 0.2, 0.3]}\nanswers: [forces.Fm, pmax]\n", "answers has forces.Fm, which no answer has; it has approach,"),
+        ("vary: {friction.nu: [0.1, 0.2, 0.3]}\n", "vary has friction.nu, which is not a field of friction; known fields are duration,"),
+    ],
+)
+def test_a_name_that_is_of_no_row_stops_the_study_after_its_first_row(own, text, sentence):
+    own.write("study.yaml", f"problem: contact.yaml\n{text}")
+    ended = own("study", "study.yaml", "--workers", "1")
+    assert ended.code == 2
+    assert sentence in ended.err
+    assert "0 of 3 rows are in study.yaml.rows; the same command goes on." in ended.err
+    with Client(own.endpoint) as client:
+        assert client.info().counters["solves"] <= 1
+
+
+def test_an_answer_that_some_rows_have_stops_nothing(ctl):
+    ctl.write("study.yaml", "problem: contact.yaml\nvary: {friction.mu: [0.1]}\nanswers: [derivatives, 'motion.rigid_shift[0]', evidence.tangential.iterations]\n")
     ended = ctl("study", "study.yaml")
-    assert (ended.code, ended.err) == (0, "warning: no answer has forces.Fm\n")
+    assert (ended.code, ended.err) == (0, "warning: no answer has derivatives\n")
+
+
+def test_youngs_modulus_stands_in_for_the_shear_modulus(ctl):
+    ctl.write("study.yaml", "problem: contact.yaml\nvary: {bodies.upper: [{G: 200, nu: 0.42}, {E: 568, nu: 0.42}]}\nanswers: [forces.Fn]\n")
+    first, second = ctl("study", "study.yaml", "--json").json["rows"]
+    assert second["answers"]["forces.Fn"] == pytest.approx(first["answers"]["forces.Fn"], rel=1e-12)
+    twice = ctl("solve", "contact.yaml", "--set", "bodies.upper.E=568")
+    assert twice.code == 2
+    assert "bodies.upper.E stands beside G" in twice.err
 
 
 def test_a_range_by_steps_has_its_end(ctl):

@@ -23,7 +23,7 @@ KineticFriction two_terms(SlipLaw law, double distance) {
 
 ContactProblem steel_ellipse(const KineticFriction& kinetic, double xi, double eta, double phi) {
     ContactProblem problem;
-    problem.grid = Grid::centred(17, 15, 0.65, 0.6);
+    problem.grid = Grid::of_elements(17, 15, 0.65, 0.6);
     const Material steel{82000, 0.28};
     problem.bodies = Bodies::of(MaterialPair{steel, steel});
     problem.gap = Paraboloid{460, 300};
@@ -79,7 +79,7 @@ TEST_CASE("the creep curve with a layer and memory has the published forces", "[
     KineticFriction kinetic{SlipLaw::exponential, 0.14, 1250 / std::numbers::ln2};
     kinetic.memory = FrictionMemory{0.003, 1};
     ContactProblem problem = steel_ellipse(kinetic, xi, 0, 0);
-    problem.grid = Grid::centred(48, 44, 2.2 * a / 48, 2.2 * b / 44);
+    problem.grid = Grid::of_elements(48, 44, 2.2 * a / 48, 2.2 * b / 44);
     problem.gap = Paraboloid{1 / (2 * 8e-4), 1 / (2 * 2.814173e-4)};
     problem.Fn = 106700;
     problem.friction = FrictionLaw{{0.33}, kinetic, InterfacialLayer{1.25 / 8200}};
@@ -127,7 +127,7 @@ TEST_CASE("transient rolling with memory ends as steady rolling", "[friction_mem
 TEST_CASE("an element that shifts on follows the law over the distance it slips", "[friction_memory]") {
     // mu(k) = mu_inf + (mu_0 - mu_inf) exp(-slipped/d), first order in the step.
     ContactProblem problem;
-    problem.grid = Grid::centred(1, 1, 1, 1);
+    problem.grid = Grid::of_elements(1, 1, 1, 1);
     const Material stiff{1e12, 0.28};
     problem.bodies = Bodies::of(MaterialPair{stiff, stiff});
     problem.gap = Paraboloid{1e6, 1e6};

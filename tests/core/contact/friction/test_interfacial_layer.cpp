@@ -29,7 +29,7 @@ ContactProblem steel(const Grid& grid, double Rx, double Ry, double Fn, double m
 }
 
 ContactProblem rolling_steel(const InterfacialLayer& layer) {
-    ContactProblem problem = steel(Grid::centred(17, 15, 0.65, 0.6), 460, 300, 30000, 0.35, layer);
+    ContactProblem problem = steel(Grid::of_elements(17, 15, 0.65, 0.6), 460, 300, 30000, 0.35, layer);
     problem.motion = Rolling{.xi = 1.1e-3, .eta = -7e-4, .phi = 1.5e-4, .dq = 0.65};
     return problem;
 }
@@ -78,7 +78,7 @@ TEST_CASE("a layer lowers tractions of steady rolling as given", "[interfacial_l
 }
 
 TEST_CASE("shifts one after the other carry what the layer has hardened", "[interfacial_layer]") {
-    ContactProblem problem = steel(Grid::centred(15, 15, 0.15, 0.15), 50, 50, 1500, 0.5, {1e-5, 150, 20000});
+    ContactProblem problem = steel(Grid::of_elements(15, 15, 0.15, 0.15), 50, 50, 1500, 0.5, {1e-5, 150, 20000});
     struct Step {
         double x, y, Fx, Fy, work;
     };
@@ -97,7 +97,7 @@ TEST_CASE("shifts one after the other carry what the layer has hardened", "[inte
 }
 
 TEST_CASE("transient rolling of a row with a layer that hardens goes as given", "[interfacial_layer]") {
-    ContactProblem problem = steel(Grid::centred(40, 1, 0.1, 400), 200, infinite, 800 * 400, 0.4, {1e-5, 60, 3e4});
+    ContactProblem problem = steel(Grid::of_elements(40, 1, 0.1, 400), 200, infinite, 800 * 400, 0.4, {1e-5, 60, 3e4});
     Rolling rolling{.xi = 1.5e-3, .dq = 0.1, .kind = RollingKind::transient};
     SECTION("step by step") {
         for (const double Fx : {-3.59870364, -7.15435106, -10.6648305, -14.1445813, -17.5930214, -21.0095403}) {
@@ -129,7 +129,7 @@ TEST_CASE("an element of a layer follows its own law", "[interfacial_layer]") {
         Given{{0.02 / 176.63, 560}, {{-0.035, 280}, {-0.035, 560}}},
         Given{{0.02 / 106.25, 200, 435},
               {{-0.04, 200}, {-0.04, 216}, {-0.04, 232}, {-0.04, 248}, {-0.036, 262.4}, {0, 262.4}, {0.036, 82.43}}});
-    ContactProblem problem = steel(Grid::centred(1, 1, 1, 1), 1e6, 1e6, 900, 0.7, given.layer);
+    ContactProblem problem = steel(Grid::of_elements(1, 1, 1, 1), 1e6, 1e6, 900, 0.7, given.layer);
     for (const auto& [shift, traction] : given.steps) {
         problem.motion = Shift{{shift, 0}};
         const ContactSolution solution = solved(problem);
@@ -155,7 +155,7 @@ TEST_CASE("wheels on rails with a layer that only flows have the published force
     const auto [hardening, force] =
         GENERATE(std::pair(9111.1, 0.9705), std::pair(828.28, 0.9033), std::pair(0.0, 0.8816));
     const double a = 6.30360, b = 12.60719;
-    ContactProblem problem = steel(Grid::centred(44, 44, 2.2 * a / 44, 2.2 * b / 44), 1 / (2 * 8e-4),
+    ContactProblem problem = steel(Grid::of_elements(44, 44, 2.2 * a / 44, 2.2 * b / 44), 1 / (2 * 8e-4),
                                    1 / (2 * 2.814173e-4), 106700, 0.33, {0, 150, hardening});
     problem.motion = Rolling{.xi = 0.0028, .dq = 2.2 * a / 44};
     CHECK_THAT(-solved(problem).forces.Fx / (0.33 * 106700), WithinAbs(force, 6e-5));
@@ -166,7 +166,7 @@ TEST_CASE("between stiff bodies a layer is a brush", "[interfacial_layer]") {
     const double L = 1e-3, k = GENERATE(0.5, 1.0);
     const int n = 100;
     ContactProblem problem;
-    problem.grid = Grid::centred(n, 1, 2.2 / n, 100);
+    problem.grid = Grid::of_elements(n, 1, 2.2 / n, 100);
     const Material stiff{1e12, 0.28};
     problem.bodies = Bodies::of(MaterialPair{stiff, stiff});
     problem.sheet_flexibility = 1e-3;
@@ -229,7 +229,7 @@ TEST_CASE("a layer that hardens looks the same from both sides", "[interfacial_l
 TEST_CASE("a layer that hardens takes no more iterations on many elements than on few", "[interfacial_layer]") {
     const auto forces_of = [](int n) {
         ContactProblem problem =
-            steel(Grid::centred(n, n, 13.2 / n, 8.8 / n), 460, 300, 50000, 0.3, InterfacialLayer{2e-5, 100, 5000});
+            steel(Grid::of_elements(n, n, 13.2 / n, 8.8 / n), 460, 300, 50000, 0.3, InterfacialLayer{2e-5, 100, 5000});
         problem.motion = Rolling{.xi = 2e-3, .eta = 1e-3, .phi = 1e-4};
         problem.settings = {};
         const ContactSolution solution = solved(problem);

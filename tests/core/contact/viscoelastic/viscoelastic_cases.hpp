@@ -27,7 +27,7 @@ inline ContactProblem nylon_cylinders(double tau, double f = 1) {
 /// Two bodies of the ball-on-plane kind that creep, under a force.
 inline ContactProblem spheres(int n, double f, double tau, double velocity = 1000) {
     ContactProblem problem;
-    problem.grid = Grid::centred(n, n, 16.0 / n, 16.0 / n);
+    problem.grid = Grid::of_elements(n, n, 16.0 / n, 16.0 / n);
     const Body body{{1143, 0.4}, Ics{}, Viscoelasticity{f, tau}};
     problem.bodies = {body, body};
     problem.gap = Paraboloid{50, 50};

@@ -191,7 +191,7 @@ inline SectionContact random_section_contact(std::uint64_t seed) {
     ContactProblem& problem = contact.problem;
     const double dy = dice.log_uniform(0.05, 2), dx = dy * dice.log_uniform(0.5, 3);
     const int nx = dice.integer(2, 12), ny = dice.integer(2, 11);
-    problem.grid = Grid::centred(nx, ny, dx, dy);
+    problem.grid = Grid::of_elements(nx, ny, dx, dy);
     const Section section = random_section(dice, ny * dy);
     try {
         problem.columns.emplace();

@@ -86,7 +86,7 @@ TEST_CASE("A cylinder in a hole of nearly its radius is pressed as Persson says"
         const Persson persson(half_angle * degree);
         const double force = 1, modulus = 2 / (1 - nu);
         ContactProblem problem;
-        problem.grid = Grid::centred(1, strips, 1, 1);
+        problem.grid = Grid::of_elements(1, strips, 1, 1);
         problem.bodies = {{Material{1, nu}}, {Material{1, nu}}};
         problem.columns = ContactColumns{hole.frames, 0, {}};
         std::vector<double> gap;

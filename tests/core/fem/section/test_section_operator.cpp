@@ -83,7 +83,7 @@ TEST_CASE("Coefficients of sections are positive at every wavenumber and as solv
             CHECK(least_eigenvalue(matrix_at(spectrum, node)) > 1e-6);
         }
         ContactProblem problem;
-        problem.grid = Grid::centred(9, strips, 1, 1);
+        problem.grid = Grid::of_elements(9, strips, 1, 1);
         problem.bodies = {{Material::rigid()}, {Material{1, nu}}};
         const ContactInfluence influence = strip_influence(problem, strip_table(spectrum, 1, problem.grid.nx));
         CHECK(least_eigenvalue(matrix_of(*influence.current)) > 1e-6);

@@ -27,7 +27,7 @@ double scale() {
 }  // namespace
 
 TEST_CASE("The table of a slab is that of the half-space", "[rotated]") {
-    const Grid grid = Grid::centred(7, 9, 0.5, 0.4);
+    const Grid grid = Grid::of_elements(7, 9, 0.5, 0.4);
     const StripTable table = rotated_strips({Slab{20, 100}}, grid, steel, LoadShape::constant);
     for (const Axis i : {x, y, z})
         for (const Axis j : {x, y, z})
@@ -39,7 +39,7 @@ TEST_CASE("The table of a slab is that of the half-space", "[rotated]") {
 }
 
 TEST_CASE("A body has the same table however it lies", "[rotated]") {
-    const Grid grid = Grid::centred(3, 30, 0.5, 0.5);
+    const Grid grid = Grid::of_elements(3, 30, 0.5, 0.5);
     const RailSection upright{0, RailSupport::cut, 10}, inclined{0.05, RailSupport::cut, 10};
     const StripTable table = rotated_strips({upright}, grid, steel, LoadShape::constant);
     const StripTable other = GENERATE_COPY(rotated_strips({inclined}, grid, steel, LoadShape::constant),
@@ -50,7 +50,7 @@ TEST_CASE("A body has the same table however it lies", "[rotated]") {
 
 TEST_CASE("All round a cylinder every strip has the same neighbours", "[rotated]") {
     constexpr int strips = 24;
-    const Grid grid = Grid::centred(2, strips, 0.5, 20 * std::numbers::pi / strips);
+    const Grid grid = Grid::of_elements(2, strips, 0.5, 20 * std::numbers::pi / strips);
     const StripTable table = rotated_strips({Disc{10, 0}, 1, 0, true}, grid, steel, LoadShape::constant);
     for (int turn = 1; turn < strips; ++turn)
         for (const int apart : {1, 5, 11})
@@ -60,6 +60,6 @@ TEST_CASE("All round a cylinder every strip has the same neighbours", "[rotated]
 
 TEST_CASE("A section that can not be is refused where it was given", "[rotated]") {
     CHECK_THROWS_MATCHES(
-        rotated_strips({Disc{10, 0}}, Grid::centred(3, 5, 1, 1), steel, LoadShape::constant, 0, "ics.section"),
+        rotated_strips({Disc{10, 0}}, Grid::of_elements(3, 5, 1, 1), steel, LoadShape::constant, 0, "ics.section"),
         InvalidArgument, MessageMatches(StartsWith("ics.section is clamped nowhere")));
 }

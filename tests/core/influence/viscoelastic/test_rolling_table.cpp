@@ -57,7 +57,7 @@ double delayed(Axis i, Axis j, double x, double y, const Grid& grid, const Mater
 }  // namespace
 
 TEST_CASE("delayed coefficients of a given case have their values", "[viscoelastic]") {
-    const Grid grid = Grid::centred(99, 1, 0.16, 1000);
+    const Grid grid = Grid::of_elements(99, 1, 0.16, 1000);
     const RollingTable rolls = rolling_table(alike(1, 0.009), grid), elastic = rolling_table(alike(0, 0.009), grid);
     const auto E = [&](int k) { return rolls(Axis::z, Axis::z, k, 0) - elastic(Axis::z, Axis::z, k, 0); };
     CHECK_THAT(E(-5), WithinRel(2.9556066869e-4, 1e-10));
@@ -68,7 +68,7 @@ TEST_CASE("delayed coefficients of a given case have their values", "[viscoelast
 TEST_CASE("delayed coefficients agree with quadrature", "[viscoelastic]") {
     const double aspect = GENERATE(1.0, 0.05, 30.0), l = GENERATE(0.02, 0.3, 5.0);
     CAPTURE(aspect, l);
-    const Grid grid = Grid::centred(4, 3, 0.3, 0.3 * aspect);
+    const Grid grid = Grid::of_elements(4, 3, 0.3, 0.3 * aspect);
     const RollingHalfSpaces below{{{Material::rigid()}, solid(nylon, 1, l / V)}, V};
     const RollingHalfSpaces elastic{{{Material::rigid()}, solid(nylon, 0, l / V)}, V};
     const RollingTable rolls = rolling_table(below, grid), at_once = rolling_table(elastic, grid);
@@ -94,7 +94,7 @@ TEST_CASE("delayed coefficients follow those at once at the rate of creep", "[vi
     ics.load_shape = shape;
     if (line) ics.line_contact = LineContactSpec{50};
     const double tau = 1e-3, l = V * tau, step = 1e-3;
-    const Grid grid = Grid::centred(5, line ? 1 : 3, 0.4, 0.3);
+    const Grid grid = Grid::of_elements(5, line ? 1 : 3, 0.4, 0.3);
     const auto rolling = [&](double f) {
         return RollingHalfSpaces{{{Material::rigid()}, solid(nylon, f, tau, ics)}, V};
     };
@@ -118,7 +118,7 @@ TEST_CASE("delayed coefficients follow those at once at the rate of creep", "[vi
 }
 
 TEST_CASE("creep that is fast or slow is none", "[viscoelastic]") {
-    const Grid grid = Grid::centred(6, 4, 0.5, 0.7);
+    const Grid grid = Grid::of_elements(6, 4, 0.5, 0.7);
     const RollingTable elastic = rolling_table(alike(0, 1), grid);
     const double scale = elastic(Axis::z, Axis::z, 0, 0), f = 2.5;
     const RollingTable fast = rolling_table(alike(f, 1e-6 * grid.dx / V), grid),
@@ -131,7 +131,7 @@ TEST_CASE("creep that is fast or slow is none", "[viscoelastic]") {
 }
 
 TEST_CASE("rolling the other way mirrors the coefficients", "[viscoelastic]") {
-    const Grid grid = Grid::centred(5, 3, 0.5, 0.7);
+    const Grid grid = Grid::of_elements(5, 3, 0.5, 0.7);
     RollingHalfSpaces bodies{{solid(nylon, 1, 2e-3), {{3000, 0.3}}}, V};
     const RollingTable forward = rolling_table(bodies, grid);
     const ShiftedTable ahead = rolling_table_ahead(bodies, grid, 0.3);
@@ -149,9 +149,9 @@ TEST_CASE("rolling the other way mirrors the coefficients", "[viscoelastic]") {
 }
 
 TEST_CASE("a step of an element reads the next coefficient", "[viscoelastic]") {
-    const Grid grid = Grid::centred(5, 3, 0.5, 0.7);
+    const Grid grid = Grid::of_elements(5, 3, 0.5, 0.7);
     const RollingHalfSpaces bodies{{solid(nylon, 1, 2e-3), solid({900, 0.2}, 2, 1e-3)}, V};
-    const RollingTable now = rolling_table(bodies, Grid::centred(6, 3, 0.5, 0.7));
+    const RollingTable now = rolling_table(bodies, Grid::of_elements(6, 3, 0.5, 0.7));
     const ShiftedTable ahead = rolling_table_ahead(bodies, grid, grid.dx);
     const double scale = now(Axis::z, Axis::z, 0, 0);
     for (const Axis i : {Axis::x, Axis::y})
@@ -162,7 +162,7 @@ TEST_CASE("a step of an element reads the next coefficient", "[viscoelastic]") {
 }
 
 TEST_CASE("bodies that creep alike are not coupled, and others are", "[viscoelastic]") {
-    const Grid grid = Grid::centred(4, 3, 0.5, 0.7);
+    const Grid grid = Grid::of_elements(4, 3, 0.5, 0.7);
     const auto coupling = [&](double tau) {
         const RollingTable table = rolling_table({{solid(nylon, 1, 2e-3), solid(nylon, 1, tau)}, V}, grid);
         double largest = 0;
@@ -179,5 +179,5 @@ TEST_CASE("rolling tables end when they are cancelled", "[viscoelastic]") {
     struct Cancelling final : Observer {
         bool cancelled() const override { return true; }
     } observer;
-    CHECK_THROWS_AS(rolling_table(alike(1, 1e-3), Grid::centred(4, 4, 1, 1), observer), Cancelled);
+    CHECK_THROWS_AS(rolling_table(alike(1, 1e-3), Grid::of_elements(4, 4, 1, 1), observer), Cancelled);
 }

@@ -11,7 +11,7 @@ using Catch::Matchers::WithinRel;
 namespace {
 
 WheelRailEstimates::Patch patch_at(double along, double across, int nx, int ny) {
-    const Grid grid = Grid::centred(nx, ny, 0.5, 0.25);
+    const Grid grid = Grid::of_elements(nx, ny, 0.5, 0.25);
     WheelRailEstimates::Patch patch{grid, 0, {along, across}, 0, {}};
     for (std::size_t i = 0; i < grid.size(); ++i) {
         patch.tractions.pressure.push_back(1 + static_cast<double>(i));
@@ -23,7 +23,7 @@ WheelRailEstimates::Patch patch_at(double along, double across, int nx, int ny) 
 
 geometry::CandidatePatch candidate_at(double along, double across, int nx, int ny) {
     geometry::CandidatePatch found;
-    found.place.grid = Grid::centred(nx, ny, 0.5, 0.25);
+    found.place.grid = Grid::of_elements(nx, ny, 0.5, 0.25);
     found.place.on_rail = {along, across};
     return found;
 }

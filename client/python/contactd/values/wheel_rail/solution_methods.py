@@ -27,9 +27,11 @@ class WheelRailSolutionMethods(Saved, Shown):
 
     @public
     def plot(self) -> Figure:
-        """Draws the contacts and forces across the track, and beside them the pressures of each patch that has them.
+        """Draws wheel and rail across the track with their contacts and forces, and beside them the pressures of each patch
+        that has them.
 
-        Returns the figure. Needs matplotlib ("contactd[pictures]").
+        The profiles are asked for at the client that gave this solution (`Client.wheel_rail`); where it is closed, or the
+        solution comes from a file, contacts are drawn without them. Returns the figure. Needs matplotlib ("contactd[pictures]").
         """
         drawn: Figure = extra("WheelRailSolution.plot")(self)
         return drawn

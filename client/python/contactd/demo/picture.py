@@ -5,38 +5,21 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import matplotlib
-
-matplotlib.use("Agg")
-
-import matplotlib.pyplot as plt
 import numpy as np
-from closed_form import Sphere
-from matplotlib.collections import LineCollection
-from matplotlib.colors import LinearSegmentedColormap
-from matplotlib.lines import Line2D
 
-from contactd import ContactSolution, Grid
+from ..pictures.canvas import ADHESION, INK, edges, extent, pyplot, warm
+from ..values.grid import Grid
+from ..values.solution import ContactSolution
+from .closed_form import Sphere
 
-ADHESION = 1
-INK = "#1d1d2b"
-ADHESION_EDGE = "#1449b8"
-# Light enough everywhere for dark arrows to stand out.
-WARM = LinearSegmentedColormap.from_list("warm", plt.get_cmap("YlOrRd")(np.linspace(0.0, 0.8, 256)))
+__all__ = ["draw"]
 
-
-def edges(mask: np.ndarray[Any, Any], grid: Grid) -> list[list[tuple[float, float]]]:
-    """The element sides (mm) between elements inside and outside of `mask`, shape [ny, nx]."""
-    padded = np.pad(mask, 1)
-    x, y = grid.x[0] - grid.dx / 2, grid.y[0] - grid.dy / 2
-    upright = np.argwhere(padded[1:-1, 1:] != padded[1:-1, :-1])
-    level = np.argwhere(padded[1:, 1:-1] != padded[:-1, 1:-1])
-    sides = [[(x + i * grid.dx, y + j * grid.dy), (x + i * grid.dx, y + (j + 1) * grid.dy)] for j, i in upright]
-    return sides + [[(x + i * grid.dx, y + j * grid.dy), (x + (i + 1) * grid.dx, y + j * grid.dy)] for j, i in level]
+_ADHESION = 1  #: of element_division
 
 
 def draw(path: Path, grid: Grid, solution: ContactSolution, sphere: Sphere, subtitle: str) -> None:
-    """Writes the picture as PNG; missing folders are made."""
+    """Writes the picture, in the format that its name says; missing folders are made."""
+    plt = pyplot()
     style = {"font.size": 10, "axes.edgecolor": INK, "text.color": INK, "axes.labelcolor": INK, "figure.dpi": 150}
     with plt.rc_context(style):
         figure, (left, right) = plt.subplots(1, 2, figsize=(12.4, 5.6), width_ratios=(1.12, 1), layout="constrained")
@@ -49,10 +32,8 @@ def draw(path: Path, grid: Grid, solution: ContactSolution, sphere: Sphere, subt
 
 
 def _draw_map(figure: Any, axes: Any, grid: Grid, solution: ContactSolution) -> None:
-    half = (grid.dx / 2, grid.dy / 2)
-    extent = (grid.x[0] - half[0], grid.x[-1] + half[0], grid.y[0] - half[1], grid.y[-1] + half[1])
     pressure = np.ma.masked_equal(solution.pressure, 0)
-    image = axes.imshow(pressure, origin="lower", extent=extent, cmap=WARM, vmin=0, interpolation="nearest")
+    image = axes.imshow(pressure, origin="lower", extent=extent(grid), cmap=warm(), vmin=0, interpolation="nearest")
     figure.colorbar(image, ax=axes, label="pressure $p_z$ (N/mm$^2$)", shrink=0.92)
     axes.set_facecolor("#f4f4f6")
 
@@ -66,15 +47,10 @@ def _draw_map(figure: Any, axes: Any, grid: Grid, solution: ContactSolution) -> 
     shape = {"width": 0.0036, "headwidth": 3.8, "headlength": 4.2, "pivot": "middle"}
     arrows = axes.quiver(*place, *traction, color=INK, scale=17 * size.max(), **shape)
     axes.quiverkey(arrows, 0.82, 0.045, 1.0, "1 N/mm$^2$", labelpos="E", coordinates="axes", labelsep=0.08)
-    axes.add_collection(
-        LineCollection(edges(solution.element_division == ADHESION, grid), color=ADHESION_EDGE, linewidth=2.2)
-    )
-    axes.add_collection(LineCollection(edges(solution.element_division != 0, grid), color=INK, linewidth=0.9))
-    axes.legend(
-        handles=[Line2D([], [], color=ADHESION_EDGE, lw=2.2), Line2D([], [], color=INK, lw=0.9)],
-        labels=["adhesion | slip", "edge of contact"],
-        loc="upper left", fontsize=8.5, framealpha=0.9,
-    )  # fmt: skip
+    adhesion, contact = solution.element_division == _ADHESION, solution.element_division != 0
+    axes.add_collection(edges(adhesion, grid, color=ADHESION, linewidth=2.2, label="adhesion | slip"))
+    axes.add_collection(edges(contact, grid, color=INK, linewidth=0.9, label="edge of contact"))
+    axes.legend(loc="upper left", fontsize=8.5, framealpha=0.9)
     axes.set(
         xlabel="x (mm)", ylabel="y (mm)", title="Pressure, and tangential traction on the upper body", aspect="equal"
     )

@@ -1,0 +1,43 @@
+"""Which answers a study may ask for: an answer that is left out where it says nothing is no mistake, one that there is not is."""
+
+from __future__ import annotations
+
+import types
+from collections.abc import Iterator
+from dataclasses import is_dataclass
+from functools import cache
+from typing import Any, TypeVar, Union, get_args, get_origin, get_type_hints
+
+from contactd import ContactSolution
+from contactd.wheel_rail import WheelRailSolution
+
+from ..paths import parts
+
+__all__ = ["may_answer"]
+
+_KINDS = {"contact.solve": ContactSolution, "wheelrail.solve": WheelRailSolution}
+
+
+@cache
+def may_answer(method: str, path: str) -> bool:
+    """Whether an answer of the method may have something at this path."""
+    found: list[Any] = [_KINDS[method]]
+    for part in parts(path):
+        found = [inner for hint in found for kind in _alternatives(hint) for inner in _inside(kind, part)]
+    return bool(found)
+
+
+def _alternatives(hint: Any) -> tuple[Any, ...]:
+    return get_args(hint) if get_origin(hint) in (Union, types.UnionType) else (hint,)
+
+
+def _inside(kind: Any, part: str | int) -> Iterator[Any]:
+    """Types of the member that this type has there. What the type leaves open may be there."""
+    origin = get_origin(kind) or kind
+    if kind is Any or isinstance(kind, TypeVar) or origin is dict or getattr(origin, "__name__", "") == "Mapping":
+        yield Any
+    elif isinstance(part, int):
+        if origin in (tuple, list):
+            yield from (item for item in get_args(kind) if item is not Ellipsis)
+    elif is_dataclass(origin) and part in (hints := get_type_hints(origin)):
+        yield hints[part]

@@ -1,0 +1,1 @@
+"""The Cattaneo problem beside its closed form, solved and drawn: ``python -m contactd.demo``."""

@@ -1,0 +1,73 @@
+"""Solves the Cattaneo problem in this process, prints it beside Hertz and Cattaneo, and draws it.
+
+Run: python -m contactd.demo [PICTURE]. It takes a second, and needs no daemon where contactd-local is installed.
+Ends with 0 when forces and pressure are within 1 % of the closed form, 1 when not, 2 when something is missing.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import sys
+import time
+from pathlib import Path
+
+from .._version import __version__
+from ..errors import ContactdError
+from ..local import local
+from ..values.friction import Friction
+from ..values.grid import Grid, Paraboloid
+from ..values.materials import Material
+from .closed_form import Sphere
+
+__all__ = ["main"]
+
+SPHERE = Sphere(G=200, nu=0.42, radius=50, approach=0.02, mu=0.4, shift=0.00817)
+GRID = Grid.centred(40, 40, 2.4, 2.4)
+ACCURACY = 0.01  #: relative, of 40 elements across; Cattaneo also leaves lateral tractions out
+
+
+def run(picture: Path) -> int:
+    """Solves, prints and draws; returns the exit status."""
+    with local() as client:
+        began = time.perf_counter()
+        solution = client.solve(
+            grid=GRID,
+            upper=Material(SPHERE.G, SPHERE.nu),
+            gap=Paraboloid(SPHERE.radius, SPHERE.radius),
+            approach=SPHERE.approach,
+            friction=Friction(SPHERE.mu, (SPHERE.shift, 0)),
+        )
+        milliseconds = 1000 * (time.perf_counter() - began)
+        how = "in this process" if client.endpoint == "local" else "by a daemon of its own"
+    print(f"contactd {__version__}: a sphere of {SPHERE.radius:g} mm pressed {SPHERE.approach:g} mm into a plane, and shifted.")
+    print(f"{GRID.nx} x {GRID.ny} elements, solved {how} in {milliseconds:.0f} ms.\n")
+    print(f"{'':24}{'contactd':>12}{'closed form':>14}")
+    compared = [
+        ("Fn (N)", solution.Fn, SPHERE.normal_force),
+        ("|Fx| (N)", abs(solution.Fx), SPHERE.tangential_force),
+        ("pmax (N/mm^2)", solution.pmax, SPHERE.pmax),
+    ]
+    adhesion = math.pi * SPHERE.adhesion_radius**2
+    for name, found, expected in [*compared, ("area of adhesion (mm^2)", solution.area.adhesion, adhesion)]:
+        print(f"{name:24}{found:12.5f}{expected:14.5f}")
+    from .picture import draw
+
+    draw(picture, GRID, solution, SPHERE, f"{GRID.nx} x {GRID.ny} elements, coefficients of the half-space in closed form")
+    print(f"\nThe picture: {picture}")
+    return 0 if all(abs(found / expected - 1) <= ACCURACY for _, found, expected in compared) else 1
+
+
+def main() -> int:
+    """Reads the command line."""
+    parser = argparse.ArgumentParser(prog="python -m contactd.demo", description=(__doc__ or "").split("\n\n")[0])
+    parser.add_argument("picture", nargs="?", type=Path, default=Path("contactd-demo.png"), help="where it goes: PNG, PDF or SVG (contactd-demo.png)")
+    try:
+        return run(parser.parse_args().picture)
+    except ContactdError as error:
+        print(f"The demo failed. {error}", file=sys.stderr)
+        return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main())
