@@ -1,9 +1,10 @@
-"""The FMUs: python3 packaging/fmu DESCRIBER LIBRARY FOLDER [--complete STATIC ...].
+"""The FMUs: python3 packaging/fmu DESCRIBER LIBRARY FOLDER [--complete STATIC ...] [--windows FOLDER].
 
 DESCRIBER is contactd-fmu-description, LIBRARY the shared object of all FMUs. For each kind and version of FMI an archive comes
 into FOLDER: contactd_contact_fmi2.fmu, ... With --complete the library must need nothing but the C library, and licences of
-what is inside come along; STATIC are the folders that packaging/wheels/static_libraries.sh, zeromq.sh and packaging/ducc0/fetch.sh have made. ./dev fmu does
-all of it.
+what is inside come along; STATIC are the folders that packaging/wheels/static_libraries.sh, zeromq.sh and packaging/ducc0/fetch.sh have made. With
+--windows the archives hold the DLL, too, that ./dev windows has put into FOLDER/lib, with the licences beside. ./dev fmu does all
+of it.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ from inside import licenses_of, origins_of, refuse_links
 ROOT = Path(__file__).parents[2]
 #: Where FMI 2 and 3 look for the shared object.
 PLATFORMS = {2: "linux64", 3: "x86_64-linux"}
+OF_WINDOWS = {2: "win64", 3: "x86_64-windows"}
 
 
 def main() -> None:
@@ -32,6 +34,7 @@ def main() -> None:
     parser.add_argument("library", type=Path)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--complete", type=Path, metavar="STATIC", nargs="+")
+    parser.add_argument("--windows", type=Path, metavar="FOLDER")
     options = parser.parse_args()
 
     described = json.loads(subprocess.run([options.describer.resolve()], capture_output=True, check=True).stdout)
@@ -45,12 +48,19 @@ def main() -> None:
         licenses["sources.txt"] = "\n".join(sources) + "\n"
     options.folder.mkdir(parents=True, exist_ok=True)
     library = stripped(options.library)
+    dll = None
+    if options.windows:
+        dll = (options.windows / "lib" / "contactd_fmu.dll").read_bytes()
+        notices = options.windows / "notices"
+        licenses |= {f"windows/{file.name}": file.read_text(errors="replace") for file in sorted((notices / "licenses").iterdir())}
+        licenses["windows/sources.txt"] = (notices / "SOURCES.txt").read_text()
     for kind in described["kinds"]:
         for fmi, platform in PLATFORMS.items():
             description = model_description(kind, described["units"], described["version"], fmi)
             files = {
                 "modelDescription.xml": description,
                 f"binaries/{platform}/{kind['name']}.so": library,
+                **({f"binaries/{OF_WINDOWS[fmi]}/{kind['name']}.dll": dll} if dll else {}),
                 "resources/README.txt": b"Profiles that a parameter names without a folder are looked for here.\n",
                 "documentation/index.html": page_of(kind),
                 **{f"documentation/licenses/{name}": text.encode() for name, text in licenses.items()},

@@ -1,0 +1,130 @@
+"""Puts a release together from what was built: python3 packaging/release check VERSION, or assemble VERSION FOLDER.
+
+check says why nothing can be released from this clone as it stands. assemble takes wheels, packages, DLLs, FMUs and the site from
+the build folder, makes the archives, the bill of materials, the notices and the sums, and leaves signing to ./dev release.
+"""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import shutil
+import subprocess
+import sys
+import tarfile
+import tempfile
+import zipfile
+from datetime import datetime, timezone
+from pathlib import Path
+
+from archives import epoch, files_of, write_tar, write_zip
+from sbom import bill_of
+from versions import ROOT, differing, version
+
+BUILD = ROOT / "build"
+
+
+def git(*arguments: str) -> bytes:
+    return subprocess.run(["git", "-C", str(ROOT), *arguments], capture_output=True, check=True).stdout
+
+
+def reasons_against(asked: str) -> list[str]:
+    """Why this clone is no release of that version."""
+    wrong = [f"{sentence}; it must be {version()}" for sentence in differing()]
+    if asked != version():
+        wrong.append(f"CMakeLists.txt has {version()}; packaging/release/versions.py {asked} changes it in all places")
+    if changed := git("status", "--porcelain").decode().splitlines():
+        wrong.append(f"the tree is not clean: {changed[0].strip()}, {len(changed)} in all")
+    tag = f"v{asked}"
+    if tag not in git("tag", "--points-at", "HEAD").decode().split():
+        wrong.append(f"HEAD has no tag {tag}")
+    return wrong
+
+
+def assemble(asked: str, folder: Path) -> None:
+    folder.mkdir(parents=True)
+    for kind in ("wheels/*.whl", "package/packages/*.deb", "fmu/*.fmu"):
+        files = sorted(BUILD.glob(kind))
+        if not files:
+            sys.exit(f"build/{kind} is missing")
+        for file in files:
+            shutil.copyfile(file, folder / file.name)
+    name = f"contactd-{asked}"
+    sources = tarfile_of(git("archive", "--format=tar", "HEAD"))
+    write_tar(folder / f"{name}-source.tar.gz", {f"{name}/{file}": data for file, data in sources.items()})
+    sdist(folder, sources)
+    headers = {f"include/{file}": sources[f"client/{place}/include/{file}"] for place, file in (("c", "contactd.h"), ("c", "contactd/paths.h"), ("cntc", "contactd_cntc.h"))}
+    pages = {"LICENSE": sources["LICENSE"], "README.md": sources["packaging/release/LIBRARIES.md"]}
+    examples = {f"examples/{Path(file).name}": data for file, data in sources.items() if file.startswith(("client/c/example/", "client/c/fortran/", "client/cntc/example/"))}
+    inside = notices_of(folder)
+    libraries = {f"lib/{path.name}": path.read_bytes() for path in sorted((BUILD / "windows" / "lib").iterdir()) if path.suffix in (".dll", ".a", ".def") and "fmu" not in path.name}
+    windows = sources_of_windows()
+    write_zip(folder / f"{name}-windows-x86_64.zip", {f"{name}/{file}": data for file, data in {**headers, **pages, **examples, **libraries, **windows}.items()})
+    shared = {f"lib/{path.name}": path.read_bytes() for path in sorted((BUILD / "fmu-build" / "lib").glob("libcontactd-*.so*")) if not path.is_symlink()}
+    if not shared:
+        sys.exit("build/fmu-build/lib has no libraries")
+    linux = {"SOURCES.txt": inside["sources.txt"], **{f"licenses/{file}": data for file, data in inside.items() if file != "sources.txt"}}
+    write_tar(folder / f"{name}-linux-x86_64.tar.gz", {f"{name}/{file}": data for file, data in {**headers, **pages, **examples, **shared, **linux}.items()})
+    write_tar(folder / f"{name}-site.tar.gz", files_of(BUILD / "docs", f"{name}-site/"))
+    notices = {**inside, **{Path(file).name: data for file, data in windows.items() if file.startswith("licenses/")}}
+    (folder / "NOTICES.txt").write_bytes(b"\n".join(f"=== {file} ===\n".encode() + notices[file] for file in sorted(notices)))
+    shutil.copyfile(ROOT / "packaging" / "release" / "check.py", folder / "check.py")
+    moment = datetime.fromtimestamp(epoch(), timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
+    (folder / f"{name}.cdx.json").write_text(bill_of(folder, asked, moment))
+    sums = [f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {path.name}\n" for path in sorted(folder.iterdir())]
+    (folder / "SHA256SUMS").write_text("".join(sums))
+
+
+def tarfile_of(content: bytes) -> dict[str, bytes]:
+    with tempfile.TemporaryFile() as file:
+        file.write(content)
+        file.seek(0)
+        with tarfile.open(fileobj=file) as archive:
+            return {member.name: found.read() for member in archive if (found := archive.extractfile(member)) is not None}
+
+
+def sdist(folder: Path, sources: dict[str, bytes]) -> None:
+    """The source distribution of the client, packed anew."""
+    with tempfile.TemporaryDirectory() as scratch:
+        project = Path(scratch, "project")
+        for file, data in sources.items():
+            if file.startswith("client/python/") or file == "LICENSE":
+                place = project / file.removeprefix("client/python/")
+                place.parent.mkdir(parents=True, exist_ok=True)
+                place.write_bytes(data)
+        build = "import sys; from setuptools.build_meta import build_sdist; print(build_sdist(sys.argv[1]))"
+        made = subprocess.run([sys.executable, "-c", build, scratch], cwd=project, stdout=subprocess.PIPE, text=True, check=True)
+        archive = Path(scratch, made.stdout.splitlines()[-1])
+        with tarfile.open(archive) as opened:
+            files = {member.name: found.read() for member in opened if (found := opened.extractfile(member)) is not None}
+        write_tar(folder / archive.name, files)
+
+
+def notices_of(folder: Path) -> dict[str, bytes]:
+    """What FMUs of Linux say of what is inside, which the libraries have inside as well."""
+    with zipfile.ZipFile(next(folder.glob("*.fmu"))) as archive:
+        place = "documentation/licenses/"
+        return {name.removeprefix(place): archive.read(name) for name in archive.namelist() if name.startswith(place)}
+
+
+def sources_of_windows() -> dict[str, bytes]:
+    return files_of(BUILD / "windows" / "notices")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(prog="release", description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    does = parser.add_subparsers(dest="does", required=True)
+    checking, assembling = does.add_parser("check"), does.add_parser("assemble")
+    for one in (checking, assembling):
+        one.add_argument("version")
+    assembling.add_argument("folder", type=Path)
+    options = parser.parse_args()
+    if options.does == "check":
+        reasons = reasons_against(options.version)
+        print("\n".join(reasons), end="\n" if reasons else "", file=sys.stderr)
+        sys.exit(1 if reasons else 0)
+    assemble(options.version, options.folder)
+
+
+if __name__ == "__main__":
+    main()

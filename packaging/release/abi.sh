@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# packaging/release/abi.sh OLD NEW: compares the C libraries of two archives of Linux (contactd-VERSION-linux-x86_64.tar.gz) by
+# abidiff. Ends with 0 when NEW has all that OLD has, unchanged.
+set -euo pipefail
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+for which in old new; do
+    mkdir "$scratch/$which"
+    tar -xf "$1" -C "$scratch/$which" --strip-components=1
+    shift
+done
+status=0
+for old in "$scratch"/old/lib/*.so*; do
+    name=$(basename "$old" | sed 's/\.so.*//')
+    new=$(find "$scratch/new/lib" -name "$name.so*" | head -n 1)
+    [ -n "$new" ] || { echo "abi: $name is gone" >&2; exit 1; }
+    # 8 is what abidiff adds for a change that old programs do not bear; 4 alone says that functions came.
+    found=0
+    abidiff --headers-dir1 "$scratch/old/include" --headers-dir2 "$scratch/new/include" "$old" "$new" || found=$?
+    if [ $((found & 11)) -ne 0 ] || [ "$(nm -D --defined-only "$old" | awk '{print $3}' | sed 's/@.*//' | sort -u |
+        comm -23 - <(nm -D --defined-only "$new" | awk '{print $3}' | sed 's/@.*//' | sort -u) | wc -l)" -ne 0 ]; then
+        echo "abi: $name has lost or changed something" >&2
+        status=1
+    fi
+done
+exit $status

@@ -1,0 +1,46 @@
+#!/usr/bin/env python3
+"""Checks a folder of release files: python3 check.py FOLDER SIGNERS [NAME].
+
+SIGNERS is a file of ssh's form for allowed signers, NAME who must have signed (contactd-release). The folder is sound when
+SHA256SUMS has his signature, lists every other file, and each has its sum. Ends with 0 then, and else with 1 and why.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import subprocess
+import sys
+from pathlib import Path
+
+__all__ = ["problems"]
+
+SUMS, SIGNATURE, NAMESPACE = "SHA256SUMS", "SHA256SUMS.sig", "contactd-release"
+
+
+def problems(folder: Path, signers: Path, name: str = NAMESPACE) -> list[str]:
+    """What is wrong with the folder; nothing when all is as it was signed."""
+    sums, signature = folder / SUMS, folder / SIGNATURE
+    for file in (sums, signature):
+        if not file.is_file():
+            return [f"{file.name} is missing: nobody has signed these files"]
+    command = ["ssh-keygen", "-Y", "verify", "-f", str(signers), "-I", name, "-n", NAMESPACE, "-s", str(signature)]
+    verified = subprocess.run(command, input=sums.read_bytes(), capture_output=True, check=False)
+    if verified.returncode != 0:
+        return [f"{SIGNATURE} is no signature of {name} for this {SUMS}"]
+    listed = dict(reversed(line.split("  ", 1)) for line in sums.read_text().splitlines())
+    found = {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()} - {SUMS, SIGNATURE}
+    wrong = [f"{file} is not listed in {SUMS}" for file in sorted(found - listed.keys())]
+    wrong += [f"{file} is missing" for file in sorted(listed.keys() - found)]
+    return wrong + [
+        f"{file} has been altered"
+        for file in sorted(found & listed.keys())
+        if hashlib.sha256((folder / file).read_bytes()).hexdigest() != listed[file]
+    ]
+
+
+if __name__ == "__main__":
+    if len(sys.argv) not in (3, 4):
+        sys.exit(__doc__)
+    wrong = problems(Path(sys.argv[1]), Path(sys.argv[2]), *sys.argv[3:])
+    print("\n".join(wrong) or "All files are as they were signed.")
+    sys.exit(1 if wrong else 0)

@@ -1,0 +1,67 @@
+"""The bill of materials: every library inside of every file, with its version, in the form of CycloneDX 1.5 (JSON)."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import tarfile
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+__all__ = ["bill_of", "libraries_in"]
+
+
+def libraries_in(path: Path) -> Iterator[tuple[str, str]]:
+    """Name and version of what a file has inside, or of what it depends on, as it tells by itself."""
+    for line in _lines_in(path):
+        if found := re.fullmatch(r"([a-z0-9][a-z0-9.+-]*?)_(\S+?)\.orig\.tar\.\w+", line):  # an author's archive, from Debian
+            yield found[1], found[2]
+        elif found := re.match(r"([a-z0-9][a-z0-9.+-]*)-(\d[\w.]*?)\.tar\.gz(?:,.*)?$", line):  # one from PyPI
+            yield found[1], found[2]
+        elif found := re.fullmatch(r"([a-z0-9][a-z0-9.+-]*) (\S+)", line):  # a source package of Debian
+            yield found[1], found[2]
+
+
+def _lines_in(path: Path) -> list[str]:
+    if path.suffix == ".whl":
+        with zipfile.ZipFile(path) as archive:
+            (metadata,) = (name for name in archive.namelist() if name.endswith(".dist-info/METADATA"))
+            lines = archive.read(metadata).decode().splitlines()
+        asked = [f"{found[1]} {found[2]}" for line in lines if (found := re.match(r"Requires-Dist: ([\w-]+)([<>=][^;]+)$", line))]
+        return [*asked, *(line[2:] for line in lines if line.startswith("- "))]
+    if path.suffix in (".fmu", ".zip"):
+        with zipfile.ZipFile(path) as archive:
+            names = [name for name in archive.namelist() if name.lower().endswith("sources.txt")]
+            return [line for name in names for line in archive.read(name).decode().splitlines()]
+    if path.name.endswith(".tar.gz"):
+        with tarfile.open(path) as archive:
+            files = [archive.extractfile(member) for member in archive if member.name.lower().endswith("/sources.txt")]
+            return [line for file in files if file for line in file.read().decode().splitlines()]
+    if path.suffix == ".deb":
+        asked = subprocess.run(["dpkg-deb", "-f", path, "Depends"], capture_output=True, text=True, check=True).stdout
+        return [f"{name} {version or 'any'}" for name, version in re.findall(r"([a-z0-9][\w.+-]*)(?: \([<>=]+ ([^)]+)\))?", asked)]
+    return []
+
+
+def bill_of(folder: Path, version: str, timestamp: str) -> str:
+    """Of the files of a folder, as text."""
+    components: list[dict[str, Any]] = []
+    dependencies: list[dict[str, Any]] = []
+    known: dict[str, dict[str, Any]] = {}
+    for path in sorted(path for path in folder.iterdir() if path.is_file()):
+        libraries = sorted(set(libraries_in(path)))
+        components.append({"type": "file", "bom-ref": path.name, "name": path.name, "version": version})
+        for name, of in libraries:
+            known.setdefault(f"{name}@{of}", {"type": "library", "bom-ref": f"{name}@{of}", "name": name, "version": of})
+        dependencies.append({"ref": path.name, "dependsOn": [f"{name}@{of}" for name, of in libraries]})
+    subject = {"type": "application", "bom-ref": "contactd", "name": "contactd", "version": version, "licenses": [{"license": {"id": "BSD-3-Clause"}}]}
+    bill = {
+        "bomFormat": "CycloneDX", "specVersion": "1.5", "version": 1,
+        "metadata": {"timestamp": timestamp, "component": subject},
+        "components": [*components, *(known[name] for name in sorted(known))],
+        "dependencies": [*dependencies, *({"ref": name} for name in sorted(known))],
+    }  # fmt: skip
+    return json.dumps(bill, indent=1) + "\n"

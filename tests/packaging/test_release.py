@@ -1,0 +1,89 @@
+"""What is released is complete, signed and the same each time."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import shutil
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+sys.path.insert(0, str(ROOT / "packaging" / "release"))
+
+from archives import write_tar, write_zip  # noqa: E402
+from check import problems  # noqa: E402
+from sbom import bill_of, libraries_in  # noqa: E402
+from versions import differing  # noqa: E402
+
+needs_ssh = pytest.mark.skipif(shutil.which("ssh-keygen") is None, reason="ssh-keygen is not installed")
+
+
+def test_the_version_is_the_same_in_all_places():
+    assert not differing()
+
+
+@pytest.fixture
+def signed(tmp_path):
+    """A folder of two files with their sums, signed, and the file of signers."""
+    folder = tmp_path / "release"
+    folder.mkdir()
+    for name in ("a.whl", "b.deb"):
+        (folder / name).write_text(f"what {name} has\n")
+    sums = [f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {path.name}\n" for path in sorted(folder.iterdir())]
+    (folder / "SHA256SUMS").write_text("".join(sums))
+    key = tmp_path / "key"
+    subprocess.run(["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", key], check=True)
+    subprocess.run(["ssh-keygen", "-q", "-Y", "sign", "-f", key, "-n", "contactd-release", folder / "SHA256SUMS"], check=True)
+    (tmp_path / "signers").write_text(f"contactd-release {(tmp_path / 'key.pub').read_text()}")
+    return folder, tmp_path / "signers"
+
+
+@needs_ssh
+def test_what_was_signed_is_sound(signed):
+    assert problems(*signed) == []
+
+
+@needs_ssh
+@pytest.mark.parametrize(
+    ("change", "sentence"),
+    [
+        (lambda folder: (folder / "SHA256SUMS.sig").unlink(), "nobody has signed"),
+        (lambda folder: (folder / "a.whl").write_text("other"), "a.whl has been altered"),
+        (lambda folder: (folder / "b.deb").unlink(), "b.deb is missing"),
+        (lambda folder: (folder / "c.whl").write_text("more"), "c.whl is not listed"),
+        (lambda folder: (folder / "SHA256SUMS").write_text((folder / "SHA256SUMS").read_text() + "0  a.whl\n"), "no signature"),
+    ],
+)
+def test_what_is_not_as_it_was_signed_is_refused(signed, change, sentence):
+    change(signed[0])
+    assert any(sentence in problem for problem in problems(*signed))
+
+
+@needs_ssh
+def test_the_signature_of_somebody_else_is_refused(signed, tmp_path):
+    subprocess.run(["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", tmp_path / "other"], check=True)
+    (tmp_path / "signers").write_text(f"contactd-release {(tmp_path / 'other.pub').read_text()}")
+    assert any("no signature" in problem for problem in problems(*signed))
+
+
+def test_archives_have_the_same_bytes(tmp_path, monkeypatch):
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1750000000")
+    for write, ending in ((write_tar, ".tar.gz"), (write_zip, ".zip")):
+        first = write(tmp_path / f"one{ending}", {"b": b"2", "a": b"1"})
+        again = write(tmp_path / f"two{ending}", {"a": b"1", "b": b"2"})
+        assert first.read_bytes() == again.read_bytes()
+
+
+def test_the_bill_lists_what_files_have_inside(tmp_path):
+    with zipfile.ZipFile(tmp_path / "x.whl", "w") as archive:
+        archive.writestr("x-1.dist-info/METADATA", "Name: x\nRequires-Dist: numpy>=1.24\n\nInside:\n\n- eigen3 3.4.0-5\n- hdf5_1.14.5.orig.tar.gz\n- ducc0-0.42.tar.gz\n")
+    assert set(libraries_in(tmp_path / "x.whl")) == {("numpy", ">=1.24"), ("eigen3", "3.4.0-5"), ("hdf5", "1.14.5"), ("ducc0", "0.42")}
+    bill = json.loads(bill_of(tmp_path, "1.0.0", "2026-01-01T00:00:00Z"))
+    assert (bill["bomFormat"], bill["specVersion"]) == ("CycloneDX", "1.5")
+    (inside,) = (one["dependsOn"] for one in bill["dependencies"] if one["ref"] == "x.whl")
+    assert {one["bom-ref"] for one in bill["components"]} >= set(inside) >= {"hdf5@1.14.5"}
