@@ -21,6 +21,11 @@ struct Grid {
         return {nx, ny, dx, dy, -0.5 * nx * dx, -0.5 * ny * dy};
     }
 
+    [[deprecated("takes the size of an element, not of the whole as Python's; say of_elements")]]
+    static Grid centred(int nx, int ny, double dx, double dy) {
+        return of_elements(nx, ny, dx, dy);
+    }
+
     std::size_t size() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
     double x(int ix) const { return x0 + (ix + 0.5) * dx; }  ///< centre of column ix (mm)
     double y(int iy) const { return y0 + (iy + 0.5) * dy; }  ///< centre of row iy (mm)

@@ -37,7 +37,7 @@ ContactFatigue hertz_fatigue(double a, double b, double mu, FatigueRequest reque
     constexpr int n = 60;
     const bool is_line = std::isinf(b);
     ContactProblem problem;
-    problem.grid = is_line ? Grid::centred(n, 1, 2 * a / n, 1) : Grid::centred(n, n, 2 * a / n, 2 * b / n);
+    problem.grid = is_line ? Grid::of_elements(n, 1, 2 * a / n, 1) : Grid::of_elements(n, n, 2 * a / n, 2 * b / n);
     problem.bodies = Bodies::of({{82000, 0.28}, {82000, 0.28}});
     if (is_line) {
         Ics ics;
@@ -69,7 +69,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 ContactProblem rolling_problem() {
     ContactProblem problem;
-    problem.grid = Grid::centred(40, 40, 0.2, 0.2);
+    problem.grid = Grid::of_elements(40, 40, 0.2, 0.2);
     problem.bodies = Bodies::of({{82000, 0.28}, {82000, 0.28}});
     problem.gap = SemiAxes{3, 3};
     problem.Fn = 20000;

@@ -17,7 +17,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-const Grid grid = Grid::centred(7, 5, 0.5, 0.4);
+const Grid grid = Grid::of_elements(7, 5, 0.5, 0.4);
 const StressBlock block{{-1, -0.5, 0, 0.5}, {-0.8, -0.4, 0, 0.4, 0.8}, {0, -0.3, -1}};
 
 SurfaceTractions random_tractions() {

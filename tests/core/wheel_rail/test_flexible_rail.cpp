@@ -202,6 +202,24 @@ TEST_CASE("A step of a wheel starts where its rail was, and ends where it is wit
     check_same_forces(again.forces.track, alone.forces.track, 1e-5);
 }
 
+TEST_CASE("A step of a conformal contact on a flexible rail, under Fz and Fx, takes at most fifteen solves") {
+    WheelRailSetup setup = on_flexible_rail(2e4, 5e4);
+    setup.dx = setup.dy = 1;
+    setup.conformal = Conformal::rotated;
+    const WheelRailContact contact(setup);
+    WheelRailEstimates estimates;
+    Observer observer;
+    WheelRailState state = under_force(4);
+    state.Fx = 3000;
+    for (int k = 0; k < 4; ++k) {
+        state.position.y += 0.02;
+        const WheelRailSolution solution = contact.solve(state, estimates, observer);
+        check_balance(setup, state, solution);
+        CHECK_THAT(solution.forces.wheelset.Fx, WithinAbs(3000, 1e-6 * 80000));
+        if (k > 0) CHECK(solution.rail_search.value().iterations <= 15);
+    }
+}
+
 TEST_CASE("A wheelset rolls where the rails below it deflect unlike") {
     WheelRailSetup right = on_flexible_rail({}, 2e4), left = right;
     left.side = Side::left;

@@ -154,6 +154,26 @@ TEST_CASE("A wheelset beside its track carries no load, and says so") {
 }
 
 // By the established program: case 5, right wheel, -4.3442191 rad/s.
+TEST_CASE("A wheelset that goes on from its last step has the answer of one from nothing, for fewer solves") {
+    Observer observer;
+    WheelsetEstimates estimates;
+    WheelsetState state = wheelset_state(manchester_cases[4]);
+    int with = 0, without = 0;
+    for (int k = 0; k < 5; ++k) {
+        state.position.y += 0.02;
+        const WheelsetSolution one = solve_wheelset(wheel(Side::left), wheel(Side::right), state, estimates, observer);
+        const WheelsetSolution other = solve_wheelset(wheel(Side::left), wheel(Side::right), state, observer);
+        REQUIRE(one.converged());
+        CHECK_THAT(one.roll, WithinAbs(other.roll, 2e-9));
+        CHECK_THAT(one.left.forces.track.Fy, WithinAbs(other.left.forces.track.Fy, 0.1));
+        CHECK_THAT(one.right.forces.track.Fz, WithinAbs(10000, 0.0101));
+        if (k == 0) continue;
+        with += one.roll_search.iterations;
+        without += other.roll_search.iterations;
+    }
+    CHECK(with <= without);
+}
+
 TEST_CASE("A longitudinal force finds the pitch rate that brings it") {
     Observer observer;
     for (const ManchesterCase& known : manchester_cases) {
