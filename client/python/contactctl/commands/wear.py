@@ -12,17 +12,8 @@ import click
 import typer
 
 from contactd import Client, InvalidArgument
-from contactd.wear import (
-    Dynamics,
-    WearStudy,
-    WeightedState,
-    WornStep,
-    evolve,
-    evolve_with,
-    read_record,
-    states_of_stage,
-    write_record,
-)
+from contactd.wear import WearStudy, WeightedState, WornStep, evolve, read_record, write_record
+from contactd.wear.dynamics import Dynamics, evolve_with, states_of_stage
 from contactd.wear.evolution import by_threads, place_of
 from contactd.wheel_rail import WheelRailState
 
@@ -34,6 +25,7 @@ from ..progress import Bar
 from ..saving import need
 from ..study.shares import Share, share_of
 from ..wearing.by_dask import solving_by_dask
+from ..wearing.convergence import settled
 from ..wearing.outputs import Measures, measured, write_pictures, write_profiles
 from ..wearing.reading import read_dynamics, read_study
 from ..wearing.shares import ShareFiles, work
@@ -58,6 +50,7 @@ def wear(
     share: Annotated[str | None, typer.Option("--share", metavar="INDEX/COUNT", help="Solve a share of the states; 0/4 makes the steps, 1/4 to 3/4 help.")] = None,
     longest_wait: Annotated[float, typer.Option("--longest-wait", metavar="SECONDS", min=1, help="How long shares wait for each other.")] = 3600,
     dask: Annotated[str | None, typer.Option("--dask", metavar="SCHEDULER", help="By the workers of a Dask cluster, such as tcp://host:8786.")] = None,
+    convergence: Annotated[bool, typer.Option("--convergence", help="Wear nothing, but tell how far results have settled: other states, elements and steps.")] = False,
     fresh: Annotated[bool, typer.Option("--fresh", help="Begin with the new profile, also where there are steps.")] = False,
 ) -> None:
     """Wear a wheel or a rail, or both, under a collective of states, step by step.
@@ -67,6 +60,9 @@ def wear(
     need("h5py", "HDF5 files", "python3-h5py")
     if pictures is not None:
         need("matplotlib", "pictures", "python3-matplotlib")
+    if convergence:
+        _tell_convergence(read_study(file), workers)
+        return
     part = None if share is None else share_of(share)
     if part is not None and dask is not None:
         raise click.UsageError("--share and --dask share the states in two ways; take one of them.")
@@ -101,6 +97,15 @@ def wear(
     for path in written:
         note(f"wrote {path}")
     _show(steps, study.unit)
+
+
+def _tell_convergence(study: WearStudy, workers: int) -> None:
+    """A table of variants, each against the finest."""
+    with connected(workers=workers if setting().local else None) as client, Bar("convergence") as bar:
+        found = list(settled(client, study, workers, bar.show))
+    columns = ["what differs", "L1 of depth", "area", "largest depth", "steps", "s"]
+    rows = [[one.name, one.difference, one.area, one.largest, one.steps, one.seconds] for one in found]
+    emit(setting().json, {"variants": [vars(one) for one in found]}, listing(None, columns, rows))
 
 
 def _study_of(file: str, dynamics: Dynamics, fresh: bool) -> WearStudy:

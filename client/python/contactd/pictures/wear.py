@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import invalid
+from ..wear.section import Section
 from .canvas import COLOURS, INK
 
 if TYPE_CHECKING:
@@ -142,11 +143,7 @@ def _shares(step: WornStep) -> Any:
 
 
 def _depths(first: WornStep, step: WornStep) -> Any:
-    """The distances of the new points from a section."""
-    starts, ways = step.points[:-1], np.diff(step.points, axis=0)
-    away = first.points[:, None, :] - starts[None, :, :]
-    along = np.clip((away * ways).sum(axis=2) / (ways**2).sum(axis=1), 0, 1)
-    return np.linalg.norm(away - along[:, :, None] * ways, axis=2).min(axis=1)
+    return Section(first.points, "wheel").depths_to(Section(step.points, "wheel"))
 
 
 def _shade(index: int, count: int) -> Any:

@@ -101,6 +101,13 @@ class Section:
         doubled = float((y * np.roll(z, -1) - np.roll(y, -1) * z).sum())
         return -doubled / 2 if self.body == "wheel" else doubled / 2
 
+    def depths_to(self, other: Section) -> Array:
+        """How far the points are from another section (mm): how deep it is worn below them."""
+        starts, steps = other.points[:-1], np.diff(other.points, axis=0)
+        away = self.points[:, None, :] - starts[None, :, :]
+        along = np.clip((away * steps).sum(axis=2) / (steps**2).sum(axis=1), 0.0, 1.0)
+        return np.asarray(np.linalg.norm(away - along[:, :, None] * steps, axis=2).min(axis=1))
+
     def worn(self, depths: npt.ArrayLike, area: float | None = None) -> Section:
         """The section after each point has moved along its normal by a depth (mm). With `area` (mm^2) depths are multiplied
         by one number near 1, by which as much is gone: where the surface is curved, rows overlap in the depth."""

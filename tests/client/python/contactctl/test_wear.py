@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 import subprocess
+import sys
 import time
 
 import numpy as np
@@ -53,7 +54,7 @@ def test_steps_are_shown_and_kept(files):
 def test_a_run_that_is_killed_ends_as_an_undisturbed_one(files):
     files("wear", "wear.yaml", "--output", "whole.h5")
     path = files.folder / "killed.h5"
-    for _ in range(2):
+    for _ in range(3):
         command = [*files.command, "wear", "wear.yaml", "--output", "killed.h5"]
         process = subprocess.Popen(command, cwd=files.folder, env=files.environment, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
         until, before = time.monotonic() + 30, path.stat().st_mtime_ns if path.exists() else 0
@@ -145,3 +146,46 @@ def test_wheel_and_rail_wear_together_from_a_file(files):
     made = files("wear", "both.yaml", "--profiles", "both")
     assert made.code == 0, made.err
     assert {path.name for path in (files.folder / "both").iterdir()} == {"wheel.prw", "wheel.whl", "rail.prr", "rail.ban"}
+
+
+PROGRAM = """
+import shutil, sys
+from pathlib import Path
+folder = Path(sys.argv[-1])
+assert (folder / "wheel.prw").is_file()
+shutil.copy(folder.parents[1] / "states.csv", folder / "states.csv")
+"""
+LOOP = STUDY.replace("states: states.csv", "dynamics: {program: [%s, told.py], depth: 0.012, conicity: 1}")
+
+
+def test_a_program_tells_states_again_when_the_profile_has_changed(files):
+    files.write("told.py", PROGRAM)
+    files.write("loop.yaml", LOOP % sys.executable)
+    made = files("wear", "loop.yaml")
+    assert made.code == 0, made.err
+    with h5py.File(files.folder / "loop.yaml.h5") as file:
+        stages = file["stage"][()]
+    assert stages[0] == 0 and stages[-1] >= 1
+    assert sorted(path.name for path in (files.folder / "loop.yaml.h5.stages").iterdir())[:2] == ["stage-000", "stage-001"]
+    before = points(files.folder / "loop.yaml.h5")[0]
+    assert files("wear", "loop.yaml").code == 0
+    np.testing.assert_array_equal(points(files.folder / "loop.yaml.h5")[0], before)
+    files.write("told.py", "raise SystemExit('no track')")
+    ended = files("wear", "loop.yaml", "--fresh")
+    assert ended.code != 0 and "no track" in ended.err
+
+
+def test_states_and_dynamics_do_not_go_together(files):
+    files.write("loop.yaml", LOOP % sys.executable + "states: states.csv\n")
+    ended = files("wear", "loop.yaml")
+    assert ended.code == 2 and "dynamics tell the states" in ended.err
+
+
+def test_convergence_is_told_against_the_finest(files):
+    files.write("coarse.yaml", STUDY.replace("dx: 0.8, dy: 0.8", "dx: 1.2, dy: 1.2").replace("until: 60", "until: 10"))
+    made = files("wear", "coarse.yaml", "--convergence", "--json")
+    assert made.code == 0, made.err
+    found = {one["name"]: one for one in made.json["variants"]}
+    assert found["finest"]["difference"] == 0
+    assert found["elements half as large"]["difference"] < found["elements twice as large"]["difference"]
+    assert not (files.folder / "coarse.yaml.h5").exists()
