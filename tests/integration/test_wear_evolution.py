@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 
 import numpy as np
@@ -211,3 +212,14 @@ def test_what_a_rail_bears_is_told_along_its_section(shared, tmp_path):
     pytest.importorskip("h5py")
     write_record(tmp_path / "tired.h5", study, steps)
     np.testing.assert_array_equal(read_record(tmp_path / "tired.h5", study)[1].fatigue.limits, tired.limits)
+
+
+def test_a_file_names_all_of_its_sources(shared, tmp_path):
+    h5py = pytest.importorskip("h5py")
+    strength = FatigueStrength("steel", "a torsion test", 300)
+    function = DamageFunction("ours", "field data", (0, 1000), [(0, 0, 1e-7)])
+    study = replace(STUDY, until=5, states=STUDY.states[:2], fatigue=FatigueRequest("lower", strength, [function]))
+    write_record(tmp_path / "steps.h5", study, run(shared, study))
+    with h5py.File(tmp_path / "steps.h5") as file:
+        assert json.loads(file.attrs["sources"]) == ["energy: a test", "steel: a torsion test", "ours: field data"]
+        assert file.attrs["contactd"] and "laws" in json.loads(file.attrs["study"])

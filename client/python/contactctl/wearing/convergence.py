@@ -77,9 +77,11 @@ def _sample(states: Sequence[WeightedState], part: int) -> list[WeightedState]:
     return found
 
 
-def settled(client: Client, study: WearStudy, workers: int, on_progress: Callable[[float, str], None]) -> Iterator[Settled]:
-    """Each variant when it has gone the distance."""
-    studies = variants(study)
+def settled(
+    client: Client, study: WearStudy, workers: int, on_progress: Callable[[float, str], None], names: Sequence[str] | None = None
+) -> Iterator[Settled]:
+    """Each variant when it has gone the distance; with `names` these beside the finest, which comes first."""
+    studies = {name: one for name, one in variants(study).items() if names is None or name in ("finest", *names)}
     finest: WornStep | None = None
     first: WornStep | None = None
     for i, (name, one) in enumerate(studies.items()):

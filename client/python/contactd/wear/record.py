@@ -31,7 +31,7 @@ def write_record(path: str | os.PathLike[str], study: WearStudy, steps: Sequence
     content = io.BytesIO()
     with h5py.File(content, "w", track_order=True) as file:
         file.attrs.update(contactd=__version__, study=_described(study), wears=study.wears, unit=study.unit)
-        file.attrs["sources"] = json.dumps([f"{law['name']}: {law['source']}" for law in study.law_params()])
+        file.attrs["sources"] = json.dumps([f"{one['name']}: {one['source']}" for one in study.sourced()])
         _write(file, steps)
         if steps and steps[0].rail is not None:
             _write(file.create_group("rail"), [step.of("rail") for step in steps])

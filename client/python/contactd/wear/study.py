@@ -172,6 +172,11 @@ class WearStudy:
             found.append({"setup": own, "state": state_params(one.state, f"states[{i}]"), "fields": []})
         return found
 
+    def sourced(self) -> list[dict[str, Any]]:
+        """All that has a name and a source: laws, strength, functions of damage."""
+        fatigue = self._fatigue_params()
+        return [*self.law_params(), *([fatigue["strength"]] if fatigue.get("strength") else []), *fatigue.get("damages", [])]
+
     def described(self) -> dict[str, Any]:
         """What was asked for, but for where it ends, in the words of the wire."""
         states = [{"state": state_params(one.state, "state"), "weight": one.weight, "group": one.group, "mu": one.mu} for one in self.states]
