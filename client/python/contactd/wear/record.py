@@ -29,7 +29,7 @@ def write_record(path: str | os.PathLike[str], study: WearStudy, steps: Sequence
     import h5py
 
     content = io.BytesIO()
-    with h5py.File(content, "w", track_order=True) as file:
+    with h5py.File(content, "w") as file:  # in no order of its own, whose group would have the time of day in it
         file.attrs.update(contactd=__version__, study=_described(study), wears=study.wears, unit=study.unit)
         file.attrs["sources"] = json.dumps([f"{one['name']}: {one['source']}" for one in study.sourced()])
         _write(file, steps)

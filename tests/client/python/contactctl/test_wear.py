@@ -63,8 +63,7 @@ def test_a_run_that_is_killed_ends_as_an_undisturbed_one(files):
         process.send_signal(signal.SIGKILL)
         process.wait()
     assert files("wear", "wear.yaml", "--output", "killed.h5").code == 0
-    for one, other in zip(points(path), points(files.folder / "whole.h5"), strict=True):
-        np.testing.assert_array_equal(one, other)
+    assert path.read_bytes() == (files.folder / "whole.h5").read_bytes()
 
 
 def test_steps_of_another_study_are_left_alone(files):
