@@ -188,3 +188,20 @@ def test_convergence_is_told_against_the_finest(files):
     assert found["finest"]["difference"] == 0
     assert found["elements half as large"]["difference"] < found["elements twice as large"]["difference"]
     assert not (files.folder / "coarse.yaml.h5").exists()
+
+
+@pytest.mark.slow  # starts a cluster
+def test_states_are_solved_by_a_dask_cluster(files):
+    pytest.importorskip("distributed")
+    files("wear", "wear.yaml", "--output", "whole.h5")
+    scheduler = files.start_python("from distributed import LocalCluster", "import sys",
+                                   "cluster = LocalCluster(n_workers=1, threads_per_worker=2, processes=False, dashboard_address=None, protocol='tcp', host='127.0.0.1')",
+                                   "print(cluster.scheduler_address, flush=True)", "sys.stdin.read()", "cluster.close()")  # fmt: skip
+    with scheduler:
+        address = scheduler.stdout.readline().strip()
+        made = files("wear", "wear.yaml", "--output", "dask.h5", "--dask", address)
+        scheduler.communicate("", timeout=60)
+    assert made.code == 0, made.err
+    assert (files.folder / "dask.h5").read_bytes() == (files.folder / "whole.h5").read_bytes()
+    ended = files("wear", "wear.yaml", "--dask", address, "--share", "0/2")
+    assert ended.code == 2 and "take one of them" in ended.err
