@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 import time
+from contextlib import ExitStack
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -14,7 +15,7 @@ import typer
 from contactd import Client, InvalidArgument
 from contactd.wear import WearStudy, WeightedState, WornStep, evolve, read_record, write_record
 from contactd.wear.dynamics import Dynamics, evolve_with, states_of_stage
-from contactd.wear.evolution import by_threads, place_of
+from contactd.wear.evolution import Solve, by_threads, place_of
 from contactd.wheel_rail import WheelRailState
 
 from ..codes import Code, Ended
@@ -145,15 +146,19 @@ def _evolve(
 ) -> Measures:
     """Adds steps to the list as they end, and writes all to the file each time."""
     before, began = steps[-1].distance if steps else 0.0, time.monotonic()
-    with connected(workers=workers if setting().local else None) as client, Bar("wear") as bar:
+    with ExitStack() as stack:
+        client = stack.enter_context(connected(workers=workers if setting().local else None))
+        bar = stack.enter_context(Bar("wear"))
 
         def show(part: float, sentence: str) -> None:
             went = part - before / study.until
             left = f"about {span((time.monotonic() - began) / went * (1 - part))} to go" if went > 0 else ""
             bar.show(part, sentence, left)
 
-        solve = _solving(client, study, steps, output, workers, share, longest_wait, dask)
-        options = {"solve": solve, "on_progress": show}
+        solve = _solving(client, study, steps, output, workers, share, longest_wait)
+        if dask is not None:
+            solve = stack.enter_context(solving_by_dask(dask, setting()))
+        options: dict[str, Any] = {"solve": solve, "on_progress": show}
         for step in evolve(client, study, steps, **options) if dynamics is None else evolve_with(client, study, dynamics, steps, **options):
             steps.append(step)
             write_record(output, study, steps)
@@ -162,10 +167,8 @@ def _evolve(
 
 
 def _solving(
-    client: Client, study: WearStudy, steps: list[WornStep], output: Path, workers: int, share: Share | None, longest_wait: float, dask: str | None
-) -> Any:
-    if dask is not None:
-        return solving_by_dask(dask, setting())
+    client: Client, study: WearStudy, steps: list[WornStep], output: Path, workers: int, share: Share | None, longest_wait: float
+) -> Solve:
     own = by_threads(client, workers, study)
     if share is None:
         return own

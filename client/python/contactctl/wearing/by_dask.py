@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 import click
@@ -16,7 +17,8 @@ from ..study.by_dask import client_of_worker
 __all__ = ["solving_by_dask"]
 
 
-def solving_by_dask(scheduler: str, given: Setting) -> Solve:
+@contextmanager
+def solving_by_dask(scheduler: str, given: Setting) -> Iterator[Solve]:
     """Each state by a worker, on which the package must be installed."""
     try:
         from dask.distributed import Client as Dask
@@ -38,7 +40,8 @@ def solving_by_dask(scheduler: str, given: Setting) -> Solve:
             dask.cancel(futures)
         return found
 
-    return solve
+    with dask:
+        yield solve
 
 
 def _solved(params: dict[str, Any], given: dict[str, Any]) -> dict[str, Any]:
