@@ -1,25 +1,16 @@
 #include "engine/environment.hpp"
 
-#include <cstdlib>
 #include <string>
+
+#include "contactd/platform.hpp"
 
 namespace contactd::engine {
 
-namespace {
-
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value ? value : "";
-}
-
-}  // namespace
+using platform::variable;
 
 std::filesystem::path default_store_folder() {
-    if (const std::string cache = variable("XDG_CACHE_HOME"); !cache.empty())
-        return std::filesystem::path(cache) / "contactd" / "store";
-    if (const std::string home = variable("HOME"); !home.empty())
-        return std::filesystem::path(home) / ".cache" / "contactd" / "store";
-    return {};
+    const std::filesystem::path cache = platform::cache_folder();
+    return cache.empty() ? cache : cache / "contactd" / "store";
 }
 
 EngineSettings settings_of_environment() {

@@ -3,7 +3,7 @@
 DESCRIBER is contactd-fmu-description, LIBRARY the shared object of all FMUs. For each kind and version of FMI an archive comes
 into FOLDER: contactd_contact_fmi2.fmu, ... With --complete the library must need nothing but the C library, and licences of
 what is inside come along; STATIC are the folders that packaging/wheels/static_libraries.sh, zeromq.sh and packaging/ducc0/fetch.sh have made. With
---windows the archives hold the DLL, too, that ./dev windows has put into FOLDER/lib, with the licences beside. ./dev fmu does all
+--windows the archives hold the DLL, too, that ./dev windows has put into FOLDER/lib/fmu, with the licences beside. ./dev fmu does all
 of it.
 """
 
@@ -50,7 +50,7 @@ def main() -> None:
     library = stripped(options.library)
     dll = None
     if options.windows:
-        dll = (options.windows / "lib" / "contactd_fmu.dll").read_bytes()
+        dll = (options.windows / "lib" / "fmu" / "contactd_fmu.dll").read_bytes()
         notices = options.windows / "notices"
         licenses |= {f"windows/{file.name}": file.read_text(errors="replace") for file in sorted((notices / "licenses").iterdir())}
         licenses["windows/sources.txt"] = (notices / "SOURCES.txt").read_text()

@@ -63,7 +63,6 @@ NAMES = {
     "SparseColumns": "of a matrix",
     "multiply_columns": "of a matrix",
     "held": "locks",
-    "held_by_another": "a lock",
     "distance_turn": "the field of the wire",
     "turn_neighbours": "the rule of `distance_turn`",
     "turn": "an angle or a revolution",

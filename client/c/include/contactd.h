@@ -30,7 +30,7 @@
 #define CONTACTD_VERSION_MINOR 1
 #define CONTACTD_VERSION_PATCH 0
 
-#if defined(__GNUC__)
+#if defined(__GNUC__) && !defined(_WIN32)
 #define CONTACTD_API __attribute__((visibility("default")))
 #else
 #define CONTACTD_API

@@ -1,12 +1,16 @@
 #include "handle_guard.hpp"
 
+#ifndef _WIN32
 #include <pthread.h>
+#endif
 
 namespace contactd::c {
 namespace {
 
 std::atomic<int> forks = 1;
+#ifndef _WIN32  // where no process is forked
 [[maybe_unused]] const int counted = ::pthread_atfork(nullptr, nullptr, [] { ++forks; });
+#endif
 
 }  // namespace
 

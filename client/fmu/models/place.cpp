@@ -42,6 +42,9 @@ std::filesystem::path path_of(std::string_view uri) {
             at += 2;
         path += static_cast<char>(letter);
     }
+#ifdef _WIN32
+    if (path.size() > 2 && path[0] == '/' && path[2] == ':') path.erase(0, 1);  // file:///C:/...
+#endif
     return path;
 }
 

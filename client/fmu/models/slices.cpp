@@ -13,7 +13,7 @@ namespace contactd::fmu {
 void set_profile_file(contactd_wheel* w, const std::string& profile, const std::filesystem::path& path,
                       const FileReading& reading) {
     const std::string file = profile + ".file";
-    check(contactd_read_profile(w, file.c_str(), path.c_str()), w);
+    check(contactd_read_profile(w, file.c_str(), path.string().c_str()), w);
     if (reading.unit != 0) set_field(w, file + ".unit", reading.unit);
     set_field(w, file + ".mirror_y", reading.mirror_y ? 1 : 0);
     if (reading.mirror_z != "by_shape") set_field(w, file + ".mirror_z", reading.mirror_z == "turned" ? 1 : 0);

@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <optional>
 
+#include "contactd/platform.hpp"
+
 namespace contactd {
 
-/// An advisory lock (flock) on a file beside the tables; the kernel gives it back when its holder dies. Where locks or
+/// An advisory lock on a file beside the tables; the kernel gives it back when its holder dies. Where locks or
 /// files cannot be had it says so, and the build goes on without: two writers do no harm but work.
 class TableLock {
    public:
@@ -28,7 +30,7 @@ class TableLock {
 
    private:
     const std::filesystem::path path_;
-    int fd_ = -1;
+    std::optional<platform::OpenFile> file_;
 };
 
 }  // namespace contactd

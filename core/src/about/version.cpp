@@ -1,7 +1,9 @@
 #include "contactd/version.hpp"
 
 #include <hdf5.h>
+#ifndef _WIN32
 #include <sodium.h>
+#endif
 
 #include <Eigen/Core>
 
@@ -22,8 +24,10 @@ std::map<std::string, std::string> library_versions() {
     const auto [library, library_version] = fft_library();
     return {{"eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
             {library, library_version},
-            {"hdf5", dotted(major, minor, release)},
-            {"libsodium", sodium_version_string()}};
+#ifndef _WIN32
+            {"libsodium", sodium_version_string()},
+#endif
+            {"hdf5", dotted(major, minor, release)}};
 }
 
 }  // namespace contactd

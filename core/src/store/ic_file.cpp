@@ -1,22 +1,18 @@
 // One table as one file: a 512-byte HDF5 user block with the digest, then the HDF5 image.
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
+#include <optional>
 #include <span>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "contactd/ic_contents.hpp"
 #include "contactd/ic_exchange.hpp"
 #include "contactd/ic_store.hpp"
+#include "contactd/platform.hpp"
 #include "sha256.hpp"
 #include "store/hdf5/hdf5_image.hpp"
 #include "store/hdf5/writer.hpp"
@@ -25,6 +21,7 @@ namespace contactd {
 namespace {
 
 namespace fs = std::filesystem;
+using platform::OpenFile;
 using Bytes = std::span<const unsigned char>;
 
 constexpr std::size_t header_size = 512;  // the smallest user block HDF5 skips
@@ -38,53 +35,22 @@ std::string name_of(const fs::path& path) {
     return path.filename().string();
 }
 
-[[noreturn]] void fail(const char* doing, const fs::path& path) {
-    throw StoreError(std::string("Cannot ") + doing + " " + name_of(path) + ": " + std::strerror(errno) + ".");
-}
-
-/// A file descriptor that closes itself.
-class File {
-   public:
-    File(const fs::path& path, int flags, mode_t mode = 0) : fd_(::open(path.c_str(), flags | O_CLOEXEC, mode)) {}
-    ~File() {
-        if (fd_ >= 0) ::close(fd_);
-    }
-    File(const File&) = delete;
-    File& operator=(const File&) = delete;
-    bool is_open() const { return fd_ >= 0; }
-    int fd() const { return fd_; }
-
-   private:
-    int fd_;
-};
-
-void write_all(const File& file, Bytes bytes, const fs::path& path) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(file.fd(), bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) fail("write", path);
-        bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
+[[noreturn]] void fail(const char* doing, const fs::path& path, const std::error_code& error) {
+    throw StoreError(std::string("Cannot ") + doing + " " + name_of(path) + ": " + error.message() + ".");
 }
 
 /// A name may lead anywhere: links are not followed, and what is no file is neither waited for nor read.
 std::vector<unsigned char> read_all(const fs::path& path) {
-    const File file(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
-    struct stat status;
-    if (!file.is_open() || ::fstat(file.fd(), &status) != 0) fail("read", path);
-    if (!S_ISREG(status.st_mode)) throw StoreError(name_of(path) + " is not a regular file.");
-    if (static_cast<std::uintmax_t>(status.st_size) > largest_file)
-        throw DamagedTable(name_of(path) + " is larger than any table.");
-    std::vector<unsigned char> bytes(static_cast<std::size_t>(status.st_size));
-    std::size_t have = 0;
-    while (have < bytes.size()) {
-        const ssize_t got = ::read(file.fd(), bytes.data() + have, bytes.size() - have);
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) fail("read", path);
-        if (got == 0) break;
-        have += static_cast<std::size_t>(got);
-    }
-    bytes.resize(have);
+    OpenFile file(path, OpenFile::Use::reading);
+    if (!file.is_open()) fail("read", path, file.error());
+    if (!file.is_regular()) throw StoreError(name_of(path) + " is not a regular file.");
+    const std::optional<std::uintmax_t> size = file.size();
+    if (!size) fail("read", path, file.error());
+    if (*size > largest_file) throw DamagedTable(name_of(path) + " is larger than any table.");
+    std::vector<unsigned char> bytes(static_cast<std::size_t>(*size));
+    const std::optional<std::size_t> have = file.read(bytes);
+    if (!have) fail("read", path, file.error());
+    bytes.resize(*have);
     return bytes;
 }
 
@@ -99,11 +65,6 @@ void check_header(Bytes bytes, const fs::path& path) {
     throw DamagedTable(name_of(path) + " is no table of influence coefficients, or its beginning is lost.");
 }
 
-void sync_folder(const fs::path& folder) {
-    const File file(folder, O_RDONLY | O_DIRECTORY);
-    if (!file.is_open() || ::fsync(file.fd()) != 0) fail("sync the folder", folder);
-}
-
 std::array<unsigned char, header_size> header_of(Bytes image) {
     std::array<unsigned char, header_size> header{};
     const std::string text = std::string(magic) + sha256_hex(image) + "\n";
@@ -112,22 +73,22 @@ std::array<unsigned char, header_size> header_of(Bytes image) {
 }
 
 /// The temporary file carries a lock while it is written, so that a sweep by another process leaves it alone.
-bool lock_and_still_there(const File& file) {
-    struct stat status;
-    const bool held_by_another = ::flock(file.fd(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    return !held_by_another && ::fstat(file.fd(), &status) == 0 && status.st_nlink > 0;
+bool lock_and_still_there(OpenFile& file) {
+    return file.try_lock() != OpenFile::Lock::busy && file.has_name();
 }
 
-void write_renamed(const fs::path& path, const fs::path& temporary, const File& file, Bytes bytes) {
+void write_renamed(const fs::path& path, const fs::path& temporary, OpenFile& file, Bytes bytes) {
     try {
-        write_all(file, bytes, temporary);
-        if (::fsync(file.fd()) != 0) fail("sync", temporary);
-        if (::rename(temporary.c_str(), path.c_str()) != 0) fail("rename", temporary);
+        if (!file.write(bytes)) fail("write", temporary, file.error());
+        if (!file.sync()) fail("sync", temporary, file.error());
+        if (const std::error_code error = platform::rename_over(temporary, path)) fail("rename", temporary, error);
     } catch (...) {
-        ::unlink(temporary.c_str());
+        std::error_code ignored;
+        fs::remove(temporary, ignored);
         throw;
     }
-    sync_folder(path.has_parent_path() ? path.parent_path() : fs::path("."));
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    if (const std::error_code error = platform::sync_folder(folder)) fail("sync the folder", folder, error);
 }
 
 }  // namespace
@@ -146,9 +107,9 @@ void write_ic_file(const fs::path& path, const IcRecord& record) {
     constexpr int tries = 16;
     for (int n = 0; n < tries; ++n) {
         const fs::path temporary = path.string() + "." + writer_name() + "." + std::to_string(serial++) + ".tmp";
-        const File file(temporary, O_WRONLY | O_CREAT | O_EXCL, 0644);
-        if (!file.is_open() && errno == EEXIST) continue;
-        if (!file.is_open()) fail("create", temporary);
+        OpenFile file(temporary, OpenFile::Use::writing_new);
+        if (!file.is_open() && file.error() == std::errc::file_exists) continue;
+        if (!file.is_open()) fail("create", temporary, file.error());
         if (!lock_and_still_there(file)) continue;  // swept between open and lock
         return write_renamed(path, temporary, file, bytes);
     }

@@ -1,17 +1,13 @@
 #include "contactd/ic_store.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <chrono>
-#include <cstdlib>
 #include <format>
 #include <system_error>
 #include <vector>
 
+#include "contactd/platform.hpp"
 #include "store/hdf5/file_format.hpp"
 
 namespace contactd {
@@ -114,18 +110,14 @@ bool is_of_newer_version(const fs::path& path) {
 
 std::string cannot_write(const fs::path& folder) {
     // Permissions say little: they let root write where nobody can.
-    std::string name = (folder / ".contactd-XXXXXX").string();
-    const int fd = ::mkostemp(name.data(), O_CLOEXEC);
-    if (fd < 0) return std::generic_category().message(errno);
-    ::close(fd);
-    ::unlink(name.c_str());
-    return {};
+    const std::error_code error = platform::cannot_make_file(folder);
+    return error ? error.message() : std::string();
 }
 
 IcStore::IcStore(fs::path folder, Report report) : folder_(std::move(folder)), report_(std::move(report)) {
     std::error_code error;
     fs::create_directories(folder_, error);
-    if (error || ::access(folder_.c_str(), R_OK | X_OK) != 0)
+    if (error || platform::cannot_use(folder_, false))
         throw StoreError("The store's folder " + folder_.string() + " cannot be made or read" +
                          (error ? ": " + error.message() + "." : "."));
 }

@@ -1,6 +1,4 @@
 // Upkeep of the store's folder: sweeping, times of use, eviction.
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <chrono>
 #include <system_error>

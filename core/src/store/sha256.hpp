@@ -1,21 +1,12 @@
-// SHA-256 as lower-case hex, by libsodium.
+// SHA-256 as lower-case hex.
 #pragma once
 
-#include <sodium.h>
-
-#include <array>
 #include <span>
 #include <string>
 
 namespace contactd {
 
-inline std::string sha256_hex(std::span<const unsigned char> bytes) {
-    std::array<unsigned char, crypto_hash_sha256_BYTES> hash;
-    crypto_hash_sha256(hash.data(), bytes.data(), bytes.size());
-    std::string text(2 * hash.size() + 1, '\0');
-    sodium_bin2hex(text.data(), text.size(), hash.data(), hash.size());
-    text.pop_back();  // the terminating zero
-    return text;
-}
+/// By libsodium; on Windows by the system.
+std::string sha256_hex(std::span<const unsigned char> bytes);
 
 }  // namespace contactd

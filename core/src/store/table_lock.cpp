@@ -1,60 +1,35 @@
 #include "contactd/table_lock.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <cerrno>
+#include <system_error>
 
 namespace contactd {
-namespace {
 
-/// False of a FIFO or a device, which somebody may have put there.
-bool is_file(int fd) {
-    struct stat opened;
-    return ::fstat(fd, &opened) == 0 && S_ISREG(opened.st_mode);
-}
-
-/// False when the file was removed, or another took its name, between opening and locking it.
-bool is_still(int fd, const std::filesystem::path& path) {
-    struct stat opened, named;
-    return ::fstat(fd, &opened) == 0 && ::stat(path.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
-           opened.st_dev == named.st_dev;
-}
-
-}  // namespace
+using platform::OpenFile;
 
 TableLock::~TableLock() {
-    if (fd_ < 0) return;
-    ::unlink(path_.c_str());  // while it is locked, so that nobody else holds what is removed
-    ::close(fd_);
+    if (!file_) return;
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);  // while it is locked, so that nobody else holds what is removed
 }
 
 TableLock::State TableLock::try_lock() {
     constexpr int tries = 16;
     for (int n = 0; n < tries; ++n) {
-        const int fd = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0644);
-        if (fd < 0 || !is_file(fd)) {
-            if (fd >= 0) ::close(fd);
-            return State::unavailable;
-        }
-        if (::flock(fd, LOCK_EX | LOCK_NB) != 0) {
-            const bool busy = errno == EWOULDBLOCK || errno == EINTR;
-            ::close(fd);
-            return busy ? State::busy : State::unavailable;
-        }
-        if (is_still(fd, path_)) {
-            fd_ = fd;
+        OpenFile file(path_, OpenFile::Use::locking);
+        if (!file.is_open() || !file.is_regular()) return State::unavailable;  // somebody may have put a FIFO there
+        const OpenFile::Lock lock = file.try_lock();
+        if (lock != OpenFile::Lock::held) return lock == OpenFile::Lock::busy ? State::busy : State::unavailable;
+        // It may have been removed, or another may have taken its name, before it was locked.
+        if (file.is_at(path_)) {
+            file_ = std::move(file);
             return State::held;
         }
-        ::close(fd);
     }
     return State::busy;
 }
 
 void TableLock::give_sign() const {
-    if (fd_ >= 0) ::futimens(fd_, nullptr);
+    if (file_) file_->note_change();
 }
 
 std::optional<TableLock::Sign> TableLock::sign() const {

@@ -1,9 +1,6 @@
 #include "store_folder.hpp"
 
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
+#include "contactd/platform.hpp"
 
 namespace contactd::engine {
 
@@ -29,8 +26,8 @@ std::string store_problem(const fs::path& folder) {
     std::error_code error;
     if (!fs::exists(folder, error)) return "The store's folder " + folder.string() + " does not exist.";
     if (!fs::is_directory(folder, error)) return "store.folder is " + folder.string() + ", which is no folder.";
-    if (::access(folder.c_str(), R_OK | W_OK | X_OK) != 0)
-        return "The store's folder " + folder.string() + " cannot be used: " + std::strerror(errno) + ".";
+    if (const std::error_code unusable = platform::cannot_use(folder, true))
+        return "The store's folder " + folder.string() + " cannot be used: " + unusable.message() + ".";
     return {};
 }
 

@@ -1,12 +1,10 @@
 #include "contactd/proto/key_file.hpp"
 
-#include <sys/stat.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <system_error>
 
 #include "contactd/error.hpp"
 
@@ -14,7 +12,7 @@ namespace contactd::proto {
 namespace {
 
 constexpr std::size_t key_characters = 40;
-constexpr off_t largest_file = 64 << 10;
+constexpr std::uintmax_t largest_file = 64 << 10;
 constexpr std::string_view z85 =
     "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.-:+=^!/*?&<>()[]{}@%$#";
 
@@ -33,10 +31,10 @@ std::string key_of(std::string_view field, std::string_view value) {
     return std::string(value);
 }
 
-struct stat status_of(const std::filesystem::path& path) {
-    struct stat status{};
-    if (::stat(path.c_str(), &status) != 0)
-        throw Error("The key file " + path.string() + " cannot be read: " + std::strerror(errno) + ".");
+std::filesystem::file_status status_of(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (error) throw Error("The key file " + path.string() + " cannot be read: " + error.message() + ".");
     return status;
 }
 
@@ -59,8 +57,8 @@ KeyFile parse_key_file(std::string_view text) {
 }
 
 KeyFile read_key_file(const std::filesystem::path& path) {
-    const struct stat status = status_of(path);
-    if (!S_ISREG(status.st_mode) || status.st_size > largest_file)
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(status_of(path)) || std::filesystem::file_size(path, error) > largest_file)
         throw Error("The key file " + path.string() + " is no ordinary file of a few lines.");
     std::ifstream file(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -73,7 +71,9 @@ KeyFile read_key_file(const std::filesystem::path& path) {
 }
 
 void check_private(const std::filesystem::path& path) {
-    if ((status_of(path).st_mode & (S_IRWXG | S_IRWXO)) != 0)
+    using std::filesystem::perms;
+    constexpr perms of_others = perms::group_all | perms::others_all;
+    if ((status_of(path).permissions() & of_others) != perms::none)
         throw Error("The key file " + path.string() + " holds a secret that others can get at; run: chmod 600 " +
                     path.string());
 }

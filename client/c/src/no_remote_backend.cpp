@@ -1,0 +1,13 @@
+// A library without ZeroMQ: it solves in process, and speaks to no daemon.
+#include "backend.hpp"
+#include "contactd/status.hpp"
+
+namespace contactd::c {
+
+std::unique_ptr<Backend> make_remote_backend(const std::string& endpoint) {
+    throw StatusError(StatusCode::unimplemented, "NO_REMOTE",
+                      "This library solves in process only, and was built without what speaks to daemons such as " +
+                          endpoint + "; open \"local\".");
+}
+
+}  // namespace contactd::c

@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# packaging/windows/static_libraries.sh FOLDER: HDF5 and zlib for Windows as archives that DLLs have inside, from the sources of
+# the same Debian release, whose licences they bring along, to FOLDER/{include,lib,licenses}.
+set -euo pipefail
+
+here=$(dirname "$(readlink -f "$0")")
+folder=$(realpath -m "$1")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+export CONTACTD_STATIC_LIBRARIES=$folder
+
+# apt of its own, which knows of sources and leaves the machine's lists as they are.
+apt_of_sources() {
+    apt-get -q -o Dir::Etc::SourceList="$scratch/sources.list" -o Dir::Etc::SourceParts=/dev/null \
+        -o Dir::State::Lists="$scratch/lists" -o Dir::Cache="$scratch/cache" -o APT::Sandbox::User=root "$@"
+}
+
+get_sources() {
+    mkdir -p lists/partial cache/archives/partial
+    sed -n 's/^deb /deb-src /p' /etc/apt/sources.list >sources.list
+    apt_of_sources update
+    # Only their authors' archives are needed: a mirror that lacks Debian's part of a source will do.
+    apt_of_sources source --download-only hdf5 zlib || true
+}
+
+# configured NAME OPTIONS...: unpacked, and ready to be built without shared libraries.
+configured() {
+    local name=$1
+    shift
+    ls "$name"_*.orig.tar.* >/dev/null 2>&1 || { echo "the sources of $name cannot be had from this mirror" >&2 && exit 1; }
+    mkdir "$name"
+    tar -xf "$name"_*.orig.tar.* -C "$name" --strip-components=1
+    mkdir -p "$folder/licenses"
+    find "$name" -maxdepth 1 \( -name 'COPYING*' -o -name 'LICENSE*' \) -type f -exec cat {} + >"$folder/licenses/$name"
+    ls "$name"_*.orig.tar.* >>"$folder/sources.txt"
+    cmake -S "$name" -B "$name-build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$folder" \
+        -DCMAKE_TOOLCHAIN_FILE="$here/toolchain.cmake" -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_SHARED_LIBS=OFF "$@"
+}
+
+built() { cmake --build "$@" ${CONTACTD_JOBS:+-j "$CONTACTD_JOBS"}; }
+
+rm -rf "$folder"
+mkdir -p "$folder"/{include,lib}
+get_sources
+# zlib installs what its shared library takes, too, of which Debian's archive lacks a part.
+configured zlib
+built zlib-build --target zlibstatic
+cp zlib-build/libzlibstatic.a "$folder/lib/libz.a"
+find zlib zlib-build -maxdepth 1 \( -name zlib.h -o -name zconf.h \) -exec cp {} "$folder/include" \;
+configured hdf5 -DHDF5_BUILD_CPP_LIB=ON -DHDF5_BUILD_HL_LIB=OFF -DHDF5_BUILD_TOOLS=OFF -DHDF5_BUILD_UTILS=OFF \
+    -DHDF5_BUILD_EXAMPLES=OFF -DBUILD_TESTING=OFF -DHDF5_ENABLE_Z_LIB_SUPPORT=ON -DHDF5_ENABLE_SZIP_SUPPORT=OFF \
+    -DHDF5_ENABLE_NONSTANDARD_FEATURES=OFF -DCMAKE_C_FLAGS=-D_GNU_SOURCE -DCMAKE_CXX_FLAGS=-D_GNU_SOURCE \
+    -DZLIB_INCLUDE_DIR="$folder/include" -DZLIB_LIBRARY="$folder/lib/libz.a"
+built hdf5-build
+cmake --install hdf5-build
