@@ -22,6 +22,16 @@ function(contactd_portable target)
   set_target_properties(${target} PROPERTIES SKIP_BUILD_RPATH ON)
 endfunction()
 
+# contactd_complete(TARGET): where CONTACTD_WHEEL says so, all that a shared object needs is inside, but for what every Linux of the
+# last years has.
+function(contactd_complete target)
+  if(CONTACTD_WHEEL)
+    contactd_portable(${target})
+    target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/packaging/wheels/older_glibc.c)
+    target_link_options(${target} PRIVATE -static-libstdc++ -static-libgcc -Wl,--gc-sections -Wl,-s)
+  endif()
+endfunction()
+
 function(contactd_library name)
   add_library(contactd_${name} STATIC ${ARGN})
   add_library(contactd::${name} ALIAS contactd_${name})

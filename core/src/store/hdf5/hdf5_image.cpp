@@ -68,7 +68,7 @@ class Writer {
             .write(H5::PredType::NATIVE_LLONG, &value);
     }
     static void put(const H5::H5Object& at, const std::string& name, const std::string& value) {
-        at.createAttribute(name, text_, H5::DataSpace(H5S_SCALAR)).write(text_, value);
+        at.createAttribute(name, text(), H5::DataSpace(H5S_SCALAR)).write(text(), value);
     }
     static void put(const H5::H5Object& at, const std::string& name, const std::vector<double>& values) {
         at.createAttribute(name, H5::PredType::IEEE_F64LE, list_of(values.size()))
@@ -77,10 +77,14 @@ class Writer {
     static void put(const H5::H5Object& at, const std::string& name, const std::vector<std::string>& values) {
         std::vector<const char*> pointers;
         for (const std::string& value : values) pointers.push_back(value.c_str());
-        at.createAttribute(name, text_, list_of(values.size())).write(text_, pointers.data());
+        at.createAttribute(name, text(), list_of(values.size())).write(text(), pointers.data());
     }
 
-    inline static const H5::StrType text_{H5::PredType::C_S1, H5T_VARIABLE};
+    /// Made when it is first asked for: HDF5's own types may be made after a global of ours, where both are in one library.
+    static const H5::StrType& text() {
+        static const H5::StrType type{H5::PredType::C_S1, H5T_VARIABLE};
+        return type;
+    }
     H5::H5File& file_;
 };
 
