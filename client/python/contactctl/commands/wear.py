@@ -25,6 +25,7 @@ from ..output import emit, listing, note, span, warn
 from ..progress import Bar
 from ..saving import need
 from ..study.shares import Share, share_of
+from ..wearing.along import is_along, wear_along
 from ..wearing.by_dask import solving_by_dask
 from ..wearing.convergence import settled
 from ..wearing.outputs import Measures, measured, write_pictures, write_profiles
@@ -72,6 +73,11 @@ def wear(
             raise click.UsageError("A study from standard input needs --output, where its steps are kept.")
         output = Path(f"{file}.h5")
     writable("--output", output)
+    if is_along(file):
+        if part is not None or dask is not None or profiles is not None or pictures is not None or profile is not None:
+            raise click.UsageError("A study along the track has a map, and neither profiles nor pictures, shares nor Dask.")
+        wear_along(file, output)
+        return
     dynamics = read_dynamics(file, Path(f"{output}.stages"))
     if dynamics is not None and part is not None:
         raise click.UsageError("--share shares states that a file has; dynamics tell them anew.")

@@ -147,6 +147,28 @@ def test_wheel_and_rail_wear_together_from_a_file(files):
     assert {path.name for path in (files.folder / "both").iterdir()} == {"wheel.prw", "wheel.whl", "rail.prr", "rail.ban"}
 
 
+NOSE = """setup: {wheel: {cone: {slope: -0.05}}, rail_slices: [{x: -500, profile: {arc: {radius: 300}}}, {x: 500, profile: {arc: {radius: 200}}}], track: {rail_origin: {y: 755, z: 0}}, dx: 1, dy: 1}
+states: states.csv
+law: {name: mild, source: a test, body: upper, range: [0, 10], energy: {coefficient: 0.000675}}
+along: {x: [-10, 10, 20], y: [735, 775, 0.5]}
+until: 1000000
+"""
+
+
+def test_a_rail_of_slices_has_a_map(files):
+    files.write("nose.yaml", NOSE)
+    made = files("wear", "nose.yaml", "--json")
+    assert made.code == 0, made.err
+    (piece,) = made.json["pieces"]
+    assert piece["depth"] > 0 and piece["area"] > 0 and 735 < piece["y"] < 775
+    with h5py.File(files.folder / "nose.yaml.h5") as file:
+        assert file["depths"].shape == (1, 80)
+        assert 1e6 * file["depths"][()].max() == pytest.approx(piece["depth"])
+    files.write("nose.yaml", NOSE.replace("[-10, 10, 20]", "[10, 0, 2]"))
+    ended = files("wear", "nose.yaml")
+    assert ended.code == 2 and "must be [from, to, step]" in ended.err
+
+
 PROGRAM = """
 import shutil, sys
 from pathlib import Path

@@ -1,0 +1,91 @@
+"""What a study takes off a rail that varies along the track, such as a crossing: a map, in a file and as a table."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import click
+import numpy as np
+
+from contactd import InvalidArgument, __version__
+from contactd.files.whole import write_whole
+from contactd.wear import read_states
+from contactd.wear.slices import DepthMap, depths_along
+
+from ..common import connected, setting
+from ..files import read_object
+from ..output import emit, listing
+
+__all__ = ["is_along", "wear_along"]
+
+_FIELDS = {"setup", "states", "wears", "law", "until", "along", "energy"}
+_MOST = 100_000  #: cells of an axis
+
+
+def is_along(file: str) -> bool:
+    """Tells if a study has `along`, and so a map in place of steps."""
+    return file != "-" and "along" in read_object(file)
+
+
+def wear_along(file: str, output: Path) -> None:
+    """Solves all states, writes the map to an HDF5 file, and shows the pieces. Raises click.UsageError."""
+    given = read_object(file)
+    if unknown := given.keys() - _FIELDS:
+        raise click.UsageError(f"{file}: a study along the track has no {', '.join(sorted(unknown))}; it has {', '.join(sorted(_FIELDS))}.")
+    if missing := [name for name in ("setup", "states", "law", "until") if name not in given]:
+        raise click.UsageError(f"{file}: {', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing.")
+    if given.get("wears", "rail") != "rail":
+        raise click.UsageError(f"{file}: wears is {given['wears']!r}; along the track the rail wears.")
+    law = given["law"]
+    if not (isinstance(law, dict) and law.get("name") and law.get("source")):
+        raise click.UsageError(f"{file}: law has no name or no source; say what it is called, and where its coefficients come from.")
+    x, y = (_edges(file, given["along"], name) for name in ("x", "y"))
+    until = given["until"]
+    if isinstance(until, bool) or not isinstance(until, (int, float)) or not until > 0:
+        raise click.UsageError(f"{file}: until is {until!r}; it must be a positive number of passages.")
+    try:
+        states = read_states(Path(file).parent / str(given["states"]))
+    except InvalidArgument as error:
+        raise click.UsageError(f"{file}: {error}") from None
+    except OSError as error:
+        raise click.UsageError(f"{given['states']}: {error.strerror}") from None
+    with connected() as client:
+        found = depths_along(client, given["setup"], states, law, x, y, energy=given.get("energy", "scaled"))
+    _write(output, given, found, float(until))
+    depths = found.after(float(until))
+    columns = ["x from, mm", "to", "largest depth, mm", "at y, mm", "area, mm^2", "pmax, N/mm^2"]
+    centres = 0.5 * (y[1:] + y[:-1])
+    rows = [
+        [x[i], x[i + 1], float(depths[i].max()), float(centres[depths[i].argmax()]), float((depths[i] * np.diff(y)).sum()), float(found.pmax[i])]
+        for i in range(len(depths))
+    ]
+    names = ("x_from", "x_to", "depth", "y", "area", "pmax")
+    emit(setting().json, {"pieces": [dict(zip(names, map(float, row))) for row in rows]}, listing(None, columns, rows))
+
+
+def _edges(file: str, along: Any, name: str) -> np.ndarray[Any, np.dtype[np.float64]]:
+    """From, to and step, in `along`."""
+    value = along.get(name) if isinstance(along, dict) else None
+    is_list = isinstance(value, list) and len(value) == 3 and all(isinstance(one, (int, float)) and not isinstance(one, bool) for one in value)
+    if not is_list or value is None or not (value[2] > 0 and value[1] - value[0] >= value[2]):
+        raise click.UsageError(f"{file}: along.{name} is {value!r}; it must be [from, to, step] in mm, as [0, 200, 10].")
+    count = round((value[1] - value[0]) / value[2])
+    if count > _MOST:
+        raise click.UsageError(f"{file}: along.{name} has {count} pieces; it may have {_MOST}.")
+    return np.asarray(np.linspace(float(value[0]), float(value[1]), count + 1), dtype=np.float64)
+
+
+def _write(path: Path, given: dict[str, Any], found: DepthMap, passages: float) -> None:
+    import io
+
+    import h5py
+
+    content = io.BytesIO()
+    with h5py.File(content, "w") as file:
+        file.attrs.update(contactd=__version__, study=json.dumps(given, sort_keys=True, default=str), passages=passages)
+        file.attrs["sources"] = json.dumps([f"{given['law']['name']}: {given['law']['source']}"])
+        for name, values in vars(found).items():
+            file.create_dataset(name, data=values)
+    write_whole(path, lambda into: into.write(content.getvalue()))

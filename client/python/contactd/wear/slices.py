@@ -1,0 +1,96 @@
+"""What a collective of wheels takes off rails that vary along the track, such as the nose of a crossing, place by place.
+
+A particle of the rail at x is passed by a contact that rolls as steadily as it does there: states lie along the track, each with
+its `position.x`, and stand for the passages over their place. Profiles stay as they are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ..errors import invalid
+from ..values.params import params_of
+from ..values.wear_laws import WearEnergy, WearLaw
+from ..values.wheel_rail.params import setup_params, state_params
+from ..values.wheel_rail.setup import WheelRailSetup
+from .placed import WheelRailClient
+from .states import WeightedState
+
+__all__ = ["DepthMap", "depths_along"]
+
+Array = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class DepthMap:
+    """Depths along the normals, over the track.
+
+    Attributes:
+        x_edges: Ends of the pieces along the track (mm).
+        y_edges: Ends of the cells across it (mm), y to the right.
+        depths: What a passage takes off, shape [pieces, cells] (mm): the mean over the passages of each piece.
+        pmax: The largest pressure in each piece (N/mm^2); 0 without a state there.
+    """
+
+    x_edges: Array
+    y_edges: Array
+    depths: Array
+    pmax: Array
+
+    def after(self, passages: float) -> Array:
+        """Depths after so many passages (mm), on profiles that stay."""
+        return self.depths * passages
+
+
+def depths_along(
+    client: WheelRailClient,
+    setup: WheelRailSetup | Mapping[str, Any],
+    states: Sequence[WeightedState],
+    law: WearLaw | Mapping[str, Any],
+    x_edges: npt.ArrayLike,
+    y_edges: npt.ArrayLike,
+    *,
+    energy: WearEnergy = "scaled",
+) -> DepthMap:
+    """The depths that states take off a rail, whose law it is. A state lies in the piece of its `position.x`; weights are shares of
+    the passages there. The area of each row is kept, but for what lies beyond `y_edges`.
+
+    Raises InvalidArgument for a law of the wheel, for edges that do not ascend, and naming the state that cannot be solved.
+    """
+    along, across = (_edges(values, name) for values, name in ((x_edges, "x_edges"), (y_edges, "y_edges")))
+    given = params_of(law, "law") if isinstance(law, WearLaw) else dict(law)
+    if given.get("body") != "upper":
+        raise invalid("law.body", f"is {given.get('body')}; the rail's law is one of upper")
+    plain = setup_params(setup) if isinstance(setup, WheelRailSetup) else dict(setup)
+    params: Mapping[str, Any] = {**plain, "wear": {"energy": energy, "laws": [given]}}
+    depths, weights = np.zeros((len(along) - 1, len(across) - 1)), np.zeros(len(along) - 1)
+    pmax = np.zeros(len(along) - 1)
+    for i, one in enumerate(states):
+        piece = int(np.searchsorted(along, one.state.position.x, side="right")) - 1
+        if not 0 <= piece < len(pmax):
+            raise invalid(f"states[{i}].position.x", f"is {one.state.position.x:g}, beyond the pieces, {along[0]:g} to {along[-1]:g} mm")
+        own = params if one.mu is None else {**params, "friction": {**(params.get("friction") or {}), "mu": one.mu}}
+        answer = client.call("wheelrail.solve", {"setup": own, "state": state_params(one.state, f"states[{i}]"), "fields": []})
+        weights[piece] += one.weight
+        for patch in answer.get("patches", ()):
+            pmax[piece] = max(pmax[piece], patch["solution"]["pmax"])
+            dy = patch["place"]["grid"]["dy"]
+            for row in patch["solution"].get("wear", {}).get("rows", ()):
+                # A row is dy wide along its own surface, and narrower from above.
+                half = 0.5 * dy * abs(np.cos(row["angle"]))
+                covered = np.diff(np.clip(across, row["y"] - half, row["y"] + half))
+                share = covered / (2 * half) if half > 0 else np.zeros(len(covered))
+                depths[piece] += one.weight * row["depths"][0] * dy * share / np.diff(across)
+    return DepthMap(along, across, depths / np.where(weights > 0, weights, 1.0)[:, None], pmax)
+
+
+def _edges(values: npt.ArrayLike, name: str) -> Array:
+    found = np.asarray(values, dtype=np.float64)
+    if found.ndim != 1 or len(found) < 2 or not (np.diff(found) > 0).all():
+        raise invalid(name, "must be two numbers or more that ascend")
+    return found
