@@ -90,7 +90,8 @@ def compare(options: argparse.Namespace) -> None:
             wrong.append(f"{len(here)} lines and {len(there)}")
         for one, other in zip(here, there):
             if one.startswith("text"):
-                wrong += [] if one == other.replace("built", "store") or one.replace("built", "store") == other else [f"{one!r} is {other!r}"]
+                # Linux builds the table that Windows finds.
+                wrong += [] if one.replace("built", "disk") == other else [f"{one!r} is {other!r}"]
                 continue
             kind = "searches" if "wheel" in one or "wheel" in name else "numbers"
             numbers, others = ([float(word) for word in re.findall(r"(?<=\s)[-+.\deinfa]+(?=\s|$)", line) if is_number(word)] for line in (one, other))
