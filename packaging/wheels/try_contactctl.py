@@ -26,10 +26,12 @@ def commands(page: str) -> Iterator[tuple[str, str]]:
 def main() -> None:
     page = Path(sys.argv[1]).read_text()
     with LocalDaemon() as daemon, tempfile.TemporaryDirectory(dir=Path.home()) as folder:
-        for name, text in re.findall(r"^```yaml\n# (\S+)\n(.*?)^```", page, re.MULTILINE | re.DOTALL):
+        for name, text in re.findall(r"^```(?:yaml\n#|text\n%) (\S+)\n(.*?)^```", page, re.MULTILINE | re.DOTALL):
             Path(folder, name).write_text(text)
         x = (np.arange(40) - 19.5) * 0.06
         np.savetxt(Path(folder, "gap.csv"), (x[:, None] ** 2 + x**2) / 100, delimiter=",")
+        head = "".join(f"{y};{y * y / 600:.4f}\n".replace(".", ",") for y in range(-36, 37))
+        Path(folder, "head.csv").write_text(f"y;z\n{head}")
         environment = {**os.environ, "CONTACTD_ENDPOINT": daemon.endpoint, "COLUMNS": "100"}
         ran = 0
         for command, shown in commands(page):
