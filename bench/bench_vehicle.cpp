@@ -28,7 +28,7 @@ constexpr double static_Fz = 70'000;  // N
 
 enum class Run { hunting, curving };
 
-/// What one wheel is asked in a step.
+/// Asked of one wheel in a step.
 struct WheelStep {
     double y, yaw, roll, y_rate, Fz;
 };
@@ -48,7 +48,8 @@ void check(std::int32_t code, const void* handle) {
     if (code != CONTACTD_OK) throw std::runtime_error(contactd_last_error(handle));
 }
 
-/// Of the processor where there is one thread, which other work on the machine does not slow down, else of the clock.
+/// Measures time of the processor where there is one thread, which other work on the machine does not slow down, else
+/// of the clock.
 class Stopwatch {
    public:
     explicit Stopwatch(int threads = 1) : threads_(threads) {}

@@ -26,7 +26,7 @@ FOLDERS: dict[str, tuple[int, str]] = {
     "client/c/fortran": (10, "an example, written as a user would"),
     "client/c/include": (50, "contactd.h: names of arguments in examples and macros"),
     "client/c/matlab": (10, "arrays, which MATLAB has by name"),
-    "client/c/src": (140, "paths of arrays and alternatives, which are hooks as those of the codec"),
+    "client/c/src": (141, "paths of arrays and alternatives, which are hooks as those of the codec"),
     "client/cntc/src/edge": (10, WORD),
     "client/cntc/src/interface": (50, "fields that its refusals name beside CONTACT's"),
     "client/cntc/src/problem": (10, "fields that its refusals name beside CONTACT's"),

@@ -35,12 +35,14 @@ READERS = {
 }
 #: Readers of the store's own files, and of /proc and /sys.
 OF_THE_SYSTEM = {
+    "core/src/platform/posix.cpp",
+    "core/src/platform/windows.cpp",
     "core/src/store/hdf5/writer.cpp",
     "engine/ics/build/builder.cpp",
     "server/contactd_ic/memory.cpp",
     "server/src/operation/metrics/process_metrics.cpp",
 }
-_READS = re.compile(r"\bread_whole\(|\bifstream\b|\bO_RDONLY\b|\bdeserialized\(const Kind")
+_READS = re.compile(r"\bread_whole\(|\bifstream\b|\bO_RDONLY\b|\bUse::reading\b|\bdeserialized\(const Kind")
 
 
 def first_cells():

@@ -33,10 +33,8 @@ namespace {
 /// one that it is about.
 void check_wheels(contactd_wheel* const* handles, std::int32_t count, std::int32_t threads,
                   const contactd_wheel*& at_fault) {
-    if (count < 0) throw InvalidArgument("count", "is " + std::to_string(count) + "; it must be at least 0");
-    if (threads < 0)
-        throw InvalidArgument("threads", "is " + std::to_string(threads) +
-                                             "; it must be positive, or 0 for as many as there are processors");
+    at_least_zero(count, "count");
+    at_least_zero(threads, "threads");
     if (count > 0) given(handles, "wheels");
     std::set<const contactd_wheel*> seen;
     for (std::int32_t i = 0; i < count; ++i) {
@@ -61,10 +59,10 @@ std::int32_t contactd_wheel_solve_many(contactd_wheel* const* handles, std::int3
             for (std::size_t i = next++; i < codes.size(); i = next++) codes[i] = contactd_wheel_solve(handles[i]);
         };
         const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
-        const std::size_t wanted = threads == 0 ? processors : static_cast<std::size_t>(threads);
+        const std::size_t workers = threads == 0 ? processors : static_cast<std::size_t>(threads);
         {
             std::vector<std::jthread> others;
-            for (std::size_t i = 1; i < std::min(wanted, codes.size()); ++i) others.emplace_back(work);
+            for (std::size_t i = 1; i < std::min(workers, codes.size()); ++i) others.emplace_back(work);
             work();
         }
         const auto failing = std::ranges::find_if(codes, [](std::int32_t code) { return code != CONTACTD_OK; });

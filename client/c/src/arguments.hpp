@@ -28,6 +28,10 @@ inline bool flag(std::int32_t value, const char* field) {
     return value == 1;
 }
 
+inline void at_least_zero(std::int32_t value, const char* field) {
+    if (value < 0) throw InvalidArgument(field, "is " + std::to_string(value) + "; it must be at least 0");
+}
+
 inline std::vector<double> array(const double* values, std::int32_t count, const char* field) {
     given(values, field);
     if (count < 1) throw InvalidArgument("count", "is " + std::to_string(count) + "; it must be at least 1");

@@ -80,7 +80,8 @@ class Writer {
         at.createAttribute(name, text(), list_of(values.size())).write(text(), pointers.data());
     }
 
-    /// Made when it is first asked for: HDF5's own types may be made after a global of ours, where both are in one library.
+    /// Made when it is first asked for: HDF5's own types may be made after a global of ours, where both are in one
+    /// library.
     static const H5::StrType& text() {
         static const H5::StrType type{H5::PredType::C_S1, H5T_VARIABLE};
         return type;
