@@ -22,6 +22,11 @@ function(contactd_exports target node)
     set_target_properties(${target} PROPERTIES PREFIX "" IMPORT_PREFIX "lib" RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib
       ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
   else()
+    # Fortran compilers ask for names with an underscore behind them, which drop-in functions have, too.
+    set(dropped_in ${names})
+    list(FILTER dropped_in INCLUDE REGEX "^(cntc|subs)_")
+    list(TRANSFORM dropped_in APPEND "_")
+    list(APPEND names ${dropped_in})
     list(JOIN names "; " line)
     file(CONFIGURE OUTPUT ${file}.map CONTENT "@node@ { global: @line@; local: *; };\n" @ONLY)
     target_link_options(${target} PRIVATE -Wl,--version-script=${file}.map)
