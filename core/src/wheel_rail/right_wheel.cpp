@@ -181,7 +181,7 @@ WheelRailSolution RightWheel::at(double z, std::vector<CandidatePatch> candidate
 }
 
 Placement RightWheel::placed(double z, std::vector<CandidatePatch> candidates, Observer& observer) const {
-    Placement placement{z, 0.2 * setup_.force.tolerance};
+    Placement placement{z, 0.05 * setup_.force.tolerance};
     const TractionHistory history = history_of(candidates);
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         CandidatePatch& found = candidates[i];
@@ -348,15 +348,15 @@ HeightFound RightWheel::carry(double Fz, HeightTask& task, WheelRailSolution& so
         ++solves;
         solution = solve(*placement, load, observer);
         has_tractions_ = true;
-        share = placement->patches.size() == 1 ? share_of(solution.patches.front()) : std::nullopt;
+        share = placement->is_single() ? share_of(solution.patches.front()) : std::nullopt;
     };
-    // The only patch of a wheel carries the normal force that brings Fz by the direction that the whole force had last.
-    // Its approach tells the height, which is off as friction's part of Fz is.
+    // The only patch of a wheel, of one region, carries the normal force that brings Fz by the direction that the whole
+    // force had last. Its approach tells the height, which is off as friction's part of Fz is.
     const auto carries_alone = [&](double& z) {
         double at = z;
         for (int round = 0; round < most_rounds; ++round) {
             place(at);
-            if (placement->patches.size() != 1 || !share || *share < least_share) return false;
+            if (!placement->is_single() || !share || *share < least_share) return false;
             solve_for({.z = at, .Fn = Fz / *share});
             at = solution.z;
             if (!placement->holds_at(at)) continue;

@@ -31,6 +31,8 @@ InfluenceSource Placement::Patch::kept(const InfluenceSource& source) const {
 }
 
 void Placement::add(geometry::CandidatePatch found, ContactProblem problem) {
+    // How much regions act on each other changes with their distance, and so with the height.
+    if (found.place.regions.size() > 1) reach_ = 0;
     reach_ = std::min(reach_, tolerance_ * found.place.approach / std::max(change_beside_approach(found.place), 1e-3));
     patches.emplace_back(std::move(found), std::move(problem));
 }

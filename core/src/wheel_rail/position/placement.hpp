@@ -38,6 +38,8 @@ class Placement {
 
     /// Whether patches are at this height as they were found.
     bool holds_at(double z) const { return std::abs(z - z_) <= reach_; }
+    /// Whether all there is is one patch of one region: its approach tells the height.
+    bool is_single() const { return patches.size() == 1 && patches.front().found.place.regions.size() == 1; }
     double approach_at(double z, const Patch& patch) const;
     /// Returns the height at which the patch has this approach.
     double height_of(double approach, const Patch& patch) const;
