@@ -339,6 +339,8 @@ HeightFound RightWheel::carry(double Fz, HeightTask& task, WheelRailSolution& so
     std::optional<Placement> placement;
     std::optional<double> share = estimates_->vertical_share.expected();
     int solves = 0;
+    bool held = true;  // the last solve was at a height where its patches are as they were found
+    const auto may_solve = [&] { return solves < setup_.force.max_iterations; };
     const auto place = [&](double z) {
         if (placement && placement->holds_at(z)) return;
         check_depth(z);
@@ -354,26 +356,30 @@ HeightFound RightWheel::carry(double Fz, HeightTask& task, WheelRailSolution& so
     // force had last. Its approach tells the height, which is off as friction's part of Fz is.
     const auto carries_alone = [&](double& z) {
         double at = z;
-        for (int round = 0; round < most_rounds; ++round) {
+        for (int round = 0; round < most_rounds && may_solve(); ++round) {
             place(at);
             if (!placement->is_single() || !share || *share < least_share) return false;
             solve_for({.z = at, .Fn = Fz / *share});
             at = solution.z;
-            if (!placement->holds_at(at)) continue;
+            held = placement->holds_at(at);
+            if (!held) continue;
             z = at;
             return true;
         }
         return false;
     };
     task.force = [&](double& z) {
-        if (setup_.normal_model != NormalModel::of_model || !carries_alone(z)) {
+        if ((setup_.normal_model != NormalModel::of_model || !carries_alone(z)) && may_solve()) {
             place(z);
             solve_for({.z = z});
+            held = true;
         }
+        z = solution.z;
         return solution.forces.track.Fz;
     };
     HeightFound found = find_height(task);
     found.evidence.iterations = solves;
+    found.evidence.converged = found.evidence.converged && held;
     estimates_->vertical_share.learn(share);
     return found;
 }

@@ -23,7 +23,6 @@ inline std::map<std::string, WheelCall> every_wheel_call(WheelArguments& a) {
         {"contactd_wheel_free", [](W w) { return contactd_wheel_free(w); }},
         {"contactd_read_profile", [](W w) { return contactd_read_profile(w, "setup.rail", "none.prr"); }},
         {"contactd_wheel_solve", [](W w) { return contactd_wheel_solve(w); }},
-        {"contactd_wheel_solve_many", [](W w) { return contactd_wheel_solve_many(&w, 1, 1); }},
         {"contactd_wheel_solve_wheelset", [](W w) { return contactd_wheel_solve_wheelset(w, w); }},
         {"contactd_step_again", [](W w) { return contactd_step_again(w); }},
         {"contactd_save", [&a](W w) { return contactd_save(w, &a.number); }},

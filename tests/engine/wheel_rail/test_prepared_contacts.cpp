@@ -93,7 +93,9 @@ TEST_CASE("The engine answers for both wheels as for each of them") {
     CHECK(both.converged());
     WheelRailState alone = state_of_right_wheel(state);
     alone.position.roll = both.roll;
-    CHECK(engine.solve(coarse_setup(), alone, observer).forces.track == both.right.forces.track);
+    const Wrench right = engine.solve(coarse_setup(), alone, observer).forces.track;
+    for (double Wrench::* force : {&Wrench::Fx, &Wrench::Fy, &Wrench::Fz})
+        CHECK_THAT(both.right.forces.track.*force, WithinAbs(right.*force, 2e-6 * right.Fz));
     CHECK(engine.counters().solves_converged == 3);
 
     setup.left = coarse_setup();
