@@ -67,7 +67,13 @@ def test_what_is_not_known_on_curved_strips_is_refused(shared, change, field):
     assert refused.value.violations[0].field == field
 
 
-def test_stresses_below_curved_strips_are_refused(shared):
-    problem = {**CONTACT, "columns": columns(0.05)}
-    with pytest.raises(InvalidArgument, match="curved"):
-        shared.subsurface(ContactProblem(**problem), shared.solve(**problem), points=np.array([[0, 0, -1.0]]))
+def test_stresses_below_strips_turn_with_them(shared):
+    points = np.array([[0, 0, -1.0], [1, 1, -0.5]])
+
+    def stress(**more):
+        problem = {**CONTACT, "friction": ROLLING, **more}
+        return shared.subsurface(ContactProblem(**problem), shared.solve(**problem), points=points)
+
+    plane, flat, curved = stress(), stress(columns=columns(0)), stress(columns=columns(0.05))
+    np.testing.assert_allclose(flat.von_mises, plane.von_mises, rtol=1e-5)
+    assert not np.allclose(curved.von_mises, plane.von_mises, rtol=1e-3)

@@ -157,5 +157,5 @@ def test_stresses_below_a_uniform_body_are_refused(shared):
         **BALL, upper=RigidBody(), lower=STEEL, lower_ics=AnalyticIcs(body="longitudinally_uniform", section=SLAB), Fn=1000
     )
     solution = shared.solve(problem)
-    with pytest.raises(InvalidArgument, match="section"):
+    with pytest.raises(InvalidArgument, match="half-space"):
         shared.subsurface(problem, solution, body="lower", points=[[0, 0, -1]])

@@ -51,8 +51,9 @@ def at(y: float, Fz: float | None = 1e4, z: float = 0.0, **more) -> WheelRailSta
 
 def agree(one, other, within: float = CLOSE):
     of_one, of_other = one.forces.track, other.forces.track
+    size = max(1e4, abs(of_other.Fy), abs(of_other.Fz))  # heights that are given may press by more than the usual load
     for name in ("Fx", "Fy", "Fz"):
-        assert getattr(of_one, name) == pytest.approx(getattr(of_other, name), abs=within * 1e4), name
+        assert getattr(of_one, name) == pytest.approx(getattr(of_other, name), abs=within * size), name
     assert len(one.patches) == len(other.patches)
     for patch, expected in zip(one.patches, other.patches):
         assert patch.place.grid.shape == expected.place.grid.shape

