@@ -41,9 +41,9 @@ TEST_CASE("Parameters are listed one by one, the required ones first", "[openrpc
     }
     CHECK(required == std::vector<std::string>{"gap", "grid"});
     CHECK(optional == std::vector<std::string>{"Fn", "approach", "bodies", "columns", "derivatives", "displacements",
-                                               "fields", "friction", "ics", "initial", "model", "normal_model",
-                                               "previous", "settings", "sheet_flexibility", "simplified", "temperature",
-                                               "wear"});
+                                               "fatigue", "fields", "friction", "ics", "initial", "model",
+                                               "normal_model", "previous", "settings", "sheet_flexibility",
+                                               "simplified", "temperature", "wear"});
 }
 
 TEST_CASE("Notes of a schema's file are used, not shown", "[openrpc]") {
