@@ -72,6 +72,8 @@ Grid grid_of(const RegionGroup& group, const RailSurface& rail, double dx, doubl
 }
 
 Grid convenient(Grid grid, bool all_rows) {
+    constexpr std::size_t largest = 20'000;  // beyond, elements cost more than operators
+    if (grid.size() > largest) return grid;
     const int more_x = convenient_size(grid.nx) - grid.nx;
     const int more_y = all_rows ? convenient_size(grid.ny) - grid.ny : 0;
     grid.x0 -= more_x / 2 * grid.dx;

@@ -26,7 +26,7 @@ double across_rail(const RailSurface& rail, double y);
 void check_size(const Grid& grid);
 
 /// Adds elements up to convenient numbers of them, so that contacts which move need few operators; rows only where
-/// `all_rows` says so.
+/// `all_rows` says so, and none to large grids.
 Grid convenient(Grid grid, bool all_rows);
 
 /// Adds elements where the overlap reaches the border, which is known by vertical distances only: true where it did.
