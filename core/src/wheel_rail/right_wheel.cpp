@@ -229,7 +229,9 @@ WheelRailSolution RightWheel::solve(const Placement& placement, const Load& load
         solution.forces = sum(solution.forces, patch.forces);
         warn(solution, warnings_of(patch.place.reference, setup_.side, patch.solution));
     }
+    constexpr double rounding = 1e-9;  // mm
     solution.clearance = position_.clearance(solution.z);
+    if (solution.patches.empty() && std::abs(*solution.clearance) < rounding) solution.clearance = 0;
     if (estimates_) estimates_->patches = std::move(estimates);
     return solution;
 }
