@@ -4,6 +4,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -62,7 +63,10 @@ std::int32_t contactd_wheel_solve_many(contactd_wheel* const* handles, std::int3
         const std::size_t workers = threads == 0 ? processors : static_cast<std::size_t>(threads);
         {
             std::vector<std::jthread> others;
-            for (std::size_t i = 1; i < std::min(workers, codes.size()); ++i) others.emplace_back(work);
+            try {
+                for (std::size_t i = 1; i < std::min(workers, codes.size()); ++i) others.emplace_back(work);
+            } catch (const std::system_error&) {  // there are no more threads, and those that are here do it all
+            }
             work();
         }
         const auto failing = std::ranges::find_if(codes, [](std::int32_t code) { return code != CONTACTD_OK; });

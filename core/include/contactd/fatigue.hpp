@@ -92,7 +92,7 @@ struct ContactFatigue {
     double FI_sub = 0;                ///< Fn (1 + mu_u^2)/(4 A) (N/mm^2), and a_DV times residual stress
     std::optional<double> load{};     ///< the largest pressure over k
     std::optional<double> limit{};    ///< of the load: the largest pressure over the largest shear
-    /// Of |xz| at a depth, of |t| on the surface, where no residual stress turns it.
+    /// The largest |xz| at a depth, or |t| on the surface, where no residual stress turns it.
     std::optional<StressPlace> shear{};
     std::optional<StressPlace> von_mises{};
     /// tau_a + a_DV sigma_h: half the difference of the principal values of the deviator less the middle of its

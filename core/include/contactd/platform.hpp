@@ -72,7 +72,7 @@ std::string boot_name();
 std::string process_name();
 /// When the process of this name has started, in units of the system; "0" where there is none.
 std::string start_of(const std::string& process);
-/// Of this machine, without dots and slashes.
+/// Returns the name of this machine, without dots and slashes.
 std::string host_name();
 
 /// A variable of the environment in UTF-8; empty where it is not set.

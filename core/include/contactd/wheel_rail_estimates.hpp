@@ -37,7 +37,7 @@ class Trend {
     }
 
    private:
-    static constexpr double largest_change = 0.05;  // of which the next one is expected to be alike
+    static constexpr double largest_change = 0.05;  // of a step: beyond, the number has jumped, and says no more
     std::optional<double> expected_, last_, before_, before_that_;
 };
 

@@ -53,7 +53,7 @@ std::vector<FatigueRow> rows_of(const ContactProblem& problem, const FatiguePlac
     return rows;
 }
 
-/// Of a line of points, the largest |xz| between them, too.
+/// Returns the largest |xz| of a line of points, between them, too.
 double shear_of(const PassageStress& passage, std::size_t begin) {
     std::vector<double> nodes(passage.nx), values(passage.nx);
     for (std::size_t i = 0; i < passage.nx; ++i) {

@@ -10,8 +10,8 @@ namespace contactd {
 /// xx, yy, zz, xy, xz, yz (N/mm^2).
 using StressTensor = std::array<double, 6>;
 
-/// Of a steady passage at points that lie equally apart. Returns the largest, also between points, of tau_a + a_DV
-/// (sigma_h + residual) over a history that begins and ends without stress: tau_a is half the difference of the
+/// Returns the largest tau_a + a_DV (sigma_h + residual) of a steady passage, whose points lie equally apart, also
+/// between points, over a history that begins and ends without stress: tau_a is half the difference of the
 /// principal values of the deviator less the centre of the smallest ball around all deviators, sigma_h the mean of the
 /// normal stresses, `residual` that of the residual ones.
 double dang_van_stress(std::span<const StressTensor> history, double a_DV, double residual);

@@ -181,6 +181,7 @@ class Balance {
     void solve_fixed(const RailDeflection& deflection) {
         if (!fixed_ || !(deflection == deflection_)) {
             deflection_ = deflection;
+            // A wheel stays where it was made.
             fixed_.reset(new RightWheel(wheel_.with(setup_, deflected(given_, deflection))));
         }
         WheelsetVelocity velocity = given_.velocity;

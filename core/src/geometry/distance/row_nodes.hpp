@@ -14,11 +14,11 @@ class RowNodes {
     static constexpr std::size_t count = 8;
     using Values = std::array<double, count>;
 
-    /// Of n >= 2 elements from x0 on (mm).
+    /// Takes the nodes of n >= 2 elements from x0 on (mm).
     RowNodes(double x0, double dx, int n);
 
     const Values& x() const { return x_; }
-    /// Whether the polynomial has settled: its highest parts are below `settled`; false where a value is not a number.
+    /// Tells if the polynomial has settled: its highest parts are below `settled`; not where a value is not a number.
     static bool smooth(const Values& values, double settled);
     /// Appends the values of all elements.
     void interpolate(const Values& values, std::vector<double>& row) const;

@@ -33,7 +33,9 @@ InfluenceSource Placement::Patch::kept(const InfluenceSource& source) const {
 void Placement::add(geometry::CandidatePatch found, ContactProblem problem) {
     // How much regions act on each other changes with their distance, and so with the height.
     if (found.place.regions.size() > 1) reach_ = 0;
-    reach_ = std::min(reach_, tolerance_ * found.place.approach / std::max(change_beside_approach(found.place), 1e-3));
+    constexpr double least_change = 1e-3;
+    const double approach = std::max(found.place.approach, 0.0);
+    reach_ = std::min(reach_, tolerance_ * approach / std::max(change_beside_approach(found.place), least_change));
     patches.emplace_back(std::move(found), std::move(problem));
 }
 

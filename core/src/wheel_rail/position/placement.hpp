@@ -31,14 +31,14 @@ class Placement {
         mutable std::optional<ContactInfluence> influence_{};
     };
 
-    /// What is neglected near `z` (mm) changes gaps by at most this share of the approach.
+    /// The tolerance is by how much of the approach gaps may change near `z` (mm) without being taken anew.
     Placement(double z, double tolerance) : z_(z), tolerance_(tolerance) {}
 
     void add(geometry::CandidatePatch found, ContactProblem problem);
 
-    /// Whether patches are at this height as they were found.
+    /// Tells if patches are at this height as they were found.
     bool holds_at(double z) const { return std::abs(z - z_) <= reach_; }
-    /// Whether all there is is one patch of one region: its approach tells the height.
+    /// Tells if there is one patch of one region only, whose approach tells the height.
     bool is_single() const { return patches.size() == 1 && patches.front().found.place.regions.size() == 1; }
     double approach_at(double z, const Patch& patch) const;
     /// Returns the height at which the patch has this approach.
