@@ -55,6 +55,10 @@ class Engine {
     /// Both wheels, and the roll at which each has its force. Throws the same, naming "setup.", "left." (where that has
     /// a set-up of its own), and "state.left_rail.y", ...
     WheelsetSolution solve(const WheelsetSetup& setup, const WheelsetState& state, Observer& observer);
+    /// The same within the tolerances, from where a step before has ended. `estimates` become those for the next step,
+    /// and mean nothing where this throws.
+    WheelsetSolution solve(const WheelsetSetup& setup, const WheelsetState& state, WheelsetEstimates& estimates,
+                           Observer& observer);
     /// The steps of a wheel on its rail. Throws the same.
     std::unique_ptr<WheelRailSteps> open(const WheelRailSessionSpec& spec, const Observer& observer = {});
     /// One of them; see WheelRailSteps::solve. Throws the same, naming "friction.mu", too.

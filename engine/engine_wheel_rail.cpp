@@ -144,6 +144,12 @@ WheelRailSolution Engine::solve(const WheelRailSetup& setup, const WheelRailStat
 }
 
 WheelsetSolution Engine::solve(const WheelsetSetup& setup, const WheelsetState& state, Observer& observer) {
+    WheelsetEstimates none;
+    return solve(setup, state, none, observer);
+}
+
+WheelsetSolution Engine::solve(const WheelsetSetup& setup, const WheelsetState& state, WheelsetEstimates& estimates,
+                               Observer& observer) {
     validate_below("state", state);
     const auto contact = [&](Side side) {
         const bool own = side == Side::left && setup.left;
@@ -151,7 +157,7 @@ WheelsetSolution Engine::solve(const WheelsetSetup& setup, const WheelsetState& 
     };
     const PreparedContacts::Contact right = contact(Side::right), left = contact(Side::left);
     WheelsetSolution solution =
-        below_setups(setup.left.has_value(), [&] { return solve_wheelset(*left, *right, state, observer); });
+        below_setups(setup.left.has_value(), [&] { return solve_wheelset(*left, *right, state, estimates, observer); });
     count(solution.left);
     count(solution.right);
     return solution;

@@ -255,6 +255,16 @@ void validate(const WheelRailSetup& setup) {
     check(setup.patches);
 }
 
+WheelRailSetup with_tolerances(const WheelRailSetup& setup) {
+    WheelRailSetup chosen = setup;
+    if (!setup.accuracy) return chosen;
+    chosen.force.tolerance = *setup.accuracy;
+    chosen.settings.normal.tolerance = normal_per_accuracy * *setup.accuracy;
+    chosen.settings.tangential.tolerance = tangential_per_accuracy * *setup.accuracy;
+    chosen.settings.outer.tolerance = tangential_per_accuracy * *setup.accuracy;
+    return chosen;
+}
+
 bool has_distances(const WheelRailSetup& setup) {
     return setup.model == Model::full || setup.normal_model != NormalModel::of_model;
 }

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "backend.hpp"
@@ -176,9 +177,14 @@ class LocalWheel final : public OpenWheel {
     void restore(const std::string& state, const Control&) override { history_.restore(state); }
     void forget(const std::string& state, const Control&) override { history_.forget(state); }
     WheelsetSolution solve_wheelset(const WheelsetInput& input, const Control& control) override {
+        // Estimates mean nothing after a failure.
+        const bool goes_on = wheelset_ && *wheelset_ == input.setup;
+        wheelset_.reset();
+        if (!goes_on) wheelset_estimates_ = {};
         WheelsetSolution solution = observed(control, timeout_, [&](LocalObserver& observer) {
-            return engine_->solve(input.setup, input.state, observer);
+            return engine_->solve(input.setup, input.state, wheelset_estimates_, observer);
         });
+        wheelset_ = input.setup;
         keep_requested(input, solution.right);
         keep_requested(input, solution.left);
         return solution;
@@ -201,6 +207,8 @@ class LocalWheel final : public OpenWheel {
     const std::chrono::milliseconds timeout_;
     std::unique_ptr<engine::WheelRailSteps> steps_;
     LocalHistory history_;
+    std::optional<WheelsetSetup> wheelset_;  // that the estimates are of
+    WheelsetEstimates wheelset_estimates_;
 };
 
 class LocalBackend final : public Backend {

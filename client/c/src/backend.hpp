@@ -77,7 +77,8 @@ class OpenWheel {
     virtual std::string save(const WheelRailSetup& setup, const Control& control) = 0;
     virtual void restore(const std::string& state, const Control& control) = 0;
     virtual void forget(const std::string& state, const Control& control) = 0;
-    /// Starts from nothing: both solves of a wheelset.
+    /// Both wheels of a wheelset: in process from where the last such solve of the same set-up ended, within the
+    /// tolerances; by a daemon from nothing.
     virtual WheelsetSolution solve_wheelset(const WheelsetInput& input, const Control& control) = 0;
 };
 

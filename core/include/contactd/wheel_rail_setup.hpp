@@ -169,9 +169,18 @@ struct WheelRailSetup {
     ContactSettings settings{};
     Conformal conformal = Conformal::off;  ///< else of model full only; fem: of a rail that is uniform along x
     SolverSettings force{1e-6, 40};        ///< of the search for a height that brings Fz: |F - Fz|/Fz, and solves
+    /// How far forces, over Fn, and fields, over their largest values, may be from those of a fresh solve with tight
+    /// tolerances at the same height; in place of the tolerances of `settings` and `force`, which are chosen by it.
+    std::optional<double> accuracy{};
 
     bool operator==(const WheelRailSetup&) const = default;
 };
+
+/// Tolerances of the solvers over the accuracy of forces and of largest values that they bring.
+inline constexpr double normal_per_accuracy = 0.03, tangential_per_accuracy = 1;
+
+/// Returns the set-up with the tolerances that its accuracy chooses.
+WheelRailSetup with_tolerances(const WheelRailSetup& setup);
 
 /// Tells whether patches have distances of their own on a grid, as pressures that are no ellipses need.
 bool has_distances(const WheelRailSetup& setup);

@@ -169,6 +169,9 @@ struct WheelRailSolution {
     /// Search for the deflection of a flexible rail: solves, and what is left of the balance of its forces,
     /// |Fy + rail.Fy - track.springs.y y|/Fz or that of z, whichever is larger.
     std::optional<SolverEvidence> rail_search;
+    /// Estimate of how far forces, over Fn, and largest pressures and tractions, over these, are from those of a fresh
+    /// solve with tight tolerances at this height: of boundary elements with contact.
+    std::optional<double> accuracy;
     std::optional<WheelRailDerivatives> derivatives;  ///< where asked for, of a converged solution with contact
     std::vector<std::string> warnings;                ///< sentences, those of the patches among them
 

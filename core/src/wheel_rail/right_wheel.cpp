@@ -37,6 +37,14 @@ void warn(Answer& answer, std::vector<std::string> warnings) {
 
 constexpr double least_share = 0.2;  // of the normal force in Fz, for either to tell the other
 
+/// Returns how far the answers of a patch are from those with tight tolerances.
+double accuracy_of(const ContactEvidence& evidence) {
+    double accuracy = evidence.normal.residual / normal_per_accuracy;
+    for (const auto& solver : {evidence.tangential, evidence.outer})
+        if (solver) accuracy = std::max(accuracy, solver->residual / tangential_per_accuracy);
+    return accuracy;
+}
+
 std::optional<double> share_of(const WheelRailPatch& patch) {
     if (!(patch.solution.forces.Fn > 0)) return std::nullopt;
     return patch.forces.track.Fz / patch.solution.forces.Fn;
@@ -227,8 +235,12 @@ WheelRailSolution RightWheel::solve(const Placement& placement, const Load& load
         if (estimates_ && setup_.model == Model::full)
             estimates.push_back(estimate_of(placed.found, state_.position.x, patch.solution));
         solution.forces = sum(solution.forces, patch.forces);
+        if (setup_.model == Model::full)
+            solution.accuracy = std::max(solution.accuracy.value_or(0), accuracy_of(patch.solution.evidence));
         warn(solution, warnings_of(patch.place.reference, setup_.side, patch.solution));
     }
+    if (solution.accuracy)
+        solution.accuracy = std::max(*solution.accuracy, setup_.force.tolerance * placement.change_at(solution.z));
     constexpr double rounding = 1e-9;  // mm
     solution.clearance = position_.clearance(solution.z);
     if (solution.patches.empty() && std::abs(*solution.clearance) < rounding) solution.clearance = 0;

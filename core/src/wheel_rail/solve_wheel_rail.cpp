@@ -37,16 +37,17 @@ Answer warned(Answer answer, const std::vector<std::string>& of_setup, const Whe
 struct WheelRailContact::Parts {
     Parts(WheelRailSetup given, std::shared_ptr<const geometry::Profiles> curves, InfluenceSource source)
         : setup(std::move(given)),
+          solved(with_tolerances(setup)),
           profiles(std::move(curves)),
           influences(std::move(source)),
           warnings(plausibility_warnings(setup, *profiles)) {
         if (setup.conformal != Conformal::automatic) return;
-        plane = curved = setup;
+        plane = curved = solved;
         plane->conformal = Conformal::off;
         curved->conformal = Conformal::rotated;
     }
 
-    WheelRailSetup setup;
+    WheelRailSetup setup, solved;  // as given, and with the tolerances of its accuracy
     std::shared_ptr<const geometry::Profiles> profiles;
     InfluenceSource influences;
     std::vector<std::string> warnings;                // of every solution
@@ -63,7 +64,7 @@ struct WheelRailContact::Parts {
 
    private:
     RightWheel right_wheel(const WheelRailState& state, const Observer& observer) const {
-        if (!plane) return {setup, *profiles, influences, state, observer};
+        if (!plane) return {solved, *profiles, influences, state, observer};
         const bool bends = RightWheel(*plane, *profiles, influences, state, observer).bends();
         return {bends ? *curved : *plane, *profiles, influences, state, observer};
     }

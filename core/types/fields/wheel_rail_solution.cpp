@@ -53,7 +53,7 @@ namespace {
 }
 [[maybe_unused]] void all_of(const WheelRailSolution& all) {
     [[maybe_unused]] const auto& [z_, pitch_rate_, forces_, patches_, warnings_, clearance_, force_, pitch_search_,
-                                  rail_deflection_, rail_search_, derivatives_, left_out_] = all;
+                                  rail_deflection_, rail_search_, accuracy_, derivatives_, left_out_] = all;
 }
 [[maybe_unused]] void all_of(const WheelRailPatch& all) {
     [[maybe_unused]] const auto& [place_, gap_, solution_, forces_] = all;
@@ -258,6 +258,7 @@ const FieldType& type_of<WheelRailSolution>() {
         fields::field<&WheelRailSolution::pitch_search>("pitch_search"),
         fields::field<&WheelRailSolution::rail_deflection>("rail_deflection"),
         fields::field<&WheelRailSolution::rail_search>("rail_search"),
+        fields::field<&WheelRailSolution::accuracy>("accuracy", {.bounds = {.least = 0}}),
         fields::field<&WheelRailSolution::derivatives>("derivatives"),
     });
     static const FieldType type = fields::object_type(list);

@@ -110,6 +110,39 @@ TEST_CASE("Each wheel of a wheelset presses as told, and is as by itself where t
     }
 }
 
+TEST_CASE("A wheelset in process goes on from where it ended, and anew with another set-up", "[c]") {
+    const Place here("local");
+    const Wheelset series(here);
+    const auto place = [](const Wheelset& wheelset, double y) {
+        for (contactd_wheel* w :
+             {static_cast<contactd_wheel*>(wheelset.right), static_cast<contactd_wheel*>(wheelset.left)})
+            set(w, {{"state.position.y", y}, {"state.position.yaw", 2.4e-3 * y}});
+    };
+    for (const double y : {3.7, 3.8, 3.9, 4.0}) {
+        place(series, y);
+        require_ok(series.solve(), series.right);
+    }
+    const Wheelset fresh(here);
+    require_ok(fresh.solve(), fresh.right);
+    CHECK(get(series.right, "roll_search.iterations") < get(fresh.right, "roll_search.iterations"));
+    CHECK(get(series.right, "roll") == Approx(get(fresh.right, "roll")).margin(3e-9));
+    for (const bool of_right : {true, false}) {
+        contactd_wheel* const one = of_right ? series.right : series.left;
+        contactd_wheel* const other = of_right ? fresh.right : fresh.left;
+        CHECK(get(one, "converged") == 1);
+        for (const char* force : {"forces.track.Fx", "forces.track.Fy", "forces.track.Fz"})
+            CHECK(get(one, force) == Approx(get(other, force)).margin(2e-5 * vertical_force(other)));
+    }
+
+    const Wheelset other(here);
+    for (const Wheelset* wheelset : {&series, &other}) {
+        set(wheelset->left, "setup.friction.mu", 0.2);
+        require_ok(wheelset->solve(), wheelset->right);
+    }
+    CHECK(results(series.right) == results(other.right));
+    CHECK(results(series.left) == results(other.left));
+}
+
 TEST_CASE("Wheels that make no wheelset are refused by the field that is wrong", "[c]") {
     const Place here("local"), elsewhere("local");
     const Wheelset wheelset(here);

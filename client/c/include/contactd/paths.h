@@ -900,6 +900,7 @@
 #define CONTACTD_PATH_SETUP_FORCE "setup.force"
 #define CONTACTD_PATH_SETUP_FORCE_TOLERANCE "setup.force.tolerance"
 #define CONTACTD_PATH_SETUP_FORCE_MAX_ITERATIONS "setup.force.max_iterations"
+#define CONTACTD_PATH_SETUP_ACCURACY "setup.accuracy"
 #define CONTACTD_PATH_STATE "state"
 #define CONTACTD_PATH_STATE_POSITION "state.position"
 #define CONTACTD_PATH_STATE_POSITION_Y "state.position.y"         /* mm */
@@ -1308,6 +1309,7 @@
 #define CONTACTD_PATH_RAIL_SEARCH_RESIDUAL "rail_search.residual"
 #define CONTACTD_PATH_RAIL_SEARCH_CONVERGED "rail_search.converged"
 #define CONTACTD_PATH_RAIL_SEARCH_SECONDS "rail_search.seconds" /* s */
+#define CONTACTD_PATH_ACCURACY "accuracy"
 #define CONTACTD_PATH_DERIVATIVES_POSITION "derivatives.position"
 #define CONTACTD_PATH_DERIVATIVES_POSITION_Y "derivatives.position.y"
 #define CONTACTD_PATH_DERIVATIVES_POSITION_Y_FX "derivatives.position.y.Fx" /* N */

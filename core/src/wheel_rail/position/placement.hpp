@@ -40,6 +40,8 @@ class Placement {
     bool holds_at(double z) const { return std::abs(z - z_) <= reach_; }
     /// Tells if there is one patch of one region only, whose approach tells the height.
     bool is_single() const { return patches.size() == 1 && patches.front().found.place.regions.size() == 1; }
+    /// Returns how far gaps may be off at this height, over the approach, in parts of the tolerance.
+    double change_at(double z) const { return z == z_ ? 0 : std::abs(z - z_) / reach_; }
     double approach_at(double z, const Patch& patch) const;
     /// Returns the height at which the patch has this approach.
     double height_of(double approach, const Patch& patch) const;

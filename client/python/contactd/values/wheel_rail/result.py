@@ -68,6 +68,8 @@ class WheelRailSolution(WheelRailSolutionMethods):
             (mm).
         rail_search: Search for the deflection of a flexible rail: solves, and what is left of the balance of its forces
             over Fz, sideways or downwards.
+        accuracy: Estimate of how far forces, over the normal force, and the largest pressures and tractions, over
+            these, are from those of a fresh solve with tight tolerances at this height: of model full with contact.
         derivatives: Where asked for, of a converged solution with contact.
         contacts: Number of patches, in place of them, of a step with patches false.
         frictional_power: Power that friction dissipates in all patches, in rolling (N mm/s).
@@ -84,6 +86,7 @@ class WheelRailSolution(WheelRailSolutionMethods):
     pitch_search: SolverEvidence | None = None
     rail_deflection: RailDeflection | None = None
     rail_search: SolverEvidence | None = None
+    accuracy: float | None = None
     derivatives: WheelRailDerivatives | None = None
     contacts: int | None = None
     frictional_power: float | None = None

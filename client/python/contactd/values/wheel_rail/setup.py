@@ -220,6 +220,9 @@ class WheelRailSetup(Saved):
             kinetic friction and prescribed tangential forces need; its iterations are at most 100 unless given.
         force: Search for a height that brings Fz: bounds of |F - Fz|/Fz, 1e-6 unless given, and of solves, 40 unless
             given.
+        accuracy: How far forces, over the normal force, and fields, over their largest values, may be from those of a
+            fresh solve with tight tolerances at the same height (1e-08 to 0.01); 1e-4 is what real time wants. In place
+            of the tolerances of settings and force, which are chosen by it. None: these tolerances.
     """
 
     side: Side | None = None
@@ -254,6 +257,7 @@ class WheelRailSetup(Saved):
     tangential: SolverSettings | None = field(default=None, metadata={"within": "settings"})
     outer: SolverSettings | None = field(default=None, metadata={"within": "settings"})
     force: SolverSettings | None = None
+    accuracy: float | None = None
 
     @public
     def replace(self, **changes: Unpack[WheelRailFields]) -> WheelRailSetup:
@@ -294,3 +298,4 @@ class WheelRailFields(TypedDict, total=False):
     tangential: SolverSettings | None
     outer: SolverSettings | None
     force: SolverSettings | None
+    accuracy: float | None
