@@ -8,6 +8,7 @@ CONTACTD_SITE_WORK is where __main__.py has put what doxygen found, and files th
 from __future__ import annotations
 
 import os
+import re
 import sys
 from pathlib import Path
 
@@ -16,7 +17,12 @@ ROOT = FOLDER.parents[1]
 WORK = Path(os.environ["CONTACTD_SITE_WORK"])
 sys.path.insert(0, str(FOLDER))
 
+from theme_colours import of_the_theme  # noqa: E402  beside this file
+
 project = "contactd"
+version = release = re.findall(
+    r"^project\(contactd VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text(), re.MULTILINE
+)[0]
 copyright = ""
 html_show_copyright = html_show_sphinx = False
 
@@ -26,8 +32,8 @@ extensions = [
 ]  # fmt: skip
 root_doc = "docs/index"
 include_patterns = [
-    "*.md", "docs/*.md", "docs/paper/*.md", "docs/reference/*.md", "docs/tutorials/*.ipynb", "client/*/README.md",
-    "tests/README.md",
+    "*.md", "docs/*.md", "docs/paper/*.md", "docs/reference/*.md", "docs/reference/*/*.md", "docs/tutorials/*.ipynb",
+    "client/*/README.md", "tests/README.md",
 ]  # fmt: skip
 exclude_patterns = ["build", ".git", "**/.*"]
 suppress_warnings: list[str] = []  # none: warnings are errors
@@ -69,12 +75,14 @@ cpp_maximum_signature_line_length = c_maximum_signature_line_length = 100
 # HTML.
 html_theme = "furo"
 pygments_style, pygments_dark_style = "default", "github-dark"  # whose letters stand out enough
-html_title = "contactd"
+html_title = f"contactd {version}"
+html_short_title = "contactd"
 html_static_path = ["static"]
 html_css_files = ["site.css"]
+html_js_files = ["copy.js"]
 templates_path = ["templates"]
 html_additional_pages = {"index": "redirect.html"}
 html_extra_path = [str(WORK / "beside")]
 html_copy_source = False
-html_theme_options = {"sidebar_hide_name": False}
+html_theme_options = {"sidebar_hide_name": False, "dark_css_variables": of_the_theme()}
 graphviz_output_format = "svg"

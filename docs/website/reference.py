@@ -17,10 +17,10 @@ SCHEMAS = ROOT / "proto" / "schema"
 MEMBERS = "briefdescription detaileddescription innerclass enum typedef func var public-type public-func public-static-func public-attrib"
 
 
-def cpp() -> str:
+def cpp(headers: list[str]) -> str:
     return "\n".join(
         f"## {header}\n\n{_head(header)}\n\n{_directive(f'doxygenfile:: {header}', project='cpp', sections=MEMBERS)}"
-        for header in public_headers()
+        for header in headers
     )
 
 
@@ -35,20 +35,26 @@ def c() -> str:
     return _directive("doxygenfile:: contactd.h", project="c", sections="user-defined")
 
 
-def python() -> str:
-    """Every name that the package exports, by the module that has it."""
+#: Modules with names of their own, beside those that the package itself exports.
+MODULES = ("wheel_rail", "contact_files")
+
+
+def python(modules: list[str]) -> str:
+    """Every name of these that the package exports."""
     import contactd
 
-    parts = []
-    for module, names in _exports(contactd).items():
+    parts, exported = [], _exports(contactd)
+    for module in modules:
+        if module in MODULES:
+            once = {"exclude-members": ", ".join(sorted(set(contactd.__all__)))}
+            parts.append(f"## contactd.{module}\n\n" + _directive(f"automodule:: contactd.{module}", **once))
+            continue
         text = ast.get_docstring(ast.parse((PACKAGE / f"{module.replace('.', '/')}.py").read_text())) or ""
-        objects = "\n".join(f".. auto{_kind(getattr(contactd, name))}:: {name}" for name in names)
+        objects = "\n".join(f".. auto{_kind(getattr(contactd, name))}:: {name}" for name in exported[module])
         title = module.partition(".")[2] or module  # without the folder
         title = title.replace(".", " ").replace("_", " ")
         parts.append(f"## {title}\n\n```{{eval-rst}}\n.. currentmodule:: contactd\n\n{_lead(text)}\n\n{objects}\n```\n")
-    once = {"exclude-members": ", ".join(sorted(set(contactd.__all__)))}
-    more = (f"## {name}\n\n" + _directive(f"automodule:: {name}", **once) for name in ("contactd.wheel_rail", "contactd.contact_files"))
-    return "\n".join([*parts, *more])
+    return "\n".join(parts)
 
 
 def _exports(package: Any) -> dict[str, list[str]]:
@@ -94,16 +100,66 @@ def _directive(name: str, **options: str) -> str:
     return f"```{{eval-rst}}\n.. {name}\n{lines}```\n"
 
 
-PAGES = {"docs/reference/python": python, "docs/reference/c": c, "docs/reference/cpp": cpp, "docs/reference/wire": wire}
+#: What a page that ends with one of these words and names has, and all names that there are.
+PARTS = {"modules": (python, lambda: [*_exports(_package()), *MODULES]), "headers": (cpp, public_headers)}
+WHOLE = {"docs/reference/c": c, "docs/reference/wire": wire}
+LISTED = re.compile(r"<!-- (modules|headers): ([^>]*) -->\s*\Z")
 
 
-def write(app: Any, name: str, source: list[str]) -> None:
-    if part := PAGES.get(name):
+def _package() -> Any:
+    import contactd
+
+    return contactd
+
+
+def missing(pages: list[str]) -> list[str]:
+    """Modules and headers that are on no page, or on two."""
+    named = [(found[1], name) for page in pages if (found := LISTED.search(page)) for name in found[2].split()]
+    there = [(kind, name) for kind, (_, names) in PARTS.items() for name in names()]
+    return sorted(
+        name for kind, name in {*named, *there} if (named.count((kind, name)), there.count((kind, name))) != (1, 1)
+    )
+
+
+def write(_app: Any, name: str, source: list[str]) -> None:
+    if part := WHOLE.get(name):
         source[0] += "\n" + part()
+    if found := LISTED.search(source[0]):
+        source[0] = source[0][: found.start()] + PARTS[found[1]][0](found[2].split())
+
+
+def check_that_nothing_is_missing(app: Any, environment: Any, _changed: list[str]) -> None:
+    from sphinx.errors import ExtensionError  # tests read the parts without Sphinx
+
+    pages = [
+        Path(environment.doc2path(name)).read_text()
+        for name in environment.found_docs
+        if name.startswith("docs/reference/")
+    ]
+    if names := missing(pages):
+        raise ExtensionError(
+            f"{', '.join(names)}: to be named once, at the end of one page of docs/reference, and exist"
+        )
+
+
+#: What numpy makes of its ArrayLike.
+ARRAY_LIKE = re.compile(r"(?:~?collections\.abc\.)?Buffer \| [^,]*?_NestedSequence\[bool \|[^\]]*\]")
+
+
+def named(types: str | None) -> str | None:
+    """With ArrayLike by its name."""
+    return types and ARRAY_LIKE.sub("ArrayLike", types)
+
+
+def adapt_signature(
+    _app: Any, _what: str, _name: str, _object: object, _options: object, signature: str | None, answer: str | None
+) -> tuple[str | None, str | None]:
+    return named(signature), named(answer)
 
 
 def adapt(_app: Any, _what: str, _name: str, _object: object, _options: object, lines: list[str]) -> None:
     """In a docstring |x| is the size of x, no substitution, and docs/contact.md a page."""
+    lines[:] = [named(line) or "" for line in lines]
     lines[:] = [re.sub(r"\|([^|`]+)\|", r"\\|\1\\|", line) for line in lines]
     lines[:] = [re.sub(r"(?<![\w/`])docs/(\w[\w-]*)\.md", r":doc:`docs/\1.md </docs/\1>`", line) for line in lines]
 
@@ -118,7 +174,9 @@ def without_names_that_are_there_twice(_app: Any, doctree: Any) -> None:
 
 
 def setup(app: Any) -> dict[str, Any]:
-    app.connect("autodoc-process-docstring", adapt)
+    app.connect("autodoc-process-docstring", adapt, priority=600)  # behind napoleon, which writes types of attributes
+    app.connect("autodoc-process-signature", adapt_signature)
     app.connect("source-read", write)
+    app.connect("env-before-read-docs", check_that_nothing_is_missing)
     app.connect("doctree-read", without_names_that_are_there_twice)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,4 +1,5 @@
-"""The table of contents: the lists of docs/index.md, a caption for each heading. A page that is in none is an error."""
+"""The table of contents: the lists of docs/index.md, a caption for each heading, and below a page of LISTS those that it lists.
+A page that is in none is an error."""
 
 from __future__ import annotations
 
@@ -9,6 +10,8 @@ from typing import Any
 
 #: Has the index in short. Links lead to it.
 README = "README"
+#: Pages with a list of pages of their own.
+LISTS = ("docs/reference/python", "docs/reference/cpp")
 
 
 def roads(index: str) -> Iterator[tuple[str, list[str]]]:
@@ -27,18 +30,19 @@ def document(index: str, page: str) -> str:
 def change_source(app: Any, name: str, source: list[str]) -> None:
     if name == README:
         source[0] = f"---\norphan: true\n---\n{source[0]}"
-    if name == app.config.root_doc:
+    if name in (app.config.root_doc, *LISTS):
         for heading, pages in roads(source[0]):
             entries = "\n".join("/" + document(name, page) for page in pages)
-            source[0] += f"\n```{{toctree}}\n:hidden:\n:caption: '{heading}'\n\n{entries}\n```\n"
+            caption = f":caption: '{heading}'\n" if name == app.config.root_doc else ""
+            source[0] += f"\n```{{toctree}}\n:hidden:\n{caption}\n{entries}\n```\n"
 
 
 def check_that_every_page_is_listed(app: Any, environment: Any, _changed: list[str]) -> None:
     from sphinx.errors import ExtensionError  # tests read the lists without Sphinx
 
     index = app.config.root_doc
-    text = environment.doc2path(index).read_text()
-    listed = {document(index, page) for _, pages in roads(text) for page in pages}
+    lists = {name: environment.doc2path(name).read_text() for name in (index, *LISTS) if name in environment.found_docs}
+    listed = {document(name, page) for name, text in lists.items() for _, pages in roads(text) for page in pages}
     if missing := sorted(environment.found_docs - listed - {README, index}):
         raise ExtensionError(not_listed([str(environment.doc2path(name, base=False)) for name in missing], index))
 

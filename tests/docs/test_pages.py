@@ -9,7 +9,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 CHANGELOG = ROOT / "CHANGELOG.md"  # an entry is a sentence is a line
-FOLDERS_OF_PAGES = ("*.md", "client/*/*.md", "tests/*.md", "docs/*.md", "docs/reference/*.md")
+FOLDERS_OF_PAGES = ("*.md", "client/*/*.md", "tests/*.md", "docs/*.md", "docs/reference/*.md", "docs/reference/*/*.md")
 WRITTEN = sorted(chain(*(ROOT.glob(pattern) for pattern in FOLDERS_OF_PAGES)))
 NOTEBOOKS = sorted((ROOT / "docs" / "tutorials").glob("*.ipynb"))  # which test_notebooks.py runs
 COMPUTED = sorted((ROOT / "docs" / "paper").glob("*.md"))  # by ./dev paper
@@ -69,8 +69,9 @@ def test_no_two_headings_have_the_same_anchor(page):
 
 def test_every_page_is_in_a_list_of_the_index():
     index = ROOT / "docs" / "index.md"
-    points = re.findall(r"^\* \[[^\]]+\]\(([^)#]+)\)", index.read_text(), re.MULTILINE)
-    listed = {(index.parent / target).resolve() for target in points}
+    lists = [index, *(ROOT / "docs" / "reference").glob("*.md")]  # the reference has pages of its own
+    points = [page.parent / target for page in lists for target in re.findall(r"^\* \[[^\]]+\]\(([^)#]+)\)", page.read_text(), re.MULTILINE)]
+    listed = {target.resolve() for target in points}
     assert len(listed) == len(points), "a page is listed once"
     missing = sorted(str(page.relative_to(ROOT)) for page in {*WRITTEN, *COMPUTED, *NOTEBOOKS} - listed - {index, ROOT / "README.md"})
     assert not missing, f"{', '.join(missing)}: add a point to a list of docs/index.md that begins with a link to it"

@@ -19,7 +19,7 @@ from support.browser import Browser
 from support.contact_terms import CONTACT_TERMS
 from support.daemons import BIN, eventually
 
-from .site_pages import Site, code_colours, contrast
+from .site_pages import Site, code_colours, contrast, luminance
 
 ROOT = Path(__file__).parents[2]
 READABLE = 4.5  # WCAG 2, level AA
@@ -130,9 +130,9 @@ def pages_with(site: Site) -> Callable[[str], set[str]]:
 
 
 def test_the_search_knows_words_of_pages_headers_and_docstrings(pages_with):
-    assert {"docs/profiles", "docs/wheel-rail", "docs/tutorials/wheelset", "docs/reference/python"} <= pages_with("conic")
+    assert {"docs/profiles", "docs/wheel-rail", "docs/tutorials/wheelset", "docs/reference/python/wheel-rail"} <= pages_with("conic")
     assert "docs/architecture" in pages_with("cholmod")
-    assert {"docs/reference/c", "docs/reference/cpp"} <= pages_with("cancel")
+    assert {"docs/reference/c", "docs/reference/cpp/client", "docs/reference/python/clients"} <= pages_with("cancel")
     assert not pages_with("unobtainium")
 
 
@@ -166,6 +166,66 @@ def test_letters_of_the_pages_stand_out(site, theme):
     assert min(pairs.values()) >= READABLE, pairs
 
 
+def test_the_version_is_in_sight_and_in_titles(site):
+    found = re.search(r"^project\(contactd VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text(), re.MULTILINE)
+    assert found
+    for page in site.documents():
+        assert f'<span class="sidebar-brand-text">contactd {found[1]}</span>' in page.path.read_text(), page.path
+        assert page.titles[0].endswith(f"contactd {found[1]}"), page.path
+
+
+def test_no_page_is_as_long_as_the_whole_reference(site):
+    """In bytes; with all of Python, or of C++, on one page it was ten times as long."""
+    assert not [page.path for page in site.documents() if page.path.stat().st_size > 700_000]
+
+
+def _open(browser: Browser, page: Path) -> None:
+    browser.open(page.as_uri())
+    here = json.dumps(page.as_uri())
+    eventually(lambda: browser.evaluate(f"document.readyState == 'complete' && location.href == {here}"))
+
+
+def _colours(browser: Browser, selector: str) -> tuple[str, str]:
+    """Ground and letters, as #rrggbb."""
+    style = f"getComputedStyle(document.querySelector({json.dumps(selector)}))"
+    found = browser.evaluate(f"[{style}.backgroundColor, {style}.color]")
+    ground, letters = (
+        f"#{''.join(f'{int(part):02x}' for part in re.findall(r'[0-9]+', colour)[:3])}" for colour in found
+    )
+    return ground, letters
+
+
+def test_pages_are_dark_where_the_system_is(site, tmp_path):
+    with Browser(tmp_path) as browser:
+        browser.open("about:blank")
+        for scheme in ("light", "dark"):
+            browser.send("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
+            for name in ("docs/index", "docs/cookbook", "docs/reference/python/problems"):
+                _open(browser, site.folder / f"{name}.html")
+                for selector in ("body", ".sidebar-drawer", "div.highlight"):
+                    ground, letters = _colours(browser, selector)
+                    assert (luminance(ground) < 0.1) == (scheme == "dark"), (scheme, name, selector, ground)
+                    assert contrast(ground, letters) >= READABLE, (scheme, name, selector)
+        assert browser.problems == []
+
+
+def test_every_block_of_code_has_a_button_that_copies_it(site, tmp_path):
+    with Browser(tmp_path) as browser:
+        _open(browser, site.folder / "docs" / "cookbook.html")
+        assert browser.evaluate("document.querySelectorAll('div.highlight > .copy-code').length") == len(
+            re.findall('<div class="highlight">', (site.folder / "docs" / "cookbook.html").read_text())
+        )
+        shell = "document.createElement('pre')"
+        lines = "$ contactctl info\\nthe answer\\n$ contactctl health\\n"
+        assert (
+            browser.evaluate(f"copied(Object.assign({shell}, {{textContent: '{lines}'}}))")
+            == "contactctl info\ncontactctl health"
+        )
+        browser.click(".copy-code")
+        browser.wait_for("Copied", ".copy-code")
+        assert browser.problems == []
+
+
 def test_no_page_is_cut_off_at_its_right_and_every_picture_is_there(site, tmp_path):
     look = """({
         cut: document.documentElement.scrollWidth - document.documentElement.clientWidth,
@@ -173,9 +233,7 @@ def test_no_page_is_cut_off_at_its_right_and_every_picture_is_there(site, tmp_pa
     })"""
     with Browser(tmp_path) as browser:
         for page in site.documents():
-            browser.open(page.path.as_uri())
-            here = json.dumps(page.path.as_uri())
-            eventually(lambda here=here: browser.evaluate(f"document.readyState == 'complete' && location.href == {here}"))
+            _open(browser, page.path)
             for width in (390, 1100, 1330, 1700):  # a telephone; between them the contents of page and site come in
                 browser.resize(width, 900)
                 assert browser.evaluate(look) == {"cut": 0, "missing": []}, (page.path, width)

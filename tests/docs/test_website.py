@@ -134,3 +134,43 @@ def test_kinds_of_members_have_no_anchors_of_one_name(part):
     document = nodes.container("", title, other)
     part("reference").without_names_that_are_there_twice(None, document)
     assert (title["ids"], other["ids"]) == ([], ["notes"])
+
+
+STYLE = """@media not print {
+  body[data-theme="dark"] {
+    --color-background-primary: #131416;
+    --color-api-keyword: var(--color-foreground-secondary); }
+    html body[data-theme="dark"] .only-light {
+      display: none !important; } }
+"""
+
+
+def test_dark_colours_are_those_of_the_theme(part):
+    colours = part("theme_colours").dark_colours(STYLE)
+    assert colours == {"color-background-primary": "#131416", "color-api-keyword": "var(--color-foreground-secondary)"}
+    with pytest.raises(ValueError, match="see whether it still needs theme_colours"):
+        part("theme_colours").dark_colours("body { --color-background-primary: white; }")
+
+
+def test_every_module_and_header_is_on_one_page_of_the_reference(part):
+    pages = [path.read_text() for path in (ROOT / "docs" / "reference").rglob("*.md")]
+    assert part("reference").missing(pages) == []
+    assert part("reference").missing([*pages, "<!-- headers: contactd/grid.hpp contactd/none.hpp -->\n"]) == [
+        "contactd/grid.hpp",
+        "contactd/none.hpp",
+    ]
+    assert "client" in part("reference").missing([page for page in pages if "modules: client" not in page])
+
+
+def test_a_page_of_the_reference_has_what_its_last_line_names(part):
+    source = ["# Grids\n\n<!-- modules: values.grid -->\n"]
+    part("reference").write(None, "docs/reference/python/grids", source)
+    assert ".. autoclass:: Grid\n" in source[0]
+    assert "<!--" not in source[0]
+
+
+def test_what_is_like_an_array_has_its_name_in_signatures(part):
+    nested = "~numpy._typing._nested_sequence._NestedSequence"
+    types = f"frames: ~collections.abc.Buffer | ~numpy._SupportsArray[~numpy.dtype[~typing.Any]] | {nested}[x] | bool | {nested}[bool | int | str], direction: float"
+    assert part("reference").named(types) == "frames: ArrayLike, direction: float"
+    assert part("reference").named(None) is None

@@ -1,0 +1,27 @@
+"""The dark colours of the theme, for all whose system is dark. Debian's style sheet has them behind the button only: a page
+that follows the system stays light in it, but for its code."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+__all__ = ["dark_colours", "of_the_theme"]
+
+#: The theme's style sheet has what Sphinx gives a page; where it is, its package knows.
+STYLE = "theme/furo/static/styles/furo.css"
+
+
+def dark_colours(style: str) -> dict[str, str]:
+    """Names, without their hyphens, and values. Raises ValueError where the style sheet has none."""
+    block = re.search(r'body\[data-theme="dark"\] \{([^}]*--color[^}]*)\}', style)
+    colours = dict(re.findall(r"--([\w-]+):\s*([^;]+);", block[1])) if block else {}
+    if "color-background-primary" not in colours:
+        raise ValueError(f"{STYLE} has its dark colours elsewhere; see whether it still needs theme_colours")
+    return colours
+
+
+def of_the_theme() -> dict[str, str]:
+    import furo
+
+    return dark_colours((Path(furo.__file__).parent / STYLE).read_text())
