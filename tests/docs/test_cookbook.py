@@ -8,9 +8,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import matplotlib  # here, since it takes a package whose name that of tests/packaging hides once this is collected
 import pytest
 
 from support.daemons import BIN
+
+matplotlib.use("Agg")
 
 ROOT = Path(__file__).parents[2]
 COOKBOOK = (ROOT / "docs" / "cookbook.md").read_text()
@@ -57,7 +60,6 @@ HOLDS: dict[str, Callable[[Names], bool]] = {
 @pytest.fixture
 def a_place_to_work(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)  # where recipes write
-    monkeypatch.setenv("MPLBACKEND", "Agg")
     monkeypatch.setenv("PATH", f"{BIN}:{os.environ['PATH']}")  # where the builder of tables is
 
 
