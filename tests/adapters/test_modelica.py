@@ -20,6 +20,19 @@ PACKAGE = (FOLDER / "package.mo").read_text()
 HEADER = (FOLDER / "Resources" / "Include" / "contactd_modelica.h").read_text()
 #: Type of Modelica -> that of C (language specification, 12.9.1).
 TYPES = {"Real": "double", "String": "const char*", "WheelObject": "void*", "Integer": "int"}
+#: Of the language (specification, 2.3.3), which no component may be called by.
+RESERVED = set(
+    """algorithm and annotation block break class connect connector constant constrainedby der discrete each else elseif elsewhen
+    encapsulated end enumeration equation expandable extends external false final flow for function if import impure in initial
+    inner input loop model not operator or outer output package parameter partial protected public pure record redeclare
+    replaceable return stream then true type when while within""".split()
+)
+
+
+def test_no_component_has_the_name_of_a_word_of_the_language():
+    names = re.findall(r"^ *(?:input |output |parameter )?(?:Real|Integer|Boolean|String|WheelObject) (\w+)", PACKAGE, re.MULTILINE)
+    assert len(names) > 20
+    assert not set(names) & RESERVED
 
 
 def test_names_that_begin_end():

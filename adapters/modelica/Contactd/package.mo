@@ -6,11 +6,11 @@ package Contactd "Contact of wheels on rails, by the C library of contactd"
     function constructor "Opens it: S1002 on 60E1 at 1/40, of steel"
       input String endpoint "\"local\": solved in this process; or the endpoint of a daemon";
       input String side "\"left\" or \"right\"";
-      input String model "\"full\", \"fastsim\", \"hertz\", \"fastrip\" or \"polach\"";
+      input String theory "\"full\", \"fastsim\", \"hertz\", \"fastrip\" or \"polach\"";
       input Real friction "Coefficient of friction";
       input Real element(unit = "m") "Size of the elements along and across the rail";
       output WheelObject wheel;
-      external "C" wheel = contactd_modelica_open(endpoint, side, model, friction, element)
+      external "C" wheel = contactd_modelica_open(endpoint, side, theory, friction, element)
         annotation(Include = "#include \"contactd_modelica.h\"", IncludeDirectory = "modelica://Contactd/Resources/Include", Library = "contactd-local");
     end constructor;
 
