@@ -1,11 +1,12 @@
-// A wheelset on its rails in Project Chrono 9: a load between the body of the wheelset and the one that carries the track.
+// A wheelset on its rails in Project Chrono 9: a load between the body of the wheelset and the one that carries the
+// track.
 //
 //     auto contact = std::make_shared<WheelsetOnTrack>(wheelset, ground, frame, "local", "fastsim", 0.3, 1e-3);
 //     container->Add(contact);   // a ChLoadContainer of the system
 //
 // `frame`, in absolute coordinates, has the axes of the track, x forwards, y to the right, z down, and lies where the
-// wheelset's centre is when its tape circles stand on the plane of the tops of the rails; the wheelset's axle is along its
-// y. Units are those of SI. Chrono computes the Jacobian by differences.
+// wheelset's centre is when its tape circles stand on the plane of the tops of the rails; the wheelset's axle is along
+// its y. Units are those of SI. Chrono computes the Jacobian by differences.
 #pragma once
 
 #include "contactd_wheelset.h"
@@ -18,7 +19,7 @@
 #include <string>
 
 class WheelsetOnTrack : public chrono::ChLoadBodyBody {
-public:
+   public:
     /// Throws std::runtime_error, with contactd's sentence, where the wheels cannot be made.
     WheelsetOnTrack(std::shared_ptr<chrono::ChBody> wheelset, std::shared_ptr<chrono::ChBody> ground,
                     const chrono::ChFrame<>& frame, const std::string& where, const std::string& model, double friction,
@@ -31,7 +32,7 @@ public:
     /// Both wheels, to set other profiles and the like by the paths of contactd.h.
     contactd_wheelset& wheels() const { return *wheels_; }
 
-protected:
+   protected:
     bool IsStiff() override { return true; }
 
     /// On the track, in its axes; Chrono puts the opposite on the wheelset.
@@ -49,13 +50,13 @@ protected:
         loc_torque = chrono::ChVector3d(-moment[0], -moment[1], -moment[2]);
     }
 
-private:
+   private:
     static void check(std::int32_t code) {
         if (code != CONTACTD_OK) throw std::runtime_error(contactd_last_error(nullptr));
     }
 
-    static std::shared_ptr<contactd_wheelset> opened(const std::string& where, const std::string& model, double friction,
-                                                     double element) {
+    static std::shared_ptr<contactd_wheelset> opened(const std::string& where, const std::string& model,
+                                                     double friction, double element) {
         std::shared_ptr<contactd_wheelset> wheels(new contactd_wheelset, [](contactd_wheelset* of) {
             contactd_wheelset_close(of);
             delete of;

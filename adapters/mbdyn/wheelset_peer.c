@@ -1,12 +1,14 @@
-/* The forces of a wheelset's wheels for MBDyn: a process of its own beside it, which its "external structural" force with
- * one node and orientation matrices, "coupling, loose", tells a motion each step by a socket of libmbc.
+/* The forces of a wheelset's wheels for MBDyn: a process of its own beside it, which its "external structural" force
+ * with one node and orientation matrices, "coupling, loose", tells a motion each step by a socket of libmbc.
  *
- *     cc -std=c99 wheelset_peer.c -I../multibody $(pkg-config --cflags --libs contactd-local) -lmbc -lm -o wheelset_peer
+ *     cc -std=c99 wheelset_peer.c -I../multibody $(pkg-config --cflags --libs contactd-local) -lmbc -lm -o
+ * wheelset_peer
  *     ./wheelset_peer /tmp/mbdyn.sock local fastsim 0.3 0.001
  *
  * The socket's path, where contacts are solved, the model, the coefficient of friction, the size of elements (m). The
- * node is the wheelset's centre; the frame of its coordinates is that of contactd_wheelset.h, x forwards, y to the right,
- * z down, and so is what comes back, in N and N m. Ends with 0 when MBDyn has ended, and with 1 where something failed. */
+ * node is the wheelset's centre; the frame of its coordinates is that of contactd_wheelset.h, x forwards, y to the
+ * right, z down, and so is what comes back, in N and N m. Ends with 0 when MBDyn has ended, and with 1 where something
+ * failed. */
 #include "contactd_wheelset.h"
 
 #include <mbc.h>
@@ -34,7 +36,8 @@ static int follow(mbc_nodal_t* mbc, contactd_wheelset* wheels) {
 int main(int count, char** arguments) {
     if (count != 6) return failed("takes SOCKET WHERE MODEL FRICTION ELEMENT");
     contactd_wheelset wheels;
-    if (contactd_wheelset_open(&wheels, arguments[2], arguments[3], atof(arguments[4]), atof(arguments[5])) != CONTACTD_OK)
+    if (contactd_wheelset_open(&wheels, arguments[2], arguments[3], atof(arguments[4]), atof(arguments[5])) !=
+        CONTACTD_OK)
         return failed(contactd_last_error(NULL));
     mbc_nodal_t mbc = {0};
     mbc.mbc.data_and_next = 1; /* forces come with the word that the step is done */

@@ -1,10 +1,10 @@
-/* Both wheels of a wheelset on their rails, for a multibody program that has a place, a rotation and velocities, and wants
- * a force and a moment: what the adapters of Project Chrono and MBDyn share. C99 and C++.
+/* Both wheels of a wheelset on their rails, for a multibody program that has a place, a rotation and velocities, and
+ * wants a force and a moment: what the adapters of Project Chrono and MBDyn share. C99 and C++.
  *
- * All vectors are in the axes of the track: x forwards, y to the right, z down. Its origin is where the wheelset's centre
- * is when its tape circles stand on the plane of the tops of the rails, in the middle. Units are m, rad, s, N, N m. The
- * wheelset's own y axis is its axle, to the right. Heights are given by the motion and not by a load, so that nothing
- * is searched for; a wheel above its rail has no force. */
+ * All vectors are in the axes of the track: x forwards, y to the right, z down. Its origin is where the wheelset's
+ * centre is when its tape circles stand on the plane of the tops of the rails, in the middle. Units are m, rad, s, N, N
+ * m. The wheelset's own y axis is its axle, to the right. Heights are given by the motion and not by a load, so that
+ * nothing is searched for; a wheel above its rail has no force. */
 #ifndef CONTACTD_WHEELSET_H
 #define CONTACTD_WHEELSET_H
 

@@ -21,7 +21,9 @@ int part_starts(double* values) {
     return (int)(sizeof starts / sizeof *starts);
 }
 
-void part_begin(double* values) { values[Y] = values[Y0]; }
+void part_begin(double* values) {
+    values[Y] = values[Y0];
+}
 
 /* Velocities first and places by them: what swings keeps its energy but for the order of the step. */
 int part_step(double* v, double time, double size) {

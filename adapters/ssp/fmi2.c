@@ -16,8 +16,12 @@ static fmi2Status within(const Part* part, const fmi2ValueReference* references,
     return fmi2OK;
 }
 
-FMI2_Export const char* fmi2GetTypesPlatform(void) { return fmi2TypesPlatform; }
-FMI2_Export const char* fmi2GetVersion(void) { return fmi2Version; }
+FMI2_Export const char* fmi2GetTypesPlatform(void) {
+    return fmi2TypesPlatform;
+}
+FMI2_Export const char* fmi2GetVersion(void) {
+    return fmi2Version;
+}
 FMI2_Export fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean on, size_t count, const fmi2String names[]) {
     (void)c, (void)on, (void)count, (void)names;
     return fmi2OK;
@@ -31,19 +35,25 @@ FMI2_Export fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2St
     if (part) part->count = part_starts(part->values);
     return part;
 }
-FMI2_Export void fmi2FreeInstance(fmi2Component c) { free(c); }
+FMI2_Export void fmi2FreeInstance(fmi2Component c) {
+    free(c);
+}
 
 FMI2_Export fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean relative, fmi2Real tolerance, fmi2Real start,
                                            fmi2Boolean ends, fmi2Real stop) {
     (void)c, (void)relative, (void)tolerance, (void)start, (void)ends, (void)stop;
     return fmi2OK;
 }
-FMI2_Export fmi2Status fmi2EnterInitializationMode(fmi2Component c) { return c ? fmi2OK : fmi2Error; }
+FMI2_Export fmi2Status fmi2EnterInitializationMode(fmi2Component c) {
+    return c ? fmi2OK : fmi2Error;
+}
 FMI2_Export fmi2Status fmi2ExitInitializationMode(fmi2Component c) {
     part_begin(((Part*)c)->values);
     return fmi2OK;
 }
-FMI2_Export fmi2Status fmi2Terminate(fmi2Component c) { return c ? fmi2OK : fmi2Error; }
+FMI2_Export fmi2Status fmi2Terminate(fmi2Component c) {
+    return c ? fmi2OK : fmi2Error;
+}
 FMI2_Export fmi2Status fmi2Reset(fmi2Component c) {
     part_starts(((Part*)c)->values);
     return fmi2OK;

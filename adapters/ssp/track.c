@@ -24,5 +24,9 @@ static int place(double* v, double time) {
     return v[LENGTH] > 0 ? 0 : 1;
 }
 
-void part_begin(double* values) { place(values, 0); }
-int part_step(double* values, double time, double size) { return place(values, time + size); }
+void part_begin(double* values) {
+    place(values, 0);
+}
+int part_step(double* values, double time, double size) {
+    return place(values, time + size);
+}

@@ -18,6 +18,9 @@ PLACES = {
     "client/python/contactd/_version.py": [r'__version__ = "([^"]+)"'],
     "client/python/pyproject.toml": [r'^version = "([^"]+)"', r"contactd-local==([^\"]+)\"", r"contactd-daemon==([^\"]+)\""],
     "CITATION.cff": [r"^version: (\S+)"],
+    "docs/cite.md": [r"version = \{([^}]+)\}"],
+    "packaging/conda/recipe.yaml": [r"^  version: (\S+)"],
+    "packaging/spack/package.py": [r'^    version\("([^"]+)"\)'],
     "packaging/debian/changelog": [r"\Acontactd \(([^)-]+)"],
 }
 #: The version in three numbers.

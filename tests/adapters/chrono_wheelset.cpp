@@ -1,5 +1,5 @@
-// Motions of a wheelset from a file, in the format of stand_ins/mbc.h, to the load of wheelset_on_track.hpp; prints what it puts on
-// the track.
+// Motions of a wheelset from a file, in the format of stand_ins/mbc.h, to the load of wheelset_on_track.hpp; prints
+// what it puts on the track.
 #include "wheelset_on_track.hpp"
 
 #include <fstream>
@@ -14,7 +14,7 @@ chrono::ChVector3d vector_of(std::istream& in) {
     return {x, y, z};
 }
 
-} // namespace
+}  // namespace
 
 int main(int, char** arguments) {
     std::ifstream motions(arguments[1]);
@@ -33,8 +33,8 @@ int main(int, char** arguments) {
             motions >> std::ws;
             chrono::ChVector3d force, torque;
             load.ComputeBodyBodyForceTorque(frame, force, torque);
-            std::cout << force.x() << ' ' << force.y() << ' ' << force.z() << ' ' << torque.x() << ' ' << torque.y() << ' '
-                      << torque.z() << '\n';
+            std::cout << force.x() << ' ' << force.y() << ' ' << force.z() << ' ' << torque.x() << ' ' << torque.y()
+                      << ' ' << torque.z() << '\n';
         }
     } catch (const std::runtime_error& error) {
         std::cerr << error.what() << '\n';

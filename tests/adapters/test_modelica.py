@@ -51,7 +51,7 @@ def test_external_functions_have_the_arguments_that_are_handed_over():
     found = re.findall(r'function (\w+)(.*?)external "C" (?:(\w+) = )?(\w+)\(([^;]*?)\)\s*annotation', PACKAGE, re.DOTALL)
     assert len(found) == 3
     for _, body, answer, name, handed in found:
-        declared = dict((name, kind) for kind, name in re.findall(r"(?:input|output) (\w+) (\w+)", body))
+        declared = {name: kind for kind, name in re.findall(r"(?:input|output) (\w+) (\w+)", body)}
         (prototype,) = re.findall(rf"static (\S+) {name}\(([^)]*)\)", HEADER)
         expected = [" ".join(part.split()) for part in prototype[1].split(",")]
         arguments = [part.strip() for part in re.split(r",(?![^(]*\))", handed)]

@@ -103,6 +103,14 @@ def test_its_forces_are_those_of_wheels_that_are_asked_for_one_by_one(written):
             assert now[f"{side}.pmax"] == pytest.approx(max(patch.solution.pmax for patch in solution.patches), rel=1e-5)
 
 
+def test_the_program_of_its_page_runs(written):
+    page = (ROOT / "docs" / "plugged-in.md").read_text()
+    (program,) = re.findall(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
+    names: dict[str, Any] = {}
+    exec(compile(program.replace("build/fmu/wheelset.ssp", str(written)), "docs/plugged-in.md", "exec"), names)
+    assert names["run"]["body.y"].min() < -2.5
+
+
 def test_it_follows_a_bump_of_the_track(written):
     run = simulated(written, 0.5, body__y_start=0.0, track__height=4.0)
     assert run["track.y"].max() == pytest.approx(4, rel=1e-3)
@@ -128,4 +136,4 @@ def test_libcosim_runs_it_as_fmpy_does(written):
     run = simulated(written, 0.1)
     # FMPy hands values on after a step, libcosim before the first one, too: the way of up to two steps.
     assert told["body.y"] == pytest.approx(run["body.y"][-1], abs=2.2 * STEP * abs(run["body.y_rate"][-1]))
-    assert told["right.pmax"] == pytest.approx(run["right.pmax"][-1], rel=1e-3)
+    assert told["right.pmax"] == pytest.approx(run["right.pmax"][-1], rel=5e-3)
