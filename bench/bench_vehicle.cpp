@@ -1,4 +1,4 @@
-// What a step of the wheels of a vehicle costs under their loads (vehicle.hpp). Counters: the median and the 99th
+// Cost of a step of the wheels of a vehicle under their loads (vehicle.hpp). Counters: the median and the 99th
 // percentile of processor time a step (us), and the median over that of a product A p of 36 x 56 elements and over that
 // of a step at the heights that were found, all from one run.
 #include <benchmark/benchmark.h>
