@@ -4,6 +4,8 @@
 #include "closed_forms/undeformed_distance.hpp"
 #include "contact/rolling/rolling.hpp"
 #include "interface/entry.hpp"
+#include "problem/case_models.hpp"
+#include "problem/rail_setup.hpp"
 
 using namespace contactd;
 using namespace contactd::cntc;
@@ -86,9 +88,13 @@ Field field_of(int code, ContactCase& problem) {
     const Solved& solved = solution_of(problem);
     const ContactSolution& solution = solved.solution;
     const Units& units = problem.settings.units;
-    const bool on_rails = problem.settings.module == module_number::wheel_rail;  // whose solutions have them
+    const bool on_rails = problem.settings.module == module_number::wheel_rail;
     const auto displacements = [&] {
-        if (on_rails) return Displacements{solution.displacement_x, solution.displacement_y, solution.displacement_z};
+        const bool found = !solution.displacement_x.empty();  // with the solution, as of rows that are turned
+        if (found || (on_rails && models_of(problem.settings).model != Model::full))
+            return Displacements{solution.displacement_x, solution.displacement_y, solution.displacement_z};
+        if (on_rails)
+            return problem.solver.displacements_on_rail(solved.problem, solution, on_left_side(problem.settings));
         return problem.solver.displacements(solved.problem, solution);
     };
     switch (code) {

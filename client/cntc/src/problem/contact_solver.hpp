@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "contactd/contact.hpp"
 #include "contactd/contact_influence.hpp"
+#include "wheel_rail/patches/half_space_cache.hpp"
 
 namespace contactd::cntc {
 
@@ -21,6 +23,9 @@ class ContactSolver {
     /// InvalidArgument.
     ContactSolution solve(const ContactProblem& problem);
     Displacements displacements(const ContactProblem& problem, const ContactSolution& solution);
+    /// Those of a plane patch of a wheel on its rail, to the last bit as the solve of the wheel has them, which sees
+    /// left wheels in a mirror.
+    Displacements displacements_on_rail(const ContactProblem& problem, const ContactSolution& solution, bool is_left);
 
    private:
     /// The inputs that operators depend on, beside the step.
@@ -37,6 +42,8 @@ class ContactSolver {
     std::optional<Key> key_;
     std::array<double, 3> step_{};  ///< of rolling_of_operators
     ContactInfluence influence_;
+    std::optional<Bodies> bodies_on_rail_{};
+    std::unique_ptr<HalfSpaceCache> on_rail_{};  ///< of these bodies
 };
 
 }  // namespace contactd::cntc

@@ -236,7 +236,8 @@ WheelRailState state_of(const Settings& settings, const RailSettings& rail) {
     } else if (tangential == transient) {
         state.motion = WheelRailMotion::transient_rolling;
     }
-    state.displacements = models_of(settings).model == Model::full;
+    // Those of a plane patch are found when they are asked for.
+    state.displacements = models_of(settings).model == Model::full && conformal_of(settings) != Conformal::off;
     return state;
 }
 
