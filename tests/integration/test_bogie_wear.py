@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import os
+import subprocess
 import sys
 
 import numpy as np
 
 from contactd import EnergyWear, WearLaw
+from contactd.files.profile_text import format_profile
 from contactd.wear import WearStudy, WeightedState, evolve, read_states
 from contactd.wear.dynamics import Dynamics, evolve_with, states_of_stage
 from contactd.wheel_rail import WheelRailSetup, WheelRailState
 from support.daemons import BIN
+from support.slowness import SLOWER
 from support.wheelset import BOGIE
 
 LAW = WearLaw("energy", "a test", "lower", (0, 1000), energy=EnergyWear(6.75e-4))
@@ -33,3 +36,32 @@ def test_the_bogie_runs_on_the_wheels_that_it_has_worn(shared, tmp_path, monkeyp
     again = read_states(tmp_path / "stage-001" / "states.csv")
     assert len(again) == 9 and again != first
     assert np.isfinite(steps[-1].points).all() and steps[-1].removed > 0
+
+
+def critical(folder, *options):
+    program = [sys.executable, str(BOGIE / "wear_critical.py"), *options, str(folder)]
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(place for place in sys.path if place), "PATH": f"{BIN}:{os.environ['PATH']}"}
+    return subprocess.run(program, env=environment, capture_output=True, text=True, timeout=100 * SLOWER)
+
+
+def test_the_critical_speed_falls_with_the_conicity_of_the_wheels(tmp_path):
+    y = np.linspace(-60, 60, 241)
+    for stage, slope in enumerate((0.05, 0.2)):  # cones, whose conicity is their slope
+        folder = tmp_path / f"stage-{stage:03d}"
+        folder.mkdir()
+        (folder / "wheel.prw").write_text(format_profile(np.stack([y, -slope * y], axis=-1), "wheel", ".prw", ["a cone"]))
+        (folder / "distance.txt").write_text(f"{1000.0 * stage!r}\n")
+    ended = critical(tmp_path, "--contact", "linear", "--tolerance", "1", "--picture", str(tmp_path / "critical.png"))
+    assert ended.returncode == 0, ended.stderr
+    new, worn = np.genfromtxt(tmp_path / "critical.csv", delimiter=",", names=True)
+    assert (new["distance"], worn["distance"]) == (0, 1000)
+    assert new["growth_low"] < 0
+    assert new["critical_speed"] > 1.2 * worn["critical_speed"] > 48
+    assert (tmp_path / "critical.png").stat().st_size > 5000
+
+
+def test_a_folder_without_stages_and_speeds_that_are_none_are_refused(tmp_path):
+    ended = critical(tmp_path)
+    assert ended.returncode == 1 and "has no stage-000 with a wheel.prw" in ended.stderr
+    ended = critical(tmp_path, "--between", "80", "40")
+    assert ended.returncode == 2 and "the second above the first" in ended.stderr

@@ -16,6 +16,7 @@ from runs import Integrate, simulate, start, wheel_setups
 from vehicle import bogie
 
 from contactd import Client
+from contactd.wheel_rail import ProfileFile
 
 DISTURBANCE = 3.0  # mm, where the search for the critical speed starts from
 
@@ -26,10 +27,13 @@ FASTER = 12.0  # 1/s: the coach sways more slowly, whatever the speed
 ELEMENT = 0.5  # mm: differences of small motions show when elements come into contact
 
 
-def small_motions(client: Client, contact: str) -> Callable[[float], complex]:
-    """A function of the speed (m/s): growth (1/s) and angular frequency (1/s) of what is damped least across the track."""
+def small_motions(client: Client, contact: str, wheel: ProfileFile | None = None) -> Callable[[float], complex]:
+    """A function of the speed (m/s): growth (1/s) and angular frequency (1/s) of what is damped least across the track. All wheels
+    have the profile of the set-ups, or `wheel`."""
     vehicle = bogie()
     setups = wheel_setups(contact, vehicle, ELEMENT)
+    if wheel is not None:
+        setups = [setup.replace(wheel=wheel) for setup in setups]
     steps = {12 * body + place: step for body in range(len(vehicle.bodies)) for place, step in ACROSS.items()}
 
     def of_speed(speed: float) -> complex:
