@@ -226,7 +226,7 @@ def test_every_block_of_code_has_a_button_that_copies_it(site, tmp_path):
         assert browser.problems == []
 
 
-def test_no_page_is_cut_off_at_its_right_and_every_picture_is_there(site, tmp_path):
+def test_no_page_is_cut_off_at_its_right_or_light_in_the_dark_and_every_picture_is_there(site, tmp_path):
     look = """({
         cut: document.documentElement.scrollWidth - document.documentElement.clientWidth,
         missing: [...document.images].filter(image => image.naturalWidth == 0).map(image => image.src),
@@ -237,4 +237,7 @@ def test_no_page_is_cut_off_at_its_right_and_every_picture_is_there(site, tmp_pa
             for width in (390, 1100, 1330, 1700):  # a telephone; between them the contents of page and site come in
                 browser.resize(width, 900)
                 assert browser.evaluate(look) == {"cut": 0, "missing": []}, (page.path, width)
+            browser.send("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": "dark"}])
+            assert luminance(_colours(browser, "body")[0]) < 0.1, page.path
+            browser.send("Emulation.setEmulatedMedia", features=[])
         assert browser.problems == []
