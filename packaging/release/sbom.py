@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import re
 import subprocess
@@ -25,6 +26,12 @@ def libraries_in(path: Path) -> Iterator[tuple[str, str]]:
             yield found[1], found[2]
 
 
+def _sources_in(archive: Path | io.BytesIO) -> list[str]:
+    with zipfile.ZipFile(archive) as opened:
+        names = [name for name in opened.namelist() if name.lower().endswith("sources.txt")]
+        return [line for name in names for line in opened.read(name).decode().splitlines()]
+
+
 def _lines_in(path: Path) -> list[str]:
     if path.suffix == ".whl":
         with zipfile.ZipFile(path) as archive:
@@ -33,9 +40,10 @@ def _lines_in(path: Path) -> list[str]:
         asked = [f"{found[1]} {found[2]}" for line in lines if (found := re.match(r"Requires-Dist: ([\w-]+)([<>=][^;]+)$", line))]
         return [*asked, *(line[2:] for line in lines if line.startswith("- "))]
     if path.suffix in (".fmu", ".zip"):
+        return _sources_in(path)
+    if path.suffix == ".ssp":  # whose FMUs have theirs
         with zipfile.ZipFile(path) as archive:
-            names = [name for name in archive.namelist() if name.lower().endswith("sources.txt")]
-            return [line for name in names for line in archive.read(name).decode().splitlines()]
+            return [line for name in archive.namelist() if name.endswith(".fmu") for line in _sources_in(io.BytesIO(archive.read(name)))]
     if path.name.endswith(".tar.gz"):
         with tarfile.open(path) as archive:
             files = [archive.extractfile(member) for member in archive if member.name.lower().endswith("/sources.txt")]

@@ -87,3 +87,12 @@ def test_the_bill_lists_what_files_have_inside(tmp_path):
     assert (bill["bomFormat"], bill["specVersion"]) == ("CycloneDX", "1.5")
     (inside,) = (one["dependsOn"] for one in bill["dependencies"] if one["ref"] == "x.whl")
     assert {one["bom-ref"] for one in bill["components"]} >= set(inside) >= {"hdf5@1.14.5"}
+
+
+def test_the_bill_looks_into_the_fmus_of_an_archive(tmp_path):
+    with zipfile.ZipFile(tmp_path / "x.fmu", "w") as archive:
+        archive.writestr("documentation/licenses/sources.txt", "hdf5_1.14.5.orig.tar.gz\n")
+    with zipfile.ZipFile(tmp_path / "x.ssp", "w") as archive:
+        archive.write(tmp_path / "x.fmu", "resources/x.fmu")
+        archive.writestr("SystemStructure.ssd", "")
+    assert set(libraries_in(tmp_path / "x.ssp")) == {("hdf5", "1.14.5")}
