@@ -69,10 +69,9 @@ inline constexpr auto wheel_fields = std::to_array<Variable>({
              .role = Role::parameter,
              .unit = "",
              .start = 0,
-             .says =
-                 "How far forces, over the normal force, and fields, over their largest values, may be from those of a "
-                 "fresh solve with tight tolerances at the same height; 1e-4 is what real time wants. In place of the "
-                 "tolerances of settings and force, which are chosen by it. Left out: these tolerances. 0: left out.",
+             .says = "How far forces over the normal force, and largest values over these, may be from those with "
+                     "tight tolerances at the same height; real time wants 1e-4. In place of the tolerances of "
+                     "settings and force. 0: left out.",
              .path = "setup.accuracy",
              .zero_is_absent = true},
     Variable{.name = "position.pitch",

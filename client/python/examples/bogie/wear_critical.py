@@ -48,8 +48,8 @@ def stages_of(client: Client, folder: Path, contact: str, low: float, high: floa
         distance = float((place / "distance.txt").read_text())
         found.append(_stage(small_motions(client, contact, ProfileFile(place / "wheel.prw")), distance, low, high, tolerance))
         critical = found[-1].critical
-        told = f"{critical:.1f} m/s" if critical is not None else f"not between {low:g} and {high:g} m/s"
-        print(f"{distance:g} km: critical speed {told}", flush=True)
+        written = f"{critical:.1f} m/s" if critical is not None else f"not between {low:g} and {high:g} m/s"
+        print(f"{distance:g} km: critical speed {written}", flush=True)
     return found
 
 

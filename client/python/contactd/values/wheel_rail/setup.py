@@ -220,9 +220,9 @@ class WheelRailSetup(Saved):
             kinetic friction and prescribed tangential forces need; its iterations are at most 100 unless given.
         force: Search for a height that brings Fz: bounds of |F - Fz|/Fz, 1e-6 unless given, and of solves, 40 unless
             given.
-        accuracy: How far forces, over the normal force, and fields, over their largest values, may be from those of a
-            fresh solve with tight tolerances at the same height (1e-08 to 0.01); 1e-4 is what real time wants. In place
-            of the tolerances of settings and force, which are chosen by it. None: these tolerances.
+        accuracy: How far forces over the normal force, and largest values over these, may be from those with tight
+            tolerances at the same height (1e-08 to 0.01); real time wants 1e-4. In place of the tolerances of settings
+            and force.
     """
 
     side: Side | None = None
