@@ -115,6 +115,9 @@ void wheel(benchmark::State& state) {
     set(plain, "setup.dx", 0.5);
     set(plain, "setup.dy", 0.5);
     set(plain, "state.Fz", 80000);
+    for (const auto& [path, points] : {std::pair{"setup.rail.points", contactd::cntc::test::rail_60e1()},
+                                       {"setup.wheel.points", contactd::cntc::test::s1002()}})
+        check(contactd_set_array(plain, path, points.data(), static_cast<std::int32_t>(points.size())), plain);
     double forces[6];
     alternate(
         state,

@@ -66,7 +66,12 @@ void show(const WheelRailPatch& patch, const RailCase& rail, const Settings& com
     const WheelRailSetup& setup = rail.contact->setup();
     const ContactPlace& place = patch.place;
     const Motion motion = motion_of(place.creepages, setup, *rail.state);
-    Solved solved{{}, patch.solution};
+    // The arrays of the last step become those of this one.
+    if (!problem.solved) problem.solved.emplace();
+    Solved& solved = *problem.solved;
+    solved.problem = {};
+    solved.solution = patch.solution;
+    solved.sensitivities.reset();
     solved.problem.grid = place.grid;
     solved.problem.gap = patch.gap;
     solved.problem.bodies = setup.bodies;
@@ -89,7 +94,6 @@ void show(const WheelRailPatch& patch, const RailCase& rail, const Settings& com
     problem.settings.pen.reset();
     problem.settings.motion = creepages_of(motion);
     problem.settings.velocity = place.creepages.velocity;
-    problem.solved = std::move(solved);
     problem.blocks.clear();
     problem.current = true;
 }
