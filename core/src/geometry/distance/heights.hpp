@@ -39,9 +39,10 @@ struct PlanePoints {
 /// Heights of the rail's surface, shape [ny, nx] (mm), or [ny] of a rail that is the same all along.
 std::vector<double> rail_heights(const RailSurface& rail, const ContactReference& reference, const PlanePoints& points);
 
-/// Heights of the wheel's surface, shape [ny, nx] (mm).
+/// Heights of the wheel's surface, shape [ny, nx] (mm): those of rows in which a polynomial through a few of them has
+/// settled are its values.
 std::vector<double> wheel_heights(const WheelSurface& wheel, const ContactReference& reference,
-                                  const PlanePoints& points);
+                                  const PlanePoints& points, double settled = 1e-10);
 
 /// Heights of a wheel that is straight between the nodes of a mesh on it: as wide as the elements, along x and along
 /// its profile, around the contact's reference.

@@ -29,8 +29,7 @@ class WheelAbovePlane {
     }
 
     /// At the row's elements, from their nodes where the surface is smooth there; false, and nothing, elsewhere.
-    bool add_row_by_nodes(double y, const RowNodes& nodes, std::vector<double>& heights) {
-        constexpr double settled = 1e-10;  // mm
+    bool add_row_by_nodes(double y, const RowNodes& nodes, double settled, std::vector<double>& heights) {
         const bool goes_on = !lines_.empty();
         if (!goes_on) lines_.assign(RowNodes::count, Line(start_));
         RowNodes::Values values;
@@ -126,7 +125,7 @@ class WheelAbovePlane {
 }  // namespace
 
 std::vector<double> wheel_heights(const WheelSurface& wheel, const ContactReference& reference,
-                                  const PlanePoints& points) {
+                                  const PlanePoints& points, double settled) {
     WheelAbovePlane above(wheel, reference);
     std::vector<double> heights;
     heights.reserve(points.rows.size() * static_cast<std::size_t>(points.nx()));
@@ -134,7 +133,7 @@ std::vector<double> wheel_heights(const WheelSurface& wheel, const ContactRefere
     std::optional<RowNodes> nodes;
     if (wheel.is_round() && points.nx() >= worthwhile) nodes.emplace(points.x(0), points.columns.dx, points.nx());
     for (const double y : points.rows)
-        if (!nodes || !above.add_row_by_nodes(y, *nodes, heights))
+        if (!nodes || !above.add_row_by_nodes(y, *nodes, settled, heights))
             above.add_row(y, points.x(0), points.columns.dx, points.nx(), heights);
     return heights;
 }

@@ -17,9 +17,10 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double part_of_radius = 0.125;  // how far to both sides
 constexpr std::size_t side = 8;           // of a square, in steps
 constexpr double least_dent = 0.02;       // mm: by how much a gap within a square may be less than those at its corners
-constexpr double slope_dent = 0.5;        // and of the difference of these
-constexpr int most_nodes = 10'000'000;    // 80 MB of gaps
-constexpr double unknown_dent = 0.5;      // of the square's width, where there is a corner without wheel or rail
+constexpr double coarsely_settled = 1e-3;  // mm: those at corners may be off by this, which is little of that
+constexpr double slope_dent = 0.5;         // and of the difference of these
+constexpr int most_nodes = 10'000'000;     // 80 MB of gaps
+constexpr double unknown_dent = 0.5;       // of the square's width, where there is a corner without wheel or rail
 
 std::size_t squares_of(std::size_t lines) {
     return (lines - 1 + side - 1) / side;
@@ -47,9 +48,12 @@ GapMesh::GapMesh(const WheelSurface& wheel, const RailSurface& rail, double step
         rows_.push_back({y, place.at.z, std::atan2(place.slope.z, place.slope.y)});
     }
     gaps_.assign(columns_ * count, infinite);
-    done_.assign(squares_of(columns_) * squares_of(count), false);
-    look_at({{0, 0}, {columns_ - 1, count - 1}}, side);
-    if (least_gap_ < infinite) look_below(least_gap_);
+    const double least = look_at({{0, 0}, {columns_ - 1, count - 1}}, side, coarsely_settled);
+    const std::size_t across = squares_of(columns_), along = squares_of(count);
+    for (std::size_t k = 0; k < across * along; ++k) floors_.push_back(floor_of(square(k % across, k / across)));
+    if (!(least < infinite)) return;
+    look_below(least + coarsely_settled);
+    look_below(least_gap_);
 }
 
 GapMesh::Square GapMesh::square(std::size_t column, std::size_t row) const {
@@ -58,33 +62,36 @@ GapMesh::Square GapMesh::square(std::size_t column, std::size_t row) const {
 }
 
 // The last lines are looked at whatever `every` leaves out.
-void GapMesh::look_at(const Square& square, std::size_t every) {
+double GapMesh::look_at(const Square& square, std::size_t every, double settled) {
+    observer_.throw_if_cancelled();
     const ContactReference plane{0, 0.5 * (rail_.visible().low + rail_.visible().high), 0, 0};
     const auto& [from, to] = square;
-    const auto next = [every](std::size_t line, std::size_t last) {
-        return line < last ? std::min(line + every, last) : line + 1;
-    };
-    for (std::size_t row = from.row; row <= to.row; row = next(row, to.row)) {
-        observer_.throw_if_cancelled();
-        const double y = rows_[row].y - plane.y;
-        const auto look = [&](std::size_t first, std::size_t count, std::size_t step) {
-            const double dx = static_cast<double>(step) * step_x_;
-            const Grid grid{static_cast<int>(count), 1, dx, 1, x(first) - 0.5 * dx, y - 0.5};
-            const std::vector<double> wheel = wheel_heights(wheel_, plane, grid);
+    std::vector<std::size_t> rows;
+    for (std::size_t row = from.row; row < to.row; row += every) rows.push_back(row);
+    rows.push_back(to.row);
+    std::vector<double> y;
+    for (const std::size_t row : rows) y.push_back(rows_[row].y - plane.y);
+    double least = infinite;
+    const auto look = [&](std::size_t first, std::size_t count, std::size_t step) {
+        const double dx = static_cast<double>(step) * step_x_;
+        const Grid columns{static_cast<int>(count), 1, dx, step_y_, x(first) - 0.5 * dx, 0};
+        const std::vector<double> wheel = wheel_heights(wheel_, plane, {columns, y}, settled);
+        for (std::size_t j = 0; j < rows.size(); ++j)
             for (std::size_t i = 0; i < count; ++i) {
-                const Node node{first + i * step, row};
-                const double gap = rail_.z_at(x(node.column), rows_[row].y, rows_[row].rail_z) - wheel[i];
+                const Node node{first + i * step, rows[j]};
+                const GapMesh::Row& row = rows_[node.row];
+                const double gap = rail_.z_at(x(node.column), row.y, row.rail_z) - wheel[j * count + i];
                 gaps_[index(node)] = std::isnan(gap) ? infinite : gap;
-                least_gap_ = std::min(least_gap_, gaps_[index(node)]);
+                least = std::min(least, gaps_[index(node)]);
             }
-        };
-        const std::size_t count = (to.column - from.column) / every + 1;
-        look(from.column, count, every);
-        if (from.column + (count - 1) * every < to.column) look(to.column, 1, 1);
-    }
+    };
+    const std::size_t count = (to.column - from.column) / every + 1;
+    look(from.column, count, every);
+    if (from.column + (count - 1) * every < to.column) look(to.column, 1, 1);
+    return least;
 }
 
-bool GapMesh::may_be_below(const Square& square, double height) const {
+double GapMesh::floor_of(const Square& square) const {
     const auto& [from, to] = square;
     double least = infinite, largest = -infinite;
     bool known = true;
@@ -98,25 +105,41 @@ bool GapMesh::may_be_below(const Square& square, double height) const {
     const double edge = 0.5 * wheel_.steepest() * static_cast<double>(side) * step_x_;
     double dent = least_dent + edge + (least < infinite ? slope_dent * (largest - least) : 0);
     if (!known) dent += unknown_dent * static_cast<double>(side) * std::max(step_x_, step_y_);
-    return least - dent <= height;
+    return least - dent;
 }
 
+// Squares that lie beside each other are looked at together: along a row a wheel is smooth.
 void GapMesh::look_below(double height) {
+    constexpr double done = infinite, settled = 1e-8;  // mm: what is left out of a circle is a thousand times less
     const std::size_t across = squares_of(columns_);
-    for (std::size_t k = 0; k < done_.size(); ++k) {
-        if (done_[k]) continue;
-        const Square here = square(k % across, k / across);
-        if (!may_be_below(here, height)) continue;
-        done_[k] = true;
-        look_at(here, 1);
+    for (std::size_t k = 0; k < floors_.size();) {
+        if (!(floors_[k] <= height)) {
+            ++k;
+            continue;
+        }
+        const Square first = square(k % across, k / across);
+        Square last = first;
+        const std::size_t end_of_row = (k / across + 1) * across;
+        for (; k < end_of_row && floors_[k] <= height; ++k) {
+            floors_[k] = done;
+            last = square(k % across, k / across);
+        }
+        least_gap_ = std::min(least_gap_, look_at({first.from, last.to}, 1, settled));
+        looked_at_.from = {std::min(looked_at_.from.column, first.from.column),
+                           std::min(looked_at_.from.row, first.from.row)};
+        looked_at_.to = {std::max(looked_at_.to.column, last.to.column), std::max(looked_at_.to.row, last.to.row)};
     }
 }
 
 std::vector<std::vector<Node>> GapMesh::connected_below(double z) const {
     std::vector<std::vector<Node>> parts;
     std::vector<bool> seen(gaps_.size());
-    for (std::size_t i = gaps_.size(); i-- > 0;)
-        if (gaps_[i] < z && !seen[i]) parts.push_back(spread({i % columns_, i / columns_}, z, seen));
+    if (looked_at_.from.row > looked_at_.to.row) return parts;
+    for (std::size_t row = looked_at_.to.row + 1; row-- > looked_at_.from.row;)
+        for (std::size_t column = looked_at_.to.column + 1; column-- > looked_at_.from.column;) {
+            const std::size_t i = index({column, row});
+            if (gaps_[i] < z && !seen[i]) parts.push_back(spread({column, row}, z, seen));
+        }
     return parts;
 }
 

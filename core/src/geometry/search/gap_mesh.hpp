@@ -25,6 +25,10 @@ class GapMesh {
     struct Node {
         std::size_t column, row;
     };
+    /// Reaches from its first node to its last one on both lines.
+    struct Square {
+        Node from, to;
+    };
 
     /// The wheel stands at z = 0. All must live longer. Steps in mm. Throws InvalidArgument ("dx") for nodes that are
     /// too many, and here and later Cancelled when the observer, which is asked row by row, says so.
@@ -44,18 +48,18 @@ class GapMesh {
     double step_x() const { return step_x_; }
     double step_y() const { return step_y_; }
 
+    /// Nodes that may have a gap below the height that was looked below last lie in it.
+    const Square& looked_at() const { return looked_at_; }
+
     /// Connected nodes, also by corners, with a gap below z, which were looked at; by descending y.
     std::vector<std::vector<Node>> connected_below(double z) const;
 
    private:
-    /// A square reaches from its first node to the one behind it on both lines.
-    struct Square {
-        Node from, to;
-    };
-
     Square square(std::size_t column, std::size_t row) const;
-    void look_at(const Square& square, std::size_t every);
-    bool may_be_below(const Square& square, double height) const;
+    /// Returns the least gap. Heights are those of polynomials that have settled so far (mm).
+    double look_at(const Square& square, std::size_t every, double settled);
+    /// Returns what no gap in the square is below, by those at its corners.
+    double floor_of(const Square& square) const;
     std::vector<Node> spread(const Node& start, double z, std::vector<bool>& seen) const;
 
     const WheelSurface& wheel_;
@@ -65,7 +69,8 @@ class GapMesh {
     std::size_t columns_;
     std::vector<Row> rows_;
     std::vector<double> gaps_;
-    std::vector<bool> done_;  // squares, by rows of them
+    std::vector<double> floors_;  // of squares, by rows of them; infinite of those that were looked at
+    Square looked_at_{{static_cast<std::size_t>(-1), static_cast<std::size_t>(-1)}, {0, 0}};  // around all of these
     double least_gap_;
 };
 

@@ -63,9 +63,10 @@ OverlapRegion MeshSearch::region_of(const std::vector<Node>& nodes, double z) co
 
 template <class Visit>
 void MeshSearch::for_each(double z, const RegionGroup& group, const Visit& visit) const {
-    for (std::size_t row = 0; row < mesh_.rows().size(); ++row) {
+    const auto& [from, to] = mesh_.looked_at();
+    for (std::size_t row = from.row; row <= to.row; ++row) {
         if (mesh_.y(row) < group.y.from || mesh_.y(row) > group.y.to) continue;
-        for (std::size_t column = 0; column < mesh_.columns(); ++column) {
+        for (std::size_t column = from.column; column <= to.column; ++column) {
             if (mesh_.x(column) < group.x.from || mesh_.x(column) > group.x.to) continue;
             const Node node{column, row};
             if (mesh_.gap(node) < z) visit(node, z - mesh_.gap(node));
