@@ -66,7 +66,7 @@ class EventReader : public nlohmann::json_sax<json> {
     bool parse_error(std::size_t position, const std::string& token, const json::exception& problem) override {
         if (text_.empty()) fail(reason::not_json, "is empty; it must be a JSON object");
         const std::size_t last = std::min(position, text_.size()) - (position > 0 ? 1 : 0);
-        if (const auto token = non_finite_token(text_, last); !token.empty()) refuse_number(token);
+        if (const auto number = non_finite_token(text_, last); !number.empty()) refuse_number(number);
         if (problem.id == number_overflow) refuse_number(token);
         std::string detail = problem.what();
         if (const auto at = detail.find(": "); at != std::string::npos) detail.erase(0, at + 2);

@@ -1,6 +1,7 @@
 // A right rail, or the roller in its place, in track coordinates.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -46,6 +47,10 @@ class RailSurface {
     bool is_sliced() const { return slices_ != nullptr; }
     /// The profile at x; that of rollers is turned about their axle, by the two functions below.
     ProfileCurve section(double x) const { return slices_ ? slices_->at(x_ + x) : profile_; }
+    /// Returns where the next slice behind x is; infinite where there is none.
+    double next_slice(double x) const {
+        return slices_ ? slices_->next_slice(x_ + x) - x_ : std::numeric_limits<double>::infinity();
+    }
     double turned_z(double x, double z) const { return axle_ ? roller_z(x, z) : z; }
     double turned_slope(double x, double z) const;  ///< its derivative by z
 

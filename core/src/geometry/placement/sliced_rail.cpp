@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -151,6 +152,11 @@ void SlicedRail::join_at_feature(Stretch& before, Stretch& behind) {
                 at.curving += share * (to.curving - from.curving);
             }
         }
+}
+
+double SlicedRail::next_slice(double x) const {
+    const auto next = std::upper_bound(x_.begin(), x_.end(), x);
+    return next == x_.end() ? std::numeric_limits<double>::infinity() : *next;
 }
 
 ProfileCurve SlicedRail::at(double x) const {

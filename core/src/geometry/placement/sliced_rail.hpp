@@ -29,6 +29,8 @@ class SlicedRail {
 
     /// The profile at a place along the track.
     ProfileCurve at(double x) const;
+    /// Returns the place of the first slice behind x; infinite behind the last one. Up to there the surface is smooth.
+    double next_slice(double x) const;
 
    private:
     /// A part of the profile, from the first slice to the last of some that all have it.
