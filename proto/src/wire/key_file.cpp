@@ -57,8 +57,8 @@ KeyFile parse_key_file(std::string_view text) {
 }
 
 KeyFile read_key_file(const std::filesystem::path& path) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(status_of(path)) || std::filesystem::file_size(path, error) > largest_file)
+    std::error_code no_size;
+    if (!std::filesystem::is_regular_file(status_of(path)) || std::filesystem::file_size(path, no_size) > largest_file)
         throw Error("The key file " + path.string() + " is no ordinary file of a few lines.");
     std::ifstream file(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};

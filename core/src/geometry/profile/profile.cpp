@@ -1,6 +1,7 @@
 #include "contactd/profile.hpp"
 
 #include <cmath>
+#include <mutex>
 #include <string>
 
 #include "contactd/error.hpp"
@@ -21,16 +22,20 @@ constexpr double largest_coordinate = 1e5, narrowest = 1e-6;  // mm
 void check(const std::vector<ProfilePoint>& points, const std::vector<std::size_t>& kinks) {
     if (points.size() < 2)
         throw InvalidArgument("points", "are " + std::to_string(points.size()) + "; a profile needs two at least");
+    // Rails that vary along the track make many profiles: nothing but the numbers is looked at where all is right.
+    const auto field = [](std::size_t i) { return "points[" + std::to_string(i) + "]"; };
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto& [y, z] = points[i];
-        const std::string field = "points[" + std::to_string(i) + "]";
         for (const double coordinate : {y, z})
             if (!(std::abs(coordinate) <= largest_coordinate))
-                throw InvalidArgument(
-                    field, "has the coordinate " + number_text(coordinate) + "; it must be finite and 1e5 mm at most");
-        if (i > 0 && std::hypot(y - points[i - 1].y, z - points[i - 1].z) < 1e-9)
-            throw InvalidArgument(field, "is the point before it, (" + number_text(y) + ", " + number_text(z) +
-                                             "); neighbours must differ, leave one of them out");
+                throw InvalidArgument(field(i), "has the coordinate " + number_text(coordinate) +
+                                                    "; it must be finite and 1e5 mm at most");
+        if (i == 0) continue;
+        constexpr double nearest = 1e-9;  // mm
+        const double aside = y - points[i - 1].y, up = z - points[i - 1].z;
+        if (aside * aside + up * up < nearest * nearest)
+            throw InvalidArgument(field(i), "is the point before it, (" + number_text(y) + ", " + number_text(z) +
+                                                "); neighbours must differ, leave one of them out");
     }
     for (std::size_t i = 0; i < kinks.size(); ++i) {
         const std::string field = "kinks[" + std::to_string(i) + "]", is = "is " + std::to_string(kinks[i]);
@@ -57,14 +62,12 @@ struct ProfileCurve::Tables {
     std::vector<std::size_t> kinks;
     IntervalFinder by_s;
     std::vector<SplinePiece> pieces;
-    std::vector<double> arc_lengths;  // at the points
-    double y_sense = 0;               // 1 where y of the points ascends, -1 where it descends, otherwise 0
-    IntervalFinder by_y;              // of y times its sense
+    double y_sense = 0;   // 1 where y of the points ascends, -1 where it descends, otherwise 0
+    IntervalFinder by_y;  // of y times its sense
 
     Tables(std::vector<ProfilePoint>&& points_, std::vector<std::size_t>&& kinks_)
         : points(std::move(points_)), kinks(std::move(kinks_)), by_s(chord_lengths(points)) {
         fit();
-        measure();
         find_sense();
     }
 
@@ -94,10 +97,14 @@ struct ProfileCurve::Tables {
         }
     }
 
-    void measure() {
-        arc_lengths.push_back(0);
-        for (std::size_t i = 0; i < pieces.size(); ++i)
-            arc_lengths.push_back(arc_lengths.back() + pieces[i].length(width(i)));
+    /// Returns the lengths at the points, which are measured when somebody asks: sections of rails live a step only.
+    const std::vector<double>& arc_lengths() const {
+        std::call_once(measured_, [this] {
+            arc_lengths_.push_back(0);
+            for (std::size_t i = 0; i < pieces.size(); ++i)
+                arc_lengths_.push_back(arc_lengths_.back() + pieces[i].length(width(i)));
+        });
+        return arc_lengths_;
     }
 
     void find_sense() {
@@ -133,6 +140,10 @@ struct ProfileCurve::Tables {
         }
         return knots()[nearest];
     }
+
+   private:
+    mutable std::once_flag measured_;
+    mutable std::vector<double> arc_lengths_{};
 };
 
 ProfileCurve::ProfileCurve(std::vector<ProfilePoint> points, std::vector<std::size_t> kinks) {
@@ -186,12 +197,12 @@ double ProfileCurve::arc_length(double s) const {
     const double inside = s > 0 ? std::min(s, end()) : 0.0;
     const std::size_t interval = tables_->by_s(inside);
     const ProfilePoint along = slope(inside);
-    return tables_->arc_lengths[interval] + tables_->pieces[interval].length(inside - tables_->knots()[interval]) +
+    return tables_->arc_lengths()[interval] + tables_->pieces[interval].length(inside - tables_->knots()[interval]) +
            (s - inside) * std::hypot(along.y, along.z);
 }
 
 double ProfileCurve::s_at_arc_length(double arc_length) const {
-    const auto& lengths = tables_->arc_lengths;
+    const auto& lengths = tables_->arc_lengths();
     if (!(arc_length > 0 && arc_length < lengths.back())) {
         const double nearest = arc_length > 0 ? end() : 0.0;
         const ProfilePoint along = slope(nearest);
