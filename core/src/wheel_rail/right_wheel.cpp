@@ -189,7 +189,7 @@ WheelRailSolution RightWheel::at(double z, std::vector<CandidatePatch> candidate
 }
 
 Placement RightWheel::placed(double z, std::vector<CandidatePatch> candidates, Observer& observer) const {
-    Placement placement{z, 0.05 * setup_.force.tolerance};
+    Placement placement{z, 0.05 * setup_.force.tolerance, setup_.accuracy};
     const TractionHistory history = history_of(candidates);
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         CandidatePatch& found = candidates[i];

@@ -1,6 +1,7 @@
 // Patches of a wheel at one height, ready to be solved there and close by.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -31,8 +32,12 @@ class Placement {
         mutable std::optional<ContactInfluence> influence_{};
     };
 
-    /// The tolerance is by how much of the approach gaps may change near `z` (mm) without being taken anew.
-    Placement(double z, double tolerance) : z_(z), tolerance_(tolerance) {}
+    /// The tolerance is by how much of the approach gaps may change near `z` (mm) without being taken anew; so that
+    /// largest values keep to an accuracy where one is asked for, what the elements lie about may not move far, either.
+    Placement(double z, double tolerance, std::optional<double> accuracy) : z_(z), tolerance_(tolerance) {
+        constexpr double per_accuracy = 0.1;  // mm
+        if (accuracy) reach_ = std::min(reach_, per_accuracy * *accuracy);
+    }
 
     void add(geometry::CandidatePatch found, ContactProblem problem);
 
