@@ -50,9 +50,9 @@ class Section {
 };
 
 /// Columns of a rail that goes from slice to slice.
-class SlicedColumns {
+class RailFromSlices {
    public:
-    SlicedColumns(const RailSurface& rail, const ContactReference& reference, const PlanePoints& points)
+    RailFromSlices(const RailSurface& rail, const ContactReference& reference, const PlanePoints& points)
         : rail_(rail), reference_(reference), points_(points) {}
 
     std::vector<double> heights() {
@@ -112,7 +112,7 @@ class SlicedColumns {
 
 std::vector<double> rail_heights(const RailSurface& rail, const ContactReference& reference,
                                  const PlanePoints& points) {
-    if (rail.is_sliced()) return SlicedColumns(rail, reference, points).heights();
+    if (rail.is_sliced()) return RailFromSlices(rail, reference, points).heights();
     const auto nx = static_cast<std::size_t>(rail.varies() ? points.nx() : 1), ny = points.rows.size();
     std::vector<double> heights(nx * ny);
     Section section(rail, rail.profile(), reference);
