@@ -9,9 +9,8 @@ from typing import Any
 import click
 import numpy as np
 
+from contactd.files.number_text import rows_of
 from contactd.files.whole import check_npy, read_whole
-
-from .number_text import rows_of
 
 __all__ = ["read_array"]
 

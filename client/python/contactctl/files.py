@@ -17,7 +17,7 @@ from contactd.wheel_rail import ProfileFile
 from .array_files import read_array
 from .yaml_files import parse_yaml
 
-__all__ = ["read_document", "read_named", "read_object", "with_arrays", "writable", "write_text"]
+__all__ = ["read_document", "read_named", "read_object", "with_arrays", "writable", "writable_folder", "write_text"]
 
 _DEEPEST = 50  #: levels of fields; no request has a quarter of them
 _MOST_BYTES = 1 << 25  #: of a document; what is larger is arrays, which have files of their own
@@ -72,6 +72,17 @@ def writable(option: str, path: str | Path) -> Path:
     is_written_to = place.exists() and not place.is_file()  # others are put in place
     needed = [place] if is_written_to else [folder, place] if place.exists() else [folder]
     if not all(os.access(path, os.W_OK) for path in needed):
+        raise click.UsageError(f"{option} {path} cannot be written: permission is denied.")
+    return place
+
+
+def writable_folder(option: str, path: str | Path) -> Path:
+    """Likewise of a folder, which is made where there is none. Raises click.UsageError."""
+    place = Path(path)
+    there = next(folder for folder in (place.absolute(), *place.absolute().parents) if folder.exists())
+    if not there.is_dir():
+        raise click.UsageError(f"{option} {path} must be the name of a folder, and {there.name} is a file.")
+    if not os.access(there, os.W_OK | os.X_OK):
         raise click.UsageError(f"{option} {path} cannot be written: permission is denied.")
     return place
 

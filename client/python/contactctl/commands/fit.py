@@ -15,13 +15,13 @@ import typer
 
 import contactd
 from contactd import Fit, FitFailed
+from contactd.files.number_text import number_in, rows_of
 from contactd.files.whole import read_whole, write_whole
 
 from ..asking import reports_of_rounds
 from ..codes import Code, Ended, code_of
 from ..common import Command, connected, setting
 from ..files import read_object, writable, write_text
-from ..number_text import number_in, rows_of
 from ..output import emit, facts, listing, number, plain_json, warn
 from ..paths import changed
 from ..progress import Bar
@@ -129,8 +129,8 @@ def _columns(text: str, count: int, file: Path) -> list[int]:
         found = [int(word) - 1 for word in text.split(",")]
     except ValueError:
         found = []
-    if len(found) not in (2, 3) or not all(0 <= index < count for index in found):
-        raise click.UsageError(f"--columns {text}: it must be two or three numbers of columns, 1 to {count} in {file}, such as 1,2.")
+    if len(found) not in (2, 3) or len(set(found)) < len(found) or not all(0 <= index < count for index in found):
+        raise click.UsageError(f"--columns {text}: it must be two or three different columns, 1 to {count} in {file}, such as 1,2.")
     return found
 
 

@@ -14,12 +14,12 @@ import typer
 
 from contactd import Client, ContactdError, ContactWarning
 from contactd.calls.answer_warnings import sentences_in
+from contactd.files.number_text import table_of
 from contactd.files.whole import read_whole
 
 from ..asking import ask
 from ..common import Command, connected, setting
 from ..files import read_object
-from ..number_text import table_of
 from ..output import emit, listing, warn
 from ..paths import changed, put
 from ..progress import Bar

@@ -20,7 +20,7 @@ from contactd.wheel_rail import WheelRailState
 
 from ..codes import Code, Ended
 from ..common import Command, connected, setting
-from ..files import writable, write_text
+from ..files import writable, writable_folder, write_text
 from ..output import emit, listing, note, span, warn
 from ..progress import Bar
 from ..saving import need
@@ -84,6 +84,9 @@ def wear(
     study = read_study(file) if dynamics is None else _study_of(file, dynamics, fresh)
     if profile is not None:
         writable("--profile", profile)
+    for option, folder in (("--profiles", profiles), ("--pictures", pictures)):
+        if folder is not None:
+            writable_folder(option, folder)
     if part is not None and part.index > 0:
         _help(study, output, part, workers, longest_wait)
         return
@@ -91,7 +94,7 @@ def wear(
     try:
         measures = _evolve(study, steps, output, workers, part, longest_wait, dask, pictures is not None, dynamics)
     except BaseException:
-        if steps:
+        if len(steps) > 1:
             note(f"{steps[-1].distance:g} of {study.until:g} {study.unit} are in {output}; the same command goes on.")
         raise
     if profile is not None:
@@ -141,6 +144,8 @@ def _before(output: Path, study: WearStudy, fresh: bool) -> list[WornStep]:
     try:
         return read_record(output, study)
     except InvalidArgument as error:
+        if len(read_record(output)) < 2:  # that study was refused, and nothing of it would be lost
+            return []
         raise Ended(Code.USAGE, f"{error} --fresh begins anew.") from None
     except (OSError, KeyError):
         raise Ended(Code.USAGE, f"{output} holds no steps of wear; --fresh writes over it.") from None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from typing import Any
@@ -16,26 +17,34 @@ from .journal import Journal
 from .plan import Case, Plan
 from .solving import row_of
 
-__all__ = ["client_of_worker", "run_by_dask"]
+__all__ = ["client_of_worker", "dask_at", "run_by_dask"]
 
 _CLIENTS: dict[Any, Client] = {}  #: of this worker, by what was said of the daemon
+_ADDRESS = re.compile(r"^inproc://|:\d+/?$")
 _OPEN = ExitStack()  #: what solves in process ends with the worker
+
+
+def dask_at(scheduler: str) -> Any:
+    """A client of Dask, which closes at the end of a `with`. Raises click.UsageError, and ConnectionFailed where nobody answers."""
+    try:
+        from dask.distributed import Client as Dask
+    except ImportError:
+        raise click.UsageError("--dask needs dask.distributed: pip install distributed, or on Debian python3-distributed.") from None
+    if not _ADDRESS.search(scheduler):  # with which Dask's client would not close, either
+        raise click.UsageError(f"--dask is {scheduler!r}; it must be the address of a scheduler with its port, such as tcp://host:8786.")
+    try:
+        return Dask(scheduler, timeout=10, set_as_default=False)
+    except (OSError, ValueError) as error:
+        raise contactd.ConnectionFailed(f"No Dask scheduler answers at {scheduler}: {error}") from None
 
 
 def run_by_dask(
     scheduler: str, given: Setting, plan: Plan, cases: Sequence[Case], journal: Journal, on_row: Callable[[], None]
 ) -> None:
     """Adds a row for each case, and tells `on_row`. The package must be installed where the workers are."""
-    try:
-        from dask.distributed import Client as Dask
+    with dask_at(scheduler) as dask:
         from dask.distributed import as_completed
-    except ImportError:
-        raise click.UsageError("--dask needs dask.distributed: pip install distributed, or on Debian python3-distributed.") from None
-    try:
-        dask = Dask(scheduler, timeout=10, set_as_default=False)
-    except (OSError, ValueError) as error:
-        raise contactd.ConnectionFailed(f"No Dask scheduler answers at {scheduler}: {error}") from None
-    with dask:
+
         by_key = {case.key: case for case in cases}
         arguments = [(case.key, plan.params(case)) for case in cases]
         futures = dask.map(_solved, arguments, method=plan.method, varying=plan.names, answers=plan.answers, given=vars(given), pure=False)

@@ -9,14 +9,14 @@ from typing import Any
 import click
 import numpy as np
 
-from contactd import InvalidArgument, __version__
+from contactd import __version__
 from contactd.files.whole import write_whole
-from contactd.wear import read_states
 from contactd.wear.slices import DepthMap, depths_along
 
 from ..common import connected, setting
 from ..files import read_object
 from ..output import emit, listing
+from .reading import states_of
 
 __all__ = ["is_along", "wear_along"]
 
@@ -45,12 +45,7 @@ def wear_along(file: str, output: Path) -> None:
     until = given["until"]
     if isinstance(until, bool) or not isinstance(until, (int, float)) or not until > 0:
         raise click.UsageError(f"{file}: until is {until!r}; it must be a positive number of passages.")
-    try:
-        states = read_states(Path(file).parent / str(given["states"]))
-    except InvalidArgument as error:
-        raise click.UsageError(f"{file}: {error}") from None
-    except OSError as error:
-        raise click.UsageError(f"{given['states']}: {error.strerror}") from None
+    states = states_of(Path(file).parent / str(given["states"]))
     with connected() as client:
         found = depths_along(client, given["setup"], states, law, x, y, energy=given.get("energy", "scaled"))
     _write(output, given, found, float(until))

@@ -6,13 +6,10 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
-import click
-
-from contactd import ConnectionFailed
 from contactd.wear.evolution import Solve
 
 from ..common import Setting
-from ..study.by_dask import client_of_worker
+from ..study.by_dask import client_of_worker, dask_at
 
 __all__ = ["solving_by_dask"]
 
@@ -20,15 +17,11 @@ __all__ = ["solving_by_dask"]
 @contextmanager
 def solving_by_dask(scheduler: str, given: Setting) -> Iterator[Solve]:
     """Each state by a worker, on which the package must be installed."""
-    try:
-        from dask.distributed import Client as Dask
-    except ImportError:
-        raise click.UsageError("--dask needs dask.distributed: pip install distributed, or on Debian python3-distributed.") from None
-    try:
-        dask = Dask(scheduler, timeout=10, set_as_default=False)
-    except (OSError, ValueError) as error:
-        raise ConnectionFailed(f"No Dask scheduler answers at {scheduler}: {error}") from None
+    with dask_at(scheduler) as dask:
+        yield _solving(dask, given)
 
+
+def _solving(dask: Any, given: Setting) -> Solve:
     def solve(requests: Sequence[dict[str, Any]], tell: Callable[[int], None]) -> list[dict[str, Any]]:
         futures = dask.map(_solved, list(requests), given=vars(given), pure=False)
         found = []
@@ -40,8 +33,7 @@ def solving_by_dask(scheduler: str, given: Setting) -> Iterator[Solve]:
             dask.cancel(futures)
         return found
 
-    with dask:
-        yield solve
+    return solve
 
 
 def _solved(params: dict[str, Any], given: dict[str, Any]) -> dict[str, Any]:

@@ -16,7 +16,7 @@ from contactd.wear.dynamics import Dynamics
 
 from ..files import read_object
 
-__all__ = ["FIELDS", "read_dynamics", "read_study"]
+__all__ = ["FIELDS", "read_dynamics", "read_study", "states_of"]
 
 FIELDS = {
     "setup", "states", "wears", "law", "rail_law", "passages_per_km", "symmetric", "fatigue", "until", "step", "smoothing", "energy",
@@ -56,12 +56,21 @@ def read_study(file: str, states: Sequence[WeightedState] | None = None) -> Wear
         _number(file, name, given.get(name))
     for name in ("depth", "distance"):
         _number(file, f"step.{name}", step.get(name))
+    states = states or states_of(place)
     try:
-        return WearStudy(_object(file, given, "setup"), states or read_states(place), given["wears"], given["law"], given["until"], **step, **named)
+        return WearStudy(_object(file, given, "setup"), states, given["wears"], given["law"], given["until"], **step, **named)
     except InvalidArgument as error:
         raise click.UsageError(f"{file}: {error}") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise click.UsageError(f"{place}: {getattr(error, 'strerror', None) or 'it is no text'}") from None
+
+
+def states_of(place: Path) -> Sequence[WeightedState]:
+    """The states of a file. Raises click.UsageError naming it."""
+    try:
+        return read_states(place)
+    except InvalidArgument as error:
+        raise click.UsageError(f"{place}: {error}") from None
+    except OSError as error:
+        raise click.UsageError(f"{place}: {error.strerror or error}") from None
 
 
 def read_dynamics(file: str, folder: Path) -> Dynamics | None:

@@ -56,7 +56,7 @@ class Contributions:
                 try:
                     found._add(i, share, patch, answer, law, section, study, place)
                 except InvalidArgument as error:
-                    raise invalid(f"states[{study.given_index(i)}]", f"cannot be placed: {error}") from error
+                    raise invalid(f"states[{study.given_index(i)}]", f"cannot be placed: {error.message.removesuffix('.')}") from error
         return found
 
     @property

@@ -83,7 +83,7 @@ def by_threads(client: WheelRailClient, workers: int, study: WearStudy) -> Solve
             try:
                 return dict(client.call("wheelrail.solve", requests[i]))
             except InvalidArgument as error:
-                raise invalid(f"states[{study.given_index(i)}]", f"cannot be solved: {error}") from error
+                raise invalid(f"states[{study.given_index(i)}]", f"cannot be solved: {error.message.removesuffix('.')}") from error
 
         found = []
         with ThreadPoolExecutor(workers) as pool:

@@ -115,8 +115,21 @@ class Section:
         factor = 1.0
         if area is not None and area != 0:
             for _ in range(4):  # it is nearly linear
-                factor *= area / self.area_above(Section(self.points + factor * moves, self.body))
+                if not (taken := self._area_below(factor * moves)):  # less than numbers can tell
+                    break
+                factor *= area / taken
         return Section(self.points + factor * moves, self.body)
+
+
+    def _area_below(self, moves: Array) -> float:
+        """The area that the points cross on their way (mm^2), to rounding of itself however small it is."""
+        steps = np.diff(self.points, axis=0)
+        crossed = _cross(steps, moves[:-1] + moves[1:]) + _cross(moves[1:], moves[:-1])
+        return float(crossed.sum()) / 2 * (-1.0 if self.body == "wheel" else 1.0)
+
+
+def _cross(one: Array, other: Array) -> Array:
+    return np.asarray(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0])
 
 
 def deposit(edges: npt.ArrayLike, centres: npt.ArrayLike, width: float, depths: npt.ArrayLike) -> Array:

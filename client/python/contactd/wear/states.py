@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import math
 import os
 from collections.abc import Iterable, Mapping
@@ -11,6 +9,7 @@ from dataclasses import dataclass, fields, replace
 from typing import Any
 
 from ..errors import invalid
+from ..files.number_text import table_of
 from ..files.whole import read_whole
 from ..values.wheel_rail.state import WheelRailState
 
@@ -40,7 +39,8 @@ class WeightedState:
 
 def read_states(path: str | os.PathLike[str]) -> list[WeightedState]:
     """The states of a file with a row a state: CSV with names in its first line, HDF5 with a dataset a column, or Parquet (with
-    pyarrow), as the name ends.
+    pyarrow), as the name ends. In CSV a line has comments behind #, % and !; with semicolons or tabs between the columns a
+    comma is that of a decimal fraction.
 
     Columns are paths of a state, such as ``position.y``, ``velocity.yaw`` or ``Fz``; ``weight`` or ``distance``, of which one
     must be there; ``group`` and ``mu``. Raises InvalidArgument naming what is wrong, OSError for files that cannot be read.
@@ -50,20 +50,23 @@ def read_states(path: str | os.PathLike[str]) -> list[WeightedState]:
         return states_of_columns(_hdf5_columns(path))
     if name.endswith(".parquet"):
         return states_of_columns(_parquet_columns(path))
-    rows = list(csv.reader(io.StringIO(read_whole(path, _MOST_BYTES).decode("utf-8-sig"))))
-    rows = [row for row in rows if row and not row[0].startswith("#")]
-    if not rows:
+    content = read_whole(path, _MOST_BYTES)
+    try:
+        head, rows = table_of(content.decode("utf-8-sig"))
+    except UnicodeDecodeError:
+        raise invalid("states", "are no text in UTF-8; they are a file of CSV, or of HDF5 (.h5) or Parquet (.parquet)") from None
+    except ValueError as error:
+        raise invalid("states", f"cannot be read: {error}") from None
+    if not head:
         raise invalid("states", "are empty; the first line names the columns, such as position.y, Fz, weight")
-    head = [column.strip() for column in rows[0]]
-    for number, row in enumerate(rows[1:], 1):
-        if len(row) != len(head):
-            raise invalid(f"states[{number - 1}]", f"has {len(row)} columns, and the first line names {len(head)}")
-    return states_of_columns({column: [row[i].strip() for row in rows[1:]] for i, column in enumerate(head)})
+    return states_of_columns({column: [cells[i] for _, cells in rows] for i, column in enumerate(head)})
 
 
 def states_of_columns(columns: Mapping[str, Iterable[Any]]) -> list[WeightedState]:
     """The states of columns by their names, as read_states reads them. Raises InvalidArgument naming the column."""
     table = {name: list(values) for name, values in columns.items()}
+    if len({len(values) for values in table.values()}) > 1:
+        raise invalid("states", f"have columns of different lengths: {', '.join(f'{name} {len(values)}' for name, values in table.items())}")
     weights = [name for name in ("weight", "distance") if name in table]
     if len(weights) != 1:
         which = "both weight and distance" if weights else "neither weight nor distance"
@@ -127,13 +130,25 @@ def _parquet_columns(path: str | os.PathLike[str]) -> dict[str, list[Any]]:
         from pyarrow import parquet  # type: ignore[import-not-found]
     except ImportError:
         raise invalid("states", f"are in {os.fspath(path)}, and Parquet is read by pyarrow, which is missing: pip install pyarrow, or write CSV") from None
-    table = parquet.read_table(os.fspath(path))
+    import pyarrow
+
+    try:
+        table = parquet.read_table(os.fspath(path))
+    except pyarrow.ArrowException as error:
+        raise invalid("states", f"are no file of Parquet: {error}") from None
     return {str(name): table.column(name).to_pylist() for name in table.column_names}
 
 
 def _hdf5_columns(path: str | os.PathLike[str]) -> dict[str, list[Any]]:
     import h5py
 
-    with h5py.File(path, "r") as file:
-        columns = {name: file[name][()] for name in file if getattr(file[name], "ndim", 0) == 1}
-    return {name: [v.decode() if isinstance(v, bytes) else v for v in values.tolist()] for name, values in columns.items()}
+    with open(path, "rb"):  # whose error says what h5py's does not
+        pass
+    try:
+        with h5py.File(path, "r") as file:
+            if wrong := next((name for name in file if getattr(file[name], "ndim", 0) != 1), None):
+                raise invalid("states", f"have {wrong}, which is no column; a dataset with one number or word a state is one")
+            columns = {name: file[name][()] for name in file}
+    except OSError as error:
+        raise invalid("states", f"are no file of HDF5 that can be read: {error}") from None
+    return {name: [v.decode(errors="replace") if isinstance(v, bytes) else v for v in values.tolist()] for name, values in columns.items()}

@@ -21,6 +21,9 @@ __all__ = ["WearStudy"]
 
 Law = WearLaw | Mapping[str, Any]
 
+_MOST_STEPS = 1_000_000
+_SPACINGS = (0.01, 10.0)  #: mm; longer cells tell no contact from the next, and shorter ones take memory that nobody has
+
 
 @dataclass(frozen=True)
 class WearStudy:
@@ -70,11 +73,17 @@ class WearStudy:
             value = getattr(self, name)
             if value is not None and not (math.isfinite(value) and value > 0):
                 raise invalid(name, f"is {value}; it must be positive")
-        if self.smoothing not in ("auto", "exponential_step") and not (isinstance(self.smoothing, (int, float)) and self.smoothing >= 0):
+        if self.distance is not None and self.until / self.distance > _MOST_STEPS:
+            raise invalid("distance", f"is {self.distance:g} {self.unit}, which makes more than {_MOST_STEPS} steps of {self.until:g}")
+        if not _SPACINGS[0] <= self.spacing <= _SPACINGS[1]:
+            raise invalid("spacing", f"is {self.spacing:g} mm; it must lie in [{_SPACINGS[0]:g}, {_SPACINGS[1]:g}]")
+        if self.smoothing not in ("auto", "exponential_step") and not _is_length(self.smoothing):
             raise invalid("smoothing", f"is {self.smoothing!r}; it must be auto, exponential_step, or a wavelength (mm)")
-        if not self.states or not sum(one.weight for one in self.states) > 0:
+        if not self.states or sum(one.weight for one in self.states) == 0:
             raise invalid("states", "are none, or have no weight together")
         for i, one in enumerate(self.states):
+            if not (math.isfinite(one.weight) and one.weight >= 0):
+                raise invalid(f"states[{i}].weight", f"is {one.weight:g}; it must be at least 0, and finite")
             if one.state.motion != "steady_rolling":
                 raise invalid(f"states[{i}].motion", f"is {one.state.motion}; wear is that of steady rolling")
             wheel = one.state.wheel
@@ -186,3 +195,7 @@ class WearStudy:
         }  # fmt: skip
         more = {"passages_per_km": self.passages_per_km, "symmetric": self.symmetric or None, "fatigue": self._fatigue_params() or None}
         return {**described, **{name: value for name, value in more.items() if value is not None}}
+
+
+def _is_length(value: Any) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value) and value >= 0

@@ -74,6 +74,15 @@ def test_steps_of_another_study_are_left_alone(files):
     assert files("wear", "wear.yaml", "--fresh").code == 0
 
 
+def test_a_study_that_was_refused_is_in_no_ones_way(files):
+    files.write("wear.yaml", STUDY.replace("energy: {", "energie: {"))
+    ended = files("wear", "wear.yaml")
+    assert ended.code == 4 and "the same command goes on" not in ended.err
+    assert "energie is not a field" in ended.err and ended.err.count("INVALID_ARGUMENT") == 1
+    files.write("wear.yaml", STUDY)
+    assert files("wear", "wear.yaml").code == 0
+
+
 @pytest.mark.parametrize(
     ("text", "sentence"),
     [
@@ -92,10 +101,23 @@ def test_a_study_that_cannot_be_meant_is_refused(files, text, sentence):
     assert ended.code == 2 and sentence in ended.err
 
 
+@pytest.mark.parametrize("option", ["--profiles", "--pictures"])
+def test_a_folder_that_cannot_be_is_refused_before_anything_is_solved(files, option):
+    ended = files("wear", "wear.yaml", option, "states.csv/worn")
+    assert ended.code == 2 and f"{option} states.csv/worn must be the name of a folder, and states.csv is a file" in ended.err
+    assert not (files.folder / "wear.yaml.h5").exists()
+
+
+def test_a_scheduler_without_a_port_is_refused(files):
+    pytest.importorskip("distributed")
+    ended = files("wear", "wear.yaml", "--dask", "host")
+    assert ended.code == 2 and "such as tcp://host:8786" in ended.err
+
+
 def test_states_without_weight_are_refused(files):
     files.write("states.csv", STATES.replace("weight", "speed"))
     ended = files("wear", "wear.yaml")
-    assert ended.code == 2 and "neither weight nor distance" in ended.err
+    assert ended.code == 2 and "states.csv: states have neither weight nor distance" in ended.err
 
 
 def test_shares_together_make_the_steps_of_one(files):

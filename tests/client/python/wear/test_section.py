@@ -56,6 +56,15 @@ def test_ten_steps_take_off_what_they_were_told(body):
     assert new.area_above(section) == pytest.approx(told, rel=1e-9)
 
 
+@pytest.mark.parametrize("body", ["wheel", "rail"])
+@pytest.mark.parametrize("size", [1e-3, 1e-13, 1e-310])
+def test_hardly_anything_taken_off_moves_no_point_farther_than_told(body, size):
+    section = Section.of(tread(), body)
+    depths = size * np.exp(-((section.points[:, 0] / 12) ** 2))
+    moved = section.worn(depths, float((depths * np.gradient(section.lengths)).sum()))
+    assert np.abs(moved.points - section.points).max() <= 1.1 * size + 2e-14
+
+
 def test_without_a_balance_the_curvature_takes_its_part():
     angle = np.linspace(-0.5, 0.5, 201)
     arc = Section.of(np.stack([100 * np.sin(angle), 100 * np.cos(angle)], axis=1), "wheel")  # of a convex wheel

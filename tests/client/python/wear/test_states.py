@@ -10,7 +10,7 @@ import pytest
 
 from contactd import EnergyWear, InvalidArgument, WearLaw
 from contactd.wear import WearStudy, WeightedState, read_states
-from contactd.wear.states import mirrored
+from contactd.wear.states import mirrored, states_of_columns
 from contactd.wheel_rail import RailDeviation, WheelRailSetup, WheelRailState, WheelsetPosition, WheelsetVelocity
 
 LAW = WearLaw("energy", "a test", "lower", (0, 10), energy=EnergyWear(1e-3))
@@ -34,6 +34,41 @@ def test_columns_are_paths_of_a_state(tmp_path):
     assert (first.state.position.y, first.state.position.yaw, first.state.velocity.x, first.state.Fz) == (1.5, -1e-3, 3e4, 8e4)
     assert (first.weight, first.group, first.mu) == (0.7, "straight", None)
     assert (second.weight, second.group, second.mu) == (0.3, "curve", 0.2)
+
+
+@pytest.mark.parametrize("between", [";", "\t", " ; "])
+def test_files_of_spreadsheets_have_decimal_commas(tmp_path, between):
+    lines = TEXT.replace("#", "%").replace("2, 3", "2; 3").splitlines()
+    text = "\r\n".join(line.replace(", ", between).replace("straight,", f"straight{between}").replace(".", "," if i > 1 else ".") for i, line in enumerate(lines))
+    assert read_states(write(tmp_path, text)) == read_states(write(tmp_path, TEXT))
+
+
+def test_a_sign_of_comments_in_quotation_marks_is_one_of_a_name(tmp_path):
+    (one,) = read_states(write(tmp_path, 'Fz, weight, group  # of the network\n1, 1, "5 % of all"  # curves\n'))
+    assert one.group == "5 % of all"
+
+
+def test_files_that_are_not_what_their_names_say_are_refused(tmp_path):
+    pytest.importorskip("h5py")
+    for name in ("states.csv", "states.h5"):
+        (tmp_path / name).write_bytes(b"\x89\xff\x00 no text")
+        with pytest.raises(InvalidArgument, match="no text in UTF-8|no file of HDF5"):
+            read_states(tmp_path / name)
+        with pytest.raises(FileNotFoundError):
+            read_states(tmp_path / "nothing" / name)
+
+
+def test_what_is_no_column_of_hdf5_is_not_passed_over(tmp_path):
+    h5py = pytest.importorskip("h5py")
+    with h5py.File(tmp_path / "states.h5", "w") as file:
+        file["position/y"], file["Fz"], file["weight"] = [1.0, 2.0], [8e4, 9e4], [1.0, 1.0]
+    with pytest.raises(InvalidArgument, match="have position, which is no column"):
+        read_states(tmp_path / "states.h5")
+
+
+def test_columns_have_a_row_a_state():
+    with pytest.raises(InvalidArgument, match="columns of different lengths: Fz 1, weight 2"):
+        states_of_columns({"Fz": [1.0], "weight": [1.0, 2.0]})
 
 
 def test_hdf5_has_a_dataset_a_column(tmp_path):
@@ -80,7 +115,9 @@ def test_a_mirrored_state_turns_what_lies_across_the_track():
         ("Fz, weight\nmany, 2\n", r"states\[0\]\.Fz is 'many'"),
         ("Fz, weight\n1, 2\n3, -1\n", r"states\[1\]\.weight is -1"),
         ("Fz, weight\n1, 0\n", "have no weight together"),
-        ("Fz, weight\n1\n", r"states\[0\] has 1 columns"),
+        ("Fz, weight\n1\n", "line 2 has 1 columns, and the first 2"),
+        ("Fz, weight, Fz\n1, 1, 2\n", "line 1 names Fz twice"),
+        ("Fz, weight,\n1, 1,\n", "line 1 has no name for column 3"),
         ("", "are empty"),
     ],
 )
@@ -102,6 +139,13 @@ def test_what_is_wrong_with_a_file_is_named(tmp_path, text, match):
         ({"depth": 0.0}, "depth is 0"),
         ({"until": float("inf")}, "until is inf"),
         ({"smoothing": "much"}, "auto, exponential_step, or a wavelength"),
+        ({"smoothing": True}, "auto, exponential_step, or a wavelength"),
+        ({"smoothing": float("inf")}, "auto, exponential_step, or a wavelength"),
+        ({"distance": 1e-300}, "distance is 1e-300 km, which makes more than 1000000 steps"),
+        ({"spacing": 1e-9}, r"spacing is 1e-09 mm; it must lie in \[0.01, 10\]"),
+        ({"spacing": 1000.0}, r"spacing is 1000 mm; it must lie in \[0.01, 10\]"),
+        ({"states": [STATE, replace(STATE, weight=-0.5)]}, r"states\[1\]\.weight is -0.5"),
+        ({"states": [STATE, replace(STATE, weight=float("inf"))]}, r"states\[1\]\.weight is inf"),
         ({"states": []}, "are none"),
         ({"states": [WeightedState(WheelRailState(motion="shift", time_step=1), 1.0)]}, "steady rolling"),
     ],

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from contactctl.number_text import number_in, rows_of, table_of
+from contactd.files.number_text import number_in, rows_of, table_of
 
 POINTS = [[-30.0, 1.5], [0.0, 0.0], [30.0, 1.5]]
 
@@ -77,3 +77,14 @@ def test_a_table_has_cells_below_names(text):
 def test_a_row_of_another_length_is_refused():
     with pytest.raises(ValueError, match="line 3 has 3 columns, and the first 2"):
         table_of("a;b\n1;2\n1;2;3\n")
+
+
+def test_a_table_names_each_column_once():
+    with pytest.raises(ValueError, match="line 2 names Fn twice"):
+        table_of("% steps\nFn, xi, Fn\n1, 2, 3\n")
+    with pytest.raises(ValueError, match="line 1 has no name for column 2"):
+        table_of("Fn;;xi\n1;2;3\n")
+
+
+def test_a_sign_of_comments_in_quotation_marks_belongs_to_the_cell():
+    assert table_of('name, Fn # of today\n"5 % of, all!", 1 % one\n') == (["name", "Fn"], [(2, ["5 % of, all!", "1"])])

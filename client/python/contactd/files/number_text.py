@@ -11,6 +11,7 @@ __all__ = ["number_in", "rows_of", "table_of"]
 _COMMENTS = re.compile("[#%!]")
 _BLANKS_AND_SEMICOLONS = re.compile(r"\s*;\s*|\s+")
 _ALL = re.compile(r"\s*[;,]\s*|\s+")
+_TEXT_AND_QUOTES = re.compile('(?:"[^"]*"|[^"#%!])*')
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eEdD][+-]?\d+)?", re.ASCII)
 
 
@@ -49,7 +50,8 @@ def rows_of(text: str) -> list[list[float]]:
 def table_of(text: str) -> tuple[list[str], list[tuple[int, list[str]]]]:
     """The names in the first line, and the cells of the others with their lines; decimal fractions have points.
 
-    Between cells are semicolons or tabs, where the first line has one, or else commas. Raises ValueError with the line.
+    Between cells are semicolons or tabs, where the first line has one, or else commas. In quotation marks no sign begins a
+    comment. Raises ValueError with the line, also where columns have no names or the same.
     """
     names: list[str] = []
     rows: list[tuple[int, list[str]]] = []
@@ -63,11 +65,19 @@ def table_of(text: str) -> tuple[list[str], list[tuple[int, list[str]]]]:
             raise ValueError(f"line {number}: {error}") from None
         if not names:
             names = [cell.strip() for cell in cells]
+            _check(names, number)
             continue
         if len(cells) != len(names):
             raise ValueError(f"line {number} has {len(cells)} columns, and the first {len(names)}")
         rows.append((number, [cell.strip() if between == "," else cell.strip().replace(",", ".") for cell in cells]))
     return names, rows
+
+
+def _check(names: list[str], line: int) -> None:
+    if "" in names:
+        raise ValueError(f"line {line} has no name for column {names.index('') + 1}")
+    if doubled := next((name for i, name in enumerate(names) if name in names[:i]), None):
+        raise ValueError(f"line {line} names {doubled} twice")
 
 
 class _Style:
@@ -92,7 +102,8 @@ class _Style:
 def _lines(text: str, *, keeps_quotes: bool = False) -> Iterator[tuple[int, str]]:
     """Lines that say something, with their numbers: without comments and quotation marks."""
     for number, line in enumerate(text.splitlines(), 1):
-        line = _COMMENTS.split(line, maxsplit=1)[0]
+        found = _TEXT_AND_QUOTES.match(line) if keeps_quotes else None
+        line = found.group().rstrip(" ") if found is not None else _COMMENTS.split(line, maxsplit=1)[0]
         if line.count('"') % 2:
             line = line.partition('"')[0]
         if not keeps_quotes:
