@@ -188,6 +188,7 @@ TEST_CASE("A bad envelope is refused by field", "[message]") {
         Case{R"({"contactd": "1", "id": "1", "method": "a"})", "contactd", "is \"1\"; it must be 1"},
         Case{R"({"contactd": 1, "method": "a"})", "id", "is missing"},
         Case{R"({"contactd": 1, "id": "", "method": "a"})", "id", "0 characters; it must have at least 1"},
+        Case{R"({"contactd": 1, "id": "\u0000a", "method": "a"})", "id", "begins with a byte that is zero"},
         Case{R"({"contactd": 1, "id": null, "method": "a"})", "id", "is null; it must be a text"},
         Case{R"({"contactd": 1, "id": "1"})", "method", "is missing"},
         Case{R"({"contactd": 1, "id": "1", "method": 5})", "method", "is 5; it must be a text"},

@@ -223,6 +223,24 @@ def test_models_are_drawn_side_by_side(client):
     assert [line.get_xdata()[0] for line in forces.lines] == expected
 
 
+def test_a_force_that_is_rounding_only_has_no_axis_of_its_own(client):
+    figure = client.compare(PROBLEM.replace(friction=Friction(mu=0.3, rolling=Rolling(xi=1e-3))), models=["kpec+full"], repeats=1).plot()
+    (forces,) = (axes for axes in figure.findobj(matplotlib.axes.Axes) if axes.get_title().startswith("Tangential"))
+    assert [line.get_ydata()[0] for line in forces.lines] == [0, 0]
+    low, high = forces.get_ylim()
+    assert high - low > 1e-3
+
+
+def test_a_contact_of_few_elements_is_seen_whole(client):
+    coarse = PROBLEM.replace(grid=Grid.centred(8, 8, 40, 40))
+    compared = client.compare(coarse, models=["full"], repeats=1)
+    (panel,) = (axes for axes in compared.plot().findobj(matplotlib.axes.Axes) if axes.get_title() == "full")
+    grid, pressure = coarse.grid, compared.computed[0].solution.pressure
+    _, columns = np.nonzero(pressure > 0)
+    left, right = grid.x[columns.min()] - grid.dx / 2, grid.x[columns.max()] + grid.dx / 2
+    assert panel.get_xlim()[0] < left < right < panel.get_xlim()[1]
+
+
 def test_a_wheel_without_contact_is_drawn_by_all_models(client):
     state = WheelRailState(position=WheelsetPosition(z=-5))
     figure = client.compare_wheel_rail(WheelRailSetup(dx=1, dy=1, friction=None), state, repeats=1).plot()

@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 
 import contactd
+from contactd.files.profile_text import read_profile_text
 from contactd.values.profiles import profile_params
 from contactd.wheel_rail import ProfileFile
 from support import schemas
@@ -45,3 +46,9 @@ def test_what_cannot_be_read_is_an_error_of_the_system(tmp_path):
     large.write_bytes(b" " * ((2 << 20) + 1))
     with pytest.raises(OSError, match="at most 2097152"):
         ProfileFile(large)
+
+
+def test_an_empty_file_is_called_that(tmp_path):
+    (tmp_path / "head.csv").touch()
+    with pytest.raises(OSError, match="it is empty"):
+        read_profile_text(tmp_path / "head.csv")

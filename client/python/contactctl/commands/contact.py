@@ -60,7 +60,7 @@ def check(file: File) -> None:
     ]
     counts = Counter(str(row["status"]) for row in rows)
     remarks = [row for row in rows if row["why"]]
-    emit(setting().json, {"cases": rows}, *_listed(remarks, f"{len(rows)} cases: {_counted(counts)}"))
+    emit(setting().json, {"cases": rows}, *_listed(remarks, f"{_cases(len(rows))}: {_counted(counts)}"))
     _end([str(one.status) for one in found])
 
 
@@ -75,14 +75,18 @@ def run(
     """Compute the cases of a file, and write its .out, .mat and .subs files.
 
     Killed at any moment and started again, it goes on where it was. Ends with 5 when cases did not converge or numbers
-    differ, with 4 when cases need what contactd does not have, and with 2 when the file has errors.
+    differ, with 4 when cases need what contactd does not have or does not take, and with 2 when the file has errors.
     """
     if wheel not in ("exact", "bilinear"):
         raise click.UsageError(f"--wheel {wheel}: it is exact or bilinear.")
     surface: Literal["exact", "bilinear"] = "exact" if wheel == "exact" else "bilinear"
+    if not file.name:  # as of a folder, which has no other ending
+        raise click.UsageError(f"{file} is a folder; it must be an input file of CONTACT.")
     place = writable("--output", output or file.with_suffix(".out"))
     check_own(place)
     printed = None if compare is None else printed_cases(read_printed(compare))
+    if printed is not None and not printed:
+        raise click.UsageError(f"--compare {compare}: no case is printed there; it must be an .out file of CONTACT.")
     options = {"wheel": wheel}
     with connected(workers=workers, local_unless_named=True) as client:
         cases = _read(file, client)
@@ -107,7 +111,7 @@ def convert(
     with connected(local_unless_named=True) as client:
         cases = _read(file, client)
         if case is not None and not 1 <= case <= len(cases):
-            raise click.UsageError(f"--case {case}: {file} has {len(cases)} cases.")
+            raise click.UsageError(f"--case {case}: {file} has {_cases(len(cases))}.")
         chosen = cases if case is None else cases[case - 1 : case]
         profiles = ProfileFiles(file.parent, client)
         if output.suffix == ".py":
@@ -166,12 +170,16 @@ def _show(rows: Sequence[dict[str, Any]], place: Path, differences: Sequence[lis
     counts = Counter(row["status"] for row in shown)
     remarks = [row for row in shown if row["why"]]
     answer = {"cases": [{**row, "numbers": full["answers"].get("numbers")} for row, full in zip(shown, rows)], "output": str(place)}
-    emit(setting().json, answer, *_listed(remarks, f"{len(rows)} cases: {_counted(counts)}. {place} has them."))
+    emit(setting().json, answer, *_listed(remarks, f"{_cases(len(rows))}: {_counted(counts)}. {place} has them."))
     _end([row["status"] for row in shown])
 
 
 def _status_text(status: str) -> str:
     return "can be computed" if status == "read" else status
+
+
+def _cases(count: int) -> str:
+    return "1 case" if count == 1 else f"{count} cases"
 
 
 def _counted(counts: Counter[str]) -> str:

@@ -15,6 +15,7 @@ import typer
 from contactd import Client, ContactWarning, InvalidArgument, __version__
 from contactd.files.profile_text import ENDINGS, format_profile
 from contactd.files.whole import write_whole
+from contactd.pictures.canvas import plain
 from contactd.wheel_rail import ProfileEvidence, ProfileFile, Track, WheelRailSetup
 from contactd.wheel_rail_pictures import curvature_of, draw_curvature, draw_profile
 
@@ -180,5 +181,5 @@ def _draw(path: Path, title: str, found: _Found, measured: Any) -> None:
     above, below = figure.subplots(2, 1, sharex=True)
     draw_profile(above, found.points, found.evidence, measured)
     draw_curvature(below, found.points, measured)
-    above.set_title(title, fontsize="medium")
+    above.set_title(plain(title, 80), fontsize="medium")
     write_whole(path, lambda file: figure.savefig(file, format=path.suffix[1:], dpi=150))

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
-from ..errors import StatusError, TimeoutExpired
+from ..errors import InvalidArgument, StatusError, TimeoutExpired
 from ..values.problem import ContactProblem, Estimate
 from ..values.result import Field
 from ..values.subsurface import StressBlock, SubsurfaceStress
@@ -28,8 +28,9 @@ if TYPE_CHECKING:
 __all__ = ["Outcome", "Runner", "Status", "chains_of", "checked"]
 
 Status = Literal["solved", "not converged", "read", "refused", "failed", "follows", "wrong"]
-"""What became of a case: read and not to be computed (R = 2, 3); refused for what contactd does not have; failed at the
-service; one that follows from a case that was not computed; or one that the file has wrong."""
+"""What became of a case: read and not to be computed (R = 2, 3); refused for what contactd does not have, or for numbers that
+it does not take; failed at the service; one that follows from a case that was not computed; or one that the file, or one that
+it names, has wrong."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,7 +77,7 @@ def checked(cases: Iterable[Case]) -> list[Outcome]:
 
 def _refusal(case: Case, broken: Case | None) -> Outcome | None:
     if case.errors:
-        return Outcome(case, "wrong", " ".join(case.errors))
+        return Outcome(case, "wrong", "; ".join(case.errors))
     if names := missing(case):
         return Outcome(case, "refused", f"contactd does not have: {', '.join(names)}.")
     if broken is not None and goes_on(case):
@@ -128,10 +129,12 @@ class Runner:
             result = self._on_rails(case, steps) if case.module == 1 else self._basic(case, start)
         except Missing as error:
             return Outcome(case, "refused", f"contactd does not have: {error}.")
+        except InvalidArgument as error:
+            return Outcome(case, "refused", str(error))
         except (StatusError, TimeoutExpired) as error:
             return Outcome(case, "failed", str(error))
         except OSError as error:
-            return Outcome(case, "failed", f"{error.filename}: {error.strerror}.")
+            return Outcome(case, "wrong", f"{error.filename}: {error.strerror}.")
         is_complete = result.is_converged
         status: Status = "solved" if is_complete else "not converged"
         sentence = "" if is_complete else "A solver or a search missed its tolerance."

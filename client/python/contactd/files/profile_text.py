@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Literal
@@ -19,8 +20,11 @@ ENDINGS = (".prr", ".prw", ".csv", ".txt")
 
 
 def read_profile_text(path: str | os.PathLike[str]) -> bytes:
-    """The content of a file. Raises OSError where there is none, and for what is too large for a profile."""
-    return read_whole(path, _MOST_BYTES)
+    """The content of a file. Raises OSError where there is none, where it is empty, and for what is too large for a profile."""
+    content = read_whole(path, _MOST_BYTES)
+    if not content:
+        raise OSError(errno.EINVAL, "it is empty", os.fspath(path))
+    return content
 
 
 def format_profile(points: Array, kind: Literal["wheel", "rail"], ending: str, remarks: Sequence[str] = ()) -> str:

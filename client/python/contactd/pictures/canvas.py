@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["ADHESION", "COLOURS", "INK", "aspect_of", "axes_or_new", "bare", "colour_bar", "edges", "extent", "legend_below", "map_over", "new_figure", "pyplot", "warm"]
+__all__ = ["ADHESION", "COLOURS", "INK", "aspect_of", "axes_or_new", "bare", "colour_bar", "edges", "extent", "legend_below", "map_over", "new_figure", "plain", "pyplot", "warm"]
 
 INK = "#1d1d2b"
 ADHESION = "#1449b8"
@@ -34,6 +34,13 @@ def new_figure(width: float, height: float) -> Figure:
     """An empty figure (inches) that pyplot shows."""
     figure: Figure = pyplot().figure(figsize=(width, height), layout="constrained")
     return figure
+
+
+def plain(name: str, most: int = 40) -> str:
+    """A name of a file as matplotlib draws it as it is: no formula between dollar signs, none that a legend leaves out, and
+    cut to `most` characters."""
+    cut = name if len(name) <= most else f"{name[: most - 3].rstrip()}..."
+    return (f" {cut}" if cut.startswith("_") else cut).replace("$", r"\$")
 
 
 def axes_or_new(axes: Axes | None, width: float = 6.4, height: float = 4.8) -> Axes:

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 __all__ = ["draw_comparison"]
 
 _WIDTH = 2.1  #: of a map (inches)
+_ROUNDING = 1e-12  #: of the normal force, as in tables of the command line
 _MARKERS = "os^DvP*X"
 _NORMAL_MODELS = {"of_model": INK, "kp": COLOURS[1], "kpec": COLOURS[2], "analyn": COLOURS[3]}
 
@@ -59,7 +60,8 @@ def _window(shown: tuple[ComparedModel, ...]) -> tuple[float, float, float, floa
         for grid, solution, place in _contacts(one):
             rows, columns = np.nonzero(solution.pressure > 0)
             if len(rows):
-                found.append([grid.x[columns.min()], grid.x[columns.max()], grid.y[rows.min()] + place, grid.y[rows.max()] + place])
+                x, y = grid.x[columns], grid.y[rows] + place
+                found.append([x.min() - grid.dx / 2, x.max() + grid.dx / 2, y.min() - grid.dy / 2, y.max() + grid.dy / 2])
     if not found:
         return -1.0, 1.0, -1.0, 1.0
     left, bottom = (min(one[side] for one in found) for side in (0, 2))
@@ -110,10 +112,15 @@ def _add_edges(axes: Axes, inside: Any, grid: Grid, y: float, **style: Any) -> N
 
 
 def _forces(one: ComparedModel) -> tuple[float, float]:
-    if isinstance(one.solution, WheelRailSolution):
-        return one.solution.forces.track.Fx, one.solution.forces.track.Fy
+    """Those along and across, without what is rounding only, whose axis would show nothing else."""
     assert one.solution is not None
-    return one.solution.Fx, one.solution.Fy
+    if isinstance(one.solution, WheelRailSolution):
+        found = one.solution.forces.track
+        Fx, Fy, normal = found.Fx, found.Fy, found.Fz
+    else:
+        Fx, Fy, normal = one.solution.Fx, one.solution.Fy, one.solution.Fn
+    least = _ROUNDING * abs(normal)
+    return (Fx if abs(Fx) > least else 0.0), (Fy if abs(Fy) > least else 0.0)
 
 
 def _style(one: ComparedModel, shown: tuple[ComparedModel, ...]) -> dict[str, Any]:
@@ -151,6 +158,8 @@ def _area(one: ComparedModel) -> float:
 
 
 def _draw_costs(axes: Axes, shown: tuple[ComparedModel, ...], comparison: ModelComparison, has_friction: bool) -> None:
+    from matplotlib.ticker import LogLocator
+
     for one in shown:
         if one.errors is None or one.seconds is None:
             continue
@@ -158,6 +167,7 @@ def _draw_costs(axes: Axes, shown: tuple[ComparedModel, ...], comparison: ModelC
         axes.plot(1e3 * one.seconds, error, label=one.name, **_style(one, shown))
     axes.axvline(1e3 * comparison.request_seconds, color="#9a978f", lw=0.8, ls=":")
     axes.set_xscale("log")
+    axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))  # times are seldom a decade apart
     axes.xaxis.set_major_formatter("{x:g}")
     axes.xaxis.set_minor_formatter("")
     axes.set_ylim(bottom=-0.03 * axes.get_ylim()[1])

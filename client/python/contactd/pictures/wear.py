@@ -9,7 +9,7 @@ import numpy as np
 
 from ..errors import invalid
 from ..wear.section import Section
-from .canvas import COLOURS, INK
+from .canvas import COLOURS, INK, plain
 
 if TYPE_CHECKING:
     from ..wear.steps import WornStep
@@ -46,14 +46,24 @@ def draw_depths(axes: Any, steps: Sequence[WornStep], unit: str = "km", most: in
 
 
 def draw_groups(axes: Any, steps: Sequence[WornStep], unit: str = "km") -> None:
-    """The area that each group of states has taken off, over the distance."""
-    names = sorted({name for step in steps for name in step.groups})
-    sums = [np.cumsum([step.groups.get(name, 0.0) for step in steps]) for name in names]
-    colours = [COLOURS[i % len(COLOURS)] for i in range(len(names))]
-    axes.stackplot([step.distance for step in steps], *sums, labels=[name or "all" for name in names], colors=colours, alpha=0.75)
+    """The area that each group of states has taken off, over the distance; of many groups those that take most, and all others."""
+    sums = _sums_of_groups(steps)
+    axes.stackplot([step.distance for step in steps], *sums.values(), labels=list(sums), colors=COLOURS[: len(sums)], alpha=0.75)
     axes.set(xlabel=unit, ylabel="area taken off (mm$^2$)")
     axes.margins(x=0)
     axes.legend(loc="upper left", frameon=False)
+
+
+def _sums_of_groups(steps: Sequence[WornStep]) -> dict[str, Any]:
+    """What groups have taken off up to each step, by what they are called in a legend: where there are more of them than
+    colours, those that take most, and all others together."""
+    sums = {name: np.cumsum([step.groups.get(name, 0.0) for step in steps]) for name in {name for step in steps for name in step.groups}}
+    by_size = sorted(sums, key=lambda name: (-sums[name][-1], name))
+    few = by_size if len(by_size) <= len(COLOURS) else by_size[: len(COLOURS) - 1]
+    shown = {plain(name) or "all": sums[name] for name in sorted(few)}
+    if others := by_size[len(few) :]:
+        shown[f"{len(others)} others"] = sum(sums[name] for name in others)
+    return shown
 
 
 def draw_competition(axes: Any, steps: Sequence[WornStep], function: str) -> Any:
@@ -77,7 +87,7 @@ def draw_competition(axes: Any, steps: Sequence[WornStep], function: str) -> Any
     axes.set(xlabel="y (mm)")
     if sums.min() >= 0:
         axes.set_ylim(bottom=0)
-    axes.set_ylabel(f"damage, {function}", color=COLOURS[0])
+    axes.set_ylabel(f"damage, {plain(function)}", color=COLOURS[0])
     beside = axes.twinx()
     beside.plot(y, _depths(first, last), color=_WORN)
     beside.set_ylim(bottom=0)
@@ -126,7 +136,8 @@ def draw_shakedown(axes: Any, steps: Sequence[WornStep], step: int = 1) -> None:
 def draw_measures(axes: Any, distances: Sequence[float], measures: dict[str, Sequence[float]], unit: str = "km", label: str = "") -> None:
     """Numbers of a profile over the distance, such as conicities."""
     for i, (name, values) in enumerate(measures.items()):
-        axes.plot(distances, values, marker=".", color=COLOURS[i % len(COLOURS)], label=name)
+        style = ("-", "--", ":")[i % 3]  # lines that lie on each other are seen
+        axes.plot(distances, values, style, marker=".", color=COLOURS[i % len(COLOURS)], label=name)
     axes.set(xlabel=unit, ylabel=label)
     axes.legend(frameon=False)
 

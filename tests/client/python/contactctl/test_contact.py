@@ -178,3 +178,28 @@ def test_a_file_that_is_not_there_is_told(ctl):
     ended = ctl("contact", "check", "none.inp")
     assert ended.code == Code.USAGE
     assert "none.inp" in ended.err
+
+
+def test_what_is_beyond_a_limit_is_refused_and_not_called_a_failure(ctl):
+    ctl.write("large.inp", FIRST.replace("15  15  6.0", "2500000  15  6.0") + END)
+    ended = ctl("contact", "run", "large.inp")
+    assert ended.code == Code.REFUSED and "1 case: 1 refused" in ended.out and "max_grid_elements" in ended.out
+
+
+def test_mistakes_of_a_case_are_told_apart(ctl):
+    ctl.write("wrong.inp", TWO.replace("15  15  6.0", "0  15  6.0"))
+    ended = ctl("contact", "check", "wrong.inp", "--json")
+    assert ended.code == Code.USAGE
+    assert "could not be read as a whole; line" in ended.json["cases"][1]["why"]
+
+
+def test_a_folder_is_no_input_file(ctl):
+    ended = ctl("contact", "run", ".")
+    assert ended.code == Code.USAGE and "is a folder; it must be an input file" in ended.err
+
+
+def test_a_file_without_printed_cases_is_nothing_to_compare_with(ctl):
+    ctl.write("two.inp", TWO)
+    ctl.write("other.out", "Fn 5\n")
+    ended = ctl("contact", "run", "two.inp", "--compare", "other.out")
+    assert ended.code == Code.USAGE and "no case is printed there" in ended.err

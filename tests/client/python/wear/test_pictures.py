@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import io
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -53,6 +56,28 @@ def test_pictures_show_what_steps_have():
     np.testing.assert_allclose(cracks.lines[0].get_ydata().max(), 2e-3, rtol=1e-6)
     draw_measures(measures, [0, 100], {"Sd": [32.5, 32.4]}, label="mm")
     assert measures.get_ylabel() == "mm"
+
+
+def test_groups_are_called_what_files_call_them():
+    figure = Figure()
+    groups, cracks = figure.subplots(1, 2)
+    named = [replace(one, groups={"_of $x_{$": 1.0, "R 300 m " * 9: 2.0}) for one in STEPS]
+    draw_groups(groups, named)
+    texts = [text.get_text() for text in groups.get_legend().get_texts()]
+    assert texts[0].startswith("R 300 m R") and texts[0].endswith("...") and len(texts[0]) <= 40
+    assert texts[1] == r" _of \$x_{\$"
+    tired = replace(TIRED, damages={"$\\frac{$": np.ones(40)})
+    draw_competition(cracks, [STEPS[0], replace(STEPS[1], fatigue=tired)], "$\\frac{$")
+    figure.savefig(io.BytesIO())  # a formula that is none would be an error here
+
+
+def test_of_many_groups_those_are_told_apart_that_take_most():
+    axes = Figure().subplots()
+    draw_groups(axes, [replace(one, groups={f"curve {i:02}": float(i) for i in range(30)}) for one in STEPS])
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == [*(f"curve {i}" for i in range(25, 30)), "25 others"]
+    assert len({tuple(part.get_facecolor()[0]) for part in axes.collections}) == 6
+    top = axes.collections[-1].get_paths()[0].vertices[:, 1].max()
+    assert top == pytest.approx(3 * sum(range(30)))
 
 
 def test_what_is_not_there_is_not_drawn():
