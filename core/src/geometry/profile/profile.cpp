@@ -38,13 +38,13 @@ void check(const std::vector<ProfilePoint>& points, const std::vector<std::size_
                                                 "); neighbours must differ, leave one of them out");
     }
     for (std::size_t i = 0; i < kinks.size(); ++i) {
-        const std::string field = "kinks[" + std::to_string(i) + "]", is = "is " + std::to_string(kinks[i]);
+        const std::string kink = "kinks[" + std::to_string(i) + "]", is = "is " + std::to_string(kinks[i]);
         if (kinks[i] < 1 || kinks[i] + 1 >= points.size())
-            throw InvalidArgument(field,
+            throw InvalidArgument(kink,
                                   is + "; it must be the index of a point that has neighbours on both sides, 1 to " +
                                       std::to_string(points.size() - 2));
         if (i > 0 && kinks[i] <= kinks[i - 1])
-            throw InvalidArgument(field, is + ", behind " + std::to_string(kinks[i - 1]) + "; kinks must ascend");
+            throw InvalidArgument(kink, is + ", behind " + std::to_string(kinks[i - 1]) + "; kinks must ascend");
     }
 }
 
