@@ -1,6 +1,8 @@
 """Problems and solutions as dictionaries, as files, and as arrays of xarray: nothing is lost on the way and back."""
 
+import errno
 import json
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import fields, is_dataclass
 
 import numpy as np
@@ -36,6 +38,7 @@ from contactd import (
     save,
     to_dict,
 )
+from contactd.files.whole import write_whole
 from contactd.transport.frames import decode
 from contactd.values.answers import read
 from contactd.values.partial_solution import read_solution
@@ -245,3 +248,36 @@ def test_without_xarray_it_is_said_what_to_install(monkeypatch):
     monkeypatch.setitem(__import__("sys").modules, "xarray", None)
     with pytest.raises(MissingExtra, match=r'to_xarray\(\) needs xarray: pip install "contactd\[xarray\]"'):
         solution().to_xarray()
+
+
+def test_of_several_that_write_a_file_at_once_none_leaves_half_of_its_own(tmp_path):
+    contents = [bytes([i]) * 300_000 for i in range(4)]
+    found = set()
+
+    def write(content):
+        def in_pieces(file):
+            for at in range(0, len(content), 10_000):
+                file.write(content[at : at + 10_000])
+                file.flush()
+
+        for _ in range(10):
+            write_whole(tmp_path / "file", in_pieces)
+            found.add((tmp_path / "file").read_bytes())
+
+    with ThreadPoolExecutor(4) as pool:
+        list(pool.map(write, contents))
+    assert found <= set(contents)
+    assert [path.name for path in tmp_path.iterdir()] == ["file"]
+
+
+def test_a_full_disk_is_told_with_the_name_of_the_file(tmp_path):
+    def full(file):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    with pytest.raises(OSError, match="No space left") as raised:
+        write_whole(tmp_path / "file", full)
+    assert raised.value.filename == str(tmp_path / "file")
+    with pytest.raises(FileNotFoundError) as raised:
+        write_whole(tmp_path / "nothing" / "file", full)
+    assert raised.value.filename == str(tmp_path / "nothing" / "file")
+    assert not list(tmp_path.iterdir())

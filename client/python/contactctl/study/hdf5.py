@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 import contactd
+from contactd.files.whole import write_whole
 
 from ..output import plain_json
 from .plan import Plan
@@ -29,9 +30,8 @@ def write_hdf5(path: Path, plan: Plan, rows: Sequence[dict[str, Any]]) -> None:
     """
     import h5py
 
-    part = Path(f"{path}.part")
-    try:
-        with h5py.File(part, "w") as file:
+    def write(into: Any) -> None:
+        with h5py.File(into, "w") as file:
             file.attrs.update(method=plan.method, problem=json.dumps(plain_json(plan.problem)), contactd=contactd.__version__)
             scales = [_written_axis(file, axis) for axis in plan.axes]
             shape = [len(scale) for scale in scales]
@@ -43,9 +43,8 @@ def write_hdf5(path: Path, plan: Plan, rows: Sequence[dict[str, Any]]) -> None:
                 dataset = file.create_dataset(name, data=array.reshape(shape), **_storage(array))
                 for number, scale in enumerate(scales):
                     dataset.dims[number].attach_scale(scale)
-        part.replace(path)
-    finally:
-        part.unlink(missing_ok=True)
+
+    write_whole(path, write)
 
 
 def _written_axis(file: Any, axis: dict[str, list[Any]]) -> Any:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import math
 import os
+import secrets
 import stat
 import zipfile
 from pathlib import Path
@@ -100,7 +101,8 @@ def arrays_of(archive: IO[bytes]) -> dict[str, np.ndarray[Any, Any]]:
 
 
 def write_whole(path: str | os.PathLike[str], write: Any) -> None:
-    """Writes a file under another name first, so that nobody finds half of it. A link goes on pointing where it does, and
+    """Writes a file under another name first, so that nobody finds half of it, and of several that write it at once the last
+    one stays. `write` takes the open file, which can be read and sought in, too. A link goes on pointing where it does, and
     what is no ordinary file, such as /dev/stdout, is written to as it is."""
     place = Path(path)
     if place.exists() and not place.is_file():
@@ -108,10 +110,14 @@ def write_whole(path: str | os.PathLike[str], write: Any) -> None:
             write(file)
         return
     place = Path(os.path.realpath(place))
-    part = Path(f"{place}.part")
+    part = Path(f"{place}.{secrets.token_hex(4)}.part")  # of this call alone: others may write the same file
     try:
-        with part.open("wb") as file:
+        with open(os.open(part, os.O_RDWR | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC, 0o666), "w+b") as file:
             write(file)
         part.replace(place)
+    except OSError as error:
+        if error.filename in (None, str(part)):
+            error.filename = os.fspath(path)
+        raise
     finally:
         part.unlink(missing_ok=True)
