@@ -65,6 +65,7 @@ def test_a_change_of_conicity_or_a_distance_asks_again(shared, tmp_path):
 
 PROGRAM = """
 import sys
+from dataclasses import replace
 from pathlib import Path
 folder = Path(sys.argv[-1])
 assert (folder / "wheel.prw").is_file() and not (folder / "rail.prr").exists()
@@ -86,14 +87,25 @@ def test_a_program_finds_profiles_and_leaves_states(tmp_path):
         ([sys.executable, "-c", "import sys; sys.exit('no track')"], "ended with 1: .*no track"),
         ([sys.executable, "-c", ""], "wrote no states"),
         (["/no/such/program"], "cannot be started"),
+        ([sys.executable, "-c", "import sys; open(sys.argv[-1] + '/states.csv', 'w').write('Fz, weight\\n8e4\\n')"], "cannot be read, which are in .*refused.csv: .*line 2"),
     ],
 )
 def test_a_program_that_fails_is_named(tmp_path, program, match):
     with pytest.raises(InvalidArgument, match=match):
         states_of_stage(Dynamics(program, tmp_path), 0, {"wheel": np.zeros((3, 2))}, 0.0)
+    assert not (tmp_path / "stage-000" / "states.csv").exists(), "a program that has been mended is called again"
+
+
+@pytest.mark.parametrize("bound", ["depth", "conicity", "distance"])
+def test_a_bound_of_dynamics_is_positive(tmp_path, bound):
+    with pytest.raises(InvalidArgument, match=f"dynamics.{bound} is -1; it must be positive"):
+        Dynamics(["program"], tmp_path, **{bound: -1})
 
 
 def test_states_are_written_as_they_are_read(tmp_path):
     given = [*states(1.0), WeightedState(WheelRailState(position=WheelsetPosition(y=-1e-17), Fz=7e4), 0.25, "a, b", 0.2)]
+    given += [replace(given[0], group=name) for name in ("5 % of all", "#7!", 'the "old" line; a\tb', "_")]
     write_states(tmp_path / "states.csv", given)
     assert read_states(tmp_path / "states.csv") == given
+    with pytest.raises(InvalidArgument, match="have Fz in some and not in others"):
+        write_states(tmp_path / "states.csv", [given[0], WeightedState(WheelRailState(), 1.0)])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +23,7 @@ __all__ = ["is_along", "wear_along"]
 
 _FIELDS = {"setup", "states", "wears", "law", "until", "along", "energy"}
 _MOST = 100_000  #: cells of an axis
+_MOST_CELLS = 10_000_000  #: of the map
 
 
 def is_along(file: str) -> bool:
@@ -43,8 +45,12 @@ def wear_along(file: str, output: Path) -> None:
         raise click.UsageError(f"{file}: law has no name or no source; say what it is called, and where its coefficients come from.")
     x, y = (_edges(file, given["along"], name) for name in ("x", "y"))
     until = given["until"]
-    if isinstance(until, bool) or not isinstance(until, (int, float)) or not until > 0:
+    if isinstance(until, bool) or not isinstance(until, (int, float)) or not 0 < until < math.inf:
         raise click.UsageError(f"{file}: until is {until!r}; it must be a positive number of passages.")
+    if not isinstance(given["setup"], dict):
+        raise click.UsageError(f"{file}: setup is {given['setup']!r}; it must be an object, fields with their values.")
+    if (len(x) - 1) * (len(y) - 1) > _MOST_CELLS:
+        raise click.UsageError(f"{file}: along has {len(x) - 1} times {len(y) - 1} cells; it may have {_MOST_CELLS}.")
     states = states_of(Path(file).parent / str(given["states"]))
     with connected() as client:
         found = depths_along(client, given["setup"], states, law, x, y, energy=given.get("energy", "scaled"))
@@ -63,13 +69,17 @@ def wear_along(file: str, output: Path) -> None:
 def _edges(file: str, along: Any, name: str) -> np.ndarray[Any, np.dtype[np.float64]]:
     """From, to and step, in `along`."""
     value = along.get(name) if isinstance(along, dict) else None
-    is_list = isinstance(value, list) and len(value) == 3 and all(isinstance(one, (int, float)) and not isinstance(one, bool) for one in value)
+    is_list = isinstance(value, list) and len(value) == 3 and all(_is_number(one) for one in value)
     if not is_list or value is None or not (value[2] > 0 and value[1] - value[0] >= value[2]):
         raise click.UsageError(f"{file}: along.{name} is {value!r}; it must be [from, to, step] in mm, as [0, 200, 10].")
     count = round((value[1] - value[0]) / value[2])
     if count > _MOST:
         raise click.UsageError(f"{file}: along.{name} has {count} pieces; it may have {_MOST}.")
     return np.asarray(np.linspace(float(value[0]), float(value[1]), count + 1), dtype=np.float64)
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
 
 
 def _write(path: Path, given: dict[str, Any], found: DepthMap, passages: float) -> None:

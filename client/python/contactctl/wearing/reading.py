@@ -81,7 +81,13 @@ def read_dynamics(file: str, folder: Path) -> Dynamics | None:
     dynamics = _dynamics_object(file, given)
     program = dynamics["program"]
     others = {name: dynamics[name] for name in ("depth", "conicity", "distance") if name in dynamics}
-    return Dynamics(shlex.split(program) if isinstance(program, str) else [str(word) for word in program], folder, **others)
+    try:
+        words = shlex.split(program) if isinstance(program, str) else [str(word) for word in program]
+        return Dynamics(words, folder, **others)
+    except InvalidArgument as error:
+        raise click.UsageError(f"{file}: {error.message}") from None
+    except ValueError as error:  # a quotation mark without another one
+        raise click.UsageError(f"{file}: dynamics.program is {program!r}, which is no command: {error}.") from None
 
 
 def _dynamics_object(file: str, given: dict[str, Any]) -> dict[str, Any]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import csv
 import io
+import math
 import subprocess
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
@@ -14,7 +15,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ..errors import invalid
+from ..errors import InvalidArgument, invalid
 from ..files.profile_text import format_profile
 from ..files.whole import write_whole
 from .evolution import evolve, place_of
@@ -53,6 +54,13 @@ class Dynamics:
     depth: float = 0.1
     conicity: float | None = 0.02
     distance: float | None = None
+
+    def __post_init__(self) -> None:
+        """Raises InvalidArgument naming a bound that is none."""
+        for name in ("depth", "conicity", "distance"):
+            value = getattr(self, name)
+            if not (value is None and name != "depth") and not (math.isfinite(value) and value > 0):
+                raise invalid(f"dynamics.{name}", f"is {value}; it must be positive")
 
 
 def evolve_with(
@@ -107,7 +115,11 @@ def states_of_stage(dynamics: Dynamics, stage: int, points: Mapping[str, Array],
         raise invalid("dynamics", f"ended with {ended.returncode}: {' '.join(program)}: {last or 'it wrote nothing'}")
     if not path.is_file():
         raise invalid("dynamics", f"wrote no states: {' '.join(program)} must leave {path}")
-    return read_states(path)
+    try:
+        return read_states(path)
+    except InvalidArgument as error:  # who mends the program calls it again
+        kept = path.replace(folder / "states.refused.csv")
+        raise invalid("dynamics", f"wrote states that cannot be read, which are in {kept}: {error.message}") from None
 
 
 def write_states(path: Path, states: Sequence[WeightedState]) -> None:
@@ -117,11 +129,14 @@ def write_states(path: Path, states: Sequence[WeightedState]) -> None:
     rows = [_flat(one.state) for one in states]
     plain = _flat(type(states[0].state)())
     names = [name for name in rows[0] if any(row[name] != plain[name] for row in rows)]
+    if mixed := next((name for name in names if len({row[name] is None for row in rows}) > 1), None):
+        raise invalid("states", f"have {mixed} in some and not in others; a file has a column for all of them")
     written = io.StringIO()
-    table = csv.writer(written, lineterminator="\n")
+    table = csv.writer(written, lineterminator="\n", quoting=csv.QUOTE_NONNUMERIC)  # names of groups may have any sign
     table.writerow([*names, "weight", "group", "mu"])
     for one, row in zip(states, rows):
-        table.writerow([*(repr(float(row[name])) for name in names), repr(float(one.weight)), one.group, "" if one.mu is None else repr(float(one.mu))])
+        numbers = [float(row[name]) for name in names]
+        table.writerow([*numbers, float(one.weight), " ".join(one.group.splitlines()), "" if one.mu is None else float(one.mu)])
     write_whole(path, lambda into: into.write(written.getvalue().encode()))
 
 

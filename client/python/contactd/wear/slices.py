@@ -60,7 +60,8 @@ def depths_along(
     """The depths that states take off a rail, whose law it is. A state lies in the piece of its `position.x`; weights are shares of
     the passages there. The area of each row is kept, but for what lies beyond `y_edges`.
 
-    Raises InvalidArgument for a law of the wheel, for edges that do not ascend, and naming the state that cannot be solved.
+    Raises InvalidArgument for a law of the wheel, for edges that do not ascend, or between which nothing wears of what wears, and
+    naming the state that cannot be solved.
     """
     along, across = (_edges(values, name) for values, name in ((x_edges, "x_edges"), (y_edges, "y_edges")))
     given = params_of(law, "law") if isinstance(law, WearLaw) else dict(law)
@@ -69,7 +70,7 @@ def depths_along(
     plain = setup_params(setup) if isinstance(setup, WheelRailSetup) else dict(setup)
     params: Mapping[str, Any] = {**plain, "wear": {"energy": energy, "laws": [given]}}
     depths, weights = np.zeros((len(along) - 1, len(across) - 1)), np.zeros(len(along) - 1)
-    pmax = np.zeros(len(along) - 1)
+    pmax, worn = np.zeros(len(along) - 1), list[float]()
     for i, one in enumerate(states):
         piece = int(np.searchsorted(along, one.state.position.x, side="right")) - 1
         if not 0 <= piece < len(pmax):
@@ -84,13 +85,17 @@ def depths_along(
                 # A row is dy wide along its own surface, and narrower from above.
                 half = 0.5 * dy * abs(np.cos(row["angle"]))
                 covered = np.diff(np.clip(across, row["y"] - half, row["y"] + half))
+                if row["depths"][0] > 0:
+                    worn.append(row["y"])
                 share = covered / (2 * half) if half > 0 else np.zeros(len(covered))
                 depths[piece] += one.weight * row["depths"][0] * dy * share / np.diff(across)
+    if worn and not depths.any():
+        raise invalid("y_edges", f"reach from {across[0]:g} to {across[-1]:g} mm, and contacts wear from {min(worn):g} to {max(worn):g} mm: nothing is there")
     return DepthMap(along, across, depths / np.where(weights > 0, weights, 1.0)[:, None], pmax)
 
 
 def _edges(values: npt.ArrayLike, name: str) -> Array:
     found = np.asarray(values, dtype=np.float64)
-    if found.ndim != 1 or len(found) < 2 or not (np.diff(found) > 0).all():
-        raise invalid(name, "must be two numbers or more that ascend")
+    if found.ndim != 1 or len(found) < 2 or not np.isfinite(found).all() or not (np.diff(found) > 0).all():
+        raise invalid(name, "must be two finite numbers or more that ascend")
     return found

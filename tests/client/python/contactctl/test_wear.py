@@ -186,9 +186,29 @@ def test_a_rail_of_slices_has_a_map(files):
     with h5py.File(files.folder / "nose.yaml.h5") as file:
         assert file["depths"].shape == (1, 80)
         assert 1e6 * file["depths"][()].max() == pytest.approx(piece["depth"])
-    files.write("nose.yaml", NOSE.replace("[-10, 10, 20]", "[10, 0, 2]"))
+
+
+@pytest.mark.parametrize(
+    ("given", "other", "code", "sentence"),
+    [
+        ("[-10, 10, 20]", "[10, 0, 2]", 2, "must be [from, to, step]"),
+        ("[-10, 10, 20]", "[-.inf, .inf, 20]", 2, "must be [from, to, step]"),
+        ("{x: [-10, 10, 20], y: [735, 775, 0.5]}", "{x: [-10, 10, 0.1], y: [735, 775, 0.0005]}", 2, "it may have 10000000"),
+        ("[735, 775, 0.5]", "[0.735, 0.775, 0.0005]", 4, "y_edges reach from 0.735 to 0.775 mm, and contacts wear from 7"),
+        ("until: 1000000", "until: .inf", 2, "must be a positive number of passages"),
+        ("states.csv", "nothing.csv", 2, "nothing.csv: No such file"),
+    ],
+)
+def test_a_map_that_cannot_be_is_refused(files, given, other, code, sentence):
+    files.write("nose.yaml", NOSE.replace(given, other))
     ended = files("wear", "nose.yaml")
-    assert ended.code == 2 and "must be [from, to, step]" in ended.err
+    assert ended.code == code and sentence in ended.err
+
+
+def test_a_set_up_of_a_map_is_an_object(files):
+    files.write("nose.yaml", "setup: 7\n" + NOSE.split("\n", 1)[1])
+    ended = files("wear", "nose.yaml")
+    assert ended.code == 2 and "setup is 7; it must be an object" in ended.err
 
 
 PROGRAM = """
