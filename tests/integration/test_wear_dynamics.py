@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -65,7 +66,6 @@ def test_a_change_of_conicity_or_a_distance_asks_again(shared, tmp_path):
 
 PROGRAM = """
 import sys
-from dataclasses import replace
 from pathlib import Path
 folder = Path(sys.argv[-1])
 assert (folder / "wheel.prw").is_file() and not (folder / "rail.prr").exists()
