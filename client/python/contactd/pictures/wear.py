@@ -62,7 +62,7 @@ def _sums_of_groups(steps: Sequence[WornStep]) -> dict[str, Any]:
     few = by_size if len(by_size) <= len(COLOURS) else by_size[: len(COLOURS) - 1]
     shown = {plain(name) or "all": sums[name] for name in sorted(few)}
     if others := by_size[len(few) :]:
-        shown[f"{len(others)} others"] = sum(sums[name] for name in others)
+        shown[f"{len(others)} others"] = np.sum([sums[name] for name in others], axis=0)
     return shown
 
 
