@@ -1,13 +1,14 @@
 """Solves the Cattaneo problem in this process, prints it beside Hertz and Cattaneo, and draws it.
 
 Run: python -m contactd.demo [PICTURE]. It takes a second, and needs no daemon where contactd-local is installed.
-Ends with 0 when forces and pressure are within 1 % of the closed form, 1 when not, 2 when something is missing.
+Ends with 0 when forces and pressure are within 1 % of the closed form, 1 when not, 2 when something is missing or cannot be written.
 """
 
 from __future__ import annotations
 
 import argparse
 import math
+import os
 import sys
 import time
 from pathlib import Path
@@ -24,6 +25,7 @@ __all__ = ["main"]
 
 SPHERE = Sphere(G=200, nu=0.42, radius=50, approach=0.02, mu=0.4, shift=0.00817)
 GRID = Grid.centred(40, 40, 2.4, 2.4)
+_ENDINGS = (".png", ".pdf", ".svg")
 ACCURACY = 0.01  #: relative, of 40 elements across; Cattaneo also leaves lateral tractions out
 
 
@@ -62,9 +64,17 @@ def main() -> int:
     """Reads the command line."""
     parser = argparse.ArgumentParser(prog="python -m contactd.demo", description=(__doc__ or "").split("\n\n")[0])
     parser.add_argument("picture", nargs="?", type=Path, default=Path("contactd-demo.png"), help="where it goes: PNG, PDF or SVG (contactd-demo.png)")
+    picture = parser.parse_args().picture
+    if picture.suffix.lower() not in _ENDINGS or picture.is_dir():
+        parser.error(f"{picture}: the name of a picture ends in {', '.join(_ENDINGS)}")
     try:
-        return run(parser.parse_args().picture)
-    except ContactdError as error:
+        status = run(picture)
+        sys.stdout.flush()
+        return status
+    except BrokenPipeError:  # who read the output has gone
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 141
+    except (ContactdError, OSError) as error:
         print(f"The demo failed. {error}", file=sys.stderr)
         return 2
 
