@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# packaging/windows/test_windows.sh BUILD CASES: runs the programs of tests/windows of BUILD/lib under Wine, and compares their lines
+# packaging/windows/test_windows.sh BUILD CASES: runs the programs of tests/platforms of BUILD/lib under Wine, and compares their lines
 # with those of Linux, which are in CASES/linux.
 set -euo pipefail
 
-here=$(dirname "$(readlink -f "$0")")
+cases_of=$(dirname "$(readlink -f "$0")")/../../tests/platforms/platform_cases.py
 build=$(realpath "$1")
 cases=$(realpath "$2")
 scratch=$(mktemp -d)
@@ -20,7 +20,7 @@ done
 # The store that Linux has filled, at a path of blanks and umlauts.
 rm -rf "$cases/windows"
 mkdir -p "$cases/windows"
-cp -r "$cases/linux/Tafeln für Räder" "$cases/windows/"
-python3 "$here/platform_cases.py" run "$build/lib" "$cases/fmus" "$build/lib/fmu/contactd_fmu.dll" "$cases/windows" /usr/lib/wine/wine64
-python3 "$here/platform_cases.py" compare "$cases/linux" "$cases/windows"
+cp -r "$cases/linux/Tafeln für Räder" "$cases/linux/cases of "* "$cases/windows/"
+python3 "$cases_of" run "$build/lib" "$cases/fmus" "$build/lib/fmu/contactd_fmu.dll" "$cases/windows" /usr/lib/wine/wine64
+python3 "$cases_of" compare "$cases/linux" "$cases/windows"
 say "all is well"
