@@ -1,10 +1,11 @@
-"""The FMUs: python3 packaging/fmu DESCRIBER LIBRARY FOLDER [--complete STATIC ...] [--windows FOLDER].
+"""The FMUs: python3 packaging/fmu DESCRIBER LIBRARY FOLDER [--complete STATIC ...] [--windows FOLDER] [--arm64 FOLDER].
 
 DESCRIBER is contactd-fmu-description, LIBRARY the shared object of all FMUs. For each kind and version of FMI an archive comes
 into FOLDER: contactd_contact_fmi2.fmu, ... With --complete the library must need nothing but the C library, and licences of
 what is inside come along; STATIC are the folders that packaging/wheels/static_libraries.sh, zeromq.sh and packaging/ducc0/fetch.sh have made. With
---windows the archives hold the DLL, too, that ./dev windows has put into FOLDER/lib/fmu, with the licences beside. ./dev fmu does all
-of it.
+--windows the archives hold the DLL, too, that ./dev windows has put into FOLDER/lib/fmu, with the licences beside. With
+--arm64 they hold that of ./dev arm64 where FMI 3 has a folder for it; FMI 2 knows Linux of one processor only, and so contacts and
+wheels come as archives of arm64, too, contactd_contact_fmi2_arm64.fmu. ./dev fmu does all of it.
 """
 
 from __future__ import annotations
@@ -26,6 +27,7 @@ ROOT = Path(__file__).parents[2]
 #: Where FMI 2 and 3 look for the shared object.
 PLATFORMS = {2: "linux64", 3: "x86_64-linux"}
 OF_WINDOWS = {2: "win64", 3: "x86_64-windows"}
+OF_ARM64 = {3: "aarch64-linux"}
 
 
 def main() -> None:
@@ -35,37 +37,52 @@ def main() -> None:
     parser.add_argument("folder", type=Path)
     parser.add_argument("--complete", type=Path, metavar="STATIC", nargs="+")
     parser.add_argument("--windows", type=Path, metavar="FOLDER")
+    parser.add_argument("--arm64", type=Path, metavar="FOLDER")
     options = parser.parse_args()
 
     described = json.loads(subprocess.run([options.describer.resolve()], capture_output=True, check=True).stdout)
     licenses = {"contactd.txt": (ROOT / "LICENSE").read_text()}
     if options.complete:
         refuse_links(options.library)
-        sources = origins_of().sources()
+        sources = origins_of(options.library).sources()
         for static in options.complete:
-            licenses |= licenses_of(static)
+            licenses |= licenses_of(options.library, static)
             sources += (static / "sources.txt").read_text().splitlines()
         licenses["sources.txt"] = "\n".join(sources) + "\n"
     options.folder.mkdir(parents=True, exist_ok=True)
     library = stripped(options.library)
-    dll = None
+    dll = of_arm64 = None
     if options.windows:
         dll = (options.windows / "lib" / "fmu" / "contactd_fmu.dll").read_bytes()
-        notices = options.windows / "notices"
-        licenses |= {f"windows/{file.name}": file.read_text(errors="replace") for file in sorted((notices / "licenses").iterdir())}
-        licenses["windows/sources.txt"] = (notices / "SOURCES.txt").read_text()
+        licenses |= notices_of("windows", options.windows)
+    if options.arm64:
+        of_arm64 = (options.arm64 / "lib" / "fmu" / "contactd_fmu.so").read_bytes()
+        licenses |= notices_of("arm64", options.arm64)
     for kind in described["kinds"]:
         for fmi, platform in PLATFORMS.items():
             description = model_description(kind, described["units"], described["version"], fmi)
             files = {
                 "modelDescription.xml": description,
-                f"binaries/{platform}/{kind['name']}.so": library,
-                **({f"binaries/{OF_WINDOWS[fmi]}/{kind['name']}.dll": dll} if dll else {}),
                 "resources/README.txt": b"Profiles that a parameter names without a folder are looked for here.\n",
                 "documentation/index.html": page_of(kind),
                 **{f"documentation/licenses/{name}": text.encode() for name, text in licenses.items()},
             }
-            print(write_fmu(options.folder / f"{kind['name']}_fmi{fmi}.fmu", files))
+            binaries = {f"binaries/{platform}/{kind['name']}.so": library}
+            if dll:
+                binaries[f"binaries/{OF_WINDOWS[fmi]}/{kind['name']}.dll"] = dll
+            if of_arm64 and fmi in OF_ARM64:
+                binaries[f"binaries/{OF_ARM64[fmi]}/{kind['name']}.so"] = of_arm64
+            print(write_fmu(options.folder / f"{kind['name']}_fmi{fmi}.fmu", {**files, **binaries}))
+            if of_arm64 and fmi not in OF_ARM64:
+                alone = {f"binaries/{platform}/{kind['name']}.so": of_arm64}
+                print(write_fmu(options.folder / f"{kind['name']}_fmi{fmi}_arm64.fmu", {**files, **alone}))
+
+
+def notices_of(platform: str, folder: Path) -> dict[str, str]:
+    """What a library of another platform has inside, in the folder that ./dev has built it in."""
+    notices = folder / "notices"
+    texts = {f"{platform}/{file.name}": file.read_text(errors="replace") for file in sorted((notices / "licenses").iterdir())}
+    return {**texts, f"{platform}/sources.txt": (notices / "SOURCES.txt").read_text()}
 
 
 def stripped(library: Path) -> bytes:

@@ -1,7 +1,7 @@
 """Puts a release together from what was built: python3 packaging/release check VERSION, or assemble VERSION FOLDER.
 
-check says why nothing can be released from this clone as it stands. assemble takes wheels, packages, DLLs, FMUs and the site from
-the build folder, makes the archives, the bill of materials, the notices and the sums, and leaves signing to ./dev release.
+check says why nothing can be released from this clone as it stands. assemble takes wheels, packages, libraries, FMUs and the
+site from the build folder, makes the archives, the bill of materials, the notices and the sums, and leaves signing to ./dev release.
 """
 
 from __future__ import annotations
@@ -43,12 +43,14 @@ def reasons_against(asked: str) -> list[str]:
 
 def assemble(asked: str, folder: Path) -> None:
     folder.mkdir(parents=True)
-    for kind in ("wheels/*.whl", "package/packages/*.deb", "fmu/*.fmu", "fmu/*.ssp"):
+    for kind in ("wheels/*.whl", "package/packages/*.deb", "fmu/*.fmu", "fmu/*.ssp", "arm64/wheels/*_aarch64.whl"):
         files = sorted(BUILD.glob(kind))
         if not files:
             sys.exit(f"build/{kind} is missing")
         for file in files:
             shutil.copyfile(file, folder / file.name)
+    for file in sorted(BUILD.glob("arm64-package/packages/*_arm64.deb")):  # where ./dev arm64 --packages has made them
+        shutil.copyfile(file, folder / file.name)
     name = f"contactd-{asked}"
     sources = tarfile_of(git("archive", "--format=tar", "HEAD"))
     write_tar(folder / f"{name}-source.tar.gz", {f"{name}/{file}": data for file, data in sources.items()})
@@ -58,15 +60,16 @@ def assemble(asked: str, folder: Path) -> None:
     examples = {f"examples/{Path(file).name}": data for file, data in sources.items() if file.startswith(("client/c/example/", "client/c/fortran/", "client/cntc/example/"))}
     inside = notices_of(folder)
     libraries = {f"lib/{path.name}": path.read_bytes() for path in sorted((BUILD / "windows" / "lib").iterdir()) if path.suffix in (".dll", ".a", ".def") and "fmu" not in path.name}
-    windows = sources_of_windows()
+    windows, arm64 = (files_of(BUILD / platform / "notices") for platform in ("windows", "arm64"))
     write_zip(folder / f"{name}-windows-x86_64.zip", {f"{name}/{file}": data for file, data in {**headers, **pages, **examples, **libraries, **windows}.items()})
-    shared = {f"lib/{path.name}": path.read_bytes() for path in sorted((BUILD / "fmu-build" / "lib").glob("libcontactd-*.so*")) if not path.is_symlink()}
-    if not shared:
-        sys.exit("build/fmu-build/lib has no libraries")
     linux = {"SOURCES.txt": inside["sources.txt"], **{f"licenses/{file}": data for file, data in inside.items() if file != "sources.txt"}}
-    write_tar(folder / f"{name}-linux-x86_64.tar.gz", {f"{name}/{file}": data for file, data in {**headers, **pages, **examples, **shared, **linux}.items()})
+    for machine, built, texts in (("x86_64", "fmu-build", linux), ("aarch64", "arm64", arm64)):
+        shared = {f"lib/{path.name}": path.read_bytes() for path in sorted((BUILD / built / "lib").glob("libcontactd-*.so*")) if not path.is_symlink()}
+        if not shared:
+            sys.exit(f"build/{built}/lib has no libraries")
+        write_tar(folder / f"{name}-linux-{machine}.tar.gz", {f"{name}/{file}": data for file, data in {**headers, **pages, **examples, **shared, **texts}.items()})
     write_tar(folder / f"{name}-site.tar.gz", files_of(BUILD / "docs", f"{name}-site/"))
-    notices = {**inside, **{Path(file).name: data for file, data in windows.items() if file.startswith("licenses/")}}
+    notices = {**inside, **{Path(file).name: data for file, data in {**windows, **arm64}.items() if file.startswith("licenses/")}}
     (folder / "NOTICES.txt").write_bytes(b"\n".join(f"=== {file} ===\n".encode() + notices[file] for file in sorted(notices)))
     shutil.copyfile(ROOT / "packaging" / "release" / "check.py", folder / "check.py")
     moment = datetime.fromtimestamp(epoch(), timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
@@ -104,11 +107,8 @@ def notices_of(folder: Path) -> dict[str, bytes]:
     """What FMUs of Linux say of what is inside, which the libraries have inside as well."""
     with zipfile.ZipFile(next(folder.glob("*.fmu"))) as archive:
         place = "documentation/licenses/"
-        return {name.removeprefix(place): archive.read(name) for name in archive.namelist() if name.startswith(place)}
-
-
-def sources_of_windows() -> dict[str, bytes]:
-    return files_of(BUILD / "windows" / "notices")
+        found = {name.removeprefix(place): archive.read(name) for name in archive.namelist() if name.startswith(place)}
+    return {name: text for name, text in found.items() if "/" not in name}  # deeper are those of other platforms
 
 
 def main() -> None:

@@ -14,6 +14,17 @@ from typing import Any
 
 __all__ = ["bill_of", "libraries_in"]
 
+REQUIREMENTS = Path(__file__).parents[1] / "ducc0" / "requirements.txt"
+#: What the binaries of Debian packages have inside, beside what they depend on: headers of Debian, and ducc0's FFT.
+_NUMERICS, _MESSAGES = ("ducc0", "libeigen3-dev"), ("libvalijson-dev", "nlohmann-json3-dev")
+INSIDE_PACKAGES = {
+    "contactd": (*_NUMERICS, *_MESSAGES, "cppzmq-dev", "libcli11-dev", "libspdlog-dev"),
+    "python3-contactd-local": (*_NUMERICS, *_MESSAGES),
+    "libcontactd1": (*_MESSAGES, "cppzmq-dev"),
+    "libcontactd-local1": (*_NUMERICS, *_MESSAGES, "cppzmq-dev"),
+    "libcontactd-cntc0": _NUMERICS,
+}
+
 
 def libraries_in(path: Path) -> Iterator[tuple[str, str]]:
     """Name and version of what a file has inside, or of what it depends on, as it tells by itself."""
@@ -49,9 +60,20 @@ def _lines_in(path: Path) -> list[str]:
             files = [archive.extractfile(member) for member in archive if member.name.lower().endswith("/sources.txt")]
             return [line for file in files if file for line in file.read().decode().splitlines()]
     if path.suffix == ".deb":
-        asked = subprocess.run(["dpkg-deb", "-f", path, "Depends"], capture_output=True, text=True, check=True).stdout
-        return [f"{name} {version or 'any'}" for name, version in re.findall(r"([a-z0-9][\w.+-]*)(?: \([<>=]+ ([^)]+)\))?", asked)]
+        name, asked = (subprocess.run(["dpkg-deb", "-f", path, field], capture_output=True, text=True, check=True).stdout for field in ("Package", "Depends"))
+        depends = re.findall(r"([a-z0-9][\w.+-]*)(?: \([<>=]+ ([^)]+)\))?", asked)
+        linked = [f"{package} {_installed(package) or version or 'any'}" for package, version in depends]
+        return [*linked, *(f"{package} {_installed(package) or 'any'}" for package in INSIDE_PACKAGES.get(name.strip(), ()))]
     return []
+
+
+def _installed(package: str) -> str:
+    """The version that is installed where packages are built, with which they were linked; none of what is not."""
+    if package == "ducc0":
+        found = re.search(r"ducc0==([\d.]+)", REQUIREMENTS.read_text())
+        return found[1] if found else ""
+    asked = subprocess.run(["dpkg-query", "-W", "-f", "${Version}\n", package], capture_output=True, text=True, check=False).stdout
+    return asked.split("\n")[0]
 
 
 def bill_of(folder: Path, version: str, timestamp: str) -> str:

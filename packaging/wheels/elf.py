@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import platform
 import re
 import subprocess
 from pathlib import Path
 
-__all__ = ["is_elf", "links", "own_folders"]
+__all__ = ["is_elf", "links", "machine_of", "own_folders"]
+
+#: By the number that ELF has for them.
+_MACHINES = {62: "x86_64", 183: "aarch64"}
 
 
 def _output(*command: str | Path) -> str:
@@ -18,13 +22,22 @@ def is_elf(path: Path) -> bool:
         return file.read(4) == b"\x7fELF"
 
 
+def machine_of(path: Path) -> str:
+    """For which processor it is: x86_64 or aarch64."""
+    with path.open("rb") as file:
+        return _MACHINES[int.from_bytes(file.read(20)[18:], "little")]
+
+
 def links(path: Path) -> dict[str, Path]:
     """All libraries that it needs, and those that these need: name -> file; with the loader, which it names by a path.
 
     Raises FileNotFoundError for what is not there.
     """
+    machine = machine_of(path)
+    # For another processor than this one its own loader lists them, as ldd has this one's do.
+    lists = ["ldd"] if machine == platform.machine() else [f"qemu-{machine}", f"/lib/ld-linux-{machine}.so.1", "--list"]
     found = {}
-    for line in _output("ldd", path).splitlines():
+    for line in _output(*lists, path).splitlines():
         name, _, target = (words.strip() for words in line.partition("=>"))
         file = re.sub(r" \(0x[0-9a-f]+\)$", "", target or name)
         if file == "not found":

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from elf import links, own_folders
+from elf import links, machine_of, own_folders
 from licenses import Origins
 
-__all__ = ["licenses_of", "origins_of", "refuse_links"]
+__all__ = ["HEADERS", "licenses_of", "origins_of", "refuse_links"]
 
 #: What every Linux has.
-OF_THE_SYSTEM = {"libc.so.6", "libm.so.6", "ld-linux-x86-64.so.2"}
+OF_THE_SYSTEM = {"libc.so.6", "libm.so.6", "ld-linux-x86-64.so.2", "ld-linux-aarch64.so.1"}
 #: Archives and headers of Debian that are inside.
-INSIDE = [Path("/usr/lib/x86_64-linux-gnu") / f"lib{name}.a" for name in ("sodium", "z")]
+INSIDE = [f"lib{name}.a" for name in ("sodium", "z")]
 HEADERS = [Path("/usr/include") / name for name in ("eigen3/Eigen/Core", "nlohmann/json.hpp", "valijson/validator.hpp")]
 
 
@@ -23,13 +23,16 @@ def refuse_links(module: Path) -> None:
         raise ValueError(f"{module} needs {sorted(asked)} from {own_folders(module)}; its libraries must be inside")
 
 
-def origins_of() -> Origins:
+def origins_of(module: Path) -> Origins:
     """Of what comes from Debian as it is."""
-    compiler = Path("/usr/lib/gcc/x86_64-linux-gnu")
-    return Origins([*INSIDE, *HEADERS, next(compiler.glob("*/libstdc++.a"))])
+    triple = f"{machine_of(module)}-linux-gnu"
+    (runtime,) = [
+        file for folder in ("gcc", "gcc-cross") for file in Path("/usr/lib", folder, triple).glob("*/libstdc++.a")
+    ][:1]
+    return Origins([*(Path("/usr/lib", triple, name) for name in INSIDE), *HEADERS, runtime])
 
 
-def licenses_of(static: Path) -> dict[str, str]:
+def licenses_of(module: Path, static: Path) -> dict[str, str]:
     """name -> text of what a folder of static_libraries.sh, zeromq.sh or packaging/ducc0/fetch.sh brings along, and Debian's."""
     built = {f"{file.name}.txt": file.read_text() for file in sorted((static / "licenses").iterdir())}
-    return {**origins_of().texts(), **built}
+    return {**origins_of(module).texts(), **built}

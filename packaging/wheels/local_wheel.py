@@ -6,6 +6,7 @@ import shutil
 from collections.abc import Sequence
 from pathlib import Path
 
+from elf import machine_of
 from inside import licenses_of, origins_of
 from project import copied, say, wheel
 
@@ -17,11 +18,11 @@ HERE = Path(__file__).parent
 def local_wheel(module: Path, static: Sequence[Path], version: str, folder: Path) -> Path:
     """The wheel, in `folder`. Its name does not say yet which glibc it takes: ./dev has auditwheel find that out, which
     refuses what needs libraries of this machine. `static` are the folders of static_libraries.sh and ducc0's FFT."""
-    sources, licenses = origins_of().sources(), {}
+    sources, licenses = origins_of(module).sources(), {}
     for part in static:
         sources += (part / "sources.txt").read_text().splitlines()
-        licenses |= licenses_of(part)
+        licenses |= licenses_of(module, part)
     with copied(HERE / "local") as project:
         say(project, version, sources, licenses)
         shutil.copy(module, project / "contactd_local.abi3.so")
-        return wheel(project, folder)
+        return wheel(project, folder, machine_of(module))

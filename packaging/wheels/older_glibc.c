@@ -15,13 +15,20 @@
 
 #define HERE __attribute__((visibility("hidden")))
 
-double fmod_of_2_2_5(double x, double y);
-__asm__(".symver fmod_of_2_2_5, fmod@GLIBC_2.2.5");
-HERE double fmod(double x, double y) { return fmod_of_2_2_5(x, y); }
+/* The version that glibc began with on this processor. */
+#ifdef __aarch64__
+#define FIRST "GLIBC_2.17"
+#else
+#define FIRST "GLIBC_2.2.5"
+#endif
 
-double hypot_of_2_2_5(double x, double y);
-__asm__(".symver hypot_of_2_2_5, hypot@GLIBC_2.2.5");
-HERE double hypot(double x, double y) { return hypot_of_2_2_5(x, y); }
+double first_fmod(double x, double y);
+__asm__(".symver first_fmod, fmod@" FIRST);
+HERE double fmod(double x, double y) { return first_fmod(x, y); }
+
+double first_hypot(double x, double y);
+__asm__(".symver first_hypot, hypot@" FIRST);
+HERE double hypot(double x, double y) { return first_hypot(x, y); }
 
 HERE long __isoc23_strtol(const char* text, char** end, int base) { return strtol(text, end, base); }
 HERE unsigned long __isoc23_strtoul(const char* text, char** end, int base) { return strtoul(text, end, base); }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import platform
 import re
 import subprocess
 import sys
@@ -20,7 +21,7 @@ ROOT = Path(__file__).parents[2]
 WHEELS = ROOT / "packaging" / "wheels"
 sys.path.insert(0, str(WHEELS))
 
-from elf import is_elf, links, own_folders  # noqa: E402
+from elf import is_elf, links, machine_of, own_folders  # noqa: E402
 from licenses import Origins  # noqa: E402
 from local_wheel import local_wheel  # noqa: E402
 from project import copied, say, wheel  # noqa: E402
@@ -114,6 +115,17 @@ def test_all_that_a_program_needs_is_found_with_the_loader():
     assert {"libc.so.6", "ld-linux-x86-64.so.2", "libzmq.so.5"} <= found.keys()
     assert all(path.is_file() and is_elf(path) for path in found.values())
     assert "libc6" in Origins([found["libc.so.6"]]).packages
+
+
+def test_a_wheel_says_for_which_processor_its_module_is(tmp_path):
+    assert machine_of(MODULE) == platform.machine()
+    of_arm64 = tmp_path / "contactd_local.abi3.so"
+    of_arm64.write_bytes(b"\x7fELF" + bytes(14) + (183).to_bytes(2, "little"))
+    assert machine_of(of_arm64) == "aarch64"
+    with copied(WHEELS / "local") as project:
+        say(project, "1.2", [], {})
+        (project / of_arm64.name).write_bytes(of_arm64.read_bytes())
+        assert wheel(project, tmp_path, "aarch64").name == "contactd_local-1.2-cp310-abi3-linux_aarch64.whl"
 
 
 def test_licences_come_with_the_texts_that_they_name():

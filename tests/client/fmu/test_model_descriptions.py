@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import re
 import subprocess
+import sys
 import xml.etree.ElementTree as ET
 import zipfile
+from pathlib import Path
 
 import pytest
 
 from support.daemons import BIN
 from support.fmus import KINDS, PACKAGES, VERSIONS, archive
 
+ROOT = Path(__file__).parents[3]
 ALL = [pytest.param(kind, fmi, id=f"{kind} FMI {fmi}") for kind in KINDS for fmi in VERSIONS]
 
 
@@ -82,3 +85,23 @@ def test_an_archive_is_the_same_whenever_it_is_made(kind, fmi):
         platform = {2: "linux64", 3: "x86_64-linux"}[fmi]
         assert f"binaries/{platform}/{kind}.so" in fmu.namelist()
         assert "documentation/licenses/contactd.txt" in fmu.namelist()
+
+
+def test_archives_hold_the_binaries_of_other_platforms_where_importers_look(tmp_path):
+    for platform, library in (("windows", "contactd_fmu.dll"), ("arm64", "contactd_fmu.so")):
+        for name, text in ((f"lib/fmu/{library}", platform), ("notices/licenses/hdf5", "as HDF5 likes"), ("notices/SOURCES.txt", "hdf5 1.14")):
+            (tmp_path / platform / name).parent.mkdir(parents=True, exist_ok=True)
+            (tmp_path / platform / name).write_text(text)
+    programs = [BIN / "contactd-fmu-description", BIN.parent / "lib" / "fmu" / "contactd_fmu.so"]
+    others = ["--windows", tmp_path / "windows", "--arm64", tmp_path / "arm64"]
+    subprocess.run([sys.executable, ROOT / "packaging" / "fmu", *programs, tmp_path, *others], check=True, capture_output=True)
+    for kind in KINDS:
+        found = {}
+        for archive_ in tmp_path.glob(f"{kind}_*.fmu"):
+            with zipfile.ZipFile(archive_) as fmu:
+                found[archive_.name] = {name.split("/")[1]: fmu.read(name) for name in fmu.namelist() if name.startswith("binaries/")}
+                assert fmu.read("documentation/licenses/arm64/sources.txt") == b"hdf5 1.14"
+        assert found[f"{kind}_fmi2.fmu"].keys() == {"linux64", "win64"}
+        assert found[f"{kind}_fmi2_arm64.fmu"] == {"linux64": b"arm64"}, "the only folder in which importers of arm64 look"
+        assert found[f"{kind}_fmi3.fmu"].keys() == {"x86_64-linux", "x86_64-windows", "aarch64-linux"}
+        assert found[f"{kind}_fmi3.fmu"]["aarch64-linux"] == b"arm64"

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# packaging/arm64/test_arm64.sh BUILD CASES MACHINE: runs the programs of tests/platforms of BUILD/bin under QEMU, and compares their
+# lines with those of this machine, which are in CASES/linux. Then installs and uses the wheels of BUILD/wheels with the Python of
+# MACHINE, files of arm64. QEMU runs one program, and what that starts is run by this machine: nothing there starts any.
+set -euo pipefail
+
+repository=$(dirname "$(dirname "$(dirname "$(readlink -f "$0")")")")
+cases_of=$repository/tests/platforms/platform_cases.py
+build=$(realpath "$1")
+cases=$(realpath "$2")
+machine=$(realpath "$3")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+say() { echo "arm64 test: $*" >&2; }
+
+say "$(qemu-aarch64 --version | head -n 1)"
+for library in "$build"/lib/*.so.*.*.* "$build"/lib/fmu/*.so; do
+    asked=$(aarch64-linux-gnu-readelf -d "$library" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' | grep -vxE 'lib(c|m)\.so\.6|ld-linux-aarch64\.so\.1' || true)
+    [ -z "$asked" ] || { say "$(basename "$library") asks for $asked"; exit 1; }
+done
+
+# The store that this machine has filled.
+rm -rf "$cases/arm64"
+mkdir -p "$cases/arm64"
+cp -r "$cases/linux/Tafeln für Räder" "$cases/linux/cases of "* "$cases/arm64/"
+python3 "$cases_of" run "$build/bin" "$cases/fmus" "$build/lib/fmu/contactd_fmu.so" "$cases/arm64" qemu-aarch64
+python3 "$cases_of" compare "$cases/linux" "$cases/arm64"
+
+python_of_arm64() {
+    PYTHONPATH=$scratch/site PYTHONDONTWRITEBYTECODE=1 HOME=$scratch MPLBACKEND=Agg qemu-aarch64 -L "$machine" "$machine/usr/bin/python3" "$@"
+}
+say "$(python_of_arm64 -c 'import platform; print(platform.machine(), platform.python_version(), *platform.libc_ver())'): installing contactd[local,pictures]"
+python_of_arm64 -m pip install --quiet --no-compile --only-binary :all: --find-links "$build/wheels" --target "$scratch/site" "contactd[local,pictures]"
+cd "$scratch"
+python_of_arm64 "$repository/packaging/wheels/try_local.py" >&2
+python_of_arm64 -m contactd.demo demo.png >&2
+[ -s demo.png ] || { say "the demo draws nothing"; exit 1; }
+say "all is well"

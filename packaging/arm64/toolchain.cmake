@@ -1,0 +1,13 @@
+# For Linux on arm64: Debian's g++-aarch64-linux-gnu, and libraries of arm64 beside those of this machine. What is built runs here by
+# QEMU, which checks of CMake do.
+set(CMAKE_SYSTEM_NAME Linux)
+set(CMAKE_SYSTEM_PROCESSOR aarch64)
+set(triple aarch64-linux-gnu)
+set(CMAKE_C_COMPILER ${triple}-gcc)
+set(CMAKE_CXX_COMPILER ${triple}-g++)
+set(CMAKE_Fortran_COMPILER ${triple}-gfortran)
+set(CMAKE_AR ${triple}-ar)
+set(CMAKE_RANLIB ${triple}-ranlib)
+set(CMAKE_STRIP ${triple}-strip)
+set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64)
+set(ENV{PKG_CONFIG_LIBDIR} /usr/lib/${triple}/pkgconfig:/usr/share/pkgconfig)

@@ -1,0 +1,40 @@
+"""Licences and sources of what libraries of another platform have inside: python3 packaging/wheels/notices.py LIBRARY FOLDER PART...
+
+LIBRARY is a DLL, or a shared object of arm64; PART are the folders that static_libraries.sh, zeromq.sh and
+packaging/ducc0/fetch.sh have made. Into FOLDER come licenses/ and SOURCES.txt.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from inside import HEADERS, origins_of
+from licenses import Origins
+
+WINDOWS = "x86_64-w64-mingw32ucrt"
+
+
+def main() -> None:
+    library, folder, *parts = map(Path, sys.argv[1:])
+    if library.suffix == ".dll":
+        runtimes = [
+            next(Path(f"/usr/lib/gcc/{WINDOWS}").glob("*/libstdc++.a")),
+            Path(f"/usr/{WINDOWS}/lib/libmingw32.a"),
+        ]
+        origins = Origins([*HEADERS, *runtimes])
+    else:
+        origins = origins_of(library)
+    texts = {name: text.encode() for name, text in origins.texts().items()}
+    sources = origins.sources()
+    for part in parts:
+        texts |= {f"{file.name}.txt": file.read_bytes() for file in sorted((part / "licenses").iterdir())}
+        sources += (part / "sources.txt").read_text().splitlines()
+    (folder / "licenses").mkdir(parents=True, exist_ok=True)
+    for name, text in texts.items():
+        (folder / "licenses" / name).write_bytes(text)
+    (folder / "SOURCES.txt").write_text("\n".join(sources) + "\n")
+
+
+if __name__ == "__main__":
+    main()
