@@ -11,6 +11,7 @@
 #include "closed_forms/elements/element_friction.hpp"
 #include "closed_forms/simplified/simplified_models.hpp"
 #include "closed_forms/undeformed_distance.hpp"
+#include "contact/displacements.hpp"
 #include "contact/normal/normal.hpp"
 #include "contact/penetration/virtual_penetration.hpp"
 #include "contact/rolling/rolling.hpp"
@@ -73,28 +74,6 @@ void sum_up(const ContactSetup& setup, ContactSolution& solution) {
     solution.area.adhesion = solution.elements.adhesion * area;
     solution.area.slip = solution.elements.slip * area;
     solution.area.flow = solution.elements.flow * area;
-}
-
-void find_displacements(const ContactProblem& problem, const InfluenceOperator& influence, ContactSolution& solution) {
-    if (!problem.displacements) return;
-    const std::size_t n = problem.grid.size();
-    for (auto* values : {&solution.displacement_x, &solution.displacement_y, &solution.displacement_z})
-        values->assign(n, 0);
-    std::vector<double> x(n), y(n), z(n);
-    influence.normal(solution.pressure, solution.displacement_z);
-    influence.tangential(solution.traction_x, solution.traction_y, solution.displacement_x, solution.displacement_y);
-    influence.normal_of_tangential(solution.traction_x, solution.traction_y, z);
-    influence.tangential_of_normal(solution.pressure, x, y);
-    double energy = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        solution.displacement_x[i] += x[i];
-        solution.displacement_y[i] += y[i];
-        solution.displacement_z[i] += z[i];
-        energy += solution.traction_x[i] * solution.displacement_x[i] +
-                  solution.traction_y[i] * solution.displacement_y[i] +
-                  solution.pressure[i] * solution.displacement_z[i];
-    }
-    solution.elastic_energy = 0.5 * energy * problem.grid.element_area();
 }
 
 /// Slip of rolling is over the distance rolled, which the solvers do not divide by. Adhesion loses nothing: its slip is
@@ -307,7 +286,7 @@ ContactSolution solve_valid(const ContactProblem& problem, const ContactInfluenc
     find_temperature(problem, solution, observer);
     find_wear(problem, solution);
     find_fatigue(problem, solution, observer);
-    find_displacements(problem, *bodies.current, solution);
+    if (problem.displacements) find_displacements(problem.grid, *bodies.current, solution);
     solution.evidence.discretisation = discretisation(problem, solution, problem.friction && bodies.current->coupled());
     warn(problem, solution);
     for (std::string& warning : friction_warnings(problem, *bodies.current, solution, observer))

@@ -52,6 +52,22 @@ void mirror(Motion& motion) {
     }
 }
 
+void mirror(ContactPlace& place) {
+    mirror(place.grid);
+    std::reverse(place.rows.begin(), place.rows.end());
+    for (OverlapRegion& region : place.regions) mirror(region);
+    std::reverse(place.regions.begin(), place.regions.end());
+    std::reverse(place.shares.begin(), place.shares.end());
+}
+
+void mirror(WheelRailPatch& patch) {
+    mirror(patch.place);
+    mirror_rows(patch.gap, patch.place.grid);
+    mirror(patch.solution, patch.place.grid);
+}
+
+}  // namespace
+
 void mirror(ContactSolution& solution, const Grid& grid) {
     mirror_rows(solution.element_division, grid);
     for (const Field& field : type_of<ContactSolution>().fields) {
@@ -69,22 +85,6 @@ void mirror(ContactSolution& solution, const Grid& grid) {
     }
     if (solution.wear) std::reverse(solution.wear->rows.begin(), solution.wear->rows.end());
 }
-
-void mirror(ContactPlace& place) {
-    mirror(place.grid);
-    std::reverse(place.rows.begin(), place.rows.end());
-    for (OverlapRegion& region : place.regions) mirror(region);
-    std::reverse(place.regions.begin(), place.regions.end());
-    std::reverse(place.shares.begin(), place.shares.end());
-}
-
-void mirror(WheelRailPatch& patch) {
-    mirror(patch.place);
-    mirror_rows(patch.gap, patch.place.grid);
-    mirror(patch.solution, patch.place.grid);
-}
-
-}  // namespace
 
 WheelRailState mirrored(WheelRailState state) {
     mirror_fields(state);

@@ -13,5 +13,7 @@ inline std::optional<double> mirrored(std::optional<double> z) {
     return z;
 }
 WheelRailSolution mirrored(WheelRailSolution solution);
+/// Turns arrays over the elements of a patch, motion and rows; the signs of single numbers are those of their fields.
+void mirror(ContactSolution& solution, const Grid& grid);
 
 }  // namespace contactd

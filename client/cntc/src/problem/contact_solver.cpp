@@ -1,9 +1,11 @@
 #include "contact_solver.hpp"
 
+#include "contact/displacements.hpp"
 #include "contactd/half_space.hpp"
 #include "contactd/ic_record.hpp"
 #include "contactd/observer.hpp"
 #include "contactd/solve_contact.hpp"
+#include "wheel_rail/mirror.hpp"
 
 namespace contactd::cntc {
 namespace {
@@ -18,32 +20,13 @@ BodyTable table_of(const Grid& grid, const Body& body) {
     return body_table(record, spec);
 }
 
-Displacements displacements_by(const InfluenceOperator& influence, const ContactSolution& solution) {
-    const std::size_t n = solution.pressure.size();
-    Displacements u{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
-    influence.normal(solution.pressure, u.z);
-    influence.tangential(solution.traction_x, solution.traction_y, u.x, u.y);
-    if (!influence.coupled()) return u;
-    std::vector<double> x(n), y(n), z(n);
-    influence.normal_of_tangential(solution.traction_x, solution.traction_y, z);
-    influence.tangential_of_normal(solution.pressure, x, y);
-    for (std::size_t i = 0; i < n; ++i) {
-        u.x[i] += x[i];
-        u.y[i] += y[i];
-        u.z[i] += z[i];
-    }
-    return u;
-}
-
-/// Rows in the opposite order, with this sign.
-std::vector<double> mirrored(const std::vector<double>& values, const Grid& grid, double sign) {
-    std::vector<double> result;
-    result.reserve(values.size());
-    const auto nx = static_cast<std::ptrdiff_t>(grid.nx);
-    for (auto row = static_cast<std::ptrdiff_t>(grid.ny); row-- > 0;)
-        for (auto value = values.begin() + row * nx; value != values.begin() + (row + 1) * nx; ++value)
-            result.push_back(sign < 0 ? 0 - *value : *value);
-    return result;
+/// The part of a solution that displacements follow from.
+ContactSolution tractions_of(const ContactSolution& solution) {
+    ContactSolution part;
+    part.pressure = solution.pressure;
+    part.traction_x = solution.traction_x;
+    part.traction_y = solution.traction_y;
+    return part;
 }
 
 }  // namespace
@@ -70,7 +53,9 @@ ContactSolution ContactSolver::solve(const ContactProblem& problem) {
 }
 
 Displacements ContactSolver::displacements(const ContactProblem& problem, const ContactSolution& solution) {
-    return displacements_by(*influence_of(problem).current, solution);
+    ContactSolution u = tractions_of(solution);
+    find_displacements(problem.grid, *influence_of(problem).current, u);
+    return {u.displacement_x, u.displacement_y, u.displacement_z};
 }
 
 Displacements ContactSolver::displacements_on_rail(const ContactProblem& problem, const ContactSolution& solution,
@@ -79,15 +64,11 @@ Displacements ContactSolver::displacements_on_rail(const ContactProblem& problem
         on_rail_ = std::make_unique<HalfSpaceCache>(problem.bodies);
         bodies_on_rail_ = problem.bodies;
     }
-    const ContactInfluence influence = on_rail_->of(problem);
-    if (!is_left) return displacements_by(*influence.current, solution);
-    const Grid& grid = problem.grid;
-    ContactSolution right;
-    right.pressure = mirrored(solution.pressure, grid, 1);
-    right.traction_x = mirrored(solution.traction_x, grid, 1);
-    right.traction_y = mirrored(solution.traction_y, grid, -1);
-    const Displacements u = displacements_by(*influence.current, right);
-    return {mirrored(u.x, grid, 1), mirrored(u.y, grid, -1), mirrored(u.z, grid, 1)};
+    ContactSolution u = tractions_of(solution);
+    if (is_left) mirror(u, problem.grid);
+    find_displacements(problem.grid, *on_rail_->of(problem).current, u);
+    if (is_left) mirror(u, problem.grid);
+    return {u.displacement_x, u.displacement_y, u.displacement_z};
 }
 
 }  // namespace contactd::cntc

@@ -31,7 +31,7 @@ class GapMesh {
     };
 
     /// The wheel stands at z = 0. All must live longer. Steps in mm. Throws InvalidArgument ("dx") for nodes that are
-    /// too many, and here and later Cancelled when the observer, which is asked row by row, says so.
+    /// too many, and here and later Cancelled when the observer, which is asked before each row of squares, says so.
     GapMesh(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y, const Observer& observer);
 
     /// Has all nodes looked at that may have a gap below `height`.
