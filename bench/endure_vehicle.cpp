@@ -2,7 +2,6 @@
 // resident memory, and the largest difference of a wheel's forces, over its load, from those of wheels that were made
 // for this step alone, with tolerances a hundred times finer, and stand at the same heights. Ends with 1 where a
 // difference is beyond the accuracy, or where memory has grown by a tenth since the first tenth of the steps.
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>

@@ -120,7 +120,6 @@ class Section:
                 factor *= area / taken
         return Section(self.points + factor * moves, self.body)
 
-
     def _area_below(self, moves: Array) -> float:
         """The area that the points cross on their way (mm^2), to rounding of itself however small it is."""
         steps = np.diff(self.points, axis=0)
