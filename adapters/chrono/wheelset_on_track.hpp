@@ -26,7 +26,7 @@ class WheelsetOnTrack : public chrono::ChLoadBodyBody {
                     double element)
         : ChLoadBodyBody(wheelset, ground, frame), wheels_(opened(where, model, friction, element)) {}
 
-    /// Copies share the wheels, which keep nothing of a step that would change another one's answer.
+    /// Copies share the wheels, whose steps change each other's answers within the tolerances only.
     WheelsetOnTrack* Clone() const override { return new WheelsetOnTrack(*this); }
 
     /// Both wheels, to set other profiles and the like by the paths of contactd.h.

@@ -1,8 +1,8 @@
 /* The forces of a wheelset's wheels for MBDyn: a process of its own beside it, which its "external structural" force
  * with one node and orientation matrices, "coupling, loose", tells a motion each step by a socket of libmbc.
  *
- *     cc -std=c99 wheelset_peer.c -I../multibody $(pkg-config --cflags --libs contactd-local) -lmbc -lm -o
- * wheelset_peer
+ *     export PKG="$(pkg-config --cflags --libs contactd-local)"
+ *     cc -std=c99 -o wheelset_peer wheelset_peer.c -I../multibody $PKG -lmbc -lm
  *     ./wheelset_peer /tmp/mbdyn.sock local fastsim 0.3 0.001
  *
  * The socket's path, where contacts are solved, the model, the coefficient of friction, the size of elements (m). The
