@@ -32,7 +32,8 @@ NAMESPACES = {
 for _prefix, _address in NAMESPACES.items():
     ET.register_namespace(_prefix, _address)
 
-#: Name, causality and start of the variables of the small FMUs, in the order of their value references.
+#: Name, causality and start of the variables of the small FMUs, in the order of their value references: kg, kg m^2, N/mm, N s/mm,
+#: N mm/rad, N mm s/rad, N, N mm, mm, rad and their rates by s.
 PARTS = {
     "body": (
         ("mass", "parameter", 1000.0), ("inertia", "parameter", 600.0), ("k_y", "parameter", 0.0), ("c_y", "parameter", 0.0),
@@ -104,10 +105,17 @@ def part_description(name: str) -> bytes:
     return ET.tostring(root, encoding="UTF-8", xml_declaration=True)
 
 
+def part_header(name: str) -> str:
+    """What its source includes of the variables."""
+    starts = ", ".join(repr(0.0 if start is None else start) for _, _, start in PARTS[name])
+    return f"enum {{ {', '.join(variable.upper() for variable, _, _ in PARTS[name])} }};\n#define PART_STARTS {starts}\n"
+
+
 def write_part(name: str, headers: Path, folder: Path) -> Path:
     """Compiles a small FMU for this machine, 64-bit Linux, into `folder`."""
     library = folder / f"{name}.so"
-    command = [os.environ.get("CC", "cc"), "-std=c99", "-O2", "-fPIC", "-shared", "-Wall", "-Wextra", "-Werror", "-I", str(headers)]
+    (folder / "part_variables.h").write_text(part_header(name))
+    command = [os.environ.get("CC", "cc"), "-std=c99", "-O2", "-fPIC", "-shared", "-Wall", "-Wextra", "-Werror", "-I", str(headers), "-I", str(folder)]
     subprocess.run([*command, str(FOLDER / "fmi2.c"), str(FOLDER / f"{name}.c"), "-o", str(library), "-lm"], check=True)
     files = {"modelDescription.xml": part_description(name), f"binaries/linux64/{name}.so": library.read_bytes()}
     return write_fmu(folder / f"{name}.fmu", files)

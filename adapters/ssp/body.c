@@ -10,19 +10,11 @@
 #include "part.h"
 
 #include <math.h>
-#include <string.h>
 
-enum { MASS, INERTIA, K_Y, C_Y, K_YAW, C_YAW, FY_LEFT, FY_RIGHT, MZ_LEFT, MZ_RIGHT, Y0, Y, YAW, Y_RATE, YAW_RATE };
-
-int part_starts(double* values) {
-    /* kg, kg m^2, N/mm, N s/mm, N mm/rad, N mm s/rad; mm */
-    static const double starts[] = {1000, 600, 0, 0, 0, 0, 0, 0, 0, 0, 3, 3, 0, 0, 0};
-    memcpy(values, starts, sizeof starts);
-    return (int)(sizeof starts / sizeof *starts);
-}
+#include "part_variables.h"
 
 void part_begin(double* values) {
-    values[Y] = values[Y0];
+    values[Y] = values[Y_START];
 }
 
 /* Velocities first and places by them: what swings keeps its energy but for the order of the step. */

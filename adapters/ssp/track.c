@@ -6,15 +6,8 @@
 #include "part.h"
 
 #include <math.h>
-#include <string.h>
 
-enum { VELOCITY, HEIGHT, LENGTH, BEGINS, Y, Y_RATE };
-
-int part_starts(double* values) {
-    static const double starts[] = {10e3, 0, 5e3, 0, 0, 0};
-    memcpy(values, starts, sizeof starts);
-    return (int)(sizeof starts / sizeof *starts);
-}
+#include "part_variables.h"
 
 static int place(double* v, double time) {
     const double s = v[VELOCITY] * time - v[BEGINS], turn = 2 * 3.14159265358979323846 / v[LENGTH];
