@@ -1,10 +1,12 @@
 // Cost of a step of the wheels of a vehicle under their loads (vehicle.hpp). Counters: the median and the 99th
 // percentile of processor time a step (us), and the median over that of a product A p of 36 x 56 elements and over that
-// of a step at the heights that were found, all from one run.
+// of a step at the heights that were found, all from one run. A step by a daemon, which CONTACTD_ENDPOINT names, stands
+// beside the same step in process, on one thread and two (us, and medians of the ratios of steps).
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <ctime>
 
 #include "contactd/wheel_rail_setup.hpp"
@@ -89,6 +91,33 @@ void vehicle(benchmark::State& state, const char* model, Run run, int threads, d
     state.counters["over_placed"] = median / percentile(at_height, 0.5);
 }
 
+void by_daemon(benchmark::State& state, const char* model, Run run, double accuracy = 0) {
+    const char* endpoint = std::getenv("CONTACTD_ENDPOINT");
+    if (!endpoint) return state.SkipWithError("CONTACTD_ENDPOINT names no daemon");
+    Vehicle served(model, accuracy, endpoint), on_one(model, accuracy), on_two(model, accuracy);
+    Values by_message, over_one, over_two;
+    int k = 0;
+    const auto seconds = [&](Vehicle& vehicle, int threads) {
+        const Stopwatch watch(0);  // of the clock
+        vehicle.step(run, k, threads);
+        return watch.seconds();
+    };
+    for (; k < 20; ++k)
+        for (Vehicle* vehicle : {&served, &on_one, &on_two}) vehicle->step(run, k, 1);
+    for (auto _ : state) {
+        by_message.push_back(seconds(served, 0));
+        state.PauseTiming();
+        over_one.push_back(by_message.back() / seconds(on_one, 1));
+        over_two.push_back(by_message.back() / seconds(on_two, 2));
+        ++k;
+        state.ResumeTiming();
+    }
+    state.counters["us"] = 1e6 * percentile(by_message, 0.5);
+    state.counters["p99_us"] = 1e6 * percentile(by_message, 0.99);
+    state.counters["over_one_thread"] = percentile(over_one, 0.5);
+    state.counters["over_two_threads"] = percentile(over_two, 0.5);
+}
+
 BENCHMARK_CAPTURE(vehicle, full_hunting, "full", Run::hunting, 1)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(vehicle, full_curving, "full", Run::curving, 1)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(vehicle, full_hunting_on_two_threads, "full", Run::hunting, 2)->Unit(benchmark::kMicrosecond);
@@ -102,6 +131,9 @@ BENCHMARK_CAPTURE(vehicle, full_curving_to_1e4_on_two_threads, "full", Run::curv
 BENCHMARK_CAPTURE(vehicle, fastsim_hunting, "fastsim", Run::hunting, 1)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(vehicle, fastsim_curving, "fastsim", Run::curving, 1)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(vehicle, fastsim_hunting_on_two_threads, "fastsim", Run::hunting, 2)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(by_daemon, full_hunting, "full", Run::hunting)->UseRealTime()->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(by_daemon, full_curving, "full", Run::curving)->UseRealTime()->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(by_daemon, fastsim_hunting, "fastsim", Run::hunting)->UseRealTime()->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 

@@ -130,7 +130,7 @@ def main() -> int:
         return 0
     rows = []
     for name in arguments.only or PROGRAMS:
-        if name == "bench_request":
+        if name in ("bench_request", "bench_vehicle"):
             with LocalDaemon(arguments.bin / "contactd", config={"log": {"level": "warn"}}) as daemon:
                 environment["CONTACTD_ENDPOINT"] = daemon.endpoint
                 rows += run(arguments.bin / name, arguments.quick, environment)

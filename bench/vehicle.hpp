@@ -1,5 +1,5 @@
-// A vehicle of eight wheels, S1002 on 60E1, from contactd.h in process. It hunts by 3 mm, or runs through a curve,
-// where the flange of the first wheelset touches; loads sway by 5 %.
+// A vehicle of eight wheels, S1002 on 60E1, from contactd.h, in process or with a daemon. It hunts by 3 mm, or runs
+// through a curve, where the flange of the first wheelset touches; loads sway by 5 %.
 #pragma once
 
 #include <array>
@@ -48,8 +48,8 @@ inline void check(std::int32_t code, const void* handle) {
 class Vehicle {
    public:
     /// An accuracy of 0 leaves the tolerances as they are.
-    explicit Vehicle(const char* model, double accuracy = 0) {
-        check(contactd_open("local", &connection_), nullptr);
+    explicit Vehicle(const char* model, double accuracy = 0, const char* where = "local") {
+        check(contactd_open(where, &connection_), nullptr);
         check(contactd_set_log(connection_, nullptr, nullptr), connection_);
         for (std::size_t i = 0; i < wheels_.size(); ++i) {
             check(contactd_wheel_new(connection_, &wheels_[i]), connection_);

@@ -240,11 +240,12 @@ CONTACTD_API int32_t contactd_wheel_free(contactd_wheel* wheel);
 /* No contact is an answer: no patches. So is what has not converged: the result "converged". A solve that fails leaves
  * the wheel as it was, with the results of the one before. */
 CONTACTD_API int32_t contactd_wheel_solve(contactd_wheel* wheel);
-/* The wheels of a vehicle, each of which is solved as contactd_wheel_solve does, on so many threads: this one and
- * others, which end with the call; 0 stands for as many as there are processors. Answers do not depend on that. A wheel
- * that fails does not keep the others from being solved: the code is that of the first one, and each wheel has its own
- * failure. Nothing is solved where one is none or stands twice (INVALID_ARGUMENT). Logs are called from any of the
- * threads. */
+/* The wheels of a vehicle, each of which is solved as contactd_wheel_solve does. In process on so many threads: this
+ * one and others, which end with the call; 0 stands for as many as there are processors. A daemon gets one message,
+ * which its workers share; it ends for all when one is cancelled, and at the shortest of their timeouts. Answers depend
+ * on none of that. A wheel that fails does not keep the others from being solved: the code is that of the first one,
+ * and each wheel has its own failure. Nothing is solved where one is none or stands twice (INVALID_ARGUMENT). Logs are
+ * called from this thread, when all have been solved. */
 CONTACTD_API int32_t contactd_wheel_solve_many(contactd_wheel* const* wheels, int32_t count, int32_t threads);
 /* Both wheels of a wheelset that is free to roll, at the height and the roll at which each presses on its rail by its
  * "state.Fz". Position, velocity and pitch rate of a roller are the same for both, but z and roll, where the right

@@ -1,9 +1,12 @@
 // Contacts in process: the engine that the daemon has, without the daemon.
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <map>
 #include <memory>
 #include <optional>
+#include <system_error>
+#include <thread>
 #include <utility>
 
 #include "backend.hpp"
@@ -211,6 +214,14 @@ class LocalWheel final : public OpenWheel {
     WheelsetEstimates wheelset_estimates_;
 };
 
+WheelOutcome outcome_of(const WheelCall& call) {
+    try {
+        return call.wheel.solve(call.input, call.control);
+    } catch (...) {
+        return std::current_exception();
+    }
+}
+
 class LocalBackend final : public Backend {
    public:
     std::unique_ptr<OpenContact> open(const SessionSpec& spec, const Settings& settings,
@@ -227,6 +238,24 @@ class LocalBackend final : public Backend {
     }
     std::unique_ptr<OpenWheel> open_wheel(const Settings& settings) const override {
         return std::make_unique<LocalWheel>(engine_, settings.timeout);
+    }
+    std::vector<WheelOutcome> solve_many(std::span<const WheelCall> calls, int threads) const override {
+        std::vector<WheelOutcome> outcomes(calls.size());
+        std::atomic<std::size_t> next = 0;
+        const auto work = [&] {
+            for (std::size_t i = next++; i < calls.size(); i = next++) outcomes[i] = outcome_of(calls[i]);
+        };
+        const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
+        const std::size_t workers = threads == 0 ? processors : static_cast<std::size_t>(threads);
+        {
+            std::vector<std::jthread> others;
+            try {
+                for (std::size_t i = 1; i < std::min(workers, calls.size()); ++i) others.emplace_back(work);
+            } catch (const std::system_error&) {  // there are no more threads, and those that are here do it all
+            }
+            work();
+        }
+        return outcomes;
     }
     void ping(const Settings&) const override {}
 

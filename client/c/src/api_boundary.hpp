@@ -50,6 +50,17 @@ std::int32_t with(contactd_connection* handle, const Body& body) noexcept {
     }
 }
 
+/// As above, where the exception was thrown by a call for which it was this thread's turn; tells the object's log.
+template <class Object>
+std::int32_t failed_in_turn(const void* handle, Object& object) noexcept {
+    try {
+        if (object.log()) object.log()(CONTACTD_LOG_ERROR, current_failure().sentence);
+    } catch (...) {  // what the log has thrown
+        return failed(handle, &object);
+    }
+    return failed(handle, &object);
+}
+
 /// Calls `body` with one of the objects, for which it is this thread's turn.
 template <class Object, class Handle, class Body>
 std::int32_t with_guard(const Handles<Object, Handle>& all, Handle* handle, const Body& body) noexcept {
@@ -60,8 +71,7 @@ std::int32_t with_guard(const Handles<Object, Handle>& all, Handle* handle, cons
         try {
             body(*object);
         } catch (...) {
-            if (object->log()) object->log()(CONTACTD_LOG_ERROR, current_failure().sentence);
-            throw;
+            return failed_in_turn(handle, *object);
         }
         return CONTACTD_OK;
     } catch (...) {

@@ -1,11 +1,10 @@
 // contactd.h: wheels on rails from their making to their end.
 #include <algorithm>
-#include <atomic>
+#include <exception>
 #include <memory>
 #include <set>
+#include <span>
 #include <string>
-#include <system_error>
-#include <thread>
 #include <vector>
 
 #include "api_boundary.hpp"
@@ -48,29 +47,48 @@ void check_wheels(contactd_wheel* const* handles, std::int32_t count, std::int32
     at_fault = nullptr;
 }
 
+/// Returns the code of the first that fails; each keeps its own failure.
+std::int32_t solve_together(std::span<contactd_wheel* const> handles, std::int32_t threads) {
+    struct Part {
+        contactd_wheel* handle;
+        std::shared_ptr<Wheel> wheel;
+        std::unique_ptr<const HandleGuard> turn;
+        std::int32_t code = CONTACTD_OK;
+    };
+    std::vector<Part> parts;
+    std::vector<Wheel*> solved;
+    for (contactd_wheel* handle : handles) {
+        Part& part = parts.emplace_back(handle);
+        try {
+            part.wheel = wheels().find(handle);
+            part.turn = std::make_unique<const HandleGuard>(part.wheel->user);
+            solved.push_back(part.wheel.get());
+        } catch (...) {
+            part.code = failed(handle, part.wheel.get());
+        }
+    }
+    const std::vector<std::exception_ptr> failures = Wheel::solve_many(solved, threads);
+    auto failure = failures.begin();
+    for (Part& part : parts) {
+        if (!part.turn) continue;
+        try {
+            if (*failure) std::rethrow_exception(*failure);
+        } catch (...) {
+            part.code = failed_in_turn(part.handle, *part.wheel);
+        }
+        ++failure;
+    }
+    const auto failing = std::ranges::find_if(parts, [](const Part& part) { return part.code != CONTACTD_OK; });
+    return failing == parts.end() ? CONTACTD_OK : failing->code;
+}
+
 }  // namespace
 
 std::int32_t contactd_wheel_solve_many(contactd_wheel* const* handles, std::int32_t count, std::int32_t threads) {
     const contactd_wheel* at_fault = nullptr;
     try {
         check_wheels(handles, count, threads, at_fault);
-        std::vector<std::int32_t> codes(static_cast<std::size_t>(count));
-        std::atomic<std::size_t> next = 0;
-        const auto work = [&] {
-            for (std::size_t i = next++; i < codes.size(); i = next++) codes[i] = contactd_wheel_solve(handles[i]);
-        };
-        const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
-        const std::size_t workers = threads == 0 ? processors : static_cast<std::size_t>(threads);
-        {
-            std::vector<std::jthread> others;
-            try {
-                for (std::size_t i = 1; i < std::min(workers, codes.size()); ++i) others.emplace_back(work);
-            } catch (const std::system_error&) {  // there are no more threads, and those that are here do it all
-            }
-            work();
-        }
-        const auto failing = std::ranges::find_if(codes, [](std::int32_t code) { return code != CONTACTD_OK; });
-        return failing == codes.end() ? CONTACTD_OK : *failing;
+        return solve_together({handles, static_cast<std::size_t>(count)}, threads);
     } catch (...) {
         return failed<Wheel>(at_fault, nullptr);
     }

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "contactd/session.hpp"
@@ -82,6 +85,15 @@ class OpenWheel {
     virtual WheelsetSolution solve_wheelset(const WheelsetInput& input, const Control& control) = 0;
 };
 
+/// A wheel's part of a call for several.
+struct WheelCall {
+    OpenWheel& wheel;
+    const WheelInput& input;
+    const Control& control;
+};
+/// What a wheel's solve returned, or threw.
+using WheelOutcome = std::variant<WheelRailSolution, std::exception_ptr>;
+
 /// Any number of threads at a time.
 class Backend {
    public:
@@ -95,6 +107,10 @@ class Backend {
                                            const Control& control) const = 0;
     /// Sends nothing yet.
     virtual std::unique_ptr<OpenWheel> open_wheel(const Settings& settings) const = 0;
+    /// Solves wheels that were opened here by one user, each as its own solve does: in process on so many threads (0:
+    /// as many as there are processors); with a daemon in one message, which ends for all when it ends for one. A wheel
+    /// that fails does not keep the others from being solved.
+    virtual std::vector<WheelOutcome> solve_many(std::span<const WheelCall> calls, int threads) const = 0;
     /// Throws when no contact can be solved there now.
     virtual void ping(const Settings& settings) const = 0;
 };

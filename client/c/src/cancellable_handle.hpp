@@ -52,24 +52,31 @@ class CancellableHandle {
           log_(connection.snapshot().second) {}
     ~CancellableHandle() = default;
 
-    /// Calls `ask` with a Control that cancel() reaches.
+    /// A Control that cancel() reaches while this lives.
+    class Controlled {
+       public:
+        explicit Controlled(CancellableHandle& called) : called_(called) {
+            const std::scoped_lock lock(called.mutex_);
+            called.stop_ = std::stop_source();
+            if (HandleGuard::is_cancelled(called.user)) called.stop_.request_stop();
+            control.stop = called.stop_.get_token();
+        }
+        ~Controlled() {
+            const std::scoped_lock lock(called_.mutex_);
+            called_.stop_ = std::stop_source(std::nostopstate);
+        }
+        Controlled(const Controlled&) = delete;
+        Controlled& operator=(const Controlled&) = delete;
+
+        Control control;
+
+       private:
+        CancellableHandle& called_;
+    };
     template <class Ask>
     auto controlled(const Ask& ask) {
-        Control control;
-        {
-            const std::scoped_lock lock(mutex_);
-            stop_ = std::stop_source();
-            if (HandleGuard::is_cancelled(user)) stop_.request_stop();
-            control.stop = stop_.get_token();
-        }
-        struct Ended {
-            CancellableHandle& called;
-            ~Ended() {
-                const std::scoped_lock lock(called.mutex_);
-                called.stop_ = std::stop_source(std::nostopstate);
-            }
-        } const ended{*this};
-        return ask(control);
+        Controlled call(*this);
+        return ask(call.control);
     }
 
     const std::shared_ptr<const Backend> backend_;

@@ -1,6 +1,9 @@
 // Contacts that a daemon keeps, as sessions. Each has a connection of its own, so that threads with a contact each do
 // not wait for one another.
+#include <algorithm>
+#include <deque>
 #include <memory>
+#include <stop_token>
 #include <string_view>
 #include <utility>
 
@@ -77,21 +80,36 @@ auto named_as_set(const Ask& ask) {
 
 class RemoteWheel final : public OpenWheel {
    public:
-    RemoteWheel(const std::string& endpoint, const Settings& settings) : client_(endpoint, options_of(settings)) {}
+    RemoteWheel(const std::string& endpoint, const Settings& settings)
+        : timeout_(settings.timeout), client_(endpoint, options_of(settings)) {}
 
     bool goes_on_with(const WheelRailSetup& setup) const override { return session_ && serves(opened_, setup); }
     WheelRailSolution solve(const WheelInput& input, const Control& control) override {
-        const bool may_reopen = input.state.motion == WheelRailMotion::steady_rolling && goes_on_with(input.setup);
+        const bool is_new = !goes_on_with(input.setup);
+        const WheelRailStepInput request = named_as_set([&] { return request_of(input, control); });
+        return end(input, control, is_new, [&] { return session_->step(request, options_of(control)).solution; });
+    }
+    /// What a step of several wheels asks of this one, whose session is open then.
+    client::WheelRailSessionStep begin(const WheelInput& input, const Control& control) {
+        WheelRailStepInput request = named_as_set([&] { return request_of(input, control); });
+        return {*session_, std::move(request)};
+    }
+    /// Returns the answer of `ask`, a step of this wheel. Where its lease has ended, or its daemon, steady rolling
+    /// starts anew; not what has been opened just now.
+    template <class Ask>
+    WheelRailSolution end(const WheelInput& input, const Control& control, bool is_new, const Ask& ask) {
         try {
-            return named_as_set([&] { return step(input, control); });
+            return named_as_set(ask);
         } catch (const StatusError& error) {
+            const bool may_reopen = input.state.motion == WheelRailMotion::steady_rolling && !is_new;
             if (!may_reopen || error.status().code != StatusCode::not_found) throw;
         }
-        return named_as_set([&] {  // its lease has ended, or its daemon
+        return named_as_set([&] {
             open(input.setup, control);
-            return step(input, control);
+            return session_->step(request_of(input, control), options_of(control)).solution;
         });
     }
+    std::chrono::milliseconds timeout(const Control& control) const { return control.timeout.value_or(timeout_); }
     std::string save(const WheelRailSetup& setup, const Control& control) override {
         if (!goes_on_with(setup)) named_as_set([&] { return open(setup, control), 0; });
         return session_->save(options_of(control)).name;
@@ -107,13 +125,14 @@ class RemoteWheel final : public OpenWheel {
     }
 
    private:
-    WheelRailSolution step(const WheelInput& input, const Control& control) {
+    /// Opens a session where there is none of this set-up.
+    WheelRailStepInput request_of(const WheelInput& input, const Control& control) {
         const bool goes_on = goes_on_with(input.setup);
         WheelRailStepInput request =
             step_of(goes_on ? opened_ : input.setup, input);  // refuses before anything is sent
         if (!goes_on) open(input.setup, control);
         request.again = input.again;
-        return session_->step(request, options_of(control)).solution;
+        return request;
     }
     /// The session before ends when the next one is open, so that a wheel that was open once always has one.
     void open(const WheelRailSetup& setup, const Control& control) {
@@ -122,9 +141,76 @@ class RemoteWheel final : public OpenWheel {
         opened_ = setup;
     }
 
+    const std::chrono::milliseconds timeout_;
     client::Client client_;  // outlives the session
     std::unique_ptr<client::WheelRailSession> session_;
     WheelRailSetup opened_;  // with which it was
+};
+
+/// The steps of several wheels as one message.
+class RemoteWheels {
+   public:
+    explicit RemoteWheels(std::span<const WheelCall> calls) : outcomes_(calls.size()) {
+        std::vector<client::AnySessionStep> steps;
+        std::vector<Part> parts;
+        for (std::size_t i = 0; i < calls.size(); ++i)
+            keep(i, [&] {
+                RemoteWheel& wheel = static_cast<RemoteWheel&>(calls[i].wheel);
+                const bool is_new = !wheel.goes_on_with(calls[i].input.setup);
+                steps.emplace_back(wheel.begin(calls[i].input, calls[i].control));
+                parts.push_back({i, wheel, calls[i], is_new});
+            });
+        if (parts.empty()) return;
+        std::vector<AnyStepOrStatus> answers;
+        std::exception_ptr failure;
+        try {
+            answers = client::step_many(steps, shared_options(parts));
+        } catch (...) {
+            failure = std::current_exception();
+        }
+        for (std::size_t k = 0; k < parts.size(); ++k)
+            keep(parts[k].number, [&] {
+                outcomes_[parts[k].number] =
+                    parts[k].wheel.end(parts[k].call.input, parts[k].call.control, parts[k].is_new, [&] {
+                        if (failure) std::rethrow_exception(failure);
+                        if (auto* status = std::get_if<Status>(&answers[k])) throw StatusError(std::move(*status));
+                        return std::get<WheelRailStepReply>(std::move(answers[k])).solution;
+                    });
+            });
+    }
+    std::vector<WheelOutcome> outcomes() && { return std::move(outcomes_); }
+
+   private:
+    struct Part {
+        std::size_t number;
+        RemoteWheel& wheel;
+        const WheelCall& call;
+        bool is_new;
+    };
+
+    template <class Act>
+    void keep(std::size_t number, const Act& act) {
+        try {
+            act();
+        } catch (...) {
+            outcomes_[number] = std::current_exception();
+        }
+    }
+    /// The first that ends or is stopped ends them all.
+    client::CallOptions shared_options(std::span<const Part> parts) {
+        client::CallOptions options;
+        for (const Part& part : parts) {
+            const auto timeout = part.wheel.timeout(part.call.control);
+            options.timeout = options.timeout ? std::min(*options.timeout, timeout) : timeout;
+            stops_.emplace_back(part.call.control.stop, [this] { stop_.request_stop(); });
+        }
+        options.stop = stop_.get_token();
+        return options;
+    }
+
+    std::vector<WheelOutcome> outcomes_;
+    std::stop_source stop_;
+    std::deque<std::stop_callback<std::function<void()>>> stops_;
 };
 
 class RemoteBackend final : public Backend {
@@ -144,6 +230,10 @@ class RemoteBackend final : public Backend {
 
     std::unique_ptr<OpenWheel> open_wheel(const Settings& settings) const override {
         return std::make_unique<RemoteWheel>(endpoint_, settings);
+    }
+
+    std::vector<WheelOutcome> solve_many(std::span<const WheelCall> calls, int) const override {
+        return RemoteWheels(calls).outcomes();
     }
 
     void ping(const Settings& settings) const override {

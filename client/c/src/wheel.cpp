@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
+#include <map>
 #include <string>
+#include <utility>
 
 #include "contactd/error.hpp"
 #include "results.hpp"
@@ -38,16 +41,49 @@ OpenWheel& Wheel::open_for(const WheelRailSetup& setup, bool transient) {
 }
 
 void Wheel::solve(Which which) {
-    OpenWheel& open = open_for(inputs.setup, inputs.state.motion != WheelRailMotion::steady_rolling);
-    Result result{{}, inputs.fields, inputs.gap, inputs.state.position.roll};
+    OpenWheel& open = open_for_inputs();
     WheelInput input = inputs;
     input.again = which == Which::again;
-    result.solution = controlled([&](Control& control) {
+    take(controlled([&](Control& control) {
         control.timeout = effective_timeout();
         return open.solve(input, control);
-    });
-    moved_ = true;
-    take(std::move(result));
+    }));
+}
+
+std::vector<std::exception_ptr> Wheel::solve_many(std::span<Wheel* const> wheels, int threads) {
+    std::vector<std::exception_ptr> failures(wheels.size());
+    const auto attempt = [&](std::size_t i, const auto& act) {
+        try {
+            act(*wheels[i]);
+        } catch (...) {
+            failures[i] = std::current_exception();
+        }
+    };
+    // One message has one user.
+    std::map<std::pair<const Backend*, std::filesystem::path>, std::vector<std::size_t>> together;
+    for (std::size_t i = 0; i < wheels.size(); ++i)
+        together[{wheels[i]->backend_.get(), wheels[i]->settings_.own_key}].push_back(i);
+    for (const auto& [where, members] : together) {
+        std::deque<Controlled> controls;
+        std::vector<WheelCall> calls;
+        std::vector<std::size_t> called;
+        for (const std::size_t i : members)
+            attempt(i, [&](Wheel& wheel) {
+                OpenWheel& open = wheel.open_for_inputs();
+                Control& control = controls.emplace_back(wheel).control;
+                control.timeout = wheel.effective_timeout();
+                calls.push_back({open, wheel.inputs, control});
+                called.push_back(i);
+            });
+        std::vector<WheelOutcome> outcomes = where.first->solve_many(calls, threads);
+        for (std::size_t k = 0; k < called.size(); ++k)
+            attempt(called[k], [&](Wheel& wheel) {
+                if (const auto* failure = std::get_if<std::exception_ptr>(&outcomes[k]))
+                    std::rethrow_exception(*failure);
+                wheel.take(std::get<WheelRailSolution>(std::move(outcomes[k])));
+            });
+    }
+    return failures;
 }
 
 std::int32_t Wheel::save() {
@@ -69,6 +105,11 @@ void Wheel::forget(std::int32_t state) {
     const Saved& saved = saved_.at(state);
     controlled([&](Control& control) { open_->forget(saved.name, control); });
     saved_.forget(state);
+}
+
+void Wheel::take(WheelRailSolution solution) {
+    moved_ = true;
+    take({std::move(solution), inputs.fields, inputs.gap, inputs.state.position.roll});
 }
 
 void Wheel::take(Result result) {

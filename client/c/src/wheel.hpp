@@ -3,9 +3,12 @@
 
 #include <chrono>
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "cancellable_handle.hpp"
 #include "saved_states.hpp"
@@ -23,6 +26,8 @@ class Wheel : public CancellableHandle {
     /// Goes on from the last solve, or from where that started.
     enum class Which { next, again };
     void solve(Which which = Which::next);
+    /// Solves wheels, each of which this thread uses, as Backend::solve_many does. Returns what each threw, or null.
+    static std::vector<std::exception_ptr> solve_many(std::span<Wheel* const> wheels, int threads);
     std::int32_t save();
     void restore(std::int32_t state);
     void forget(std::int32_t state);
@@ -61,9 +66,14 @@ class Wheel : public CancellableHandle {
     };
     /// Keeps the result as the last one, and reports its warnings.
     void take(Result result);
+    /// That of a solve of the inputs.
+    void take(WheelRailSolution solution);
     /// Makes sure that a wheel is open, and forgets what belongs to another set-up. Throws InvalidArgument ("setup")
     /// for a transient step that could not go on.
     OpenWheel& open_for(const WheelRailSetup& setup, bool transient);
+    OpenWheel& open_for_inputs() {
+        return open_for(inputs.setup, inputs.state.motion != WheelRailMotion::steady_rolling);
+    }
 
     std::unique_ptr<OpenWheel> open_;
     bool moved_ = false;  // there was a solve, from which the next one goes on

@@ -42,7 +42,8 @@ inline Wait wait_of(const WheelsetSetup& setup) {
 class Client::Impl {
    public:
     Impl(const std::string& endpoint, ClientOptions options)
-        : options_(std::move(options)),
+        : endpoint_(endpoint),
+          options_(std::move(options)),
           connection_(endpoint, options_.connect_timeout, options_.limits,
                       load_curve_keys(options_.server_key, options_.own_key), options_.spin) {}
 
@@ -78,6 +79,10 @@ class Client::Impl {
     }
 
     const ClientOptions& options() const { return options_; }
+    /// Of the same daemon, as the same user.
+    bool speaks_for(const Impl& other) const {
+        return endpoint_ == other.endpoint_ && options_.own_key == other.options_.own_key;
+    }
 
    private:
     static Progress report_of(const json& progress) {
@@ -106,6 +111,7 @@ class Client::Impl {
                 std::cerr << "contactd: warning: " + sentence + "\n";
     }
 
+    const std::string endpoint_;
     ClientOptions options_;
     Connection connection_;
     std::set<std::string> warned_;

@@ -111,8 +111,8 @@ std::vector<AnyStepOrStatus> AnySession::Impl::step_many(std::span<const Step> s
     Client& client = steps.front().session.client_;
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const std::string field = "steps[" + std::to_string(i) + "].session";
-        if (&steps[i].session.client_ != &client)
-            throw InvalidArgument(field, "is of another client than steps[0].session; all must be of one");
+        if (!client.impl_->speaks_for(*steps[i].session.client_.impl_))
+            throw InvalidArgument(field, "is of another daemon or user than steps[0].session; all must be of one");
         for (std::size_t k = 0; k < i; ++k)
             if (steps[k].session.reply_.session == steps[i].session.reply_.session)
                 throw InvalidArgument(field,

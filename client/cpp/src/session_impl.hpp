@@ -37,7 +37,7 @@ class AnySession::Impl {
         Impl& session;
         std::variant<const StepInput*, const WheelRailStepInput*> input;
     };
-    /// Takes at least one step; all are of one client.
+    /// Takes at least one step, by the client of the first; all are of one daemon and one user.
     static std::vector<AnyStepOrStatus> step_many(std::span<const Step> steps, const CallOptions& options);
     void go_to(long long step) { step_ = asked_ = step; }
 

@@ -22,16 +22,28 @@ class Daemon {
         const nlohmann::json values{{"endpoint", endpoint_},
                                     {"store", {{"folder", (folder_.path() / "store").string()}}}};
         std::ofstream(config) << values;
-        reproc::options options;
-        options.redirect.discard = true;
-        options.stop = {
-            {reproc::stop::terminate, std::chrono::seconds(10)}, {reproc::stop::kill, std::chrono::seconds(5)}, {}};
-        const std::vector<std::string> command{DAEMON, "--config", config.string()};
-        REQUIRE_FALSE(process_.start(command, options));
+        start();
     }
     const std::string& endpoint() const { return endpoint_; }
+    /// Ends it, and starts another one at the same endpoint, which knows no session.
+    void restart() {
+        process_.stop(ending());
+        process_ = reproc::process();
+        start();
+    }
 
    private:
+    static reproc::stop_actions ending() {
+        return {{reproc::stop::terminate, std::chrono::seconds(10)}, {reproc::stop::kill, std::chrono::seconds(5)}, {}};
+    }
+    void start() {
+        reproc::options options;
+        options.redirect.discard = true;
+        options.stop = ending();
+        const std::vector<std::string> command{DAEMON, "--config", (folder_.path() / "contactd.json").string()};
+        REQUIRE_FALSE(process_.start(command, options));
+    }
+
     contactd::TemporaryFolder folder_;
     std::string endpoint_;
     reproc::process process_;  // ended before the folder goes

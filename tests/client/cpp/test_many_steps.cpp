@@ -83,9 +83,18 @@ TEST_CASE("A step of one session is tried until it pleases") {
     CHECK(done.step == 2);
 }
 
-TEST_CASE("A session takes one step of a message, and all are of one client") {
+TEST_CASE("Sessions of several clients of a daemon step together") {
     const Daemon daemon;
     Client client(daemon.endpoint()), other(daemon.endpoint());
+    Session one(client, ball_on_plate()), two(other, ball_on_plate());
+    const auto done = step_many(std::vector<SessionStep>{{one, shifted(0.001)}, {two, shifted(0.001)}});
+    CHECK(force_of(done[0]) == force_of(done[1]));
+    CHECK(two.step(shifted(0.001)).step == 2);
+}
+
+TEST_CASE("A session takes one step of a message, and all are of one daemon") {
+    const Daemon daemon, another;
+    Client client(daemon.endpoint()), other(another.endpoint());
     Session one(client, ball_on_plate()), two(other, ball_on_plate());
     CHECK_THROWS_AS(step_many(std::vector<SessionStep>{{one, {}}, {one, {}}}), InvalidArgument);
     CHECK_THROWS_AS(step_many(std::vector<SessionStep>{{one, {}}, {two, {}}}), InvalidArgument);

@@ -41,10 +41,11 @@ struct WheelRailSessionStep {
 };
 using AnySessionStep = std::variant<SessionStep, WheelRailSessionStep>;
 
-/// Solves the next step of each session, all of one client, in one message and on all workers of the daemon: the
-/// contacts of a vehicle. The answers have the order of the steps; one that fails leaves its session as it was and does
-/// not fail the others. With `input.again` all are tried anew, those that failed too. Throws what Session::step does,
-/// and InvalidArgument when sessions are of several clients, or one stands twice.
+/// Solves the next step of each session in one message and on all workers of the daemon: the contacts of a vehicle. The
+/// client of the first session sends it, whose thread this is; clients of the others need only be of the same daemon
+/// and user, and are not used. The answers have the order of the steps; one that fails leaves its session as it was and
+/// does not fail the others. With `input.again` all are tried anew, those that failed too. Throws what Session::step
+/// does, and InvalidArgument when sessions are of several daemons or users, or one stands twice.
 std::vector<StepOrStatus> step_many(std::span<const SessionStep> steps, const CallOptions& options = {});
 /// Takes steps of contacts and of wheels on rails together, as step_many above does.
 std::vector<AnyStepOrStatus> step_many(std::span<const AnySessionStep> steps, const CallOptions& options = {});
