@@ -146,19 +146,39 @@ void warn_of_rigid_slip_that_is_no_creepage(const ContactProblem& problem, Conta
                                 "creepages are, and not in mm.");
 }
 
+constexpr double largest_strain = 0.1;  // of shear: beyond it strains are no longer small
+
 /// Loads, radii and moduli in different units lead to pressures that no body carries. Thin layers that can hardly be
 /// compressed bear more than that under small strains, and are left out.
 void warn_of_pressures_beyond_elasticity(const ContactProblem& problem, ContactSolution& solution) {
-    constexpr double share = 0.1;  // of the shear modulus: strains are no longer small
     if (problem.bodies.pair || problem.bodies.any_layered() || !(solution.pmax > 0)) return;
     double softest = std::numeric_limits<double>::infinity();
     for (const Body* body : {&problem.bodies.upper, &problem.bodies.lower})
         if (body->computed() != nullptr && !body->material.is_rigid()) softest = std::min(softest, body->material.G);
-    if (!(solution.pmax > share * softest)) return;
+    if (!(solution.pmax > largest_strain * softest)) return;
     solution.warnings.push_back("The largest pressure, " + short_text(solution.pmax) +
                                 " N/mm^2, is more than a tenth of the shear modulus, " + short_text(softest) +
                                 " N/mm^2, where strains are not small and nothing is linear elastic: check the units "
                                 "of forces, lengths and moduli.");
+}
+
+/// Crystals without a fault yield at a tenth of their shear modulus or more; what is said to be stronger is in Pa.
+void warn_of_strengths_beyond_elasticity(const ContactProblem& problem, ContactSolution& solution) {
+    double stiffest = 0;
+    for (const Body* body : {&problem.bodies.upper, &problem.bodies.lower})
+        if (!body->material.is_rigid()) stiffest = std::max(stiffest, body->material.G);
+    if (problem.bodies.pair || !(stiffest > 0)) return;
+    const auto warn_of = [&](const std::string& field, double strength) {
+        if (!std::isfinite(strength) || strength <= largest_strain * stiffest) return;
+        solution.warnings.push_back(field + " is " + short_text(strength) +
+                                    " N/mm^2, more than a tenth of the shear modulus, " + short_text(stiffest) +
+                                    " N/mm^2, which nothing bears: it is in N/mm^2, not in Pa.");
+    };
+    if (problem.friction && problem.friction->layer)
+        warn_of("friction.layer.yield_stress", problem.friction->layer->yield_stress);
+    if (!problem.fatigue || !problem.fatigue->strength) return;
+    warn_of("fatigue.strength.shear_yield", problem.fatigue->strength->shear_yield);
+    warn_of("fatigue.strength.tau_e", problem.fatigue->strength->tau_e.value_or(0));
 }
 
 void warn_of_friction_in_percent(const ContactProblem& problem, ContactSolution& solution) {
@@ -210,6 +230,7 @@ bool sums_over_elements(const ContactProblem& problem) {
 void warn(const ContactProblem& problem, ContactSolution& solution) {
     warn_of_edges(problem, solution);
     warn_of_pressures_beyond_elasticity(problem, solution);
+    warn_of_strengths_beyond_elasticity(problem, solution);
     warn_of_friction_in_percent(problem, solution);
     warn_of_rigid_slip_that_is_no_creepage(problem, solution);
     warn_of_friction_that_never_falls(problem, solution);

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <string>
 
@@ -18,6 +20,14 @@ using namespace contactd;
 using namespace contactd::test;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
+
+namespace {
+
+bool has_warning(const ContactSolution& solution, const std::string& begin) {
+    return std::ranges::any_of(solution.warnings, [&](const std::string& text) { return text.starts_with(begin); });
+}
+
+}  // namespace
 
 TEST_CASE("sums of a solution are those of its arrays", "[contact]") {
     const ContactProblem problem = cattaneo_problem(12);
@@ -296,6 +306,33 @@ TEST_CASE("friction that never falls because the velocity was left out is warned
     for (const std::string& warning : warnings(Shift{.rigid_shift = {.x = 0.008}, .duration = 1e-5}))
         CHECK(warning.find("hardly falls") == std::string::npos);
     CHECK(warnings(Rolling{}).empty());  // nothing slips
+}
+
+TEST_CASE("a yield stress in Pa is warned of", "[contact]") {
+    const auto warned_of = [](double yield_stress) {
+        ContactProblem problem = cattaneo_problem(10);
+        problem.friction->layer = InterfacialLayer{.flexibility = 1e-6, .yield_stress = yield_stress};
+        return has_warning(solve_half_spaces(problem), "friction.layer.yield_stress is");
+    };
+    const double G = cattaneo_problem(10).bodies.upper.material.G;
+    CHECK(warned_of(0.5 * G));
+    CHECK_FALSE(warned_of(0.05 * G));
+    CHECK_FALSE(warned_of(std::numeric_limits<double>::infinity()));
+}
+
+TEST_CASE("strengths in Pa of a request of fatigue are warned of", "[contact]") {
+    ContactProblem problem = cattaneo_problem(10);
+    Rolling rolling;
+    rolling.xi = 1e-3;
+    problem.motion = rolling;
+    const double G = problem.bodies.upper.material.G;
+    FatigueRequest request;
+    request.strength =
+        FatigueStrength{.name = "rail", .source = "a test", .shear_yield = 10 * G, .a_DV = 0.3, .tau_e = G};
+    problem.fatigue = request;
+    const ContactSolution solution = solve_half_spaces(problem);
+    CHECK(has_warning(solution, "fatigue.strength.shear_yield is"));
+    CHECK(has_warning(solution, "fatigue.strength.tau_e is"));
 }
 
 TEST_CASE("contact at the border of the potential contact area is warned of", "[contact]") {
