@@ -104,7 +104,7 @@ TEST_CASE("Shear and Dang Van's stress of frictionless rolling are those known o
     const auto [b, a_DV, shear, dang_van, depth] =
         GENERATE(Known{infinite, 0, .2500, .2500, .50}, Known{infinite, 1 / 3.0, .2500, .1648, .61},
                  Known{5, 0, .2137, .2141, -1}, Known{5, 1 / 3.0, .2137, .1602, .55}, Known{50, 0, .2499, .2499, -1},
-                 Known{50, 1 / 3.0, .2499, .1659, -1});
+                 Known{50, 1 / 3.0, .2499, .1658, .607});
     const ContactFatigue fatigue = hertz_fatigue(5, b, 0, request_of(a_DV));
     CAPTURE(b, a_DV);
     CHECK_THAT(fatigue.shear->value / p0, WithinAbs(shear, 1e-3));
