@@ -214,7 +214,7 @@ class LocalWheel final : public OpenWheel {
     WheelsetEstimates wheelset_estimates_;
 };
 
-WheelOutcome outcome_of(const WheelCall& call) {
+WheelResult result_of(const WheelCall& call) {
     try {
         return call.wheel.solve(call.input, call.control);
     } catch (...) {
@@ -239,11 +239,11 @@ class LocalBackend final : public Backend {
     std::unique_ptr<OpenWheel> open_wheel(const Settings& settings) const override {
         return std::make_unique<LocalWheel>(engine_, settings.timeout);
     }
-    std::vector<WheelOutcome> solve_many(std::span<const WheelCall> calls, int threads) const override {
-        std::vector<WheelOutcome> outcomes(calls.size());
+    std::vector<WheelResult> solve_many(std::span<const WheelCall> calls, int threads) const override {
+        std::vector<WheelResult> results(calls.size());
         std::atomic<std::size_t> next = 0;
         const auto work = [&] {
-            for (std::size_t i = next++; i < calls.size(); i = next++) outcomes[i] = outcome_of(calls[i]);
+            for (std::size_t i = next++; i < calls.size(); i = next++) results[i] = result_of(calls[i]);
         };
         const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
         const std::size_t workers = threads == 0 ? processors : static_cast<std::size_t>(threads);
@@ -255,7 +255,7 @@ class LocalBackend final : public Backend {
             }
             work();
         }
-        return outcomes;
+        return results;
     }
     void ping(const Settings&) const override {}
 

@@ -50,9 +50,9 @@ std::int32_t with(contactd_connection* handle, const Body& body) noexcept {
     }
 }
 
-/// As above, where the exception was thrown by a call for which it was this thread's turn; tells the object's log.
+/// Tells the object's log as well, where it was this thread's turn when the exception was thrown.
 template <class Object>
-std::int32_t failed_in_turn(const void* handle, Object& object) noexcept {
+std::int32_t failed_under_guard(const void* handle, Object& object) noexcept {
     try {
         if (object.log()) object.log()(CONTACTD_LOG_ERROR, current_failure().sentence);
     } catch (...) {  // what the log has thrown
@@ -71,7 +71,7 @@ std::int32_t with_guard(const Handles<Object, Handle>& all, Handle* handle, cons
         try {
             body(*object);
         } catch (...) {
-            return failed_in_turn(handle, *object);
+            return failed_under_guard(handle, *object);
         }
         return CONTACTD_OK;
     } catch (...) {

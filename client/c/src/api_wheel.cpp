@@ -74,7 +74,7 @@ std::int32_t solve_together(std::span<contactd_wheel* const> handles, std::int32
         try {
             if (*failure) std::rethrow_exception(*failure);
         } catch (...) {
-            part.code = failed_in_turn(part.handle, *part.wheel);
+            part.code = failed_under_guard(part.handle, *part.wheel);
         }
         ++failure;
     }

@@ -91,8 +91,8 @@ struct WheelCall {
     const WheelInput& input;
     const Control& control;
 };
-/// What a wheel's solve returned, or threw.
-using WheelOutcome = std::variant<WheelRailSolution, std::exception_ptr>;
+/// The solution of a wheel, or what its solve has thrown.
+using WheelResult = std::variant<WheelRailSolution, std::exception_ptr>;
 
 /// Any number of threads at a time.
 class Backend {
@@ -110,7 +110,7 @@ class Backend {
     /// Solves wheels that were opened here by one user, each as its own solve does: in process on so many threads (0:
     /// as many as there are processors); with a daemon in one message, which ends for all when it ends for one. A wheel
     /// that fails does not keep the others from being solved.
-    virtual std::vector<WheelOutcome> solve_many(std::span<const WheelCall> calls, int threads) const = 0;
+    virtual std::vector<WheelResult> solve_many(std::span<const WheelCall> calls, int threads) const = 0;
     /// Throws when no contact can be solved there now.
     virtual void ping(const Settings& settings) const = 0;
 };

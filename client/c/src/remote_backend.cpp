@@ -89,7 +89,7 @@ class RemoteWheel final : public OpenWheel {
         const WheelRailStepInput request = named_as_set([&] { return request_of(input, control); });
         return end(input, control, is_new, [&] { return session_->step(request, options_of(control)).solution; });
     }
-    /// What a step of several wheels asks of this one, whose session is open then.
+    /// Returns what a step of several wheels asks of this one, whose session is open then.
     client::WheelRailSessionStep begin(const WheelInput& input, const Control& control) {
         WheelRailStepInput request = named_as_set([&] { return request_of(input, control); });
         return {*session_, std::move(request)};
@@ -150,7 +150,7 @@ class RemoteWheel final : public OpenWheel {
 /// The steps of several wheels as one message.
 class RemoteWheels {
    public:
-    explicit RemoteWheels(std::span<const WheelCall> calls) : outcomes_(calls.size()) {
+    explicit RemoteWheels(std::span<const WheelCall> calls) : results_(calls.size()) {
         std::vector<client::AnySessionStep> steps;
         std::vector<Part> parts;
         for (std::size_t i = 0; i < calls.size(); ++i)
@@ -170,7 +170,7 @@ class RemoteWheels {
         }
         for (std::size_t k = 0; k < parts.size(); ++k)
             keep(parts[k].number, [&] {
-                outcomes_[parts[k].number] =
+                results_[parts[k].number] =
                     parts[k].wheel.end(parts[k].call.input, parts[k].call.control, parts[k].is_new, [&] {
                         if (failure) std::rethrow_exception(failure);
                         if (auto* status = std::get_if<Status>(&answers[k])) throw StatusError(std::move(*status));
@@ -178,7 +178,7 @@ class RemoteWheels {
                     });
             });
     }
-    std::vector<WheelOutcome> outcomes() && { return std::move(outcomes_); }
+    std::vector<WheelResult> results() && { return std::move(results_); }
 
    private:
     struct Part {
@@ -193,7 +193,7 @@ class RemoteWheels {
         try {
             act();
         } catch (...) {
-            outcomes_[number] = std::current_exception();
+            results_[number] = std::current_exception();
         }
     }
     /// The first that ends or is stopped ends them all.
@@ -208,7 +208,7 @@ class RemoteWheels {
         return options;
     }
 
-    std::vector<WheelOutcome> outcomes_;
+    std::vector<WheelResult> results_;
     std::stop_source stop_;
     std::deque<std::stop_callback<std::function<void()>>> stops_;
 };
@@ -232,8 +232,8 @@ class RemoteBackend final : public Backend {
         return std::make_unique<RemoteWheel>(endpoint_, settings);
     }
 
-    std::vector<WheelOutcome> solve_many(std::span<const WheelCall> calls, int) const override {
-        return RemoteWheels(calls).outcomes();
+    std::vector<WheelResult> solve_many(std::span<const WheelCall> calls, int) const override {
+        return RemoteWheels(calls).results();
     }
 
     void ping(const Settings& settings) const override {

@@ -75,12 +75,12 @@ std::vector<std::exception_ptr> Wheel::solve_many(std::span<Wheel* const> wheels
                 calls.push_back({open, wheel.inputs, control});
                 called.push_back(i);
             });
-        std::vector<WheelOutcome> outcomes = where.first->solve_many(calls, threads);
+        std::vector<WheelResult> results = where.first->solve_many(calls, threads);
         for (std::size_t k = 0; k < called.size(); ++k)
             attempt(called[k], [&](Wheel& wheel) {
-                if (const auto* failure = std::get_if<std::exception_ptr>(&outcomes[k]))
+                if (const auto* failure = std::get_if<std::exception_ptr>(&results[k]))
                     std::rethrow_exception(*failure);
-                wheel.take(std::get<WheelRailSolution>(std::move(outcomes[k])));
+                wheel.take(std::get<WheelRailSolution>(std::move(results[k])));
             });
     }
     return failures;

@@ -79,7 +79,7 @@ class Client::Impl {
     }
 
     const ClientOptions& options() const { return options_; }
-    /// Of the same daemon, as the same user.
+    /// Tells whether both are of one daemon and one user.
     bool speaks_for(const Impl& other) const {
         return endpoint_ == other.endpoint_ && options_.own_key == other.options_.own_key;
     }

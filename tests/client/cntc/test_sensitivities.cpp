@@ -1,9 +1,13 @@
 // Derivatives of the forces.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
-#include "client/cntc/calls.hpp"
+#include "client/cntc/rail_calls.hpp"
 
 using namespace contactd::cntc::test;
 using Catch::Matchers::WithinAbs;
@@ -20,6 +24,11 @@ std::array<double, 4> outputs(Case& contact) {
 
 std::size_t at(int out, int in) {
     return static_cast<std::size_t>(4 * in + out);
+}
+
+/// The first of the published positions, where most of the contact adheres.
+const contactd::test::ManchesterCase& in_the_middle(contactd::Side side) {
+    return *std::ranges::find(contactd::test::manchester_cases, side, &contactd::test::ManchesterCase::side);
 }
 
 }  // namespace
@@ -118,4 +127,60 @@ TEST_CASE("sensitivities that were not asked for are no numbers") {
 
     CHECK(last_code() == -39);
     for (const double value : contact.sensitivities(5, 4)) CHECK(std::isnan(value));
+}
+
+TEST_CASE("sensitivities of a patch on a rail are how its forces change with its creepages") {
+    const auto side = GENERATE(contactd::Side::left, contactd::Side::right);
+    CAPTURE(side);
+    RailCase rail(1);
+    const auto solved = [&](double more_pitch, int sensitivities, double Fz = 10000) {
+        rail = manchester_wheel(1, side);
+        rail.whole.flag(1988, sensitivities);
+        contactd::test::ManchesterCase known = in_the_middle(side);
+        known.pitch_rate *= 1 + more_pitch;
+        place(rail, known);
+        rail.vertical_force(Fz);
+        REQUIRE(rail.whole.calculate() == 0);
+        return rail.patch(1);
+    };
+    Case patch = solved(0, 3);
+    const Values found = patch.sensitivities();
+    const ContactForces forces = patch.forces();
+    const double penetration = patch.found_penetration();
+    Case heavier = solved(0, 0, 10100);
+    CHECK_THAT(found[0],
+               WithinRel((heavier.forces().fn - forces.fn) / (heavier.found_penetration() - penetration), 0.02));
+
+    Case ahead = solved(1e-5, 0);
+    const ContactForces more = ahead.forces();
+    const auto after = ahead.found_creepages();
+    Case behind = solved(-1e-5, 0);
+    const ContactForces less = behind.forces();
+    const auto before = behind.found_creepages();
+
+    const auto expected = [&](int out) {
+        return found[at(out, 1)] * (after.vx - before.vx) + found[at(out, 2)] * (after.vy - before.vy) +
+               found[at(out, 3)] * (after.phi - before.phi);
+    };
+    const double change = (more.fx / more.fn - less.fx / less.fn) / 0.3;
+    REQUIRE(std::abs(change) > 1e-3);
+    CHECK_THAT(expected(1), WithinRel(change, 0.02));
+    CHECK_THAT(expected(2), WithinAbs((more.fy / more.fn - less.fy / less.fn) / 0.3, 0.02 * std::abs(change)));
+}
+
+TEST_CASE("a patch on a rail that is more than its contact problem says so when sensitivities are read") {
+    RailCase rail = manchester_wheel(1, contactd::Side::right);
+    rail.whole.flag(1988, 3);
+    place(rail, in_the_middle(contactd::Side::right));
+    SECTION("curved") {
+        rail.whole.flag(1977, 4);
+    }
+    SECTION("virtual penetration") {
+        rail.whole.flag(1971, 5);
+    }
+    REQUIRE(rail.whole.calculate() == 0);
+    Case patch = rail.patch(1);
+    for (const double value : patch.sensitivities()) CHECK(std::isnan(value));
+    CHECK(last_code() == -39);
+    CHECK(patch.forces().fn > 0);
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "interface/entry.hpp"
+#include "problem/sensitivities.hpp"
 #include "problem/stopwatch.hpp"
 
 using namespace contactd;
@@ -157,13 +158,22 @@ CONTACTD_FORTRAN_NAME(cntc_getmaximumtraction)
 extern "C" void cntc_getsensitivities(int* ire, int* icp, int* lenout, int* lenin, double* values) {
     if (lenout != nullptr && lenin != nullptr && *lenout > 0 && values != nullptr)
         for (int in = 0; in < *lenin; ++in) clear(values + static_cast<std::ptrdiff_t>(in) * *lenout, lenout);
-    get("cntc_getsensitivities", ire, icp, [&](const ContactCase& problem) {
+    get("cntc_getsensitivities", ire, icp, [&](ContactCase& problem) {
         const int outs = integer(lenout, "lenout"), ins = integer(lenin, "lenin");
         require(values, "values");
         if (outs < 1 || ins < 1 || outs > 4 || ins > 4)
             throw Refused(error_code::input, "lenout and lenin are " + std::to_string(outs) + " and " +
                                                  std::to_string(ins) + "; they are 1 to 4.");
-        const Solved& solved = solution_of(problem);
+        solution_of(problem);
+        Solved& solved = *problem.solved;
+        // Those of a wheel on a rail are found when somebody reads them, patch by patch.
+        if (problem.settings.module == module_number::wheel_rail && !solved.sensitivities)
+            if (const int digit = problem.settings.digits(flag::sensitivities); digit != 0) {
+                if (solved.beyond != nullptr)
+                    throw Refused(error_code::input,
+                                  std::string("There are no sensitivities of ") + solved.beyond + " on a rail.");
+                solved.sensitivities = sensitivities(solved.problem, solved.solution, problem.solver, digit == 3);
+            }
         if (!solved.sensitivities)
             throw Refused(error_code::input, "No sensitivities were asked for; set flag 1988 before the solve.");
         const Units& units = problem.settings.units;

@@ -21,6 +21,9 @@ struct Solved {
     ContactProblem problem;
     ContactSolution solution;
     std::optional<Sensitivities> sensitivities{};  ///< where they were asked for
+    /// Names what a patch of a wheel on a rail has and its contact problem does not, which can not be solved again
+    /// then.
+    const char* beyond = nullptr;
 };
 
 /// Stresses in a block, as they are read: z > 0 inside the upper body.

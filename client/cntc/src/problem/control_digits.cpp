@@ -91,12 +91,7 @@ const std::vector<Digit>& digits() {
          "it is 0, or 3 for the previous case",
          "it is 0, or 3 for the previous case"},
         {flag::result, 0, {0, 1, 2, 3}, {0, 1, 2, 3}, "it is 0, 1, 2 or 3", "it is 0, 1, 2 or 3"},
-        {flag::sensitivities,
-         0,
-         {0, 2, 3},
-         {0},
-         "it is 0, 2 or 3",
-         "contactd has no sensitivities of the patches of a wheel on a rail"},
+        {flag::sensitivities, 0, {0, 2, 3}, {0, 2, 3}, "it is 0, 2 or 3", "it is 0, 2 or 3"},
     };
     return all;
 }

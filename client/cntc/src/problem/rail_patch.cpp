@@ -54,6 +54,18 @@ Motion seen_from(Motion motion, const RailPlace& counted) {
     return motion;
 }
 
+/// Names what the contact problem of a patch leaves out; null: nothing.
+const char* left_out(const WheelRailSetup& setup, const WheelRailState& state, const ContactPlace& place) {
+    if (setup.model != Model::full) return "a simplified model";
+    if (setup.normal_model != NormalModel::of_model) return "virtual penetration";
+    if (state.motion != WheelRailMotion::steady_rolling) return "a motion that is not steady";
+    if (!place.rows.empty()) return "a curved contact";
+    if (place.regions.size() > 1) return "regions that share their displacements in part";
+    if (setup.rigid_slip != RigidSlipKind::plane) return "slip row by row";
+    if (setup.friction && setup.friction->layer) return "an interfacial layer";
+    return nullptr;
+}
+
 GivenMotion creepages_of(const Motion& motion) {
     if (const auto* rolling = std::get_if<Rolling>(&motion)) return {rolling->xi, rolling->eta, rolling->phi};
     const auto& shift = std::get<Shift>(motion);
@@ -72,6 +84,7 @@ void show(const WheelRailPatch& patch, const RailCase& rail, const Settings& com
     solved.problem = {};
     solved.solution = patch.solution;
     solved.sensitivities.reset();
+    solved.beyond = left_out(setup, *rail.state, place);
     solved.problem.grid = place.grid;
     solved.problem.gap = patch.gap;
     solved.problem.bodies = setup.bodies;
