@@ -250,9 +250,9 @@ CONTACTD_API int32_t contactd_wheel_solve_many(contactd_wheel* const* wheels, in
 /* Both wheels of a wheelset that is free to roll, at the height and the roll at which each presses on its rail by its
  * "state.Fz". Position, velocity and pitch rate of a roller are the same for both, but z and roll, where the right
  * wheel's tell where to start; no longitudinal force and no derivatives. Each wheel then has its results, which
- * converged when both wheels and the search for the roll did. In process a solve starts where the last one of the right
- * wheel with these set-ups ended, which changes the answer within the tolerances. The timeout and the failures are
- * those of the right wheel; either is cancelled for both. */
+ * converged when both wheels and the search for the roll did. A solve starts where the last one of the right wheel with
+ * these set-ups ended, with a daemon at its height and roll, which changes the answer within the tolerances. The
+ * timeout and the failures are those of the right wheel; either is cancelled for both. */
 CONTACTD_API int32_t contactd_wheel_solve_wheelset(contactd_wheel* right, contactd_wheel* left);
 /* From any thread: the solve that runs ends with CONTACTD_CANCELLED soon. Does nothing when none runs. */
 CONTACTD_API int32_t contactd_wheel_cancel(contactd_wheel* wheel);

@@ -80,8 +80,8 @@ class OpenWheel {
     virtual std::string save(const WheelRailSetup& setup, const Control& control) = 0;
     virtual void restore(const std::string& state, const Control& control) = 0;
     virtual void forget(const std::string& state, const Control& control) = 0;
-    /// Both wheels of a wheelset: in process from where the last such solve of the same set-up ended, within the
-    /// tolerances; by a daemon from nothing.
+    /// Both wheels of a wheelset, from where the last such solve of the same set-up ended, within the tolerances: in
+    /// process with its estimates, with a daemon at its height and roll.
     virtual WheelsetSolution solve_wheelset(const WheelsetInput& input, const Control& control) = 0;
 };
 

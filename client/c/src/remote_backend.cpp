@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string_view>
 #include <utility>
@@ -121,7 +122,14 @@ class RemoteWheel final : public OpenWheel {
         session_->forget({state}, options_of(control));
     }
     WheelsetSolution solve_wheelset(const WheelsetInput& input, const Control& control) override {
-        return client_.wheelset(input.setup, input.state, options_of(control), input.fields, input.gap);
+        WheelsetState state = input.state;
+        if (wheelset_ && wheelset_->setup == input.setup) {
+            state.position.z = wheelset_->z;
+            state.position.roll = wheelset_->roll;
+        }
+        WheelsetSolution solution = client_.wheelset(input.setup, state, options_of(control), input.fields, input.gap);
+        if (solution.converged()) wheelset_ = {input.setup, solution.right.z, solution.roll};
+        return solution;
     }
 
    private:
@@ -145,6 +153,12 @@ class RemoteWheel final : public OpenWheel {
     client::Client client_;  // outlives the session
     std::unique_ptr<client::WheelRailSession> session_;
     WheelRailSetup opened_;  // with which it was
+    /// Where the last search for height and roll ended, and the next one starts.
+    struct LastWheelset {
+        WheelsetSetup setup;
+        double z, roll;
+    };
+    std::optional<LastWheelset> wheelset_;
 };
 
 /// The steps of several wheels as one message.
