@@ -234,9 +234,9 @@ void validate(const WheelRailSetup& setup) {
         throw InvalidArgument("conformal",
                               "is fem, and the wheel has slices; coefficients by cross-sections are those of wheels "
                               "that are round: take rotated");
-    if (setup.rigid_slip == RigidSlipKind::surfaces && setup.model != Model::full)
+    if (setup.rigid_slip != RigidSlipKind::plane && setup.model != Model::full)
         throw InvalidArgument("rigid_slip",
-                              "is surfaces, and the simplified models know creepages only; take model full");
+                              "is not plane, and the simplified models know creepages only; take model full");
     if (setup.friction && setup.friction->layer && setup.model != Model::full)
         throw InvalidArgument("friction.layer", "is of model full; the simplified models know no layer between bodies");
     if (setup.sheet_flexibility > 0 && setup.model != Model::full)

@@ -101,9 +101,12 @@ struct PatchRules {
 enum class WheelSurfaceKind { exact, bilinear };
 
 /// Rigid slip, before the bodies deform: by the creepages of the reference, as in a plane, which is what reference
-/// programs do; or by the motion of both surfaces at each row of elements, seen along the surface there. The latter is
-/// for conformal contact, and forces do not jump where regions with different rolling radii become one patch.
-enum class RigidSlipKind { plane, surfaces };
+/// programs do; by the motion of both surfaces at each row of elements, seen along the surface there, and spin taken
+/// ahead of the middles of the elements as creepages have it; or by that motion at the middle of each element, seen
+/// along the plane (along the row, of a conformal contact) and as the surfaces lean along x, with creepages that fit it
+/// best, which is what reference programs have for conformal contact. With `surfaces` forces do not jump where regions
+/// with different rolling radii become one patch.
+enum class RigidSlipKind { plane, surfaces, elements };
 
 /// Whether a contact is curved across the track as wheel and rail are, half-way between both: each row of elements has
 /// its own normal, by which gaps are measured, tractions turned and slip is that of the surfaces. With the influence
@@ -165,7 +168,7 @@ struct WheelRailSetup {
     double dq = 0;              ///< step of rolling (mm); 0: dx
     PatchRules patches{};
     WheelSurfaceKind wheel_surface = WheelSurfaceKind::exact;
-    RigidSlipKind rigid_slip = RigidSlipKind::plane;  ///< surfaces: of model full only
+    RigidSlipKind rigid_slip = RigidSlipKind::plane;  ///< else of model full only
     ContactSettings settings{};
     Conformal conformal = Conformal::off;  ///< else of model full only; fem: of a rail that is uniform along x
     SolverSettings force{1e-6, 40};        ///< of the search for a height that brings Fz: |F - Fz|/Fz, and solves

@@ -54,21 +54,27 @@ WheelsetPosition at_zero(WheelsetPosition position) {
     return position;
 }
 
-/// Distances along the normal of the plane, or of each row; not a number where wheel or rail are not above the plane.
-std::vector<double> distances(const WheelRailSetup& setup, const WheelSurface& wheel, const RailSurface& rail,
-                              const ContactPlace& place) {
+/// Above the plane of the reference; not a number where a surface does not stand above it. `counted_from` is where
+/// elements are counted from, in the plane.
+SurfaceHeights heights_of(const WheelRailSetup& setup, const WheelSurface& wheel, const RailSurface& rail,
+                          const ContactPlace& place, const ElementMiddle& counted_from) {
     const ContactReference& reference = place.reference;
-    const bool curved = !place.rows.empty();
-    const PlanePoints points =
-        curved ? PlanePoints(place.grid, CurvedRows{.rows = place.rows}.in_plane(reference)) : PlanePoints(place.grid);
-    const std::vector<double> of_rail = rail_heights(rail, reference, points);
-    std::vector<double> h = setup.wheel_surface == WheelSurfaceKind::exact
-                                ? wheel_heights(wheel, reference, points)
-                                : meshed_wheel_heights(wheel, reference, points);
+    const PlanePoints points = place.rows.empty()
+                                   ? PlanePoints(place.grid)
+                                   : PlanePoints(place.grid, CurvedRows{.rows = place.rows}.in_plane(reference));
+    return {rail_heights(rail, reference, points),
+            setup.wheel_surface == WheelSurfaceKind::exact
+                ? wheel_heights(wheel, reference, points)
+                : meshed_wheel_heights(wheel, reference, points, counted_from)};
+}
+
+/// Distances along the normal of the plane, or of each row; not a number where wheel or rail are not above the plane.
+std::vector<double> distances(const RailSurface& rail, const ContactPlace& place, const SurfaceHeights& heights) {
+    std::vector<double> h = heights.wheel;
     const auto nx = static_cast<std::size_t>(place.grid.nx);
     for (std::size_t i = 0; i < h.size(); ++i) {
-        h[i] = of_rail[rail.varies() ? i : i / nx] - h[i];
-        if (curved) h[i] *= std::cos(place.rows[i / nx].angle - reference.angle);
+        h[i] = heights.rail[rail.varies() ? i : i / nx] - h[i];
+        if (!place.rows.empty()) h[i] *= std::cos(place.rows[i / nx].angle - place.reference.angle);
     }
     return h;
 }
@@ -247,6 +253,7 @@ void Position::find_elements(CandidatePatch& found) const {
     RailPlace& on_rail = found.place.on_rail;
     on_rail = {state_.position.x + reference.x, across_rail(rail_, reference.y)};
     if (state_.motion == WheelRailMotion::steady_rolling) return;
+    found.counted_from = {-(state_.motion == WheelRailMotion::shift ? on_rail.along : reference.x), -on_rail.across};
     const auto next = [](double at, double size) { return size * std::ceil(at / size) - at; };
     found.middle = {next(state_.motion == WheelRailMotion::shift ? on_rail.along : reference.x, setup_.dx),
                     next(on_rail.across, setup_.dy)};
@@ -280,6 +287,14 @@ void Position::widen(CandidatePatch& found, const Grid& grid, double z) const {
     bend(found, wheel_.lowered(z));
 }
 
+/// How far ahead solvers take the spin of creepages (mm).
+double Position::spin_ahead(double velocity) const {
+    if (state_.motion == WheelRailMotion::shift) return 0;
+    const bool by_time = state_.motion == WheelRailMotion::transient_rolling && state_.time_step;
+    const double step = by_time ? velocity * *state_.time_step : setup_.dq > 0 ? setup_.dq : setup_.dx;
+    return spin_offset * step;
+}
+
 bool Position::measure(CandidatePatch& found, double z) const {
     if (!has_distances(setup_)) return std::isfinite(found.place.approach);
     constexpr int most_rounds = 50;
@@ -287,9 +302,11 @@ bool Position::measure(CandidatePatch& found, double z) const {
     ContactPlace& place = found.place;
     const bool flat = place.rows.empty();
     widen(found, convenient(place.grid, flat), z);
+    SurfaceHeights heights;
     for (int round = 0; round < most_rounds; ++round) {
         observer_.throw_if_cancelled();
-        found.gap = distances(setup_, wheel, rail_, place);
+        heights = heights_of(setup_, wheel, rail_, place, found.counted_from);
+        found.gap = distances(rail_, place, heights);
         place.approach = take_out_approach(found.gap);
         if (!std::isfinite(place.approach)) return false;
         Grid grid = place.grid;
@@ -299,9 +316,10 @@ bool Position::measure(CandidatePatch& found, double z) const {
         if (place.grid == before) break;  // there are no more rows
     }
     place.creepages = creepages(wheel, rail_, state_, place.reference, place.approach);
-    if (!place.rows.empty()) {
-        auto [fitted, rest] =
-            curved_slip(wheel, rail_, state_, place, found.gap, rail_share(setup_.bodies), place.creepages);
+    const bool by_elements = setup_.rigid_slip == RigidSlipKind::elements;
+    if (!place.rows.empty() || by_elements) {
+        auto [fitted, rest] = curved_slip(wheel, rail_, state_, place, heights, found.gap, rail_share(setup_.bodies),
+                                          place.creepages, by_elements ? spin_ahead(place.creepages.velocity) : 0);
         place.creepages = fitted;
         found.additional_slip = std::move(rest);
     } else if (setup_.rigid_slip == RigidSlipKind::surfaces) {

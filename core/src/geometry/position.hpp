@@ -41,6 +41,7 @@ struct CandidatePatch {
     Paraboloid paraboloid{};
     double row_on_rail = 0, row_on_wheel = 0;  ///< arc lengths of the first row along the profiles (mm)
     ElementMiddle middle;                      ///< where elements lie
+    ElementMiddle counted_from;  ///< where they are counted from, in the plane; the reference, of steady rolling
     int more_below = 0, more_above = 0;        ///< rows of a curved contact beside those that it needs
     std::vector<RowSlip> row_slips;            ///< of rigid slip by surfaces only
     RigidSlip additional_slip;                 ///< of curved contacts: beside the creepages, of each element
@@ -76,6 +77,7 @@ class Position {
     CandidatePatch candidate_of(const RegionGroup& group, const WheelSurface& wheel, double z) const;
     void find_elements(CandidatePatch& found) const;
     std::vector<RegionGroup> groups(double z, bool blends) const;
+    double spin_ahead(double velocity) const;
     bool bend(CandidatePatch& found, const WheelSurface& wheel) const;
 
     const WheelRailSetup& setup_;

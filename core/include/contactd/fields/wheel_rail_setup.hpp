@@ -37,9 +37,10 @@ static_assert(static_cast<int>(WheelSurfaceKind::exact) == 0);
 static_assert(static_cast<int>(WheelSurfaceKind::bilinear) == 1);
 
 template <>
-inline constexpr auto enum_words<RigidSlipKind> = std::to_array<std::string_view>({"plane", "surfaces"});
+inline constexpr auto enum_words<RigidSlipKind> = std::to_array<std::string_view>({"plane", "surfaces", "elements"});
 static_assert(static_cast<int>(RigidSlipKind::plane) == 0);
 static_assert(static_cast<int>(RigidSlipKind::surfaces) == 1);
+static_assert(static_cast<int>(RigidSlipKind::elements) == 2);
 
 template <>
 inline constexpr auto enum_words<Conformal> =

@@ -19,16 +19,21 @@ struct Slip {
 /// Both surfaces, at points that face each other.
 class FacingSurfaces {
    public:
+    /// `along_track` is how fast the contact moves there: seen from it both surfaces run through it.
     FacingSurfaces(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state, double rail_share,
-                   double velocity)
-        : wheel_(wheel), rail_(rail), state_(state), rail_share_(rail_share), velocity_(velocity) {}
+                   double velocity, double along_track)
+        : wheel_(wheel),
+          rail_(rail),
+          state_(state),
+          rail_share_(rail_share),
+          velocity_(velocity),
+          along_track_(along_track) {}
 
     Slip slip(const Vector3& on_rail, const Vector3& on_wheel, double angle) const {
         const Vector3 ground = of_rail(rail_, state_, on_rail).velocity;
         const Vector3 rim = of_wheel(wheel_, state_, on_wheel).velocity;
         const Rotation axes = Rotation::roll(angle);
-        // Seen from the contact, which moves along a rail and stays on a roller, both surfaces run through it.
-        const Vector3 moving{rail_.axle() ? 0 : state_.velocity.x, 0, 0};
+        const Vector3 moving{along_track_, 0, 0};
         const Vector3 through = rail_share_ * (ground - moving) + (1 - rail_share_) * (rim - moving);
         const double x = through.x, n = dot(through, axes.z), length = std::hypot(x, n);
         const Vector3 over = ground - rim;
@@ -41,7 +46,7 @@ class FacingSurfaces {
     const WheelSurface& wheel_;
     const RailSurface& rail_;
     const WheelRailState& state_;
-    double rail_share_, velocity_;
+    double rail_share_, velocity_, along_track_;
 };
 
 /// w_x = xi - phi y, w_y = eta + phi x.
@@ -71,23 +76,29 @@ class CreepageFit {
 }  // namespace
 
 CurvedSlip curved_slip(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state,
-                       const ContactPlace& place, const std::vector<double>& gap, double rail_share,
-                       const Creepages& from) {
+                       const ContactPlace& place, const SurfaceHeights& heights,
+                       const std::vector<double>& gap, double rail_share,
+                       const Creepages& from, double spin_ahead) {
     const Grid& grid = place.grid;
     CurvedSlip result{from, {std::vector<double>(grid.size()), std::vector<double>(grid.size())}};
     if (!(from.velocity > 0)) return result;
     const bool rolls = state.motion != WheelRailMotion::shift;
     if (rolls && !rail.axle() && state.velocity.x != 0) result.creepages.velocity = std::abs(state.velocity.x);
-    const PlanePoints points(grid, CurvedRows{.rows = place.rows}.in_plane(place.reference));
-    const std::vector<double> of_rail_surface = rail_heights(rail, place.reference, points);
-    const std::vector<double> of_wheel_surface = wheel_heights(wheel, place.reference, points);
-    const FacingSurfaces surfaces(wheel, rail, state, rail_share, result.creepages.velocity);
+    const bool curved = !place.rows.empty();
+    const PlanePoints points =
+        curved ? PlanePoints(grid, CurvedRows{.rows = place.rows}.in_plane(place.reference)) : PlanePoints(grid);
+    const auto& [of_rail_surface, of_wheel_surface] = heights;
+    // The contact moves along a rail and stays on a roller; in a shift it moves with the velocity of that.
+    const double along_track = rail.axle() ? 0 : rolls ? state.velocity.x : result.creepages.velocity;
+    const FacingSurfaces surfaces(wheel, rail, state, rail_share, result.creepages.velocity, along_track);
     const Frame contact = contact_frame(place.reference);
+    const double ahead = spin_ahead * std::cos(from.chi);
     CreepageFit fit;
     std::vector<Slip> slips(grid.size());
     std::vector<bool> known(grid.size());
     std::size_t i = 0;
-    for (std::size_t row = 0; row < place.rows.size(); ++row)
+    for (std::size_t row = 0; row < points.rows.size(); ++row) {
+        const double angle = curved ? place.rows[row].angle : place.reference.angle;
         for (int ix = 0; ix < grid.nx; ++ix, ++i) {
             const double rail_height = of_rail_surface[rail.varies() ? i : row], wheel_height = of_wheel_surface[i];
             known[i] = std::isfinite(rail_height) && std::isfinite(wheel_height);
@@ -95,9 +106,10 @@ CurvedSlip curved_slip(const WheelSurface& wheel, const RailSurface& rail, const
             const auto in_track = [&](double height) {
                 return contact.outside({grid.x(ix), points.rows[row], height});
             };
-            slips[i] = surfaces.slip(in_track(rail_height), in_track(wheel_height), place.rows[row].angle);
-            if (gap[i] < place.approach) fit.add(grid.x(ix), grid.y(static_cast<int>(row)), slips[i]);
+            slips[i] = surfaces.slip(in_track(rail_height), in_track(wheel_height), angle);
+            if (gap[i] < place.approach) fit.add(grid.x(ix) + ahead, grid.y(static_cast<int>(row)), slips[i]);
         }
+    }
     fit.find(result.creepages);
     if (!is_rolling(result.creepages)) return {{}, std::move(result.rest)};
     const auto& [xi, eta, phi, chi, velocity] = result.creepages;
@@ -105,7 +117,7 @@ CurvedSlip curved_slip(const WheelSurface& wheel, const RailSurface& rail, const
         if (!known[i]) continue;
         const int ix = static_cast<int>(i) % grid.nx, iy = static_cast<int>(i) / grid.nx;
         result.rest.x[i] = slips[i].along - (xi - phi * grid.y(iy));
-        result.rest.y[i] = slips[i].across - (eta + phi * grid.x(ix));
+        result.rest.y[i] = slips[i].across - (eta + phi * (grid.x(ix) + ahead));
     }
     return result;
 }

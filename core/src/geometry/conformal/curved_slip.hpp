@@ -16,12 +16,19 @@ struct CurvedSlip {
     RigidSlip rest;       ///< of all elements, beside them; zero where a surface is missing
 };
 
+/// Of both surfaces at the elements (mm); those of a rail that is the same all along, of its rows.
+struct SurfaceHeights {
+    std::vector<double> rail, wheel;
+};
+
 /// Velocities of both surfaces where they are, along x as the surfaces lean and along each row, over the velocity
 /// of the wheelset, or the creepages' where it stands. `gap` and `approach` say which elements are in contact;
 /// `rail_share` is the rail's part in the direction in which both lean, 0 to 1. `from` are the creepages of the plane:
-/// which way it rolls.
+/// which way it rolls. The solver takes spin `spin_ahead` (mm) ahead of the middles of the elements, where slip is that
+/// of the middles: this is left out of the rest.
 CurvedSlip curved_slip(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state,
-                       const ContactPlace& place, const std::vector<double>& gap, double rail_share,
-                       const Creepages& from);
+                       const ContactPlace& place, const SurfaceHeights& heights,
+                       const std::vector<double>& gap, double rail_share,
+                       const Creepages& from, double spin_ahead);
 
 }  // namespace contactd::geometry

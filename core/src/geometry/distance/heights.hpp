@@ -9,6 +9,7 @@
 #include "contactd/wheel_rail_solution.hpp"
 #include "geometry/placement/rail_surface.hpp"
 #include "geometry/placement/wheel_surface.hpp"
+#include "geometry/search/patch_grid.hpp"
 
 namespace contactd::geometry {
 
@@ -45,8 +46,8 @@ std::vector<double> wheel_heights(const WheelSurface& wheel, const ContactRefere
                                   const PlanePoints& points, double settled = 1e-10);
 
 /// Heights of a wheel that is straight between the nodes of a mesh on it: as wide as the elements, along x and along
-/// its profile, around the contact's reference.
+/// its profile, and counted from the point of the plane that elements are counted from.
 std::vector<double> meshed_wheel_heights(const WheelSurface& wheel, const ContactReference& reference,
-                                         const PlanePoints& points);
+                                         const PlanePoints& points, const ElementMiddle& counted_from = {});
 
 }  // namespace contactd::geometry

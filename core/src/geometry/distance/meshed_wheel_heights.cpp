@@ -10,15 +10,25 @@ namespace {
 /// Nodes (i, j), -i_most..i_most and -j_most..j_most, in the coordinates of the contact.
 class Mesh {
    public:
-    Mesh(const WheelSurface& wheel, const ContactReference& reference, const PlanePoints& points) {
+    Mesh(const WheelSurface& wheel, const ContactReference& reference, const PlanePoints& points,
+         const ElementMiddle& counted_from) {
         const Grid& grid = points.columns;
         // Rows that bend away from the plane are dy apart along the surface, and less in the plane.
         const double farthest = std::max({std::abs(points.rows.front()), std::abs(points.rows.back()),
                                           std::abs(grid.y(0)), std::abs(grid.y(grid.ny - 1))});
         const Frame contact = contact_frame(reference);
-        const Vector3 centre = wheel.frame().inside(contact.origin);
         const ProfileCurve& profile = wheel.profile();
-        const double s = profile.arc_length(profile.s_at_y(centre.y - wheel.base_y()));
+        const auto on_profile = [&](const Vector3& at) {
+            return profile.arc_length(profile.s_at_y(at.y - wheel.base_y()));
+        };
+        const Vector3 origin = wheel.frame().inside(contact.origin);
+        const Vector3 counted = wheel.frame().inside(contact.outside({counted_from.x, counted_from.y, 0}));
+        // The nodes next to the reference.
+        const auto nearest = [](double from, double to, double step) {
+            return from + step * std::round((to - from) / step);
+        };
+        const double middle = nearest(counted.x, origin.x, grid.dx);
+        const double s = nearest(on_profile(counted), on_profile(origin), grid.dy);
         constexpr int spare = 8;
         i_most_ = spare + static_cast<int>(std::max(std::abs(grid.x0), grid.x0 + grid.nx * grid.dx) / grid.dx);
         j_most_ = spare + static_cast<int>(1.2 * (farthest + 0.5 * grid.dy) / grid.dy);
@@ -27,7 +37,7 @@ class Mesh {
         for (int j = -j_most_; j <= j_most_; ++j) {
             const double at = profile.s_at_arc_length(s + j * grid.dy);
             for (int i = -i_most_; i <= i_most_; ++i)
-                nodes_.push_back(contact.inside(wheel.frame().outside(wheel.in_wheel(centre.x + i * grid.dx, at))));
+                nodes_.push_back(contact.inside(wheel.frame().outside(wheel.in_wheel(middle + i * grid.dx, at))));
         }
     }
 
@@ -80,8 +90,8 @@ class Mesh {
 }  // namespace
 
 std::vector<double> meshed_wheel_heights(const WheelSurface& wheel, const ContactReference& reference,
-                                         const PlanePoints& points) {
-    const Mesh mesh(wheel, reference, points);
+                                         const PlanePoints& points, const ElementMiddle& counted_from) {
+    const Mesh mesh(wheel, reference, points, counted_from);
     std::vector<double> heights;
     for (const double y : points.rows)
         for (int ix = 0; ix < points.nx(); ++ix) heights.push_back(mesh.height(points.x(ix), y));

@@ -10,6 +10,9 @@
 
 namespace contactd::geometry {
 
+/// Where solvers take the spin of creepages: so many steps ahead of the middles of the elements.
+inline constexpr double spin_offset = 1.0 / 6;  // errs least on grids as they are used (docs/contact.md)
+
 /// Whether there are creepages that a contact problem takes: none where the rolling velocity is next to nothing, or
 /// what slides beside it is beyond 1e9 times as fast.
 bool is_rolling(const Creepages& creepages);

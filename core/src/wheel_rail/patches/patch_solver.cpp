@@ -17,9 +17,8 @@ namespace contactd {
 namespace {
 
 using geometry::CandidatePatch;
+using geometry::spin_offset;
 using Values = std::vector<double>;
-
-constexpr double spin_offset = 1.0 / 6;  // errs least on grids as they are used (docs/contact.md)
 
 /// The inclination of the rail at each row of elements.
 Values row_angles(const ContactPlace& place, const geometry::RailSurface& rail) {

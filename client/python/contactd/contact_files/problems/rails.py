@@ -39,6 +39,7 @@ Profiles = Callable[["Case", str], "Profile | tuple[Slices, str]"]
 _ROLLER, _RIGHT = 4, 1
 _SHIFT, _TRANSIENT = 1, 2
 _HALF_PLANE = 4  #: D: contact that follows the surfaces
+_BY_ELEMENTS = (3, 4)  #: D: slip by the motion of both surfaces
 _NEAR = 1e-6  #: by how much distances that are the same to the program are apart here (mm)
 _OF_DEVIATION = {
     "x": "DXWHL", "y": "DYWHL", "z": "DZWHL", "roll": "DROLLW", "yaw": "DYAWW",
@@ -75,7 +76,7 @@ class RailContact:
             side="right" if case.digits["C1"] % _ROLLER == _RIGHT else "left",
             upper=pair.upper, lower=pair.lower, track=_track(case), wheelset=_wheelset(values), friction=friction,
             dx=values["DX"], dy=values["DS"], patches=_patches(values), wheel_surface=wheel_surface,
-            dq=_step(case), rigid_slip="surfaces" if values["DISCNS"] == 3 else None, conformal=_conformal(values),
+            dq=_step(case), rigid_slip="elements" if values["DISCNS"] in _BY_ELEMENTS else None, conformal=_conformal(values),
             **_surfaces(case, profiles), **_settings(values), **models_of(case),
             sheet_flexibility=sheet_of(case),
             temperature=thermal_bodies(case),

@@ -44,7 +44,7 @@ Side = Literal["left", "right"]
 ContactSearch = Literal["locus", "mesh"]
 SliceSpline = Literal["shape_preserving", "cubic", "approximating"]
 WheelSurface = Literal["exact", "bilinear"]
-RigidSlipKind = Literal["plane", "surfaces"]
+RigidSlipKind = Literal["plane", "surfaces", "elements"]
 Conformal = Literal["off", "half_space", "rotated", "fem", "auto"]
 
 
@@ -205,8 +205,10 @@ class WheelRailSetup(Saved):
             Default "shape_preserving".
         wheel_surface: The wheel by its splines, or bilinear between corners of a mesh as large as the elements, which
             comparisons with other programs want. Default "exact".
-        rigid_slip: Rigid slip, before the bodies deform: by the creepages of the reference, as in a plane; or by the
-            motion of both surfaces at each row of elements, for conformal contact, with model full. Default "plane".
+        rigid_slip: Rigid slip, before the bodies deform: by the creepages of the reference, as in a plane; surfaces, by
+            the motion of both surfaces at each row of elements, for conformal contact, with model full; or elements, by
+            that at the middle of each element, seen along the plane as the surfaces lean along x, with creepages that
+            fit it best, which comparisons with other programs want. Default "plane".
         conformal: Whether a contact is curved across the track, half-way between wheel and rail. off: one plane.
             Otherwise each row of elements has its own normal, along which gaps are measured, tractions turned and slip
             is that of the surfaces, with coefficients of half_space, as if rows lay flat; rotated, half-spaces that
