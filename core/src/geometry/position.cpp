@@ -54,10 +54,10 @@ WheelsetPosition at_zero(WheelsetPosition position) {
     return position;
 }
 
-/// Above the plane of the reference; not a number where a surface does not stand above it. `counted_from` is where
-/// elements are counted from, in the plane.
+/// Above the plane of the reference; not a number where a surface does not stand above it.
 SurfaceHeights heights_of(const WheelRailSetup& setup, const WheelSurface& wheel, const RailSurface& rail,
-                          const ContactPlace& place, const ElementMiddle& counted_from) {
+                          const CandidatePatch& found) {
+    const ContactPlace& place = found.place;
     const ContactReference& reference = place.reference;
     const PlanePoints points = place.rows.empty()
                                    ? PlanePoints(place.grid)
@@ -65,7 +65,7 @@ SurfaceHeights heights_of(const WheelRailSetup& setup, const WheelSurface& wheel
     return {rail_heights(rail, reference, points),
             setup.wheel_surface == WheelSurfaceKind::exact
                 ? wheel_heights(wheel, reference, points)
-                : meshed_wheel_heights(wheel, reference, points, counted_from)};
+                : meshed_wheel_heights(wheel, {place, found.needed, found.counted_from}, points)};
 }
 
 /// Distances along the normal of the plane, or of each row; not a number where wheel or rail are not above the plane.
@@ -230,7 +230,7 @@ CandidatePatch Position::candidate_of(const RegionGroup& group, const WheelSurfa
     for (const OverlapRegion& region : group.regions)
         place.penetration = std::max(place.penetration, region.penetration);
     find_elements(found);
-    place.grid = grid_of(group, rail_, setup_.dx, setup_.dy, found.middle);
+    place.grid = found.needed = grid_of(group, rail_, setup_.dx, setup_.dy, found.middle);
     place.radii = radii_of(wheel, rail_, place.reference);
     if (has_distances(setup_)) {
         place.approach = place.penetration * std::abs(std::cos(place.reference.angle));
@@ -305,7 +305,7 @@ bool Position::measure(CandidatePatch& found, double z) const {
     SurfaceHeights heights;
     for (int round = 0; round < most_rounds; ++round) {
         observer_.throw_if_cancelled();
-        heights = heights_of(setup_, wheel, rail_, place, found.counted_from);
+        heights = heights_of(setup_, wheel, rail_, found);
         found.gap = distances(rail_, place, heights);
         place.approach = take_out_approach(found.gap);
         if (!std::isfinite(place.approach)) return false;

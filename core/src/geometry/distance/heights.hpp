@@ -45,9 +45,18 @@ std::vector<double> rail_heights(const RailSurface& rail, const ContactReference
 std::vector<double> wheel_heights(const WheelSurface& wheel, const ContactReference& reference,
                                   const PlanePoints& points, double settled = 1e-10);
 
-/// Heights of a wheel that is straight between the nodes of a mesh on it: as wide as the elements, along x and along
-/// its profile, and counted from the point of the plane that elements are counted from.
-std::vector<double> meshed_wheel_heights(const WheelSurface& wheel, const ContactReference& reference,
-                                         const PlanePoints& points, const ElementMiddle& counted_from = {});
+/// A place with what decides where the nodes of a mesh lie: the grid that it needs, before any element beside that, and
+/// where elements are counted from, in the plane.
+struct MeshedPlace {
+    const ContactPlace& place;
+    Grid needed;
+    ElementMiddle counted_from;
+};
+
+/// Heights of a wheel by the nodes of a mesh on it: as wide as the elements, along x and along its profile, and straight
+/// between them. That of an out-of-round wheel is as wide as the elements along x, has the points of slices that
+/// correspond across (OutOfRound), and cubics between.
+std::vector<double> meshed_wheel_heights(const WheelSurface& wheel, const MeshedPlace& found,
+                                         const PlanePoints& points);
 
 }  // namespace contactd::geometry

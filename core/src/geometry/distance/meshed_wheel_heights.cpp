@@ -3,95 +3,84 @@
 #include <cstddef>
 
 #include "geometry/distance/heights.hpp"
+#include "geometry/distance/node_mesh.hpp"
 
 namespace contactd::geometry {
 namespace {
 
-/// Nodes (i, j), -i_most..i_most and -j_most..j_most, in the coordinates of the contact.
-class Mesh {
-   public:
-    Mesh(const WheelSurface& wheel, const ContactReference& reference, const PlanePoints& points,
-         const ElementMiddle& counted_from) {
-        const Grid& grid = points.columns;
-        // Rows that bend away from the plane are dy apart along the surface, and less in the plane.
-        const double farthest = std::max({std::abs(points.rows.front()), std::abs(points.rows.back()),
-                                          std::abs(grid.y(0)), std::abs(grid.y(grid.ny - 1))});
-        const Frame contact = contact_frame(reference);
-        const ProfileCurve& profile = wheel.profile();
-        const auto on_profile = [&](const Vector3& at) {
-            return profile.arc_length(profile.s_at_y(at.y - wheel.base_y()));
-        };
-        const Vector3 origin = wheel.frame().inside(contact.origin);
-        const Vector3 counted = wheel.frame().inside(contact.outside({counted_from.x, counted_from.y, 0}));
-        // The nodes next to the reference.
-        const auto nearest = [](double from, double to, double step) {
-            return from + step * std::round((to - from) / step);
-        };
-        const double middle = nearest(counted.x, origin.x, grid.dx);
-        const double s = nearest(on_profile(counted), on_profile(origin), grid.dy);
-        constexpr int spare = 8;
-        i_most_ = spare + static_cast<int>(std::max(std::abs(grid.x0), grid.x0 + grid.nx * grid.dx) / grid.dx);
-        j_most_ = spare + static_cast<int>(1.2 * (farthest + 0.5 * grid.dy) / grid.dy);
-        dx_ = grid.dx;
-        dy_ = grid.dy;
-        for (int j = -j_most_; j <= j_most_; ++j) {
-            const double at = profile.s_at_arc_length(s + j * grid.dy);
-            for (int i = -i_most_; i <= i_most_; ++i)
-                nodes_.push_back(contact.inside(wheel.frame().outside(wheel.in_wheel(middle + i * grid.dx, at))));
+/// The multiple of a step from `from` on that is nearest.
+double nearest(double from, double to, double step) {
+    return from + step * std::round((to - from) / step);
+}
+
+/// Nodes as far apart as elements, along x and along the profile, in the coordinates of the contact.
+NodeMesh round_mesh(const WheelSurface& wheel, const ContactReference& reference, const PlanePoints& points,
+                    const ElementMiddle& counted_from) {
+    constexpr int spare = 8;
+    const Grid& grid = points.columns;
+    // Rows that bend away from the plane are dy apart along the surface, and less in the plane.
+    const double farthest = std::max({std::abs(points.rows.front()), std::abs(points.rows.back()), std::abs(grid.y(0)),
+                                      std::abs(grid.y(grid.ny - 1))});
+    const Frame contact = contact_frame(reference);
+    const ProfileCurve& profile = wheel.profile();
+    const auto on_profile = [&](const Vector3& at) { return profile.arc_length(profile.s_at_y(at.y - wheel.base_y())); };
+    const Vector3 origin = wheel.frame().inside(contact.origin);
+    const Vector3 counted = wheel.frame().inside(contact.outside({counted_from.x, counted_from.y, 0}));
+    const double x = nearest(counted.x, origin.x, grid.dx);
+    const double s = nearest(on_profile(counted), on_profile(origin), grid.dy);
+    const int columns = spare + static_cast<int>(std::max(std::abs(grid.x0), grid.x0 + grid.nx * grid.dx) / grid.dx);
+    const int rows = spare + static_cast<int>(1.2 * (farthest + 0.5 * grid.dy) / grid.dy);
+    std::vector<Vector3> nodes;
+    for (int j = -rows; j <= rows; ++j) {
+        const double at = profile.s_at_arc_length(s + j * grid.dy);
+        for (int i = -columns; i <= columns; ++i)
+            nodes.push_back(contact.inside(wheel.frame().outside(wheel.in_wheel(x + i * grid.dx, at))));
+    }
+    return {static_cast<std::size_t>(2 * columns + 1), std::move(nodes), NodeMesh::Between::straight};
+}
+
+/// Nodes of an out-of-round wheel: at points of the slices that correspond, and at angles that are about an element
+/// apart, from two elements before those that are needed to two behind them.
+NodeMesh sliced_mesh(const WheelSurface& wheel, const MeshedPlace& found) {
+    constexpr int spare = 12;  // more nodes on both sides, for elements that are not needed
+    const ContactReference& reference = found.place.reference;
+    const Grid& needed = found.needed;
+    const Frame contact = contact_frame(reference);
+    Extent y = found.place.regions.front().y;
+    for (const OverlapRegion& region : found.place.regions)
+        y = {std::min(y.from, region.y.from), std::max(y.to, region.y.to)};
+    const double sine = std::sin(reference.angle), radius = wheel.nominal_radius();
+    const double first_row = needed.y0, last_row = needed.y0 + needed.ny * needed.dy;
+    Extent x{1e300, -1e300};
+    double least_z = 1e300;
+    for (const double ahead : {needed.x0, needed.x0 + needed.nx * needed.dx})
+        for (const bool is_first : {true, false}) {
+            const double z = reference.z + (is_first ? first_row : last_row) * sine;
+            const Vector3 corner =
+                wheel.frame().inside({reference.x + ahead, is_first ? y.from : y.to, z});
+            x = {std::min(x.from, corner.x), std::max(x.to, corner.x)};
+            least_z = std::min(least_z, corner.z);
         }
-    }
-
-    /// From cell to cell until the point lies in it.
-    double height(double x, double y) const {
-        int i = static_cast<int>(std::floor(x / dx_)), j = static_cast<int>(std::floor(y / dy_));
-        for (int moves = 0; moves < 4 * (i_most_ + j_most_); ++moves) {
-            if (i < -i_most_ || i >= i_most_ || j < -j_most_ || j >= j_most_) return no_height;
-            const auto [u, v] = inside_cell(i, j, x, y);
-            const int across = u < -slack ? -1 : u > 1 + slack ? 1 : 0, up = v < -slack ? -1 : v > 1 + slack ? 1 : 0;
-            if (across == 0 && up == 0) return interpolated(i, j, u, v).z;
-            i += across;
-            j += up;
-        }
-        return no_height;
-    }
-
-   private:
-    static constexpr double slack = 1e-9;
-    struct Shares {
-        double u, v;
-    };
-
-    const Vector3& node(int i, int j) const {
-        const int at = (j + j_most_) * (2 * i_most_ + 1) + i + i_most_;
-        return nodes_[static_cast<std::size_t>(at)];
-    }
-    Vector3 interpolated(int i, int j, double u, double v) const {
-        return (1 - v) * ((1 - u) * node(i, j) + u * node(i + 1, j)) +
-               v * ((1 - u) * node(i, j + 1) + u * node(i + 1, j + 1));
-    }
-    Shares inside_cell(int i, int j, double x, double y) const {
-        double u = 0.5, v = 0.5;
-        for (int iteration = 0; iteration < 6; ++iteration) {
-            const Vector3 at = interpolated(i, j, u, v);
-            const Vector3 by_u = interpolated(i, j, 1, v) - interpolated(i, j, 0, v);
-            const Vector3 by_v = interpolated(i, j, u, 1) - interpolated(i, j, u, 0);
-            const double area = by_u.x * by_v.y - by_u.y * by_v.x, off_x = x - at.x, off_y = y - at.y;
-            u += (off_x * by_v.y - off_y * by_v.x) / area;
-            v += (by_u.x * off_y - by_u.y * off_x) / area;
-        }
-        return {u, v};
-    }
-
-    int i_most_ = 0, j_most_ = 0;
-    double dx_ = 0, dy_ = 0;
-    std::vector<Vector3> nodes_;
-};
+    least_z -= needed.dy * std::abs(sine);
+    const double from = std::atan((x.from - 2 * needed.dx) / least_z), to = std::atan((x.to + 2 * needed.dx) / least_z);
+    long columns = std::lround((to - from) * radius / needed.dx) + 2;
+    columns += columns % 2 == 0 ? 1 : 0;
+    const double step = (to - from) / static_cast<double>(columns - 1);
+    std::vector<Vector3> nodes;
+    const auto [first, last] = wheel.seen_slice_nodes();
+    for (std::size_t j = first; j <= last; ++j)
+        for (long i = -spare; i < columns + spare; ++i)
+            nodes.push_back(contact.inside(
+                wheel.frame().outside(wheel.slice_node(from + static_cast<double>(i) * step, j))));
+    return {static_cast<std::size_t>(columns + 2 * spare), std::move(nodes), NodeMesh::Between::cubic};
+}
 
 }  // namespace
 
-std::vector<double> meshed_wheel_heights(const WheelSurface& wheel, const ContactReference& reference,
-                                         const PlanePoints& points, const ElementMiddle& counted_from) {
-    const Mesh mesh(wheel, reference, points, counted_from);
+std::vector<double> meshed_wheel_heights(const WheelSurface& wheel, const MeshedPlace& found,
+                                         const PlanePoints& points) {
+    NodeMesh mesh = wheel.is_round() ? round_mesh(wheel, found.place.reference, points, found.counted_from)
+                                     : sliced_mesh(wheel, found);
     std::vector<double> heights;
     for (const double y : points.rows)
         for (int ix = 0; ix < points.nx(); ++ix) heights.push_back(mesh.height(points.x(ix), y));

@@ -52,6 +52,7 @@ OutOfRound::OutOfRound(std::vector<double> angles, const std::vector<ProfileCurv
     for (Slice& slice : slices_)
         for (Line* line : {&slice.radius, &slice.slope, &slice.curving})
             line->curving = natural_curving(stations_, line->values);
+    find_nodes(slices);
 }
 
 std::vector<double> OutOfRound::radii_beside(const ProfileCurve& slice, const ProfileCurve& first,
@@ -90,13 +91,43 @@ OutOfRound::Along OutOfRound::along(const Line& line, double s) const {
         (values[k + 1] - values[k]) / h + h / 6 * ((1 - 3 * a * a) * curving[k] + (3 * b * b - 1) * curving[k + 1])};
 }
 
-OutOfRound::Place OutOfRound::at(double angle, double s) const {
+OutOfRound::Between OutOfRound::between(double angle) const {
     const std::vector<double>& angles = round_.knots();
     const double round = angle - angles.front(), within = round - turn * std::floor(round / turn) + angles.front();
     const auto behind = std::upper_bound(angles.begin() + 1, angles.end(), within);
     const auto i = static_cast<std::size_t>(behind - angles.begin()) - 1;
-    const Slice &from = slices_[i], &to = slices_[(i + 1) % angles.size()];
-    const double h = round_.width(i), t = (within - angles[i]) / h;
+    return {i, (i + 1) % angles.size(), round_.width(i), (within - angles[i]) / round_.width(i)};
+}
+
+void OutOfRound::find_nodes(const std::vector<ProfileCurve>& slices) {
+    double longest = 0;
+    for (const ProfileCurve& slice : slices) longest = std::max(longest, slice.end());
+    constexpr double rounding = 1e-6;  // mm
+    const auto pieces = static_cast<std::size_t>((longest + rounding) / spacing) + 1;
+    for (std::size_t k = 0; k <= pieces; ++k) {
+        std::vector<double> y, z;
+        for (const ProfileCurve& slice : slices) {
+            const ProfilePoint at = slice.at(slice.end() * static_cast<double>(k) / static_cast<double>(pieces));
+            y.push_back(at.y);
+            z.push_back(at.z);
+        }
+        nodes_.push_back({round_.line(std::move(y)), round_.line(std::move(z))});
+    }
+}
+
+ProfilePoint OutOfRound::node(double angle, std::size_t index) const {
+    const auto [slice, next, width, share] = between(angle);
+    const QuinticWeights weights = QuinticWeights::of_value(share, width);
+    const auto value = [&](const LineAlong& line) {
+        return line.values[slice] + weights.sum(line.values[next] - line.values[slice], line.derivatives[slice],
+                                                line.derivatives[next]);
+    };
+    return {value(nodes_[index].y), value(nodes_[index].z)};
+}
+
+OutOfRound::Place OutOfRound::at(double angle, double s) const {
+    const auto [i, next, h, t] = between(angle);
+    const Slice &from = slices_[i], &to = slices_[next];
     const Along begin = along(from.radius, s), end = along(to.radius, s);
     const Along leaving = along(from.slope, s), arriving = along(to.slope, s);
     const Along bending = along(from.curving, s), unbending = along(to.curving, s);

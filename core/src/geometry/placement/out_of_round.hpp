@@ -29,6 +29,11 @@ class OutOfRound {
                SliceSpline spline = SliceSpline::shape_preserving);
 
     Place at(double angle, double s) const;
+    /// Points that correspond: at equal shares of each slice's length, half a millimetre apart at most.
+    std::size_t nodes() const { return nodes_.size(); }
+    /// Returns such a point at an angle, by the same curves round the wheel; z is over the nominal radius, as slices
+    /// have it.
+    ProfilePoint node(double angle, std::size_t index) const;
     /// Largest |by_angle| at the slices and between two (mm/rad).
     double steepest() const { return steepest_; }
 
@@ -46,6 +51,14 @@ class OutOfRound {
         Line radius, slope, curving;
     };
 
+    /// An angle between two slices, as a share of the way from one to the next.
+    struct Between {
+        std::size_t slice, next;
+        double width, share;
+    };
+    Between between(double angle) const;
+    void find_nodes(const std::vector<ProfileCurve>& slices);
+
     std::vector<double> radii_beside(const ProfileCurve& slice, const ProfileCurve& first, std::size_t index) const;
     Along along(const Line& line, double s) const;
 
@@ -53,6 +66,10 @@ class OutOfRound {
     std::vector<double> stations_;
     std::vector<Slice> slices_;
     double steepest_ = 0;
+    struct Node {
+        LineAlong y, z;
+    };
+    std::vector<Node> nodes_;
 };
 
 }  // namespace contactd::geometry

@@ -78,6 +78,21 @@ Vector3 WheelSurface::in_wheel(double x, double s) const {
     return {x, base_y_ + point.y, std::sqrt(std::max(rho * rho - x * x, 0.0))};
 }
 
+Vector3 WheelSurface::slice_node(double angle, std::size_t index) const {
+    const ProfilePoint at = out_of_round_->node(angle - pitch_, index);
+    const double r = radius_ + at.z;
+    return {r * std::sin(angle), base_y_ + at.y, r * std::cos(angle)};
+}
+
+std::pair<std::size_t, std::size_t> WheelSurface::seen_slice_nodes() const {
+    const std::size_t count = out_of_round_->nodes();
+    const auto y = [this](std::size_t index) { return frame_.outside(slice_node(0, index)).y; };
+    std::size_t first = count / 2, last = first;
+    while (first > 0 && y(first - 1) < y(first)) --first;
+    while (last + 1 < count && y(last + 1) > y(last)) ++last;
+    return {first, last};
+}
+
 // With F = z - sqrt(rho^2 - x^2), grad F is (x, -rho dz/dy, Z)/Z in the wheel's coordinates, Z the square root. The
 // distance to a body with slope p along x is least along x where (R grad F)_x + p (R grad F)_z = 0.
 LocusPoint WheelSurface::locus(double s, double other) const {

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include "contactd/profile.hpp"
 #include "contactd/wheel_rail_setup.hpp"
@@ -43,6 +44,11 @@ class WheelSurface {
 
     /// Returns a point of the lower half in the wheel's coordinates, of which x is given (mm), and s of the profile.
     Vector3 in_wheel(double x, double s) const;
+    /// Of an out-of-round wheel: its surface at points of the slices that correspond (OutOfRound::node), in the wheel's
+    /// coordinates, at an angle from the lowest line of the wheel on, towards x.
+    Vector3 slice_node(double angle, std::size_t index) const;
+    /// Returns the first such point and the last one of those that are seen from above at the lowest line.
+    std::pair<std::size_t, std::size_t> seen_slice_nodes() const;
     /// Returns the locus point of a round wheel: of the profile's point s where the surface of the other body has the
     /// curvature `other` along x (1/mm), or a slope that is known at each x.
     LocusPoint locus(double s, double other = 0) const;
