@@ -18,6 +18,7 @@
 #include "geometry/search/locus_search.hpp"
 #include "geometry/search/mesh_search.hpp"
 #include "geometry/search/patch_grid.hpp"
+#include "geometry/search/search_nodes.hpp"
 #include "types/number_text.hpp"
 
 namespace contactd::geometry {
@@ -169,9 +170,12 @@ RailSurface rail_surface(const WheelRailSetup& setup, const Profiles& profiles, 
 
 std::unique_ptr<OverlapSearch> search_of(const WheelRailSetup& setup, const WheelSurface& wheel,
                                          const RailSurface& rail, const Observer& observer) {
+    const bool by_mesh = setup.patches.search == ContactSearch::mesh || !wheel.is_round();
+    if (by_mesh && setup.wheel_surface == WheelSurfaceKind::bilinear)
+        return std::make_unique<MeshSearch>(wheel, rail, search_nodes(wheel, setup.dx), 0.75 * setup.dy, observer);
     // In elements, as the established program has it, but neither so coarse that contacts on flanks lie between nodes
     // nor so fine that a mesh has millions of them (mm).
-    if (setup.patches.search == ContactSearch::mesh || !wheel.is_round())
+    if (by_mesh)
         return std::make_unique<MeshSearch>(wheel, rail, std::clamp(1.5 * setup.dx, 0.1, 0.75),
                                             std::clamp(0.75 * setup.dy, 0.05, 0.2), observer);
     return std::make_unique<LocusSearch>(wheel, rail, setup.patches.locus_step * setup.dy, observer);

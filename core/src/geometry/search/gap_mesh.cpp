@@ -22,6 +22,11 @@ constexpr double slope_dent = 0.5;         // and of the difference of these
 constexpr int most_nodes = 10'000'000;     // 80 MB of gaps
 constexpr double unknown_dent = 0.5;       // of the square's width, where there is a corner without wheel or rail
 
+void check_nodes(double nodes, double step_x, double step_y) {
+    count_of(nodes, {"dx", "and dy make steps of " + number_text(step_x) + " and " + number_text(step_y) + " mm",
+                     "nodes along a wheel and a rail of these sizes", "make them larger", most_nodes});
+}
+
 std::size_t squares_of(std::size_t lines) {
     return (lines - 1 + side - 1) / side;
 }
@@ -30,19 +35,55 @@ std::size_t squares_of(std::size_t lines) {
 
 GapMesh::GapMesh(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y,
                  const Observer& observer)
-    : wheel_(wheel), rail_(rail), observer_(observer), step_x_(step_x), step_y_(step_y), least_gap_(infinite) {
+    : GapMesh(wheel, rail, lines_around(wheel, rail, step_x, step_y), std::nullopt, observer) {}
+
+GapMesh::GapMesh(const WheelSurface& wheel, const RailSurface& rail, const NodeMesh& nodes, double step_y,
+                 const Observer& observer)
+    : GapMesh(wheel, rail, lines_of(nodes, rail, step_y), nodes, observer) {}
+
+GapMesh::Lines GapMesh::lines_around(const WheelSurface& wheel, const RailSurface& rail, double step_x,
+                                     double step_y) {
     const Span& seen = rail.visible();
     const double beside = std::ceil(part_of_radius * wheel.nominal_radius() / step_x);
-    const double nodes = (2 * beside + 1) * ((seen.high - seen.low) / step_y + 1);
-    count_of(nodes, {"dx", "and dy make steps of " + number_text(step_x) + " and " + number_text(step_y) + " mm",
-                     "nodes along a wheel and a rail of these sizes", "make them larger", most_nodes});
+    check_nodes((2 * beside + 1) * ((seen.high - seen.low) / step_y + 1), step_x, step_y);
     const auto half = static_cast<std::size_t>(beside);
-    columns_ = 2 * half + 1;
-    first_x_ = -static_cast<double>(half) * step_x;
-    const auto count = std::max<std::size_t>(2, static_cast<std::size_t>((seen.high - seen.low) / step_y) + 1);
-    double s = seen.from;
+    return {-static_cast<double>(half) * step_x, step_x, 2 * half + 1, seen.low, seen.high, step_y};
+}
+
+GapMesh::Lines GapMesh::lines_of(const NodeMesh& nodes, const RailSurface& rail, double step_y) {
+    double from = infinite, to = -infinite;
+    for (std::size_t row = 0; row < nodes.rows(); ++row)
+        for (std::size_t column = 0; column < nodes.columns(); ++column) {
+            from = std::min(from, nodes.node(column, row).x);
+            to = std::max(to, nodes.node(column, row).x);
+        }
+    const double step_x = (to - from) / static_cast<double>(nodes.columns() - 1);
+    const Span& seen = rail.visible();
+    const std::vector<double>& knots = rail.profile().knots();
+    const double second = rail.place(knots[1]).at.y, last_but_one = rail.place(knots[knots.size() - 2]).at.y;
+    const double first_y = second + step_y * std::max(0.0, std::ceil((seen.low - second) / step_y));
+    check_nodes(static_cast<double>(nodes.columns()) * ((seen.high - seen.low) / step_y + 1), step_x, step_y);
+    return {from, step_x, nodes.columns(), first_y, std::min(last_but_one, seen.high), step_y};
+}
+
+GapMesh::GapMesh(const WheelSurface& wheel, const RailSurface& rail, const Lines& lines,
+                 const std::optional<NodeMesh>& nodes,
+                 const Observer& observer)
+    : wheel_(wheel),
+      rail_(rail),
+      observer_(observer),
+      step_x_(lines.step_x),
+      step_y_(lines.step_y),
+      first_x_(lines.first_x),
+      columns_(lines.columns),
+      nodes_(nodes),
+      least_gap_(infinite) {
+    constexpr double rounding = 1e-6;  // of a step
+    const double steps = std::max(0.0, (lines.last_y - lines.first_y) / lines.step_y + rounding);
+    const auto count = std::max<std::size_t>(2, static_cast<std::size_t>(steps) + 1);
+    double s = rail.visible().from;
     for (std::size_t i = 0; i < count; ++i) {
-        const double y = std::min(seen.low + static_cast<double>(i) * step_y, seen.high);
+        const double y = std::min(lines.first_y + static_cast<double>(i) * lines.step_y, rail.visible().high);
         rail.find_y(y, s);
         const auto place = rail.place(s);
         rows_.push_back({y, place.at.z, std::atan2(place.slope.z, place.slope.y)});
@@ -75,7 +116,7 @@ double GapMesh::look_at(const Square& square, std::size_t every, double settled)
     const auto look = [&](std::size_t first, std::size_t count, std::size_t step) {
         const double dx = static_cast<double>(step) * step_x_;
         const Grid columns{static_cast<int>(count), 1, dx, step_y_, x(first) - 0.5 * dx, 0};
-        const std::vector<double> wheel = wheel_heights(wheel_, plane, {columns, y}, settled);
+        const std::vector<double> wheel = wheel_heights_at(plane, columns, y, settled);
         for (std::size_t j = 0; j < rows.size(); ++j)
             for (std::size_t i = 0; i < count; ++i) {
                 const Node node{first + i * step, rows[j]};
@@ -89,6 +130,15 @@ double GapMesh::look_at(const Square& square, std::size_t every, double settled)
     look(from.column, count, every);
     if (from.column + (count - 1) * every < to.column) look(to.column, 1, 1);
     return least;
+}
+
+std::vector<double> GapMesh::wheel_heights_at(const ContactReference& plane, const Grid& columns,
+                                              std::vector<double> y, double settled) {
+    if (!nodes_) return wheel_heights(wheel_, plane, {columns, std::move(y)}, settled);
+    std::vector<double> heights;
+    for (const double row : y)
+        for (int i = 0; i < columns.nx; ++i) heights.push_back(nodes_->height(columns.x(i), plane.y + row));
+    return heights;
 }
 
 double GapMesh::floor_of(const Square& square) const {
@@ -140,7 +190,36 @@ std::vector<std::vector<Node>> GapMesh::connected_below(double z) const {
             const std::size_t i = index({column, row});
             if (gaps_[i] < z && !seen[i]) parts.push_back(spread({column, row}, z, seen));
         }
+    if (nodes_) join_boxes(parts);
     return parts;
+}
+
+void GapMesh::join_boxes(std::vector<std::vector<Node>>& parts) const {
+    const auto box_of = [](const std::vector<Node>& nodes) {
+        Square box{nodes.front(), nodes.front()};
+        for (const Node& node : nodes) {
+            box.from = {std::min(box.from.column, node.column), std::min(box.from.row, node.row)};
+            box.to = {std::max(box.to.column, node.column), std::max(box.to.row, node.row)};
+        }
+        return box;
+    };
+    for (std::size_t i = 0; i < parts.size();) {
+        const auto [from, to] = box_of(parts[i]);
+        const auto is_near = [&from = from, &to = to](const Node& node) {
+            return node.column + 1 >= from.column && node.column <= to.column + 1 && node.row + 1 >= from.row &&
+                   node.row <= to.row + 1;
+        };
+        const auto other = std::find_if(parts.begin(), parts.end(), [&](const std::vector<Node>& part) {
+            return &part != &parts[i] && std::ranges::any_of(part, is_near);
+        });
+        if (other == parts.end()) {
+            ++i;
+            continue;
+        }
+        parts[i].insert(parts[i].end(), other->begin(), other->end());
+        if (other - parts.begin() < static_cast<std::ptrdiff_t>(i)) --i;
+        parts.erase(other);
+    }
 }
 
 std::vector<Node> GapMesh::spread(const Node& start, double z, std::vector<bool>& seen) const {

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "contactd/observer.hpp"
 #include "contactd/wheel_rail_solution.hpp"
+#include "geometry/distance/node_mesh.hpp"
 #include "geometry/placement/rail_surface.hpp"
 #include "geometry/placement/wheel_surface.hpp"
 
@@ -33,6 +35,10 @@ class GapMesh {
     /// The wheel stands at z = 0. All must live longer. Steps in mm. Throws InvalidArgument ("dx") for nodes that are
     /// too many, and here and later Cancelled when the observer, which is asked before each row of squares, says so.
     GapMesh(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y, const Observer& observer);
+    /// Takes the wheel by nodes of its own, in the track (search_nodes.hpp). Lines of equal x are as many as columns of
+    /// these, and reach as far; those of equal y begin at the second point of the rail, and end with the last but one.
+    GapMesh(const WheelSurface& wheel, const RailSurface& rail, const NodeMesh& nodes, double step_y,
+            const Observer& observer);
 
     /// Has all nodes looked at that may have a gap below `height`.
     void look_below(double height);
@@ -51,10 +57,24 @@ class GapMesh {
     /// Nodes that may have a gap below the height that was looked below last lie in it.
     const Square& looked_at() const { return looked_at_; }
 
-    /// Connected nodes, also by corners, with a gap below z, which were looked at; by descending y.
+    /// Connected nodes, also by corners, with a gap below z, which were looked at; by descending y. On nodes of the
+    /// wheel's own those whose boxes overlap or touch are connected, too.
     std::vector<std::vector<Node>> connected_below(double z) const;
 
    private:
+    struct Lines {
+        double first_x, step_x;
+        std::size_t columns;
+        double first_y, last_y, step_y;
+    };
+    GapMesh(const WheelSurface& wheel, const RailSurface& rail, const Lines& lines,
+            const std::optional<NodeMesh>& nodes,
+            const Observer& observer);
+    static Lines lines_around(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y);
+    static Lines lines_of(const NodeMesh& nodes, const RailSurface& rail, double step_y);
+    std::vector<double> wheel_heights_at(const ContactReference& plane, const Grid& columns, std::vector<double> y,
+                                         double settled);
+    void join_boxes(std::vector<std::vector<Node>>& parts) const;
     Square square(std::size_t column, std::size_t row) const;
     /// Returns the least gap. Heights are those of polynomials that have settled so far (mm).
     double look_at(const Square& square, std::size_t every, double settled);
@@ -67,6 +87,7 @@ class GapMesh {
     const Observer& observer_;
     double step_x_, step_y_, first_x_;
     std::size_t columns_;
+    std::optional<NodeMesh> nodes_;
     std::vector<Row> rows_;
     std::vector<double> gaps_;
     std::vector<double> floors_;  // of squares, by rows of them; infinite of those that were looked at

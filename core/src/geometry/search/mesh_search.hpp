@@ -12,6 +12,10 @@ class MeshSearch : public OverlapSearch {
     MeshSearch(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y,
                const Observer& observer)
         : rail_(rail), mesh_(wheel, rail, step_x, step_y, observer) {}
+    /// Takes the wheel by the nodes of search_nodes.hpp.
+    MeshSearch(const WheelSurface& wheel, const RailSurface& rail, const NodeMesh& nodes, double step_y,
+               const Observer& observer)
+        : rail_(rail), mesh_(wheel, rail, nodes, step_y, observer) {}
 
     double least_gap() const override { return mesh_.least_gap(); }
     std::vector<OverlapRegion> regions(double z) override;
