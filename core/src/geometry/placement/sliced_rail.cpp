@@ -15,6 +15,7 @@ namespace {
 
 constexpr double spacing = 0.5;         // mm: of points on the longest slice
 constexpr int most_places = 2'000'000;  // 64 MB
+constexpr double rounding = 1e-6;       // mm
 constexpr double at_a_kink = 0.1;       // mm: features are rounded
 
 std::string of_slice(std::size_t i, const char* member) {
@@ -23,13 +24,13 @@ std::string of_slice(std::size_t i, const char* member) {
 
 std::vector<double> ends_at_kinks(const ProfileCurve& curve) {
     std::vector<double> ends{0};
-    for (const std::size_t kink : curve.kinks()) ends.push_back(curve.arc_length(curve.knots()[kink]));
-    ends.push_back(curve.arc_length(curve.end()));
+    for (const std::size_t kink : curve.kinks()) ends.push_back(curve.knots()[kink]);
+    ends.push_back(curve.end());
     return ends;
 }
 
 std::vector<double> ends_at_features(const SlicedRail::Slice& slice, const std::string& field) {
-    const double length = slice.curve.arc_length(slice.curve.end());
+    const double length = slice.curve.end();
     std::vector<double> ends = slice.features;
     ends.back() = std::min(ends.back(), length);
     for (std::size_t i = 0; i < ends.size(); ++i) {
@@ -58,7 +59,7 @@ void check_kinks(const std::vector<std::vector<double>>& ends) {
 
 bool has_kink_near(const ProfileCurve& curve, double length) {
     return std::ranges::any_of(curve.kinks(), [&](std::size_t kink) {
-        return std::abs(curve.arc_length(curve.knots()[kink]) - length) < at_a_kink;
+        return std::abs(curve.knots()[kink] - length) < at_a_kink;
     });
 }
 
@@ -101,7 +102,7 @@ void SlicedRail::join(const std::vector<Slice>& slices, const std::vector<Ends>&
     for (const Ends& of_slice : ends)
         if (exists(of_slice, part)) longest = std::max(longest, of_slice[part + 1] - of_slice[part]);
     const int pieces = std::max(
-        3, count_of(std::ceil(longest / spacing),
+        3, count_of(std::floor((longest + rounding) / spacing) + 1,
                     {"rail_slices", "have a part that is " + short_text(longest) + " mm long",
                      "places along all slices together", "take fewer slices, or leave out points that leap up and down",
                      most_places / static_cast<int>(slices.size())}));
@@ -118,7 +119,7 @@ void SlicedRail::join(const std::vector<Slice>& slices, const std::vector<Ends>&
             for (std::size_t i = first; i <= last; ++i) {
                 const double from = ends[i][part], to = ends[i][part + 1];
                 const ProfileCurve& curve = slices[i].curve;
-                const ProfilePoint at = curve.at(curve.s_at_arc_length(from + (to - from) * piece / pieces));
+                const ProfilePoint at = curve.at(from + (to - from) * piece / pieces);
                 y.push_back(at.y);
                 z.push_back(at.z);
             }

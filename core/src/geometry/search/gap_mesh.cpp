@@ -60,10 +60,11 @@ GapMesh::Lines GapMesh::lines_of(const NodeMesh& nodes, const RailSurface& rail,
     const double step_x = (to - from) / static_cast<double>(nodes.columns() - 1);
     const Span& seen = rail.visible();
     const std::vector<double>& knots = rail.profile().knots();
-    const double second = rail.place(knots[1]).at.y, last_but_one = rail.place(knots[knots.size() - 2]).at.y;
-    const double first_y = second + step_y * std::max(0.0, std::ceil((seen.low - second) / step_y));
+    const std::size_t third = std::min<std::size_t>(2, knots.size() - 1);
+    const double first = rail.place(knots[third]).at.y, last = rail.place(knots[knots.size() - 1 - third]).at.y;
+    const double first_y = first + step_y * std::max(0.0, std::ceil((seen.low - first) / step_y));
     check_nodes(static_cast<double>(nodes.columns()) * ((seen.high - seen.low) / step_y + 1), step_x, step_y);
-    return {from, step_x, nodes.columns(), first_y, std::min(last_but_one, seen.high), step_y};
+    return {from, step_x, nodes.columns(), first_y, std::min(last, seen.high), step_y};
 }
 
 GapMesh::GapMesh(const WheelSurface& wheel, const RailSurface& rail, const Lines& lines,

@@ -36,7 +36,7 @@ class GapMesh {
     /// too many, and here and later Cancelled when the observer, which is asked before each row of squares, says so.
     GapMesh(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y, const Observer& observer);
     /// Takes the wheel by nodes of its own, in the track (search_nodes.hpp). Lines of equal x are as many as columns of
-    /// these, and reach as far; those of equal y begin at the second point of the rail, and end with the last but one.
+    /// these, and reach as far; those of equal y begin at the third point of the rail's profile, and end with the third from its end.
     GapMesh(const WheelSurface& wheel, const RailSurface& rail, const NodeMesh& nodes, double step_y,
             const Observer& observer);
 

@@ -27,7 +27,7 @@ OverlapRegion MeshSearch::region_of(const std::vector<Node>& nodes, double z) co
     double sum = 0;
     Node first = nodes.front(), last = first, deepest = first;
     for (const Node& node : nodes) {
-        const double depth = z - mesh_.gap(node), weight = depth * depth;
+        const double depth = z - mesh_.gap(node), weight = std::max(depth * depth, 1e-10);
         sum += weight;
         mean.x += weight * mesh_.x(node.column);
         mean.y += weight * mesh_.y(node.row);
