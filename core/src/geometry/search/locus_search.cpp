@@ -58,7 +58,14 @@ LocusRow LocusSearch::edge(std::size_t inside, long step, double z) const {
     const std::vector<LocusRow>& rows = locus_.rows();
     if (next < 0 || next >= static_cast<long>(rows.size())) return rows[inside];
     const auto outside = static_cast<std::size_t>(next);
-    return std::isfinite(rows[outside].gap) ? locus_.crossing(inside, outside, z) : rows[inside];
+    if (!std::isfinite(rows[outside].gap)) return rows[inside];
+    if (ends_ == Ends::exact) return locus_.crossing(inside, outside, z);
+    const LocusRow &in = rows[inside], &out = rows[outside];
+    const double share = (z - in.gap) / (out.gap - in.gap);
+    LocusRow end;
+    end.y = in.y + share * (out.y - in.y);
+    end.rail_z = in.rail_z + share * (out.rail_z - in.rail_z);
+    return end;
 }
 
 // A row that is d deep overlaps as d - a x^2: its volume is 4/3 d^1.5/sqrt(a), the mean of x^2 over it d/(5 a). That of

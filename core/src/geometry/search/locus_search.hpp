@@ -8,9 +8,13 @@ namespace contactd::geometry {
 
 class LocusSearch : public OverlapSearch {
    public:
+    /// Where the overlap ends between two rows: where the gap is zero, or would be if it and the rail were straight from
+    /// row to row, as reference programs have it.
+    enum class Ends { exact, straight };
+
     /// The wheel stands at z = 0. All must live longer.
-    LocusSearch(const WheelSurface& wheel, const RailSurface& rail, double step, const Observer& observer)
-        : rail_(rail), locus_(wheel, rail, step, observer) {}
+    LocusSearch(const WheelSurface& wheel, const RailSurface& rail, double step, Ends ends, const Observer& observer)
+        : rail_(rail), locus_(wheel, rail, step, observer), ends_(ends) {}
 
     double least_gap() const override { return locus_.least_gap(); }
     std::vector<OverlapRegion> regions(double z) override;
@@ -23,6 +27,7 @@ class LocusSearch : public OverlapSearch {
 
     const RailSurface& rail_;
     Locus locus_;
+    Ends ends_;
 };
 
 }  // namespace contactd::geometry
