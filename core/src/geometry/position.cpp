@@ -178,7 +178,8 @@ std::unique_ptr<OverlapSearch> search_of(const WheelRailSetup& setup, const Whee
     if (by_mesh)
         return std::make_unique<MeshSearch>(wheel, rail, std::clamp(1.5 * setup.dx, 0.1, 0.75),
                                             std::clamp(0.75 * setup.dy, 0.05, 0.2), observer);
-    const auto ends = setup.wheel_surface == WheelSurfaceKind::exact ? LocusSearch::Ends::exact : LocusSearch::Ends::straight;
+    const auto ends =
+        setup.wheel_surface == WheelSurfaceKind::exact ? LocusSearch::Ends::exact : LocusSearch::Ends::straight;
     return std::make_unique<LocusSearch>(wheel, rail, setup.patches.locus_step * setup.dy, ends, observer);
 }
 

@@ -40,12 +40,12 @@ struct CandidatePatch {
     std::vector<double> gap;  ///< as in WheelRailPatch; empty until measured, and where a paraboloid stands for it
     Paraboloid paraboloid{};
     double row_on_rail = 0, row_on_wheel = 0;  ///< arc lengths of the first row along the profiles (mm)
-    Grid needed{};         ///< what the overlap needs, with no more elements beside it
-    ElementMiddle middle;  ///< where elements lie
+    Grid needed{};                             ///< what the overlap needs, with no more elements beside it
+    ElementMiddle middle;                      ///< where elements lie
     ElementMiddle counted_from;  ///< where they are counted from, in the plane; the reference, of steady rolling
-    int more_below = 0, more_above = 0;        ///< rows of a curved contact beside those that it needs
-    std::vector<RowSlip> row_slips;            ///< of rigid slip by surfaces only
-    RigidSlip additional_slip;                 ///< of curved contacts: beside the creepages, of each element
+    int more_below = 0, more_above = 0;  ///< rows of a curved contact beside those that it needs
+    std::vector<RowSlip> row_slips;      ///< of rigid slip by surfaces only
+    RigidSlip additional_slip;           ///< of curved contacts: beside the creepages, of each element
     QualityFlags quality{};
 };
 

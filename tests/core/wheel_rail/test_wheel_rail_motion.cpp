@@ -130,9 +130,25 @@ TEST_CASE("On a single flat contact the slip of the surfaces is that of the plan
     state.velocity = {10000, 0, 0, 0, 0, -10005 / 450.0};
     state.Fz = 20000;
     const Forces plane = solve(setup, state).patches.at(0).solution.forces;
-    setup.rigid_slip = RigidSlipKind::surfaces;
+    setup.rigid_slip = GENERATE(RigidSlipKind::surfaces, RigidSlipKind::elements);
     const Forces surfaces = solve(setup, state).patches.at(0).solution.forces;
     CHECK_THAT(surfaces.Fx, WithinAbs(plane.Fx, 5e-3 * 0.3 * 20000));
     CHECK_THAT(surfaces.Fy, WithinAbs(plane.Fy, 5e-3 * 0.3 * 20000));
     CHECK_THAT(surfaces.Fn, WithinRel(plane.Fn, 1e-12));  // Fz is, and forces along the plane have little part in it
+}
+
+// Rim and rail run through the contact with the same speed everywhere, if both are seen along the direction half-way
+// between theirs.
+TEST_CASE("A cylinder that rolls on the plane does not slip by the middles of its elements") {
+    WheelRailSetup setup = cylinder_on_arc(300);
+    setup.friction = WheelRailFriction{};
+    setup.rigid_slip = RigidSlipKind::elements;
+    WheelRailState state;
+    state.velocity = {10000, 0, 0, 0, 0, -10000 / 450.0};
+    state.Fz = 100000;
+    const WheelRailPatch patch = solve(setup, state).patches.at(0);
+    const double by_approach = patch.place.approach / 450;
+    CHECK(by_approach > 1e-4);
+    CHECK_THAT(patch.place.creepages.xi, WithinAbs(0, 1e-3 * by_approach));
+    CHECK_THAT(patch.solution.forces.Fx, WithinAbs(0, 1e-3 * 0.3 * 100000));
 }

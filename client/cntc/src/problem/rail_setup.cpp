@@ -182,7 +182,7 @@ WheelRailSetup setup_of(const Settings& settings, const RailSettings& rail) {
     if (tangential != none) setup.temperature = heat_of(settings);
     if (tangential == transient && rail.dq != 1) setup.dq = rail.dq * setup.dx;
     setup.patches = patches_of(*rail.elements, surfaces);
-    if (surfaces == slip_of_surfaces) setup.rigid_slip = RigidSlipKind::surfaces;
+    if (surfaces == slip_of_surfaces || surfaces == curved) setup.rigid_slip = RigidSlipKind::elements;
     setup.conformal = conformal_of(settings);
     const CaseModels models = models_of(settings);
     if (models.model != Model::full && models.normal_model == NormalModel::of_model)

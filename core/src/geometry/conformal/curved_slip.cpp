@@ -76,9 +76,8 @@ class CreepageFit {
 }  // namespace
 
 CurvedSlip curved_slip(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state,
-                       const ContactPlace& place, const SurfaceHeights& heights,
-                       const std::vector<double>& gap, double rail_share,
-                       const Creepages& from, double spin_ahead) {
+                       const ContactPlace& place, const SurfaceHeights& heights, const std::vector<double>& gap,
+                       double rail_share, const Creepages& from, double spin_ahead) {
     const Grid& grid = place.grid;
     CurvedSlip result{from, {std::vector<double>(grid.size()), std::vector<double>(grid.size())}};
     if (!(from.velocity > 0)) return result;

@@ -27,8 +27,7 @@ struct SurfaceHeights {
 /// which way it rolls. The solver takes spin `spin_ahead` (mm) ahead of the middles of the elements, where slip is that
 /// of the middles: this is left out of the rest.
 CurvedSlip curved_slip(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state,
-                       const ContactPlace& place, const SurfaceHeights& heights,
-                       const std::vector<double>& gap, double rail_share,
-                       const Creepages& from, double spin_ahead);
+                       const ContactPlace& place, const SurfaceHeights& heights, const std::vector<double>& gap,
+                       double rail_share, const Creepages& from, double spin_ahead);
 
 }  // namespace contactd::geometry

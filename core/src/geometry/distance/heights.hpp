@@ -53,9 +53,9 @@ struct MeshedPlace {
     ElementMiddle counted_from;
 };
 
-/// Heights of a wheel by the nodes of a mesh on it: as wide as the elements, along x and along its profile, and straight
-/// between them. That of an out-of-round wheel is as wide as the elements along x, has the points of slices that
-/// correspond across (OutOfRound), and cubics between.
+/// Heights of a wheel by the nodes of a mesh on it: as wide as the elements, along x and along its profile, and
+/// straight between them. That of an out-of-round wheel is as wide as the elements along x, has the points of slices
+/// that correspond across (OutOfRound), and cubics between.
 std::vector<double> meshed_wheel_heights(const WheelSurface& wheel, const MeshedPlace& found,
                                          const PlanePoints& points);
 

@@ -23,7 +23,9 @@ NodeMesh round_mesh(const WheelSurface& wheel, const ContactReference& reference
                                       std::abs(grid.y(grid.ny - 1))});
     const Frame contact = contact_frame(reference);
     const ProfileCurve& profile = wheel.profile();
-    const auto on_profile = [&](const Vector3& at) { return profile.arc_length(profile.s_at_y(at.y - wheel.base_y())); };
+    const auto on_profile = [&](const Vector3& at) {
+        return profile.arc_length(profile.s_at_y(at.y - wheel.base_y()));
+    };
     const Vector3 origin = wheel.frame().inside(contact.origin);
     const Vector3 counted = wheel.frame().inside(contact.outside({counted_from.x, counted_from.y, 0}));
     const double x = nearest(counted.x, origin.x, grid.dx);
@@ -56,8 +58,7 @@ NodeMesh sliced_mesh(const WheelSurface& wheel, const MeshedPlace& found) {
     for (const double ahead : {needed.x0, needed.x0 + needed.nx * needed.dx})
         for (const bool is_first : {true, false}) {
             const double z = reference.z + (is_first ? first_row : last_row) * sine;
-            const Vector3 corner =
-                wheel.frame().inside({reference.x + ahead, is_first ? y.from : y.to, z});
+            const Vector3 corner = wheel.frame().inside({reference.x + ahead, is_first ? y.from : y.to, z});
             x = {std::min(x.from, corner.x), std::max(x.to, corner.x)};
             least_z = std::min(least_z, corner.z);
         }
@@ -70,8 +71,8 @@ NodeMesh sliced_mesh(const WheelSurface& wheel, const MeshedPlace& found) {
     const auto [first, last] = wheel.seen_slice_nodes();
     for (std::size_t j = first; j <= last; ++j)
         for (long i = -spare; i < columns + spare; ++i)
-            nodes.push_back(contact.inside(
-                wheel.frame().outside(wheel.slice_node(from + static_cast<double>(i) * step, j))));
+            nodes.push_back(
+                contact.inside(wheel.frame().outside(wheel.slice_node(from + static_cast<double>(i) * step, j))));
     return {static_cast<std::size_t>(columns + 2 * spare), std::move(nodes), NodeMesh::Between::cubic};
 }
 

@@ -96,8 +96,7 @@ double NodeMesh::value(const Shares& at) const {
     double sum = 0;
     for (std::size_t j = 0; j < across.size(); ++j)
         for (std::size_t i = 0; i < along.size(); ++i)
-            if (across[j] != 0 && along[i] != 0)
-                sum += across[j] * along[i] * node(column_ + i - 1, row_ + j - 1).z;
+            if (across[j] != 0 && along[i] != 0) sum += across[j] * along[i] * node(column_ + i - 1, row_ + j - 1).z;
     return sum;
 }
 

@@ -119,8 +119,8 @@ ProfilePoint OutOfRound::node(double angle, std::size_t index) const {
     const auto [slice, next, width, share] = between(angle);
     const QuinticWeights weights = QuinticWeights::of_value(share, width);
     const auto value = [&](const LineAlong& line) {
-        return line.values[slice] + weights.sum(line.values[next] - line.values[slice], line.derivatives[slice],
-                                                line.derivatives[next]);
+        return line.values[slice] +
+               weights.sum(line.values[next] - line.values[slice], line.derivatives[slice], line.derivatives[next]);
     };
     return {value(nodes_[index].y), value(nodes_[index].z)};
 }

@@ -58,9 +58,8 @@ void check_kinks(const std::vector<std::vector<double>>& ends) {
 }
 
 bool has_kink_near(const ProfileCurve& curve, double length) {
-    return std::ranges::any_of(curve.kinks(), [&](std::size_t kink) {
-        return std::abs(curve.knots()[kink] - length) < at_a_kink;
-    });
+    return std::ranges::any_of(curve.kinks(),
+                               [&](std::size_t kink) { return std::abs(curve.knots()[kink] - length) < at_a_kink; });
 }
 
 double between(const LineAlong& line, std::size_t knot, const QuinticWeights& weights) {

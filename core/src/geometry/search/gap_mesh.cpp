@@ -41,8 +41,7 @@ GapMesh::GapMesh(const WheelSurface& wheel, const RailSurface& rail, const NodeM
                  const Observer& observer)
     : GapMesh(wheel, rail, lines_of(nodes, rail, step_y), nodes, observer) {}
 
-GapMesh::Lines GapMesh::lines_around(const WheelSurface& wheel, const RailSurface& rail, double step_x,
-                                     double step_y) {
+GapMesh::Lines GapMesh::lines_around(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y) {
     const Span& seen = rail.visible();
     const double beside = std::ceil(part_of_radius * wheel.nominal_radius() / step_x);
     check_nodes((2 * beside + 1) * ((seen.high - seen.low) / step_y + 1), step_x, step_y);
@@ -68,8 +67,7 @@ GapMesh::Lines GapMesh::lines_of(const NodeMesh& nodes, const RailSurface& rail,
 }
 
 GapMesh::GapMesh(const WheelSurface& wheel, const RailSurface& rail, const Lines& lines,
-                 const std::optional<NodeMesh>& nodes,
-                 const Observer& observer)
+                 const std::optional<NodeMesh>& nodes, const Observer& observer)
     : wheel_(wheel),
       rail_(rail),
       observer_(observer),
@@ -133,8 +131,8 @@ double GapMesh::look_at(const Square& square, std::size_t every, double settled)
     return least;
 }
 
-std::vector<double> GapMesh::wheel_heights_at(const ContactReference& plane, const Grid& columns,
-                                              std::vector<double> y, double settled) {
+std::vector<double> GapMesh::wheel_heights_at(const ContactReference& plane, const Grid& columns, std::vector<double> y,
+                                              double settled) {
     if (!nodes_) return wheel_heights(wheel_, plane, {columns, std::move(y)}, settled);
     std::vector<double> heights;
     for (const double row : y)

@@ -36,7 +36,8 @@ class GapMesh {
     /// too many, and here and later Cancelled when the observer, which is asked before each row of squares, says so.
     GapMesh(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y, const Observer& observer);
     /// Takes the wheel by nodes of its own, in the track (search_nodes.hpp). Lines of equal x are as many as columns of
-    /// these, and reach as far; those of equal y begin at the third point of the rail's profile, and end with the third from its end.
+    /// these, and reach as far; those of equal y begin at the third point of the rail's profile, and end with the third
+    /// from its end.
     GapMesh(const WheelSurface& wheel, const RailSurface& rail, const NodeMesh& nodes, double step_y,
             const Observer& observer);
 
@@ -68,8 +69,7 @@ class GapMesh {
         double first_y, last_y, step_y;
     };
     GapMesh(const WheelSurface& wheel, const RailSurface& rail, const Lines& lines,
-            const std::optional<NodeMesh>& nodes,
-            const Observer& observer);
+            const std::optional<NodeMesh>& nodes, const Observer& observer);
     static Lines lines_around(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y);
     static Lines lines_of(const NodeMesh& nodes, const RailSurface& rail, double step_y);
     std::vector<double> wheel_heights_at(const ContactReference& plane, const Grid& columns, std::vector<double> y,

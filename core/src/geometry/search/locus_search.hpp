@@ -8,8 +8,8 @@ namespace contactd::geometry {
 
 class LocusSearch : public OverlapSearch {
    public:
-    /// Where the overlap ends between two rows: where the gap is zero, or would be if it and the rail were straight from
-    /// row to row, as reference programs have it.
+    /// Where the overlap ends between two rows: where the gap is zero, or would be if it and the rail were straight
+    /// from row to row, as reference programs have it.
     enum class Ends { exact, straight };
 
     /// The wheel stands at z = 0. All must live longer.

@@ -145,3 +145,16 @@ TEST_CASE("Slices that make no wheel are refused by name") {
     refused(line(0, 0, -30, 40), "wheel_slices[1].profile reaches from y = -30 to 40 mm, and the first slice from -40");
     refused(line(460), "wheel_slices[1].profile differs by 460 mm from the first slice at y = -40 mm");
 }
+
+TEST_CASE("Points of slices that correspond lie at equal shares, half a millimetre apart at most") {
+    const OutOfRound beside({-1, 0.5, 2}, {line(0, 0.01), line(0.3, 0.01), line(0.2, 0.01)});
+    const double length = 80 * std::hypot(1, 0.01);
+    REQUIRE(beside.nodes() == static_cast<std::size_t>(length / 0.5) + 2);
+    const double share = 40.0 / static_cast<double>(beside.nodes() - 1);
+    CHECK_THAT(beside.node(0.5, 40).y, WithinAbs(-40 + 80 * share, 1e-9));
+    CHECK_THAT(beside.node(0.5, 40).z, WithinAbs(0.3 + 0.01 * (-40 + 80 * share), 1e-9));
+    for (const double angle : {-1.0, 0.2, 1.9, 3.4}) {
+        const auto [y, z] = beside.node(angle, 40);
+        CHECK_THAT(z, WithinAbs(0.01 * y + beside.at(angle, 30).radius, 1e-9));
+    }
+}

@@ -171,7 +171,9 @@ def _friction(case: Case) -> WheelRailFriction:
         sets = [_at_place(case.friction, values["S_WS"])] if values["VARFRC"] == 2 else case.friction[:1]
         (mu,), kinetic = coefficients_of_sets(values, sets)
         by_temperature = temperature_friction(values["FRCLAW"], sets)
-        return WheelRailFriction(float(mu), kinetic=without_memory(case, kinetic), layer=layer(case), temperature=by_temperature)
+        return WheelRailFriction(
+            float(mu), kinetic=without_memory(case, kinetic), layer=layer(case), temperature=by_temperature
+        )
     mus, kinetic = coefficients_of_sets(values, case.friction)
     by_angle = [(one["ALPHVF"] + _angle_offset(case), mu) for one, mu in zip(case.friction, mus)]
     return WheelRailFriction(
