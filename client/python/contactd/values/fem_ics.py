@@ -22,9 +22,7 @@ __all__ = [
 ]
 
 LoadShape = Literal["constant", "bilinear"]
-Preset = Literal[
-    "paper-test1", "paper-test2", "paper-test3", "paper-mesh2-test1", "paper-mesh2-test2", "paper-mesh2-test3"
-]
+Preset = Literal["paper-test1", "paper-test2", "paper-test3", "paper-mesh2-test1", "paper-mesh2-test2", "paper-mesh2-test3"]
 MeshKind = Literal["hex", "prism", "adaptive"]
 Diagonal = Literal["outward", "across"]
 FarBoundary = Literal["clamped", "half_space"]

@@ -38,23 +38,7 @@ __all__ = [
     "WearRow",
 ]
 
-Field = Literal[
-    "element_division",
-    "pressure",
-    "traction_x",
-    "traction_y",
-    "slip_x",
-    "slip_y",
-    "displacement_x",
-    "displacement_y",
-    "displacement_z",
-    "flow_x",
-    "flow_y",
-    "yield_stress",
-    "friction_coefficient",
-    "upper_temperature",
-    "lower_temperature",
-]
+Field = Literal["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y", "displacement_x", "displacement_y", "displacement_z", "flow_x", "flow_y", "yield_stress", "friction_coefficient", "upper_temperature", "lower_temperature"]
 
 
 @dataclass(frozen=True)
