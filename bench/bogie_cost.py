@@ -42,11 +42,7 @@ def one_wheelset(integrator: str, seconds: float) -> Callable[[], None]:
     wheelset = Wheelset(Vehicle(), law, 40e3, 0.0)
     # The other example has modules of the same names.
     sys.path.remove(str(EXAMPLES / "wheelset"))
-    for name in [
-        name
-        for name, found in sys.modules.items()
-        if str(getattr(found, "__file__", "")).startswith(str(EXAMPLES / "wheelset"))
-    ]:
+    for name in [name for name, found in sys.modules.items() if str(getattr(found, "__file__", "")).startswith(str(EXAMPLES / "wheelset"))]:
         del sys.modules[name]
     return lambda: integrate(wheelset, wheelset.start(y=1.0), seconds, 1e-3) and None
 
@@ -55,15 +51,11 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seconds", type=float, default=0.1, help="simulated at a time (default %(default)s)")
     parser.add_argument("--rounds", type=int, default=3, help="default %(default)s")
-    parser.add_argument(
-        "--integrator", choices=("runge-kutta", "exudyn"), default="runge-kutta", help="default %(default)s"
-    )
+    parser.add_argument("--integrator", choices=("runge-kutta", "exudyn"), default="runge-kutta", help="default %(default)s")
     parser.add_argument("--fmu", type=Path, help="contactd_wheel of ./dev fmu")
     options = parser.parse_args()
     sys.path.insert(0, str(EXAMPLES))
-    rows: dict[str, Callable[[], None]] = {
-        "one wheelset, linear theory": one_wheelset(options.integrator, options.seconds)
-    }
+    rows: dict[str, Callable[[], None]] = {"one wheelset, linear theory": one_wheelset(options.integrator, options.seconds)}
     sys.path.insert(0, str(EXAMPLES / "bogie"))
     from railway.wheels import SessionWheels
     from runs import OpenWheels, by_numpy, simulate
@@ -88,21 +80,9 @@ def main() -> None:
             for way, (client, wheels) in ways.items():
 
                 def piece(
-                    client: contactd.Client = client,
-                    wheels: OpenWheels = wheels,
-                    contact: str = contact,
-                    element: float = element,
+                    client: contactd.Client = client, wheels: OpenWheels = wheels, contact: str = contact, element: float = element
                 ) -> None:
-                    simulate(
-                        client,
-                        contact,
-                        50,
-                        options.seconds,
-                        y=1.0,
-                        element=element,
-                        integrate=integrate,
-                        open_wheels=wheels,
-                    )
+                    simulate(client, contact, 50, options.seconds, y=1.0, element=element, integrate=integrate, open_wheels=wheels)
 
                 rows[f"bogie, {contact}, {element:g} mm, {way}"] = piece
         found: dict[str, list[tuple[float, float]]] = {name: [] for name in rows}

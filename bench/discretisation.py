@@ -111,9 +111,7 @@ def oblique(client: Client) -> None:
 
     limits = [2 * fine - coarse for coarse, fine in zip(forces(80, False), forces(160, False))]
     for across in (10, 16, 25, 50):
-        means = [
-            np.mean([abs(f / limit - 1) for f, limit in zip(forces(across, way), limits)]) for way in (False, True)
-        ]
+        means = [np.mean([abs(f / limit - 1) for f, limit in zip(forces(across, way), limits)]) for way in (False, True)]
         print(f"| {across} |", " | ".join(f"{mean:.1%}" for mean in means), "|", flush=True)
 
 
@@ -124,9 +122,7 @@ def main() -> None:
         rolling(client, 1e-6, 1000)
         print("\nLargest error over mu Fn where some of the contact slips, for dq in elements:\n")
         rolling(client, 0.15 * UNIT, 0.3)
-        print(
-            "\nMean error of the force of a small creepage along and across oblique directions, by the dq of an element:\n"
-        )
+        print("\nMean error of the force of a small creepage along and across oblique directions, by the dq of an element:\n")
         oblique(client)
 
 

@@ -1,6 +1,6 @@
 """How long `import contactd` takes, beside the libraries that it needs: seconds, the least of several alternate runs.
 
-./dev shell python3 bench/import_time.py [RUNS]
+    ./dev shell python3 bench/import_time.py [RUNS]
 """
 
 from __future__ import annotations

@@ -73,9 +73,7 @@ def show(rows: list[dict[str, Any]]) -> None:
     print(f"{'contactd.local(), 25 x 25 (ms)':36} {'in process':>10} {'daemon':>8} {'ratio':>6} {'less':>7}")
     for row in rows:
         less = row["daemon"] - row["here"]
-        print(
-            f"{row['name']:36} {1e3 * row['here']:10.3f} {1e3 * row['daemon']:8.3f} {row['ratio']:6.2f} {1e3 * less:7.3f}"
-        )
+        print(f"{row['name']:36} {1e3 * row['here']:10.3f} {1e3 * row['daemon']:8.3f} {row['ratio']:6.2f} {1e3 * less:7.3f}")
 
 
 def main() -> None:
@@ -83,11 +81,7 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=500, help="calls of each kind (default %(default)s)")
     parser.add_argument("--quantile", type=float, default=0.5, help="of the times; 0.1 on a busy machine (default 0.5)")
     options = parser.parse_args()
-    show(
-        measure(
-            Path(os.environ.get("CONTACTD_BIN", "build/production/bin")).absolute(), options.rounds, options.quantile
-        )
-    )
+    show(measure(Path(os.environ.get("CONTACTD_BIN", "build/production/bin")).absolute(), options.rounds, options.quantile))
 
 
 if __name__ == "__main__":

@@ -67,12 +67,7 @@ class Trial:
         expected, one_by_one = self.single.one_by_one()
         assert [one["forces"] for one in answers] == [one["forces"] for one in expected]
         solves = sum(map(solver_seconds, answers))
-        row = {
-            "together": together,
-            "one_by_one": one_by_one,
-            "solves": solves,
-            "beyond": (together - solves) / CONTACTS,
-        }
+        row = {"together": together, "one_by_one": one_by_one, "solves": solves, "beyond": (together - solves) / CONTACTS}
         for name, value in row.items():
             self.trips[name].append(value)
 
@@ -97,9 +92,7 @@ def measure(program: Path | str, rounds: int, part: float = 0.5) -> dict[str, An
 
 
 def show(found: dict[str, Any]) -> None:
-    print(
-        f"{'8 steps, 25 x 25 (ms)':36} {'one message':>12} {'one by one':>11} {'ratio':>6} {'solvers':>8} {'beyond':>7}"
-    )
+    print(f"{'8 steps, 25 x 25 (ms)':36} {'one message':>12} {'one by one':>11} {'ratio':>6} {'solvers':>8} {'beyond':>7}")
     for row in found["rows"]:
         name = f"{row['workers']} worker{'s' if row['workers'] > 1 else ''}"
         beyond = f"{1e3 * row['beyond']:7.3f}" if row["workers"] == 1 else ""

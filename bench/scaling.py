@@ -35,15 +35,13 @@ def table_of(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
         if solver == "A_p":
             product[n] = row["cpu_time"] * {"ns": 1, "us": 1e3, "ms": 1e6}[row["time_unit"]] / n**2
         products = row.get("A_p", 1.0)
-        lines.append(
-            {
-                "solver": solver,
-                "n": n,
-                "ns_per_element": f"{products * product[n]:.4g}",
-                "products": f"{products:.4g}",
-                "iterations": int(row.get("solver_iterations", 0)),
-            }
-        )
+        lines.append({
+            "solver": solver,
+            "n": n,
+            "ns_per_element": f"{products * product[n]:.4g}",
+            "products": f"{products:.4g}",
+            "iterations": int(row.get("solver_iterations", 0)),
+        })
     return lines
 
 
@@ -52,9 +50,7 @@ def draw(lines: list[dict[str, Any]], picture: Path) -> None:
     for solver, words, colour, limits in CURVES:
         points = [line for line in lines if line["solver"] == solver]
         sizes = [line["n"] for line in points]
-        time.plot(
-            sizes, [float(line["ns_per_element"]) / 1e3 for line in points], "o-", color=colour, ms=3.5, label=words
-        )
+        time.plot(sizes, [float(line["ns_per_element"]) / 1e3 for line in points], "o-", color=colour, ms=3.5, label=words)
         if solver == "A_p":
             continue
         units.plot(sizes, [float(line["products"]) for line in points], "o-", color=colour, ms=3.5, label=words)

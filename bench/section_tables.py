@@ -58,10 +58,7 @@ def answered(binaries: Path, accuracy: float, rounds: int) -> dict[str, Row]:
     least: dict[str, Row] = {}
     with tempfile.TemporaryDirectory() as store:
         for _ in range(2 * rounds):  # quicker than builds
-            with (
-                LocalDaemon(binaries / "contactd", config={"store": {"folder": store}}) as daemon,
-                daemon.client() as client,
-            ):
+            with LocalDaemon(binaries / "contactd", config={"store": {"folder": store}}) as daemon, daemon.client() as client:
                 client.health()
                 for _ in range(3):
                     start = time.perf_counter()

@@ -153,9 +153,7 @@ def latency(binaries: Path, rounds: int, spin: int) -> list[dict[str, Any]]:
     with tempfile.TemporaryDirectory() as folder, ExitStack() as stack:
         endpoints = []
         for name, endpoint in (("tcp", "tcp://127.0.0.1:*"), ("ipc", None)):
-            config: dict[str, Any] = {"workers": 1, "spin_microseconds": spin} | (
-                {"endpoint": endpoint} if endpoint else {}
-            )
+            config: dict[str, Any] = {"workers": 1, "spin_microseconds": spin} | ({"endpoint": endpoint} if endpoint else {})
             daemon = LocalDaemon(binaries / "contactd", folder=Path(folder) / name, config=config)
             endpoints.append(stack.enter_context(daemon).endpoint)
         command = [str(binaries / "bench_service"), str(rounds), str(spin), *endpoints]
@@ -166,9 +164,7 @@ def latency(binaries: Path, rounds: int, spin: int) -> list[dict[str, Any]]:
 
 def report(binaries: Path, quick: bool, json_file: Path | None) -> None:
     rows = [row for spin in SPINS for row in latency(binaries, 200 if quick else 2000, spin)]
-    print(
-        f"{'latency (ms, medians)':36} {'solve':>8} {'request':>8} {'overhead':>9} {'least':>7} {'echo':>7} {'health':>7} {'/echo':>7}"
-    )
+    print(f"{'latency (ms, medians)':36} {'solve':>8} {'request':>8} {'overhead':>9} {'least':>7} {'echo':>7} {'health':>7} {'/echo':>7}")
     for row in rows:
         name = f"{row['endpoint']}, {row['n']} x {row['n']}, {'shift' if row['friction'] else 'normal'}"
         name += ", spinning" if row["spin"] else ""

@@ -41,11 +41,7 @@ def timed(study: Path, workers: int) -> tuple[float, float]:
     """Seconds by the clock, and of processors."""
     before, began = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
     tasks = [
-        subprocess.Popen(
-            [*COMMAND, study, "--share", f"{index}/{workers}", "--rows", f"{study}.{workers}"],
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.PIPE,
-        )
+        subprocess.Popen([*COMMAND, study, "--share", f"{index}/{workers}", "--rows", f"{study}.{workers}"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         for index in range(workers)
     ]
     for task in tasks:

@@ -30,16 +30,8 @@ from contactd.wheel_rail import WheelRailSetup, WheelRailState, WheelsetPosition
 
 WEAR = WearRequest(
     [
-        WearLaw(
-            "map",
-            "a bench",
-            "lower",
-            (0, 1e6),
-            archard=ArchardWear(3000, 3e-4, SevereWear(35e-4, (200, 700)), SeizureWear(350e-4, 0.8)),
-        ),
-        WearLaw(
-            "usfd", "a bench", "lower", (0, 1e6), usfd=UsfdWear([(0, 0, 5.3), (10.4, 55, 0), (77.2, 55, 61.9)], 7850)
-        ),
+        WearLaw("map", "a bench", "lower", (0, 1e6), archard=ArchardWear(3000, 3e-4, SevereWear(35e-4, (200, 700)), SeizureWear(350e-4, 0.8))),
+        WearLaw("usfd", "a bench", "lower", (0, 1e6), usfd=UsfdWear([(0, 0, 5.3), (10.4, 55, 0), (77.2, 55, 61.9)], 7850)),
     ]
 )
 STRENGTH = FatigueStrength("steel", "a bench", 300, a_DV=1 / 3)
@@ -51,16 +43,10 @@ def states(count: int) -> Iterator[WheelRailState]:
     chance = random.Random(1)
     for i in range(count):
         side = chance.choice((-1, 1))
-        y, yaw = (
-            (side * chance.uniform(5, 6), side * chance.uniform(1.5e-3, 2.5e-3))
-            if i % 5 == 0
-            else (chance.uniform(-2, 2), chance.gauss(0, 3e-4))
-        )
+        y, yaw = (side * chance.uniform(5, 6), side * chance.uniform(1.5e-3, 2.5e-3)) if i % 5 == 0 else (chance.uniform(-2, 2), chance.gauss(0, 3e-4))
         speed = 30e3
         yield WheelRailState(
-            position=WheelsetPosition(y=y, yaw=yaw),
-            velocity=WheelsetVelocity(x=speed, pitch=-speed / 460),
-            Fz=80e3 * chance.uniform(0.92, 1.08),
+            position=WheelsetPosition(y=y, yaw=yaw), velocity=WheelsetVelocity(x=speed, pitch=-speed / 460), Fz=80e3 * chance.uniform(0.92, 1.08)
         )
 
 
@@ -73,12 +59,8 @@ def main() -> None:
     setups = {
         "no wear": WheelRailSetup(**size),
         "T gamma and wear by two laws": WheelRailSetup(**size, wear=WEAR),
-        "and indices of fatigue": WheelRailSetup(
-            **size, wear=WEAR, fatigue=FatigueRequest("lower", STRENGTH, [DAMAGE])
-        ),
-        "and a passage at 6 depths": WheelRailSetup(
-            **size, wear=WEAR, fatigue=FatigueRequest("lower", STRENGTH, [DAMAGE], Passage([0, 1, 2, 3, 4, 6]))
-        ),
+        "and indices of fatigue": WheelRailSetup(**size, wear=WEAR, fatigue=FatigueRequest("lower", STRENGTH, [DAMAGE])),
+        "and a passage at 6 depths": WheelRailSetup(**size, wear=WEAR, fatigue=FatigueRequest("lower", STRENGTH, [DAMAGE], Passage([0, 1, 2, 3, 4, 6]))),
     }
     given = list(states(options.states))
     with contactd.local(in_process=True) as client:

@@ -87,13 +87,9 @@ def run(daemon: LocalDaemon, options: argparse.Namespace) -> None:
     print(f"{'':16}{'bytes':>8}{'round trip (us)':>18}{'solves':>8}")
     for method, costs in rows.items():
         sent, seconds, solves = zip(*costs[1:])
-        print(
-            f"{method:16}{statistics.mean(sent):8.0f}{1e6 * statistics.median(seconds):18.0f}{statistics.mean(solves):8.2f}"
-        )
+        print(f"{method:16}{statistics.mean(sent):8.0f}{1e6 * statistics.median(seconds):18.0f}{statistics.mean(solves):8.2f}")
     pairs = zip(rows["session.step"][1:], rows["wheelrail.solve"][1:])
-    print(
-        f"session.step over wheelrail.solve: {statistics.median(one[1] / other[1] for one, other in pairs):.2f} of the time"
-    )
+    print(f"session.step over wheelrail.solve: {statistics.median(one[1] / other[1] for one, other in pairs):.2f} of the time")
     print(f"forces differ by at most {apart:.1e} of Fz")
 
 

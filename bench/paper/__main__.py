@@ -49,12 +49,7 @@ def parts_of(section: Section, text: str | None) -> list[str]:
 def arguments_of(words: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="./dev paper", description=(__doc__ or "").splitlines()[0])
     meanings = " and ".join(f"{s.name} is section {s.number}" for s in SECTIONS.values() if s.number is not None)
-    parser.add_argument(
-        "section",
-        choices=list(SECTIONS),
-        metavar="SECTION",
-        help=f"of the paper: {meanings}; sections is about docs/sections.md",
-    )
+    parser.add_argument("section", choices=list(SECTIONS), metavar="SECTION", help=f"of the paper: {meanings}; sections is about docs/sections.md")
     parser.add_argument("--bin", type=Path, required=True, help="folder with contactd and contactd-ic")
     parser.add_argument("--output", type=Path, default=Path("docs/paper"), help="default: docs/paper")
     parser.add_argument("--store", type=Path, default=Path("build/paper"), help="finished computations; build/paper")

@@ -98,7 +98,9 @@ def orders() -> list[Case]:
         for test in TESTS
         for L in LENGTHS[3:]
     ]
-    quadratic = [Case("orders", "test2, quadratic", "L", L, 10, clamped("prism", "test2", L / H)) for L in LENGTHS[3:]]
+    quadratic = [
+        Case("orders", "test2, quadratic", "L", L, 10, clamped("prism", "test2", L / H)) for L in LENGTHS[3:]
+    ]
     return linear + quadratic
 
 
@@ -286,7 +288,8 @@ def table1() -> list[Case]:
 def meshes() -> list[Case]:
     """Figure 4: the faces of Mesh1 and Mesh2 that can be seen."""
     return [
-        Case("meshes", mesh, "L", 8, 1, {"mesh": {"preset": preset(mesh, "test2"), "L_over_h": 10}}) for mesh in OPTIMAL
+        Case("meshes", mesh, "L", 8, 1, {"mesh": {"preset": preset(mesh, "test2"), "L_over_h": 10}})
+        for mesh in OPTIMAL
     ]
 
 

@@ -51,10 +51,7 @@ def components(rows: Rows) -> Found:
     points = {mesh: select(rows["components"], curve=mesh) for mesh in ("hex", "prism")}
     loads = {"hex": ("x",), "prism": ("x", "y")}  # along y Mesh1 is the mirror image of itself along x
     iterations = [
-        row[f"iterations_{load}"] / row["iterations_z"]
-        for mesh in loads
-        for load in loads[mesh]
-        for row in points[mesh]
+        row[f"iterations_{load}"] / row["iterations_z"] for mesh in loads for load in loads[mesh] for row in points[mesh]
     ]
     times = {
         (mesh, load): sum(at(rows["incomplete"], f"{mesh}, load along {load}", L)[f"{stage}_seconds"]

@@ -37,9 +37,7 @@ def meshes(rows: Sequence[Row], path: Path) -> None:
     figure, panels = new_figure(2, width=6.0, height=6.0)
     for axes, row in zip(panels, rows, strict=True):
         _draw(axes, row)
-    figure.suptitle(
-        "Figure 4: TEST 2 in a block of $L$ = 8 mm; the quarter of the loaded element is filled", fontsize=12
-    )
+    figure.suptitle("Figure 4: TEST 2 in a block of $L$ = 8 mm; the quarter of the loaded element is filled", fontsize=12)
     save(figure, path)
 
 

@@ -62,7 +62,9 @@ def edges() -> list[Case]:
 
 
 def throat() -> list[Case]:
-    return [Case("throat", way, "y", y, {"kind": "throat", "y": y, "conformal": way}) for way in WAYS for y in SHIFTS]
+    return [
+        Case("throat", way, "y", y, {"kind": "throat", "y": y, "conformal": way}) for way in WAYS for y in SHIFTS
+    ]
 
 
 def tables() -> list[Case]:
@@ -88,22 +90,14 @@ def groove() -> list[Case]:
 
 def solid() -> list[Case]:
     return [
-        Case(
-            "solid", "edge at 0.5 strips", "order", order, {"kind": "solid", "order": order, "factor": factor, **SOLID}
-        )
+        Case("solid", "edge at 0.5 strips", "order", order, {"kind": "solid", "order": order, "factor": factor, **SOLID})
         for order, factor in SOLID_ORDERS.items()
     ]
 
 
 def propagation() -> list[Case]:
     return [
-        Case(
-            "propagation",
-            f"{body}, order {order}",
-            "edges",
-            edges,
-            {"kind": "propagation", "body": body, "order": order, "edges": edges},
-        )
+        Case("propagation", f"{body}, order {order}", "edges", edges, {"kind": "propagation", "body": body, "order": order, "edges": edges})
         for body in ("flat", "curved")
         for order, edges in MESHES
     ]

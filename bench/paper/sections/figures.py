@@ -38,13 +38,7 @@ def throat(rows: Sequence[Row], path: Path) -> None:
     for axes, title in zip(panels, ("largest pressure", "longitudinal force $F_x$ / ($\\mu F_z$)"), strict=True):
         for way, look in LOOKS.items():
             pairs = more(rows, "pmax", way, "fem") if axes is panels[0] else creep_forces(rows, way)
-            axes.plot(
-                [x for x, _ in pairs],
-                [100 * y for _, y in pairs],
-                color=look.colour,
-                marker=look.marker,
-                label=look.label,
-            )
+            axes.plot([x for x, _ in pairs], [100 * y for _, y in pairs], color=look.colour, marker=look.marker, label=look.label)
         axes.axhline(0, color=INK, linewidth=0.8)
         axes.set_yscale("symlog", linthresh=2)
         axes.yaxis.set_major_formatter("{x:g}")
@@ -60,9 +54,7 @@ def tables(rows: Sequence[Row], path: Path) -> None:
     for accuracy, colour in ((1e-2, RED), (1e-3, BLUE)):
         points = select(rows, value=accuracy)
         places = [names.index(str(row["curve"])) for row in points]
-        axes.plot(
-            places, [row["stated"] for row in points], "_", markersize=18, color=colour, label=f"{accuracy:g}: stated"
-        )
+        axes.plot(places, [row["stated"] for row in points], "_", markersize=18, color=colour, label=f"{accuracy:g}: stated")
         axes.plot(places, [row["found"] for row in points], "o", color=colour, label=f"{accuracy:g}: found")
         axes.axhline(accuracy, color=colour, linewidth=0.8, linestyle=":")
     axes.set_yscale("log")
@@ -79,9 +71,7 @@ def persson(rows: Sequence[Row], path: Path) -> None:
     for row in rows:
         if (degrees := int(row["value"])) not in colours:
             continue
-        angles, pressures = (
-            np.array([float(word) for word in str(row[name]).split()]) for name in ("angles", "pressures")
-        )
+        angles, pressures = (np.array([float(word) for word in str(row[name]).split()]) for name in ("angles", "pressures"))
         fine = np.linspace(-degrees, degrees, 801)
         axes.plot(fine, pressure(np.radians(degrees), np.radians(fine)), color=colours[degrees], linewidth=1.4)
         axes.plot(angles, pressures, "o", color=colours[degrees], markersize=2.6, label=f"{degrees}°")
@@ -99,13 +89,7 @@ def solid(rows: Sequence[Row], path: Path) -> None:
     errors.semilogy(orders, [row["found"] for row in rows], "o-", color=BLUE, label="three dimensions")
     errors.axhline(rows[0]["stated"], color=RED, linestyle=":", label="the transform's stated error")
     paper = [row for row in rows if row["iterations"] > 0]  # by the paper's solver
-    costs.semilogy(
-        [row["value"] for row in paper],
-        [solid_seconds(row) for row in paper],
-        "o-",
-        color=BLUE,
-        label="three dimensions, estimated",
-    )
+    costs.semilogy([row["value"] for row in paper], [solid_seconds(row) for row in paper], "o-", color=BLUE, label="three dimensions, estimated")
     costs.semilogy(orders, [row["transform_seconds"] for row in rows], "s-", color=RED, label="transform to 1e-3")
     for axes in (errors, costs):
         axes.set_xticks(orders)

@@ -105,6 +105,4 @@ def tables(rows: Rows) -> Found:
 
 
 def find(rows: Rows) -> Found:
-    return merge(
-        function(rows) for function in (edges, throat, tables, checks.persson, checks.groove, propagation, checks.solid)
-    )
+    return merge(function(rows) for function in (edges, throat, tables, checks.persson, checks.groove, propagation, checks.solid))

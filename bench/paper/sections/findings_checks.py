@@ -38,9 +38,7 @@ def groove(rows: Rows) -> Found:
     points = []
     for radius, row in by_body["sections"].items():
         frames, rotated = (by_body[body][radius]["pmax"] / row["pmax"] - 1 for body in ("half_space", "rotated"))
-        points.append(
-            (radius, row["pmax"], frames, rotated, row["approach"] / by_body["rotated"][radius]["approach"] - 1)
-        )
+        points.append((radius, row["pmax"], frames, rotated, row["approach"] / by_body["rotated"][radius]["approach"] - 1))
     body = [[f"R{r:g}", f"{pmax:.1f}", signed(f), signed(t), signed(a)] for r, pmax, f, t, a in points]
     head = ["groove", "largest pressure", "half-spaces with frames", "rotated", "approach over rotated"]
     off = max(abs(frames - GROOVE_PROTOTYPE[radius][0]) for radius, _, frames, _, _ in points)
@@ -82,16 +80,7 @@ def solid(rows: Rows) -> Found:
         ]
         for row in points
     ]  # fmt: skip
-    head = [
-        "order",
-        "unknowns",
-        "iterations",
-        "difference",
-        "a load takes",
-        "unknowns of 80 strips",
-        "which take",
-        "over the transform's",
-    ]
+    head = ["order", "unknowns", "iterations", "difference", "a load takes", "unknowns of 80 strips", "which take", "over the transform's"]
     found = [row["found"] for row in points]
     last = paper[-1]
     return {

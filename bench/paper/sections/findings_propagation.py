@@ -30,10 +30,7 @@ def propagation(rows: Rows) -> Found:
         raise PointMissing(f"{body}, order {order}, edges {edges}")
 
     pairs = {mesh: (on("flat", *mesh), on("curved", *mesh)) for mesh in MESHES}
-    body = [
-        [f"{order}", f"{edges}", *(cell for row in pair for cell in _cells(row))]
-        for (order, edges), pair in pairs.items()
-    ]
+    body = [[f"{order}", f"{edges}", *(cell for row in pair for cell in _cells(row))] for (order, edges), pair in pairs.items()]
     head = ["order", "edges", *(f"{shape}: {words}" for shape in ("flat", "curved")
                                 for words in ("coefficients", *QUANTITIES.values()))]  # fmt: skip
     ratios = [two["ic_largest"] / one["ic_largest"] for one, two in pairs.values()]

@@ -21,12 +21,8 @@ def bodies(radius: float, body: str) -> tuple[Any, Any]:
     roller = {"round_end": {"radius": ROLLER, "length": 60}}
     groove = {"groove": {"radius": radius, "depth": radius, **BODY}}
     if body == "rotated":
-        return AnalyticIcs(body="longitudinally_uniform", section=roller), AnalyticIcs(
-            body="longitudinally_uniform", section=groove
-        )
-    return FemIcs(body="longitudinally_uniform", section=roller, accuracy=1e-2), FemIcs(
-        body="longitudinally_uniform", section=groove, accuracy=1e-2
-    )
+        return AnalyticIcs(body="longitudinally_uniform", section=roller), AnalyticIcs(body="longitudinally_uniform", section=groove)
+    return FemIcs(body="longitudinally_uniform", section=roller, accuracy=1e-2), FemIcs(body="longitudinally_uniform", section=groove, accuracy=1e-2)
 
 
 def measure(client: Client, radius: float, body: str) -> dict[str, Any]:

@@ -61,11 +61,7 @@ class Solver:
         return kinds[spec["kind"]](spec)
 
     def _edge(self, spec: Spec) -> dict[str, Any]:
-        ics = (
-            FemIcs(body="longitudinally_uniform", section=BLOCK, accuracy=1e-2)
-            if spec["body"] == "block"
-            else AnalyticIcs()
-        )
+        ics = FemIcs(body="longitudinally_uniform", section=BLOCK, accuracy=1e-2) if spec["body"] == "block" else AnalyticIcs()
         solution = self._client.solve(
             grid=Grid(20, 24, 0.25, 0.25, -2.5, spec["distance"] - 6),
             upper=RigidBody(),
@@ -128,12 +124,7 @@ class Solver:
         request = {
             "material": {"G": STEEL.G, "nu": spec["nu"]},
             "grid": {"nx": OFFSETS, "ny": columns, "dx": SIZE, "dy": SIZE},
-            "ics": {
-                "source": "fem",
-                "body": "longitudinally_uniform",
-                "section": spec["section"],
-                "accuracy": spec["accuracy"],
-            },
+            "ics": {"source": "fem", "body": "longitudinally_uniform", "section": spec["section"], "accuracy": spec["accuracy"]},
         }
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder, "spec.json")

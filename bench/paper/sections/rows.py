@@ -15,15 +15,7 @@ PART_RESULTS = {
     "tables": ["stated", "reciprocity", "found", "finest_asked", "finest", "seconds", "preset"],
     "persson": ["p0", "p0_exact", "half_angle", "angles", "pressures"],  # lists are texts, with blanks between
     "groove": ["pmax", "approach"],
-    "propagation": [
-        "unknowns",
-        "ic_origin",
-        "ic_largest",
-        "p0_error",
-        "extent_error",
-        "approach_error",
-        "finest_error",
-    ],
+    "propagation": ["unknowns", "ic_origin", "ic_largest", "p0_error", "extent_error", "approach_error", "finest_error"],
     "solid": [
         *("found", "stated", "elements", "dofs", "loads", "iterations"),
         *("seconds", "assembly_seconds", "setup_seconds", "solve_seconds"),

@@ -46,25 +46,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
-for family in (
-    info,
-    tables,
-    solve,
-    wheelrail,
-    profile,
-    contact,
-    compare,
-    fit,
-    session,
-    jobs,
-    watch,
-    bench,
-    dashboard,
-    keys,
-    study,
-    wear,
-    completion,
-):
+for family in (info, tables, solve, wheelrail, profile, contact, compare, fit, session, jobs, watch, bench, dashboard, keys, study, wear, completion):
     family.add_to(app)
 
 
@@ -111,3 +93,4 @@ def _run(arguments: Sequence[str] | None) -> int:
         drop_output()
         return Code.DEFECT
     return ended if isinstance(ended, int) else Code.DONE
+

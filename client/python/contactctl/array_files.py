@@ -27,9 +27,7 @@ def read_array(file: Path, named_by: str) -> np.ndarray[Any, Any]:
     except OSError as error:
         raise click.UsageError(f"{named_by} names {file}, which cannot be read: {error.strerror or error}.") from None
     except UnicodeDecodeError:
-        raise click.UsageError(
-            f"{named_by} names {file}, which is no text in UTF-8; arrays are in .npy or in text."
-        ) from None
+        raise click.UsageError(f"{named_by} names {file}, which is no text in UTF-8; arrays are in .npy or in text.") from None
     except (ValueError, EOFError, MemoryError) as error:
         raise click.UsageError(f"{named_by} names {file}, which holds no array of numbers: {error}.") from None
 

@@ -98,9 +98,7 @@ def _text(path: str) -> str:
             return read_whole(path, _MOST_BYTES).decode("utf-8-sig")
         text = sys.stdin.read(_MOST_BYTES + 1)
         if len(text) > _MOST_BYTES:
-            raise click.UsageError(
-                f"What stands on standard input has more than {_MOST_BYTES} characters; put arrays into files ($file)."
-            )
+            raise click.UsageError(f"What stands on standard input has more than {_MOST_BYTES} characters; put arrays into files ($file).")
         return text
     except OSError as error:
         raise click.UsageError(f"{path} cannot be read: {error.strerror}.") from None
@@ -158,7 +156,5 @@ def _profile(named: Any, folder: Path, path: str) -> Any:
     try:
         read = ProfileFile(folder / name)
     except OSError as error:
-        raise click.UsageError(
-            f"{path} names {folder / name}, which cannot be read: {error.strerror or error}."
-        ) from None
+        raise click.UsageError(f"{path} names {folder / name}, which cannot be read: {error.strerror or error}.") from None
     return {**given, "name": Path(name).name, "text": read.text}

@@ -81,9 +81,7 @@ def warned() -> Iterator[None]:
             yield
         finally:
             with lock:
-                given = [
-                    sentence if count == 1 else f"{sentence} ({count} answers)" for sentence, count in counts.items()
-                ]
+                given = [sentence if count == 1 else f"{sentence} ({count} answers)" for sentence, count in counts.items()]
             warn(given[:_MOST_WARNINGS])
             if len(given) > _MOST_WARNINGS:
                 note(f"and {len(given) - _MOST_WARNINGS} other warnings.")

@@ -61,9 +61,7 @@ def need(module: str, what: str, package: str) -> None:
         raise click.UsageError(advice) from None
 
 
-def save(
-    path: Path, answer: dict[str, Any], read: Callable[[], ContactSolution | PartialSolution | WheelRailSolution]
-) -> None:
+def save(path: Path, answer: dict[str, Any], read: Callable[[], ContactSolution | PartialSolution | WheelRailSolution]) -> None:
     """`answer` is that of the wire, and what `read` makes of it the solution that Python has."""
     if path.suffix == ".json":
         write_text(path, json.dumps(plain_json(answer), allow_nan=False) + "\n")

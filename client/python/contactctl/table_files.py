@@ -83,10 +83,7 @@ def _shown(path: str, table: IcTable) -> Any:
             ("elements", evidence.elements or None),
             ("unknowns", evidence.dofs or None),
             ("made by", evidence.version),
-            (
-                "error of zz",
-                None if errors is None else f"{errors.zz.origin:.2g} at the origin, {errors.zz.largest:.2g} at most",
-            ),
+            ("error of zz", None if errors is None else f"{errors.zz.origin:.2g} at the origin, {errors.zz.largest:.2g} at most"),
             ("modelling error", None if evidence.modelling_error is None else f"{evidence.modelling_error:.2g}"),
             ("in memory", size(table.array.nbytes)),
             *(("warning", warning) for warning in evidence.warnings),

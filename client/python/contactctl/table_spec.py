@@ -13,14 +13,8 @@ from .paths import changed, get
 
 __all__ = ["DX", "DY", "NU", "NX", "NY", "Accuracy", "E", "G", "Set", "Spec", "as_given", "offsets_of", "table_params"]
 
-Spec = Annotated[
-    str | None,
-    typer.Argument(metavar="[FILE]", help="JSON or YAML with material, grid and ics; - reads standard input."),
-]
-Set = Annotated[
-    list[str] | None,
-    typer.Option("--set", metavar="PATH=VALUE", help="Change a field, as in ics.order=3; as often as wanted."),
-]
+Spec = Annotated[str | None, typer.Argument(metavar="[FILE]", help="JSON or YAML with material, grid and ics; - reads standard input.")]
+Set = Annotated[list[str] | None, typer.Option("--set", metavar="PATH=VALUE", help="Change a field, as in ics.order=3; as often as wanted.")]
 G = Annotated[float | None, typer.Option("--G", help="Shear modulus (N/mm^2).")]
 E = Annotated[float | None, typer.Option("--E", help="Young's modulus (N/mm^2), in place of G.")]
 NU = Annotated[float | None, typer.Option("--nu", help="Poisson's ratio.")]

@@ -18,11 +18,7 @@ _WORDS = (
     ("null", r"~|null|Null|NULL|", ["~", "n", "N", ""]),
     ("bool", r"true|True|TRUE|false|False|FALSE", list("tTfF")),
     ("int", r"[-+]?[0-9]+", list("-+0123456789")),
-    (
-        "float",
-        r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?|[-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN)",
-        list("-+.0123456789"),
-    ),
+    ("float", r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?|[-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN)", list("-+.0123456789")),
     ("merge", r"<<", ["<"]),
 )  # 1e-3 is a number, yes and 12:30 are texts
 
@@ -63,9 +59,7 @@ def _loader_kind(yaml: Any, check_names: Callable[[Iterable[tuple[Hashable, Any]
         def compose_node(self, parent: Any, index: Any) -> Any:
             self.values += 1
             if self.values > _MOST_VALUES:
-                raise ValueError(
-                    f"it has more than {_MOST_VALUES} values; put arrays into files of their own ($file), or write JSON"
-                )
+                raise ValueError(f"it has more than {_MOST_VALUES} values; put arrays into files of their own ($file), or write JSON")
             return super().compose_node(parent, index)
 
     def pairs(loader: Any, node: Any) -> dict[str, Any]:

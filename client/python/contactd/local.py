@@ -219,11 +219,7 @@ class LocalDaemon:
         except OSError as error:
             if self._temporary:
                 shutil.rmtree(self.folder, ignore_errors=True)
-            advice = (
-                ""
-                if os.sep in program
-                else ' Put it on PATH, or name it: LocalDaemon(program); pip install "contactd[daemon]" brings one.'
-            )
+            advice = "" if os.sep in program else " Put it on PATH, or name it: LocalDaemon(program); pip install \"contactd[daemon]\" brings one."
             raise DaemonFailed(f"{program} cannot be started: {error.strerror}.{advice}") from None
 
     def _wait_until_ready(self, timeout: float) -> None:

@@ -35,9 +35,7 @@ PARAMETERS = {
 }
 
 
-def problem(
-    xi: float = 0.0, mu: float = 0.3, kinetic: float = 0.1, slip_velocity: float = 200.0, flexibility: float = 1e-5
-) -> ContactProblem:
+def problem(xi: float = 0.0, mu: float = 0.3, kinetic: float = 0.1, slip_velocity: float = 200.0, flexibility: float = 1e-5) -> ContactProblem:
     """A wheel on a rail; without arguments what a search may begin with."""
     grid = Grid.centred(25, 25, 12.5, 10.5)
     friction = Friction(

@@ -89,12 +89,8 @@ def draw_wheel(names: dict[str, Any], path: Path) -> None:
     left.set_aspect("equal")
     bare_axes(left, "Tractions on the wheel; dark grey adheres", "x (mm); rolling to the right", "y (mm)")
     for solutions, style, label in ((names["full"], "o-", "full"), (names["fastsim"], "--", "fastsim")):
-        right.plot(
-            1e3 * names["curve"], [-s.Fx / 1e3 for s in solutions], style, color="C0", ms=4, label=f"-Fx, {label}"
-        )
-        right.plot(
-            1e3 * names["curve"], [-s.Fy / 1e3 for s in solutions], style, color="C1", ms=4, label=f"-Fy, {label}"
-        )
+        right.plot(1e3 * names["curve"], [-s.Fx / 1e3 for s in solutions], style, color="C0", ms=4, label=f"-Fx, {label}")
+        right.plot(1e3 * names["curve"], [-s.Fy / 1e3 for s in solutions], style, color="C1", ms=4, label=f"-Fy, {label}")
     bare_axes(right, "Spin 2e-4 rad/mm, eta = 0", "longitudinal creepage (1e-3)", "force on the rail (kN)")
     right.legend(frameon=False)
     figure.savefig(path, dpi=130)
@@ -105,9 +101,7 @@ def main() -> None:
         raise SystemExit("usage: guide_pictures.py FOLDER [ENDPOINT]")
     folder = Path(sys.argv[1])
     with ExitStack() as stack:
-        names = results_of_guide(
-            stack.enter_context(Client(sys.argv[2], timeout=120) if sys.argv[2:] else contactd.local())
-        )
+        names = results_of_guide(stack.enter_context(Client(sys.argv[2], timeout=120) if sys.argv[2:] else contactd.local()))
     draw_cattaneo(names, folder / "contact-cattaneo.png")
     draw_carter(names, folder / "contact-carter.png")
     draw_wheel(names, folder / "contact-wheel.png")

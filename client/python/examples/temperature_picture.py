@@ -50,9 +50,7 @@ def main() -> None:
     if not sys.argv[1:]:
         raise SystemExit("usage: temperature_picture.py FILE [ENDPOINT]")
     with ExitStack() as stack:
-        names = results_of_page(
-            stack.enter_context(Client(sys.argv[2], timeout=120) if sys.argv[2:] else contactd.local())
-        )
+        names = results_of_page(stack.enter_context(Client(sys.argv[2], timeout=120) if sys.argv[2:] else contactd.local()))
     draw(names, Path(sys.argv[1]))
 
 

@@ -28,9 +28,7 @@ def case_params(case: Case, client: Client, profiles: Profiles) -> dict[str, Any
     if isinstance(contact, str):
         raise click.UsageError(contact)
     if goes_on(case):
-        raise click.UsageError(
-            f"Case {case.number} in line {case.line} goes on from the one before: convert to Python."
-        )
+        raise click.UsageError(f"Case {case.number} in line {case.line} goes on from the one before: convert to Python.")
     if isinstance(contact, RailContact):
         return {"setup": setup_params(contact.setup), "state": state_params(contact.state, "state")}
     return problem_params(contact.problem)

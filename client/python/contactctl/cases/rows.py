@@ -18,13 +18,7 @@ from ..output import plain_json
 
 __all__ = ["code_of_status", "keys_of", "row_of"]
 
-_CODES = {
-    "solved": Code.DONE,
-    "read": Code.DONE,
-    "not converged": Code.NOT_CONVERGED,
-    "wrong": Code.USAGE,
-    "failed": Code.FAILED,
-}
+_CODES = {"solved": Code.DONE, "read": Code.DONE, "not converged": Code.NOT_CONVERGED, "wrong": Code.USAGE, "failed": Code.FAILED}
 
 
 def keys_of(chain: Sequence[Case], options: Mapping[str, Any]) -> list[str]:

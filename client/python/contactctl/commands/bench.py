@@ -40,10 +40,7 @@ def add_to(app: typer.Typer) -> None:
 
 
 def bench(
-    file: Annotated[
-        str | None,
-        typer.Argument(metavar="[FILE]", help="A problem of contact.solve; else a small one of 20 x 20 elements."),
-    ] = None,
+    file: Annotated[str | None, typer.Argument(metavar="[FILE]", help="A problem of contact.solve; else a small one of 20 x 20 elements.")] = None,
     sets: Set = None,
     count: Annotated[int, typer.Option("--count", "-n", min=1, max=1_000_000, help="Requests of each kind.")] = 200,
     clients: Annotated[int, typer.Option("--clients", "-c", min=1, max=128, help="How many ask at a time.")] = 1,
@@ -62,12 +59,7 @@ def bench(
             measured[method] = _measured(client, method, params, count, clients)
     columns = ["request", "a second", *(f"{percent} %" for percent in PERCENTILES), "longest"]
     rows = [
-        (
-            method,
-            f"{found['per_second']:.4g}",
-            *(span(found[f"p{percent}"]) for percent in PERCENTILES),
-            span(found["max"]),
-        )
+        (method, f"{found['per_second']:.4g}", *(span(found[f"p{percent}"]) for percent in PERCENTILES), span(found["max"]))
         for method, found in measured.items()
     ]
     title = f"{count} requests of each kind to {client.endpoint}, {clients} at a time"

@@ -116,21 +116,10 @@ def _row(one: ComparedModel) -> dict[str, Any]:
         patches = [patch.solution for patch in found.patches]
         row |= {"z": found.z, "Fx": track.Fx, "Fy": track.Fy, "Fz": track.Fz, "patches": len(patches)}
         row["contacts"] = [
-            {
-                "y": patch.place.reference.y,
-                "Fn": one.Fn,
-                "Fx": one.Fx,
-                "Fy": one.Fy,
-                "Mz": one.Mz,
-                "pmax": one.pmax,
-                "area": one.area.contact,
-            }
+            {"y": patch.place.reference.y, "Fn": one.Fn, "Fx": one.Fx, "Fy": one.Fy, "Mz": one.Mz, "pmax": one.pmax, "area": one.area.contact}
             for patch, one in zip(found.patches, patches)
         ]
-        row |= {
-            "pmax": max((patch.pmax for patch in patches), default=0.0),
-            "area": sum(patch.area.contact for patch in patches),
-        }
+        row |= {"pmax": max((patch.pmax for patch in patches), default=0.0), "area": sum(patch.area.contact for patch in patches)}
     else:
         forces = {name: getattr(found, name) for name in ("Fn", "Fx", "Fy", "Mz")}
         row |= {**forces, "approach": found.approach, "pmax": found.pmax, "area": found.area.contact}
@@ -146,21 +135,10 @@ def _write_table(path: Path, rows: list[dict[str, Any]]) -> None:
     flat = []
     for row in rows:
         errors = {f"error of {name}": value for name, value in row.get("errors", {}).items()}
-        flat.append(
-            {
-                **{
-                    name: value
-                    for name, value in row.items()
-                    if name not in ("errors", "motion", "left_out", "contacts")
-                },
-                **errors,
-            }
-        )
+        flat.append({**{name: value for name, value in row.items() if name not in ("errors", "motion", "left_out", "contacts")}, **errors})
     columns = [*dict.fromkeys(name for row in flat for name in row if name != "refusal"), "refusal"]
     written = io.StringIO()
-    csv.writer(written, lineterminator="\n").writerows(
-        [columns, *([row.get(name, "") for name in columns] for row in flat)]
-    )
+    csv.writer(written, lineterminator="\n").writerows([columns, *([row.get(name, "") for name in columns] for row in flat)])
     write_text(path, written.getvalue())
 
 
@@ -174,22 +152,14 @@ def _shown(found: ModelComparison, rows: list[dict[str, Any]]) -> list[Any]:
     columns = {**forces, "pmax (N/mm^2)": "pmax", "contact (mm^2)": "area"}
     largest = max((abs(row[name]) for row in computed for name in ("Fn", "Fz") if name in row), default=0.0)
     errors = [row.get("errors", {}) for row in computed]
-    off = (
-        {"off by (% of mu Fn)": "force"}
-        if any(one.get("force") is not None for one in errors)
-        else {"pmax off by (%)": "pmax"}
-    )
+    off = {"off by (% of mu Fn)": "force"} if any(one.get("force") is not None for one in errors) else {"pmax off by (%)": "pmax"}
     if any(one.get("creepage") is not None for one in errors):
         off["creepage off by (%)"] = "creepage"
     lines = []
     for row, error in zip(computed, errors):
         cells = [above_rounding(row[name], largest) if name[0] == "F" else row[name] for name in columns.values()]
         apart = [None if row["name"] == FULL or error.get(name) is None else 100 * error[name] for name in off.values()]
-        numbers = [
-            *(_digits(cell) for cell in cells),
-            *(_digits(cell, 3) for cell in apart),
-            _digits(1e3 * row["seconds"], 3),
-        ]
+        numbers = [*(_digits(cell) for cell in cells), *(_digits(cell, 3) for cell in apart), _digits(1e3 * row["seconds"], 3)]
         lines.append([row["name"], *numbers, bool(row["converged"])])
     shown: list[Any] = [listing(None, ["model", *columns, *off, "time (ms)", "converged"], lines)]
     if refused := [[row["name"], row["refusal"]] for row in rows if "converged" not in row]:

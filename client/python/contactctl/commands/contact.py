@@ -55,13 +55,7 @@ def check(file: File) -> None:
         cases = _read(file, client)
     found = checked(cases)
     rows = [
-        {
-            "case": one.case.number,
-            "line": one.case.line,
-            "module": one.case.module,
-            "status": _status_text(one.status),
-            "why": one.sentence,
-        }
+        {"case": one.case.number, "line": one.case.line, "module": one.case.module, "status": _status_text(one.status), "why": one.sentence}
         for one in found
     ]
     counts = Counter(str(row["status"]) for row in rows)
@@ -72,18 +66,10 @@ def check(file: File) -> None:
 
 def run(
     file: File,
-    compare: Annotated[
-        Path | None, typer.Option("--compare", metavar="FILE.out", help="Tell where numbers differ from printed ones.")
-    ] = None,
-    output: Annotated[
-        Path | None,
-        typer.Option("--output", "-o", metavar="FILE.out", help="Where to write; else beside the input file."),
-    ] = None,
-    workers: Annotated[int, typer.Option("--workers", "-w", min=1, max=128, help="Cases at a time.")] = os.cpu_count()
-    or 1,
-    wheel: Annotated[
-        str, typer.Option("--wheel", help="Wheels on rails: exact, or bilinear as the CONTACT program has them.")
-    ] = "exact",
+    compare: Annotated[Path | None, typer.Option("--compare", metavar="FILE.out", help="Tell where numbers differ from printed ones.")] = None,
+    output: Annotated[Path | None, typer.Option("--output", "-o", metavar="FILE.out", help="Where to write; else beside the input file.")] = None,
+    workers: Annotated[int, typer.Option("--workers", "-w", min=1, max=128, help="Cases at a time.")] = os.cpu_count() or 1,
+    wheel: Annotated[str, typer.Option("--wheel", help="Wheels on rails: exact, or bilinear as the CONTACT program has them.")] = "exact",
     fresh: Annotated[bool, typer.Option("--fresh", help="Compute all cases, also those that are there.")] = False,
 ) -> None:
     """Compute the cases of a file, and write its .out, .mat and .subs files.
@@ -149,13 +135,7 @@ def _read(file: Path, client: Client) -> Sequence[Case]:
 
 
 def _computed(
-    runner: Runner,
-    chains: Sequence[Sequence[Case]],
-    options: dict[str, Any],
-    path: Path,
-    workers: int,
-    fresh: bool,
-    files: CaseFiles,
+    runner: Runner, chains: Sequence[Sequence[Case]], options: dict[str, Any], path: Path, workers: int, fresh: bool, files: CaseFiles
 ) -> dict[int, dict[str, Any]]:
     """The rows of all cases."""
     total = sum(map(len, chains))
@@ -174,9 +154,7 @@ def _computed(
             try:
                 run_chains(runner, chains, options, journal, min(workers, max(1, len(chains))), files.keep, on_row)
             except BaseException:
-                note(
-                    f"{len(set(keys.values()) & journal.rows.keys())} of {total} cases are in {path}; the same command goes on."
-                )
+                note(f"{len(set(keys.values()) & journal.rows.keys())} of {total} cases are in {path}; the same command goes on.")
                 raise
         return {case: journal.rows[key] for case, key in keys.items()}
 
@@ -188,15 +166,10 @@ def _show(rows: Sequence[dict[str, Any]], place: Path, differences: Sequence[lis
         apart = [] if differences is None else differences[index]
         why = " ".join([answers["sentence"], *(f"{sentence}." for sentence in apart)]).strip()
         status = "differs" if apart and answers["status"] == "solved" else answers["status"]
-        shown.append(
-            {"case": values["number"], "line": values["line"], "module": values["module"], "status": status, "why": why}
-        )
+        shown.append({"case": values["number"], "line": values["line"], "module": values["module"], "status": status, "why": why})
     counts = Counter(row["status"] for row in shown)
     remarks = [row for row in shown if row["why"]]
-    answer = {
-        "cases": [{**row, "numbers": full["answers"].get("numbers")} for row, full in zip(shown, rows)],
-        "output": str(place),
-    }
+    answer = {"cases": [{**row, "numbers": full["answers"].get("numbers")} for row, full in zip(shown, rows)], "output": str(place)}
     emit(setting().json, answer, *_listed(remarks, f"{_cases(len(rows))}: {_counted(counts)}. {place} has them."))
     _end([row["status"] for row in shown])
 

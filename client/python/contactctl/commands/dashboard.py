@@ -23,17 +23,8 @@ def add_to(app: typer.Typer) -> None:
 def dashboard(
     address: Annotated[str, typer.Option("--address", metavar="IP", help="Where to listen, in numbers.")] = "127.0.0.1",
     port: Annotated[int, typer.Option("--port", "-p", min=0, max=65535, help="Where to listen; 0: a free one.")] = 5580,
-    interval: Annotated[
-        float, typer.Option("--interval", "-i", min=0.2, max=3600, help="Seconds between looks.")
-    ] = 1.0,
-    name: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--name",
-            metavar="NAME[:PORT]",
-            help="Where else browsers reach it, as through ssh -L or a proxy; as often as wanted.",
-        ),
-    ] = None,
+    interval: Annotated[float, typer.Option("--interval", "-i", min=0.2, max=3600, help="Seconds between looks.")] = 1.0,
+    name: Annotated[list[str] | None, typer.Option("--name", metavar="NAME[:PORT]", help="Where else browsers reach it, as through ssh -L or a proxy; as often as wanted.")] = None,
 ) -> None:
     """Show in a browser what the daemon does, until Ctrl-C.
 
@@ -50,9 +41,7 @@ def dashboard(
             raise
         raise click.UsageError('dashboard needs NiceGUI and matplotlib: pip install "contactd[dashboard]".') from None
     if not is_loopback:
-        note(
-            "warning: other machines can reach the dashboard. Nothing is encrypted; its token is all that keeps others out."
-        )
+        note("warning: other machines can reach the dashboard. Nothing is encrypted; its token is all that keeps others out.")
     with client_of(setting()) as client, Watcher(client, interval=interval) as watcher:
         try:
             serve(watcher, address, port, lambda link: emit(setting().json, {"address": link}, link), name or ())

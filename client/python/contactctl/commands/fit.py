@@ -78,9 +78,7 @@ def fit(
                     max_evaluations=evaluations, on_progress=report,
                 )  # fmt: skip
         except FitFailed as error:
-            raise Ended(
-                Code.NOT_CONVERGED if error.__cause__ is None else code_of(error.__cause__), str(error)
-            ) from None
+            raise Ended(Code.NOT_CONVERGED if error.__cause__ is None else code_of(error.__cause__), str(error)) from None
         except contactd.StatusError:
             raise
         except ValueError as error:
@@ -132,9 +130,7 @@ def _columns(text: str, count: int, file: Path) -> list[int]:
     except ValueError:
         found = []
     if len(found) not in (2, 3) or len(set(found)) < len(found) or not all(0 <= index < count for index in found):
-        raise click.UsageError(
-            f"--columns {text}: it must be two or three different columns, 1 to {count} in {file}, such as 1,2."
-        )
+        raise click.UsageError(f"--columns {text}: it must be two or three different columns, 1 to {count} in {file}, such as 1,2.")
     return found
 
 
@@ -143,9 +139,7 @@ def _bounds(text: str) -> tuple[str, tuple[float, float]]:
     low, _, high = rest.partition(":")
     found = number_in(low.strip()), number_in(high.strip())
     if found[0] is None or found[1] is None:
-        raise click.UsageError(
-            f"--parameter {text}: it must be PATH=LOW:HIGH, such as friction.layer.flexibility=1e-6:1e-3."
-        )
+        raise click.UsageError(f"--parameter {text}: it must be PATH=LOW:HIGH, such as friction.layer.flexibility=1e-6:1e-3.")
     return path.strip(), (found[0], found[1])
 
 
@@ -219,11 +213,7 @@ def _shown(found: Fit, measured: Path) -> list[Any]:
     unit = " (N)" if found.quantity == "force" else ""
     worst = int(np.argmax(np.abs(found.residuals)))
     largest = f"{_short(float(found.residuals[worst]))} at creepage {_short(float(found.creepage[worst]))}"
-    ends: list[tuple[str, Any]] = [
-        (f"rms residual{unit}", float(f"{found.rms:.4g}")),
-        (f"largest residual{unit}", largest),
-        *pairs,
-    ]
+    ends: list[tuple[str, Any]] = [(f"rms residual{unit}", float(f"{found.rms:.4g}")), (f"largest residual{unit}", largest), *pairs]
     return [*shown, "", facts("", [*ends, ("converged", found.converged)])]
 
 

@@ -67,9 +67,7 @@ def show(file: Annotated[Path, typer.Argument(help="NAME.key or NAME.key_secret.
         raise click.UsageError(f'{file} has no line public-key = "...": it is no key file.') from None
     is_private = not file.stat().st_mode & 0o077
     given = {"public_key": public.decode(), "secret": secret is not None, "private": is_private}
-    secrecy = (
-        "none" if secret is None else ("for its owner alone" if is_private else f"OTHERS CAN READ IT: chmod 600 {file}")
-    )
+    secrecy = "none" if secret is None else ("for its owner alone" if is_private else f"OTHERS CAN READ IT: chmod 600 {file}")
     emit(setting().json, given, facts(str(file), [("public key", public.decode()), ("secret key", secrecy)]))
 
 

@@ -27,25 +27,15 @@ from ..saving import check_picture
 __all__ = ["add_to"]
 
 Kind = Literal["wheel", "rail"]
-File = Annotated[
-    Path, typer.Argument(help="File of Simpack (.prr, .prw), of MiniProf (.ban, .whl), or of two columns, y and z.")
-]
+File = Annotated[Path, typer.Argument(help="File of Simpack (.prr, .prw), of MiniProf (.ban, .whl), or of two columns, y and z.")]
 IsWheel = Annotated[bool, typer.Option("--wheel", help="It is a wheel's, whatever its shape.")]
 IsRail = Annotated[bool, typer.Option("--rail", help="It is a rail's.")]
-Unit = Annotated[
-    float | None,
-    typer.Option("--unit", help="Mm that a unit of its points has: 25.4 inches, 1000 metres; else as it says."),
-]
+Unit = Annotated[float | None, typer.Option("--unit", help="Mm that a unit of its points has: 25.4 inches, 1000 metres; else as it says.")]
 MirrorY = Annotated[bool, typer.Option("--mirror-y", help="Turn y to the other side.")]
-MirrorZ = Annotated[
-    bool | None, typer.Option("--mirror-z/--keep-z", help="Turn z, or leave it; else as the file or its shape says.")
-]
+MirrorZ = Annotated[bool | None, typer.Option("--mirror-z/--keep-z", help="Turn z, or leave it; else as the file or its shape says.")]
 ShiftY = Annotated[float, typer.Option("--shift-y", help="Added to y at last (mm).")]
 ShiftZ = Annotated[float, typer.Option("--shift-z", help="Added to z at last (mm).")]
-Smoothing = Annotated[
-    float,
-    typer.Option("--smoothing", help="Wavelength of which half is smoothed away (mm); 5 suits measured profiles."),
-]
+Smoothing = Annotated[float, typer.Option("--smoothing", help="Wavelength of which half is smoothed away (mm); 5 suits measured profiles.")]
 _WIDTHS_OF_WHEELS = (95, 180)  #: mm
 _BY_ENDING: dict[str, Kind] = {".whl": "wheel", ".prw": "wheel", ".ban": "rail", ".prr": "rail"}
 
@@ -91,13 +81,9 @@ def convert(
     with connected(local_unless_named=True) as client:
         found = _Found(client, profile, _kind(wheel, rail))
     if target.suffix in _BY_ENDING and _BY_ENDING[target.suffix] != found.kind:
-        raise click.UsageError(
-            f"{target}: {file.name} is a {found.kind}'s, whose name ends in {'.prw' if found.kind == 'wheel' else '.prr'}."
-        )
+        raise click.UsageError(f"{target}: {file.name} is a {found.kind}'s, whose name ends in {'.prw' if found.kind == 'wheel' else '.prr'}.")
     smoothed = f", smoothed over {smoothing:g} mm" if smoothing else ""
-    remark = (
-        f"{found.kind}, made of {file.name} by contactctl {__version__}{smoothed}: y to the field side, z downwards, mm"
-    )
+    remark = f"{found.kind}, made of {file.name} by contactctl {__version__}{smoothed}: y to the field side, z downwards, mm"
     write_text(target, format_profile(found.points, found.kind, target.suffix, [remark]))
     given = {"kind": found.kind, "target": str(target), "points": len(found.points)}
     emit(setting().json, given, f"{target}: {len(found.points)} points of a {found.kind}")
@@ -106,13 +92,7 @@ def convert(
 
 
 def _file(
-    file: Path,
-    unit: float | None,
-    mirror_y: bool,
-    mirror_z: bool | None,
-    shift_y: float,
-    shift_z: float,
-    smoothing: float,
+    file: Path, unit: float | None, mirror_y: bool, mirror_z: bool | None, shift_y: float, shift_z: float, smoothing: float
 ) -> ProfileFile:
     return ProfileFile(
         file, unit=unit, mirror_y=mirror_y or None, mirror_z=mirror_z, shift_y=shift_y or None, shift_z=shift_z or None,
@@ -148,11 +128,7 @@ class _Found:
     def _read(self, client: Client, profile: ProfileFile) -> None:
         # Where the rail lies needs no gauge face, which not every rail has.
         track = Track(rail_origin=(750.0, 0.0))
-        setup = (
-            WheelRailSetup(wheel=profile, track=track)
-            if self.kind == "wheel"
-            else WheelRailSetup(rail=profile, track=track)
-        )
+        setup = WheelRailSetup(wheel=profile, track=track) if self.kind == "wheel" else WheelRailSetup(rail=profile, track=track)
         with warnings.catch_warnings():  # `show` tells what they warn of
             warnings.simplefilter("ignore", ContactWarning)
             placed = client.placed_profiles(setup).right
@@ -189,10 +165,7 @@ def _rows(found: _Found, smoothing: float) -> list[tuple[str, Any]]:
         rows.append(("smoothing", f"half of a wave of {smoothing:g} mm stays; points moved by {moved}"))
     if len(found.points) > 2:
         outwards = curvature_of(found.points)[1] * (1 if found.kind == "rail" else -1)
-        rows += [
-            ("smallest radius, outwards (mm)", _radius(outwards)),
-            ("smallest radius, hollow (mm)", _radius(-outwards)),
-        ]
+        rows += [("smallest radius, outwards (mm)", _radius(outwards)), ("smallest radius, hollow (mm)", _radius(-outwards))]
     return rows
 
 

@@ -36,16 +36,9 @@ def add_to(app: typer.Typer) -> None:
 
 
 def session(
-    file: Annotated[
-        str,
-        typer.Argument(
-            help="JSON or YAML: open, as of session.open, and steps, as of session.step; - reads standard input."
-        ),
-    ],
+    file: Annotated[str, typer.Argument(help="JSON or YAML: open, as of session.open, and steps, as of session.step; - reads standard input.")],
     sets: Set = None,
-    accept: Annotated[
-        bool, typer.Option("--accept-unconverged", help="Go on after a step that missed a tolerance.")
-    ] = False,
+    accept: Annotated[bool, typer.Option("--accept-unconverged", help="Go on after a step that missed a tolerance.")] = False,
 ) -> None:
     """Replay the steps of a history: one line each. Ends with 5 at a step that did not converge.
 
@@ -72,18 +65,7 @@ def session(
 
 
 def _show(answers: list[dict[str, Any]]) -> None:
-    columns = [
-        "step",
-        "Fn (N)",
-        "Fx (N)",
-        "Fy (N)",
-        "Mz (N mm)",
-        "approach (mm)",
-        "pmax (N/mm^2)",
-        "adhesion",
-        "slip",
-        "converged",
-    ]
+    columns = ["step", "Fn (N)", "Fx (N)", "Fy (N)", "Mz (N mm)", "approach (mm)", "pmax (N/mm^2)", "adhesion", "slip", "converged"]
     rows = []
     for answer in answers:
         given = dict(contact_rows(answer))
@@ -91,9 +73,7 @@ def _show(answers: list[dict[str, Any]]) -> None:
         counts = [answer["elements"][name] for name in ("adhesion", "slip")]
         rows.append((answer["step"], *found, *counts, bool(answer["converged"])))
     emit(setting().json, {"steps": answers}, listing(None, columns, rows))
-    warn(
-        f"step {answer['step']}: {sentence}" for answer in answers for sentence in sentences_in("session.step", answer)
-    )
+    warn(f"step {answer['step']}: {sentence}" for answer in answers for sentence in sentences_in("session.step", answer))
 
 
 @contextmanager
@@ -126,9 +106,7 @@ def _steps(file: str, history: dict[str, Any]) -> list[dict[str, Any]]:
         raise click.UsageError(f"{file} lacks steps, a list of what each step says, or the name of a CSV file.")
     for number, step in enumerate(steps, 1):
         if not isinstance(step, dict) or step.keys() & {"session", "step", "again"}:
-            raise click.UsageError(
-                f"{file}: step {number} must be an object such as {{Fn: 1000}}, without session, step and again."
-            )
+            raise click.UsageError(f"{file}: step {number} must be an object such as {{Fn: 1000}}, without session, step and again.")
     return steps
 
 

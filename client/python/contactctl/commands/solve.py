@@ -22,23 +22,9 @@ from ..saving import ARRAYS, check_outputs, save
 
 __all__ = ["Fields", "Outputs", "Set", "add_to", "contact_rows", "requested_fields"]
 
-Set = Annotated[
-    list[str] | None,
-    typer.Option("--set", metavar="PATH=VALUE", help="Change a field, as in friction.mu=0.3; as often as wanted."),
-]
-Outputs = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--output",
-        "-o",
-        metavar="FILE",
-        help="Write the answer to FILE.json or FILE.h5, a picture to FILE.png, .svg or .pdf.",
-    ),
-]
-Fields = Annotated[
-    str | None,
-    typer.Option("--fields", metavar="NAMES", help=f"Arrays of the answer: all, none, or of {','.join(ARRAYS)}."),
-]
+Set = Annotated[list[str] | None, typer.Option("--set", metavar="PATH=VALUE", help="Change a field, as in friction.mu=0.3; as often as wanted.")]
+Outputs = Annotated[list[str] | None, typer.Option("--output", "-o", metavar="FILE", help="Write the answer to FILE.json or FILE.h5, a picture to FILE.png, .svg or .pdf.")]
+Fields = Annotated[str | None, typer.Option("--fields", metavar="NAMES", help=f"Arrays of the answer: all, none, or of {','.join(ARRAYS)}.")]
 
 
 def add_to(app: typer.Typer) -> None:
@@ -47,9 +33,7 @@ def add_to(app: typer.Typer) -> None:
 
 
 def solve(
-    file: Annotated[
-        str, typer.Argument(help="JSON or YAML with the parameters of contact.solve; - reads standard input.")
-    ],
+    file: Annotated[str, typer.Argument(help="JSON or YAML with the parameters of contact.solve; - reads standard input.")],
     sets: Set = None,
     output: Outputs = None,
     fields: Fields = None,
@@ -72,9 +56,7 @@ def requested_fields(params: dict[str, Any], fields: str | None, outputs: list[P
     if fields is not None:
         names = [] if fields == "none" else list(ARRAYS) if fields == "all" else fields.split(",")
         if unknown := [name for name in names if name not in ARRAYS]:
-            raise click.UsageError(
-                f"--fields {fields}: {unknown[0]!r} is none of {', '.join(ARRAYS)}; or say all or none."
-            )
+            raise click.UsageError(f"--fields {fields}: {unknown[0]!r} is none of {', '.join(ARRAYS)}; or say all or none.")
         params["fields"] = names
     elif not outputs and not setting().json:
         params["fields"] = []
@@ -114,11 +96,7 @@ def contact_rows(answer: dict[str, Any]) -> list[tuple[str, Any]]:
     if has_friction:
         rows.append(("motion", _motion(answer["motion"])))
     evidence = answer["evidence"]
-    iterations = [
-        f"{evidence[name]['iterations']} {name}"
-        for name in ("normal", "tangential", "outer", "force")
-        if name in evidence
-    ]
+    iterations = [f"{evidence[name]['iterations']} {name}" for name in ("normal", "tangential", "outer", "force") if name in evidence]
     return [*rows, ("iterations", ", ".join(iterations)), ("converged", bool(answer["converged"]))]
 
 

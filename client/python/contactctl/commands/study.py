@@ -39,20 +39,11 @@ def add_to(app: typer.Typer) -> None:
 def study(
     file: Annotated[str, typer.Argument(help="JSON or YAML: problem, vary, together, answers, method.")],
     rows: Annotated[Path | None, typer.Option("--rows", help="Where rows are kept; else FILE.rows beside it.")] = None,
-    workers: Annotated[
-        int, typer.Option("--workers", "-w", min=1, max=128, help="Requests at a time.")
-    ] = os.cpu_count() or 1,
-    share: Annotated[
-        str | None, typer.Option("--share", metavar="INDEX/COUNT", help="Only these rows: 0/16 to 15/16 are all.")
-    ] = None,
-    dask: Annotated[
-        str | None,
-        typer.Option("--dask", metavar="SCHEDULER", help="By the workers of a Dask cluster, such as tcp://host:8786."),
-    ] = None,
+    workers: Annotated[int, typer.Option("--workers", "-w", min=1, max=128, help="Requests at a time.")] = os.cpu_count() or 1,
+    share: Annotated[str | None, typer.Option("--share", metavar="INDEX/COUNT", help="Only these rows: 0/16 to 15/16 are all.")] = None,
+    dask: Annotated[str | None, typer.Option("--dask", metavar="SCHEDULER", help="By the workers of a Dask cluster, such as tcp://host:8786.")] = None,
     table: Annotated[Path | None, typer.Option("--csv", help="Write all rows to a CSV file, too.")] = None,
-    arrays: Annotated[
-        Path | None, typer.Option("--hdf5", help="Write all rows to an HDF5 file, as arrays over what varies.")
-    ] = None,
+    arrays: Annotated[Path | None, typer.Option("--hdf5", help="Write all rows to an HDF5 file, as arrays over what varies.")] = None,
     fresh: Annotated[bool, typer.Option("--fresh", help="Solve all rows, also those that are there.")] = False,
     retry: Annotated[bool, typer.Option("--retry", help="Solve those again that failed or did not converge.")] = False,
 ) -> None:
@@ -73,9 +64,7 @@ def study(
     with Journal(rows if part is None else part.file(rows)) as journal:
         if part is None:
             check_ended(rows)
-        found = _solved(
-            plan, cases, journal, {} if fresh else rows_beside(rows, journal.path), workers, dask, fresh, retry
-        )
+        found = _solved(plan, cases, journal, {} if fresh else rows_beside(rows, journal.path), workers, dask, fresh, retry)
     if arrays is not None:
         write_hdf5(arrays, plan, found)
     _show(plan, found, table)
@@ -87,23 +76,14 @@ def _check_output(part: Share | None, table: Path | None, arrays: Path | None) -
         if path is None:
             continue
         if part is not None:
-            raise click.UsageError(
-                f"{option} takes all rows: leave it to the command without --share, when all shares are done."
-            )
+            raise click.UsageError(f"{option} takes all rows: leave it to the command without --share, when all shares are done.")
         writable(option, path)
     if arrays is not None:
         need("h5py", "HDF5 files", "python3-h5py")
 
 
 def _solved(
-    plan: Plan,
-    cases: Sequence[Case],
-    journal: Journal,
-    beside: Rows,
-    workers: int,
-    dask: str | None,
-    fresh: bool,
-    retry: bool,
+    plan: Plan, cases: Sequence[Case], journal: Journal, beside: Rows, workers: int, dask: str | None, fresh: bool, retry: bool
 ) -> list[dict[str, Any]]:
     """The rows of these cases; `beside` has those of other files."""
     keys = {case.key for case in cases}
@@ -153,9 +133,7 @@ def _show(plan: Plan, rows: list[dict[str, Any]], table: Path | None) -> None:
     shown = [_shown(columns, line) for line in cells[:_SHOWN]]
     if table is not None:
         written = io.StringIO()
-        csv.writer(written, lineterminator="\n").writerows(
-            [[*columns, "error"], *([*line, row.get("error", "")] for line, row in zip(cells, rows))]
-        )
+        csv.writer(written, lineterminator="\n").writerows([[*columns, "error"], *([*line, row.get("error", "")] for line, row in zip(cells, rows))])
         write_text(table, written.getvalue())
     codes = Counter(row["code"] for row in rows)
     given = f"{len(rows)} rows: {codes.pop(Code.DONE, 0)} done"

@@ -82,10 +82,7 @@ def _shown(inputs: dict[str, Any]) -> RenderableType:
             ("unknowns", evidence.get("dofs")),
             ("solver", evidence.get("solver")),
             ("took", span(seconds) if seconds else None),
-            (
-                "modelling error",
-                f"{modelling:.2g}" if (modelling := evidence.get("modelling_error")) is not None else None,
-            ),
+            ("modelling error", f"{modelling:.2g}" if (modelling := evidence.get("modelling_error")) is not None else None),
             ("largest error", None if worst is None else f"{worst:.2g} of xx, yy and zz, {kind}"),
         ],
     )
@@ -106,17 +103,12 @@ def list_tables() -> None:
 
 
 def _shown_quarantine(quarantined: tuple[QuarantinedIc, ...]) -> RenderableType:
-    rows = [
-        (entry.key[:16], f"{entry.nx} x {entry.ny}", entry.failures, span(entry.seconds), entry.message)
-        for entry in quarantined
-    ]
+    rows = [(entry.key[:16], f"{entry.nx} x {entry.ny}", entry.failures, span(entry.seconds), entry.message) for entry in quarantined]
     return listing("In quarantine", ["key", "offsets", "failures", "again in", "the last one"], rows)
 
 
 def show(
-    table: Annotated[
-        str, typer.Argument(metavar="KEY|FILE", help="A key of ic list, its beginning, or a .h5, .npz or .txt file.")
-    ],
+    table: Annotated[str, typer.Argument(metavar="KEY|FILE", help="A key of ic list, its beginning, or a .h5, .npz or .txt file.")],
 ) -> None:
     """Shows what a file holds, or what the store knows of a key."""
     if table.endswith((".h5", ".npz", ".txt")):
@@ -150,12 +142,8 @@ def export(
 
 
 def import_tables(
-    files: Annotated[
-        list[str], typer.Argument(metavar="FILE...", help="Files of ic export (.h5), or of another store.")
-    ],
-    store: Annotated[
-        str | None, typer.Option("--store", help="A folder: files of another store are copied there, without a daemon.")
-    ] = None,
+    files: Annotated[list[str], typer.Argument(metavar="FILE...", help="Files of ic export (.h5), or of another store.")],
+    store: Annotated[str | None, typer.Option("--store", help="A folder: files of another store are copied there, without a daemon.")] = None,
 ) -> None:
     """Put tables of files into the daemon's store, or into the folder of one.
 
@@ -166,9 +154,7 @@ def import_tables(
     else:
         with connected() as client:
             done = send_files(client, files)
-    rows = [
-        (entry["key"][:16], f"{entry['nx']} x {entry['ny']}", "new" if entry["new"] else "was there") for entry in done
-    ]
+    rows = [(entry["key"][:16], f"{entry['nx']} x {entry['ny']}", "new" if entry["new"] else "was there") for entry in done]
     emit(setting().json, {"tables": done}, listing(None, ["key", "offsets", "in the store"], rows))
 
 

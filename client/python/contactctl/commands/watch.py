@@ -26,12 +26,8 @@ def add_to(app: typer.Typer) -> None:
 
 
 def watch(
-    interval: Annotated[
-        float, typer.Option("--interval", "-i", min=0.1, max=3600, help="Seconds between looks.")
-    ] = 1.0,
-    count: Annotated[
-        int | None, typer.Option("--count", "-n", min=1, help="End after so many looks; else with Ctrl-C.")
-    ] = None,
+    interval: Annotated[float, typer.Option("--interval", "-i", min=0.1, max=3600, help="Seconds between looks.")] = 1.0,
+    count: Annotated[int | None, typer.Option("--count", "-n", min=1, help="End after so many looks; else with Ctrl-C.")] = None,
 ) -> None:
     """Show live what the daemon does, until Ctrl-C.
 
@@ -70,10 +66,7 @@ def _screen(endpoint: str, given: dict[str, Any], jobs: tuple[Job, ...]) -> Stac
             ("workers", f"{given['workers_busy']:.0f} of {given['workers']:.0f} busy"),
             ("builds", f"{given['builds_running']:.0f} running, {given['builds_waiting']:.0f} waiting"),
             ("sessions", f"{given['sessions']:.0f}, {size(given['session_bytes'])}"),
-            (
-                "tables",
-                f"{given['tables']:.0f} in memory, {given['store_tables']:.0f} ({size(given['store_bytes'])}) in the store",
-            ),
+            ("tables", f"{given['tables']:.0f} in memory, {given['store_tables']:.0f} ({size(given['store_bytes'])}) in the store"),
             ("connections", f"{given['connections']:.0f}"),
             ("memory", f"{size(given['resident_bytes'])}, without builders"),
             ("processor", f"{100 * given['processors']:.0f} % of one"),

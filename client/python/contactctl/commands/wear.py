@@ -44,47 +44,16 @@ def add_to(app: typer.Typer) -> None:
 
 def wear(
     file: Annotated[str, typer.Argument(help="JSON or YAML: setup, states, wears, law, until, step, smoothing.")],
-    output: Annotated[
-        Path | None, typer.Option("--output", "-o", metavar="FILE", help="HDF5 with all steps; else FILE.h5 beside it.")
-    ] = None,
-    workers: Annotated[
-        int, typer.Option("--workers", "-w", min=1, max=128, help="Requests at a time.")
-    ] = os.cpu_count() or 1,
-    profile: Annotated[
-        Path | None,
-        typer.Option("--profile", metavar="FILE", help="Write the last section, too: y and z, a point a line."),
-    ] = None,
-    profiles: Annotated[
-        Path | None,
-        typer.Option("--profiles", metavar="FOLDER", help="Write the last profiles there: .prw or .prr, .whl or .ban."),
-    ] = None,
-    pictures: Annotated[
-        Path | None,
-        typer.Option("--pictures", metavar="FOLDER", help="Draw profiles, depths, groups, conicity and more there."),
-    ] = None,
-    share: Annotated[
-        str | None,
-        typer.Option(
-            "--share", metavar="INDEX/COUNT", help="Solve a share of the states; 0/4 makes the steps, 1/4 to 3/4 help."
-        ),
-    ] = None,
-    longest_wait: Annotated[
-        float, typer.Option("--longest-wait", metavar="SECONDS", min=1, help="How long shares wait for each other.")
-    ] = 3600,
-    dask: Annotated[
-        str | None,
-        typer.Option("--dask", metavar="SCHEDULER", help="By the workers of a Dask cluster, such as tcp://host:8786."),
-    ] = None,
-    convergence: Annotated[
-        bool,
-        typer.Option(
-            "--convergence",
-            help="Wear nothing, but tell how far results have settled: other states, elements and steps.",
-        ),
-    ] = False,
-    fresh: Annotated[
-        bool, typer.Option("--fresh", help="Begin with the new profile, also where there are steps.")
-    ] = False,
+    output: Annotated[Path | None, typer.Option("--output", "-o", metavar="FILE", help="HDF5 with all steps; else FILE.h5 beside it.")] = None,
+    workers: Annotated[int, typer.Option("--workers", "-w", min=1, max=128, help="Requests at a time.")] = os.cpu_count() or 1,
+    profile: Annotated[Path | None, typer.Option("--profile", metavar="FILE", help="Write the last section, too: y and z, a point a line.")] = None,
+    profiles: Annotated[Path | None, typer.Option("--profiles", metavar="FOLDER", help="Write the last profiles there: .prw or .prr, .whl or .ban.")] = None,
+    pictures: Annotated[Path | None, typer.Option("--pictures", metavar="FOLDER", help="Draw profiles, depths, groups, conicity and more there.")] = None,
+    share: Annotated[str | None, typer.Option("--share", metavar="INDEX/COUNT", help="Solve a share of the states; 0/4 makes the steps, 1/4 to 3/4 help.")] = None,
+    longest_wait: Annotated[float, typer.Option("--longest-wait", metavar="SECONDS", min=1, help="How long shares wait for each other.")] = 3600,
+    dask: Annotated[str | None, typer.Option("--dask", metavar="SCHEDULER", help="By the workers of a Dask cluster, such as tcp://host:8786.")] = None,
+    convergence: Annotated[bool, typer.Option("--convergence", help="Wear nothing, but tell how far results have settled: other states, elements and steps.")] = False,
+    fresh: Annotated[bool, typer.Option("--fresh", help="Begin with the new profile, also where there are steps.")] = False,
 ) -> None:
     """Wear a wheel or a rail, or both, under a collective of states, step by step.
 
@@ -106,9 +75,7 @@ def wear(
     writable("--output", output)
     if is_along(file):
         if part is not None or dask is not None or profiles is not None or pictures is not None or profile is not None:
-            raise click.UsageError(
-                "A study along the track has a map, and neither profiles nor pictures, shares nor Dask."
-            )
+            raise click.UsageError("A study along the track has a map, and neither profiles nor pictures, shares nor Dask.")
         wear_along(file, output)
         return
     dynamics = read_dynamics(file, Path(f"{output}.stages"))
@@ -185,14 +152,7 @@ def _before(output: Path, study: WearStudy, fresh: bool) -> list[WornStep]:
 
 
 def _evolve(
-    study: WearStudy,
-    steps: list[WornStep],
-    output: Path,
-    workers: int,
-    share: Share | None,
-    longest_wait: float,
-    dask: str | None,
-    is_measured: bool,
+    study: WearStudy, steps: list[WornStep], output: Path, workers: int, share: Share | None, longest_wait: float, dask: str | None, is_measured: bool,
     dynamics: Dynamics | None = None,
 ) -> Measures:
     """Adds steps to the list as they end, and writes all to the file each time."""
@@ -210,11 +170,7 @@ def _evolve(
         if dask is not None:
             solve = stack.enter_context(solving_by_dask(dask, setting()))
         options: dict[str, Any] = {"solve": solve, "on_progress": show}
-        for step in (
-            evolve(client, study, steps, **options)
-            if dynamics is None
-            else evolve_with(client, study, dynamics, steps, **options)
-        ):
+        for step in evolve(client, study, steps, **options) if dynamics is None else evolve_with(client, study, dynamics, steps, **options):
             steps.append(step)
             write_record(output, study, steps)
             bar.show(step.distance / study.until, f"{step.distance:g} of {study.until:g} {study.unit}")
@@ -222,13 +178,7 @@ def _evolve(
 
 
 def _solving(
-    client: Client,
-    study: WearStudy,
-    steps: list[WornStep],
-    output: Path,
-    workers: int,
-    share: Share | None,
-    longest_wait: float,
+    client: Client, study: WearStudy, steps: list[WornStep], output: Path, workers: int, share: Share | None, longest_wait: float
 ) -> Solve:
     own = by_threads(client, workers, study)
     if share is None:
@@ -240,9 +190,7 @@ def _show(steps: list[WornStep], unit: str) -> None:
     columns = ["step", unit, "largest depth, mm", "area, mm^2", "T gamma, N", "pmax, N/mm^2"]
     rows = [[s.number, s.distance, float(s.depths.max()), s.area, s.T_gamma, s.pmax] for s in steps[1:]]
     more = [f"... {len(rows) - _SHOWN} steps before these are in the file"] if len(rows) > _SHOWN else []
-    emit(
-        setting().json, {"steps": [_facts(step, unit) for step in steps]}, *more, listing(None, columns, rows[-_SHOWN:])
-    )
+    emit(setting().json, {"steps": [_facts(step, unit) for step in steps]}, *more, listing(None, columns, rows[-_SHOWN:]))
     warn(f"step {step.number}: {sentence}" for step in steps for sentence in step.warnings)
 
 

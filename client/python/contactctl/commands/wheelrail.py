@@ -21,20 +21,12 @@ from .solve import Fields, Outputs, Set, requested_fields
 
 __all__ = ["add_to"]
 
-File = Annotated[
-    str | None,
-    typer.Argument(
-        metavar="[FILE]", help="JSON or YAML with setup and state, as of wheelrail.solve; else S1002 on 60E1."
-    ),
-]
+File = Annotated[str | None, typer.Argument(metavar="[FILE]", help="JSON or YAML with setup and state, as of wheelrail.solve; else S1002 on 60E1.")]
 Y = Annotated[float | None, typer.Option("--y", help="Shift of the wheelset to the right (mm).")]
 Yaw = Annotated[float | None, typer.Option("--yaw", help="Its yaw angle (rad).")]
 Roll = Annotated[float | None, typer.Option("--roll", help="Its roll angle (rad).")]
 Fz = Annotated[float | None, typer.Option("--Fz", help="Vertical force of this wheel on the rail (N).")]
-Speed = Annotated[
-    float | None,
-    typer.Option("--speed", help="Forwards (mm/s); the wheelset then rolls, unless the file says its pitch."),
-]
+Speed = Annotated[float | None, typer.Option("--speed", help="Forwards (mm/s); the wheelset then rolls, unless the file says its pitch.")]
 Side = Annotated[str | None, typer.Option("--side", help="right or left.")]
 Mu = Annotated[float | None, typer.Option("--mu", help="Coefficient of friction; 0.3 without a file.")]
 RADIUS = 460.0  #: of the wheel, where the set-up names none (mm)
@@ -78,10 +70,7 @@ def geometry(
     shown = [part for found in answer.get("geometries", ()) for part in _shown_geometry(found)]
     if "conicities" in answer:
         columns = ["amplitude (mm)", "integrated", "harmonic", "wavelength (mm)"]
-        rows = [
-            [found.get(name) for name in ("amplitude", "integrated", "harmonic", "wavelength")]
-            for found in answer["conicities"]
-        ]
+        rows = [[found.get(name) for name in ("amplitude", "integrated", "harmonic", "wavelength")] for found in answer["conicities"]]
         shown.append(listing("Equivalent conicity", columns, rows))
     emit(setting().json, answer, *shown)
 
@@ -118,20 +107,8 @@ def _shown(answer: dict[str, Any]) -> list[RenderableType]:
     for index, patch in enumerate(answer["patches"], 1):
         place, found = patch["place"]["reference"], patch["solution"]
         forces = (float(found["forces"][name]) for name in ("Fn", "Fx", "Fy"))
-        lines.append(
-            (
-                index,
-                place["y"],
-                math.degrees(place["angle"]),
-                *forces,
-                float(found["pmax"]),
-                float(found["area"]["contact"]),
-            )
-        )
-    shown += [
-        "",
-        listing("Patches, in contact coordinates", columns, lines) if lines else "Wheel and rail do not touch.",
-    ]
+        lines.append((index, place["y"], math.degrees(place["angle"]), *forces, float(found["pmax"]), float(found["area"]["contact"])))
+    shown += ["", listing("Patches, in contact coordinates", columns, lines) if lines else "Wheel and rail do not touch."]
     return shown
 
 

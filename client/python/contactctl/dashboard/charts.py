@@ -48,14 +48,7 @@ def _chart(axis: dict[str, Any], lines: dict[str, tuple[str, Pick]], samples: Se
         "xAxis": {"type": "time", "splitNumber": 4, "minInterval": 15_000},
         "yAxis": {**axis, "nameGap": 10},
         "series": [
-            {
-                "type": "line",
-                "name": name,
-                "showSymbol": len(samples) < 3,
-                "color": colour,
-                "lineStyle": {"width": 2},
-                "data": points(pick),
-            }
+            {"type": "line", "name": name, "showSymbol": len(samples) < 3, "color": colour, "lineStyle": {"width": 2}, "data": points(pick)}
             for name, (colour, pick) in lines.items()
         ],
     }

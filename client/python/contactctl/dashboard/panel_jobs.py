@@ -18,12 +18,7 @@ __all__ = ["JobsPanel"]
 
 
 _MOMENT = 0.3  #: seconds: what is done sooner nobody could cancel
-_WORK = {
-    "build": "It builds a table",
-    "solve": "It solves",
-    "subsurface": "It computes stresses",
-    "step": "It takes a step",
-}
+_WORK = {"build": "It builds a table", "solve": "It solves", "subsurface": "It computes stresses", "step": "It takes a step"}
 
 
 class JobsPanel(Panel):
@@ -120,9 +115,7 @@ class _Question:
         work = _WORK.get(job.kind, f"It is a {job.kind}")
         self._what.text = f"{work}: {job.description}." if job.description else f"{work}."
         if job.callers:
-            self._whose.text = (
-                f"It is for {_users(job)}. What waits for it ends with an error: {counted(job.callers, 'request')}."
-            )
+            self._whose.text = f"It is for {_users(job)}. What waits for it ends with an error: {counted(job.callers, 'request')}."
         else:
             self._whose.text = "All requests for it are abandoned."
 

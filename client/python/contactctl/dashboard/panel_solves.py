@@ -29,13 +29,9 @@ class SolvesPanel(Panel):
     def __init__(self, watcher: Watcher) -> None:
         super().__init__(watcher)
         self._shown: tuple[RecentSolve, ...] = ()
-        ui.label("Those of the user as whom this dashboard connects. Press a line for its picture.").classes(
-            "text-gray-600"
-        )
+        ui.label("Those of the user as whom this dashboard connects. Press a line for its picture.").classes("text-gray-600")
         self._table = table(_COLUMNS, "number", "There are none, or the daemon keeps none (recent_solves.count).")
-        self._table.classes("solves cursor-pointer").on(
-            "row-click", self._draw, js_handler="(event, row) => emit(row.number)"
-        )
+        self._table.classes("solves cursor-pointer").on("row-click", self._draw, js_handler="(event, row) => emit(row.number)")
         with ui.dialog() as self._dialog, ui.card().classes("max-w-full"):
             self._title = ui.label().classes("font-medium")
             self._picture = ui.image().props("no-spinner no-transition").classes("picture")
@@ -53,16 +49,12 @@ class SolvesPanel(Panel):
             ui.notify("This solve is not among the last ones any more.")
             return
         if not found.has_pressures:
-            ui.notify(
-                "Its pressures are not kept: it has no contact, or more elements than recent_solves.max_bytes leaves room for."
-            )
+            ui.notify("Its pressures are not kept: it has no contact, or more elements than recent_solves.max_bytes leaves room for.")
             return
         patches = await answer_of(self.watcher, self.watcher.pressures, found.number)
         if patches is None:
             return
-        self._title.text = f"Solve {found.number}, {found.method} at {_time_of(found)}" + (
-            "" if found.converged else ", NOT CONVERGED"
-        )
+        self._title.text = f"Solve {found.number}, {found.method} at {_time_of(found)}" + ("" if found.converged else ", NOT CONVERGED")
         self._picture.source = await run.io_bound(picture_of, patches)
         self._picture.style(f"width: {504 * len(patches)}px; max-width: 100%")
         self._dialog.open()

@@ -48,9 +48,7 @@ def _row(stored: StoredIc) -> dict[str, Any]:
         return row
     seconds = evidence.seconds.get("total") if evidence.seconds else None
     row |= {"elements": evidence.elements, "solver": evidence.solver, "took": span(seconds) if seconds else None}
-    errors = [
-        error.largest for name in ("xx", "yy", "zz") if (error := getattr(evidence.errors, name, None)) is not None
-    ]
+    errors = [error.largest for name in ("xx", "yy", "zz") if (error := getattr(evidence.errors, name, None)) is not None]
     if errors:
         kind = "estimated" if evidence.errors_estimated else "against the closed form"
         row |= {"error": f"{max(errors):.2g}", "kind": kind}

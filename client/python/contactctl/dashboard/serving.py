@@ -31,9 +31,7 @@ def serve(watcher: Watcher, host: str, port: int, say: Callable[[str], None], na
     add_page(watcher)
     ui.run_with(app, title="contactd", show_welcome_message=False, reconnect_timeout=5)
     app.add_middleware(Guard, token=token, names=Names(shown, number, names))
-    config = uvicorn.Config(
-        app, log_level="warning", timeout_graceful_shutdown=1, server_header=False, proxy_headers=False
-    )
+    config = uvicorn.Config(app, log_level="warning", timeout_graceful_shutdown=1, server_header=False, proxy_headers=False)
     server = uvicorn.Server(config)
     begin = server.startup
 

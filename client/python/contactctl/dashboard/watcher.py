@@ -93,9 +93,7 @@ class Watcher:
             jobs=self._client.jobs(timeout=wait),
             sessions=self._client.sessions(timeout=wait),
             solves=self._if_it_can(lambda: self._client.recent_solves(timeout=wait)) or (),
-            store=tuple(
-                now.value(name) for name in ("contactd_store_tables", "contactd_store_bytes", "contactd_builds_total")
-            ),
+            store=tuple(now.value(name) for name in ("contactd_store_tables", "contactd_store_bytes", "contactd_builds_total")),
             samples=tuple(self._samples),
         )
 

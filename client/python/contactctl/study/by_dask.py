@@ -29,13 +29,9 @@ def dask_at(scheduler: str) -> Any:
     try:
         from dask.distributed import Client as Dask
     except ImportError:
-        raise click.UsageError(
-            "--dask needs dask.distributed: pip install distributed, or on Debian python3-distributed."
-        ) from None
+        raise click.UsageError("--dask needs dask.distributed: pip install distributed, or on Debian python3-distributed.") from None
     if not _ADDRESS.search(scheduler):  # with which Dask's client would not close, either
-        raise click.UsageError(
-            f"--dask is {scheduler!r}; it must be the address of a scheduler with its port, such as tcp://host:8786."
-        )
+        raise click.UsageError(f"--dask is {scheduler!r}; it must be the address of a scheduler with its port, such as tcp://host:8786.")
     try:
         return Dask(scheduler, timeout=10, set_as_default=False)
     except (OSError, ValueError) as error:
@@ -51,15 +47,7 @@ def run_by_dask(
 
         by_key = {case.key: case for case in cases}
         arguments = [(case.key, plan.params(case)) for case in cases]
-        futures = dask.map(
-            _solved,
-            arguments,
-            method=plan.method,
-            varying=plan.names,
-            answers=plan.answers,
-            given=vars(given),
-            pure=False,
-        )
+        futures = dask.map(_solved, arguments, method=plan.method, varying=plan.names, answers=plan.answers, given=vars(given), pure=False)
         try:
             for future, (key, row) in as_completed(futures, loop=dask.loop, with_results=True):
                 journal.add({"key": key, "values": by_key[key].values, **row})
@@ -71,11 +59,7 @@ def run_by_dask(
 
 
 def _solved(
-    argument: tuple[str, dict[str, Any]],
-    method: str,
-    varying: Sequence[str],
-    answers: Sequence[str],
-    given: dict[str, Any],
+    argument: tuple[str, dict[str, Any]], method: str, varying: Sequence[str], answers: Sequence[str], given: dict[str, Any]
 ) -> tuple[str, dict[str, Any]]:
     """On a worker."""
     key, params = argument

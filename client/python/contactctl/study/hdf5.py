@@ -32,9 +32,7 @@ def write_hdf5(path: Path, plan: Plan, rows: Sequence[dict[str, Any]]) -> None:
 
     def write(into: Any) -> None:
         with h5py.File(into, "w") as file:
-            file.attrs.update(
-                method=plan.method, problem=json.dumps(plain_json(plan.problem)), contactd=contactd.__version__
-            )
+            file.attrs.update(method=plan.method, problem=json.dumps(plain_json(plan.problem)), contactd=contactd.__version__)
             scales = [_written_axis(file, axis) for axis in plan.axes]
             shape = [len(scale) for scale in scales]
             arrays = {"code": np.array([row["code"] for row in rows], dtype=np.int8)}

@@ -41,9 +41,7 @@ class Journal:
             fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
             os.close(self._file)
-            raise Ended(
-                Code.USAGE, f"{path} belongs to a study that runs; wait for it, or name another file by --rows."
-            ) from None
+            raise Ended(Code.USAGE, f"{path} belongs to a study that runs; wait for it, or name another file by --rows.") from None
         self._read()
         self._synced = time.monotonic()
 

@@ -107,9 +107,7 @@ def _problem(path: str, given: Any) -> dict[str, Any]:
     if isinstance(given, str):
         return read_object(str(Path(path).parent / given) if path != "-" else given)
     if not isinstance(given, dict):
-        raise click.UsageError(
-            f"{path} lacks problem, the parameters that all rows share, or the name of a file with them."
-        )
+        raise click.UsageError(f"{path} lacks problem, the parameters that all rows share, or the name of a file with them.")
     found: dict[str, Any] = copied(given)
     return found
 

@@ -41,9 +41,7 @@ def share_of(text: str) -> Share:
     """The share that a text such as 0/16 stands for. Raises click.UsageError."""
     found = re.fullmatch(r"(\d{1,6})/(\d{1,6})", text)
     if not found or not int(found[1]) < int(found[2]):
-        raise click.UsageError(
-            f"--share is {text!r}; it must be INDEX/COUNT with INDEX below COUNT, such as 0/16 to 15/16."
-        )
+        raise click.UsageError(f"--share is {text!r}; it must be INDEX/COUNT with INDEX below COUNT, such as 0/16 to 15/16.")
     return Share(int(found[1]), int(found[2]))
 
 
@@ -58,9 +56,7 @@ def best(*sources: Rows) -> Rows:
     """Each row once: that of the first source, unless it failed and a later one is done."""
     found: Rows = {}
     for rows in sources:
-        found.update(
-            {key: row for key, row in rows.items() if key not in found or (found[key]["code"] and not row["code"])}
-        )
+        found.update({key: row for key, row in rows.items() if key not in found or (found[key]["code"] and not row["code"])})
     return found
 
 
@@ -71,14 +67,10 @@ def check_ended(rows: Path) -> None:
             try:
                 fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
             except OSError:
-                raise Ended(
-                    Code.USAGE, f"{path} belongs to a share that runs; wait for it, or solve a --share."
-                ) from None
+                raise Ended(Code.USAGE, f"{path} belongs to a share that runs; wait for it, or solve a --share.") from None
 
 
 def _files(rows: Path) -> list[Path]:
     """Lists the files of the shares that have rows."""
     pattern = re.compile(re.escape(rows.name) + r"\.\d+-of-\d+")
-    return (
-        sorted(path for path in rows.parent.iterdir() if pattern.fullmatch(path.name)) if rows.parent.is_dir() else []
-    )
+    return sorted(path for path in rows.parent.iterdir() if pattern.fullmatch(path.name)) if rows.parent.is_dir() else []

@@ -30,11 +30,7 @@ ProgressCallback = Callable[[Progress], None]
 
 
 def row_of(
-    client: Client,
-    method: str,
-    params: dict[str, Any],
-    varying: Sequence[str],
-    answers: Sequence[str],
+    client: Client, method: str, params: dict[str, Any], varying: Sequence[str], answers: Sequence[str],
     on_progress: ProgressCallback | None = None,
 ) -> dict[str, Any]:
     """The row without its key and values: `code`, of the exit codes, and `answers` or an `error`.
@@ -53,9 +49,7 @@ def row_of(
     code = Code.DONE if answer["converged"] else Code.NOT_CONVERGED
     found = {path: plain_json(get(answer, path)) for path in answers}
     if unknown := [path for path, value in found.items() if value is None and not may_answer(method, path)]:
-        raise Ended(
-            Code.USAGE, f"answers has {', '.join(unknown)}, which no answer has; it has {', '.join(sorted(answer))}."
-        )
+        raise Ended(Code.USAGE, f"answers has {', '.join(unknown)}, which no answer has; it has {', '.join(sorted(answer))}.")
     return {"code": int(code), "answers": found, "seconds": time.monotonic() - began}
 
 

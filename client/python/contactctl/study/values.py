@@ -24,9 +24,7 @@ def values_of(path: str, name: str, given: Any) -> list[Any]:
         try:
             json.dumps(given, allow_nan=False)
         except (TypeError, ValueError):
-            raise click.UsageError(
-                f"{path}: the values of {name} must be what JSON has; every number must be finite."
-            ) from None
+            raise click.UsageError(f"{path}: the values of {name} must be what JSON has; every number must be finite.") from None
         return given
     if not isinstance(given, dict) or not given.keys() <= {"from", "to", "count", "step", "scale"}:
         raise click.UsageError(f"{path}: the values of {name} must be {right}.")

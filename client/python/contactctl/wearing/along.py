@@ -35,18 +35,14 @@ def wear_along(file: str, output: Path) -> None:
     """Solves all states, writes the map to an HDF5 file, and shows the pieces. Raises click.UsageError."""
     given = read_object(file)
     if unknown := given.keys() - _FIELDS:
-        raise click.UsageError(
-            f"{file}: a study along the track has no {', '.join(sorted(unknown))}; it has {', '.join(sorted(_FIELDS))}."
-        )
+        raise click.UsageError(f"{file}: a study along the track has no {', '.join(sorted(unknown))}; it has {', '.join(sorted(_FIELDS))}.")
     if missing := [name for name in ("setup", "states", "law", "until") if name not in given]:
         raise click.UsageError(f"{file}: {', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing.")
     if given.get("wears", "rail") != "rail":
         raise click.UsageError(f"{file}: wears is {given['wears']!r}; along the track the rail wears.")
     law = given["law"]
     if not (isinstance(law, dict) and law.get("name") and law.get("source")):
-        raise click.UsageError(
-            f"{file}: law has no name or no source; say what it is called, and where its coefficients come from."
-        )
+        raise click.UsageError(f"{file}: law has no name or no source; say what it is called, and where its coefficients come from.")
     x, y = (_edges(file, given["along"], name) for name in ("x", "y"))
     until = given["until"]
     if isinstance(until, bool) or not isinstance(until, (int, float)) or not 0 < until < math.inf:
@@ -63,14 +59,7 @@ def wear_along(file: str, output: Path) -> None:
     columns = ["x from, mm", "to", "largest depth, mm", "at y, mm", "area, mm^2", "pmax, N/mm^2"]
     centres = 0.5 * (y[1:] + y[:-1])
     rows = [
-        [
-            x[i],
-            x[i + 1],
-            float(depths[i].max()),
-            float(centres[depths[i].argmax()]),
-            float((depths[i] * np.diff(y)).sum()),
-            float(found.pmax[i]),
-        ]
+        [x[i], x[i + 1], float(depths[i].max()), float(centres[depths[i].argmax()]), float((depths[i] * np.diff(y)).sum()), float(found.pmax[i])]
         for i in range(len(depths))
     ]
     names = ("x_from", "x_to", "depth", "y", "area", "pmax")
@@ -82,9 +71,7 @@ def _edges(file: str, along: Any, name: str) -> np.ndarray[Any, np.dtype[np.floa
     value = along.get(name) if isinstance(along, dict) else None
     is_list = isinstance(value, list) and len(value) == 3 and all(_is_number(one) for one in value)
     if not is_list or value is None or not (value[2] > 0 and value[1] - value[0] >= value[2]):
-        raise click.UsageError(
-            f"{file}: along.{name} is {value!r}; it must be [from, to, step] in mm, as [0, 200, 10]."
-        )
+        raise click.UsageError(f"{file}: along.{name} is {value!r}; it must be [from, to, step] in mm, as [0, 200, 10].")
     count = round((value[1] - value[0]) / value[2])
     if count > _MOST:
         raise click.UsageError(f"{file}: along.{name} has {count} pieces; it may have {_MOST}.")

@@ -55,11 +55,7 @@ def variants(study: WearStudy) -> dict[str, WearStudy]:
         "steps twice as deep": replace(study, depth=2 * study.depth),
         "steps half as deep": replace(study, depth=0.5 * study.depth),
     }
-    for name, smoothing in (
-        ("smoothing auto", "auto"),
-        ("exponential steps", "exponential_step"),
-        ("not smoothed", 0.0),
-    ):
+    for name, smoothing in (("smoothing auto", "auto"), ("exponential steps", "exponential_step"), ("not smoothed", 0.0)):
         if study.smoothing != smoothing:
             found[name] = replace(study, smoothing=smoothing)  # type: ignore[arg-type]
     for part, name in ((2, "half of the states"), (4, "a quarter of the states")):
@@ -82,11 +78,7 @@ def _sample(states: Sequence[WeightedState], part: int) -> list[WeightedState]:
 
 
 def settled(
-    client: Client,
-    study: WearStudy,
-    workers: int,
-    on_progress: Callable[[float, str], None],
-    names: Sequence[str] | None = None,
+    client: Client, study: WearStudy, workers: int, on_progress: Callable[[float, str], None], names: Sequence[str] | None = None
 ) -> Iterator[Settled]:
     """Each variant when it has gone the distance; with `names` these beside the finest, which comes first."""
     studies = {name: one for name, one in variants(study).items() if names is None or name in ("finest", *names)}
@@ -104,10 +96,7 @@ def settled(
             first, finest = steps[0], steps[-1]
         part = study.parts[0]
         new = Section(first.of(part).points, part)
-        known, depths = (
-            new.depths_to(Section(finest.of(part).points, part)),
-            new.depths_to(Section(steps[-1].of(part).points, part)),
-        )
+        known, depths = new.depths_to(Section(finest.of(part).points, part)), new.depths_to(Section(steps[-1].of(part).points, part))
         mean = float(np.trapezoid(known, new.lengths))
         yield Settled(
             name, float(np.trapezoid(np.abs(depths - known), new.lengths)) / mean, steps[-1].of(part).area / finest.of(part).area,

@@ -101,32 +101,17 @@ def write_pictures(folder: Path, study: WearStudy, steps: Sequence[WornStep], me
             continue
         for function in own[1].fatigue.damages:
             name = "".join(c if c.isalnum() else "-" for c in function)
-            picture(
-                f"{part}-damage-{name}.png",
-                lambda axes, own=own, function=function: draw_competition(axes, own, function),
-            )
+            picture(f"{part}-damage-{name}.png", lambda axes, own=own, function=function: draw_competition(axes, own, function))
         if not np.isnan(own[1].fatigue.contacts[:, 1:3]).all():
             picture(f"{part}-shakedown.png", lambda axes, own=own: draw_shakedown(axes, own))
-    groups = {
-        "conicity": ("conicity at 3 mm", "conicity at 5 mm"),
-        "flange": ("Sh", "Sd", "qR"),
-        "head": ("W1", "W2", "W3"),
-    }
+    groups = {"conicity": ("conicity at 3 mm", "conicity at 5 mm"), "flange": ("Sh", "Sd", "qR"), "head": ("W1", "W2", "W3")}
     labels = {"conicity": "equivalent conicity", "flange": "change (mm)", "head": "mm"}
     for name, members in groups.items():
         values = {member: measures[member] for member in members if member in measures}
         if name == "flange":  # which hardly changes, beside what it is
-            values = {
-                f"{member}, {numbers[0]:.2f} new": [number - numbers[0] for number in numbers]
-                for member, numbers in values.items()
-            }
+            values = {f"{member}, {numbers[0]:.2f} new": [number - numbers[0] for number in numbers] for member, numbers in values.items()}
         if values:
-            picture(
-                f"{name}.png",
-                lambda axes, values=values, name=name: draw_measures(
-                    axes, measures["distance"], values, study.unit, labels[name]
-                ),
-            )
+            picture(f"{name}.png", lambda axes, values=values, name=name: draw_measures(axes, measures["distance"], values, study.unit, labels[name]))
     write_text(folder / "measures.json", json.dumps(measures, indent=1))
     return written
 

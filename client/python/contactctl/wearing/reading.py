@@ -29,16 +29,12 @@ def read_study(file: str, states: Sequence[WeightedState] | None = None) -> Wear
     """The study that a file of JSON or YAML describes, with other states than its own. Raises click.UsageError naming the file and what is wrong."""
     given = read_object(file)
     if unknown := given.keys() - FIELDS:
-        raise click.UsageError(
-            f"{file}: a study of wear has no {', '.join(sorted(unknown))}; it has {', '.join(sorted(FIELDS))}."
-        )
+        raise click.UsageError(f"{file}: a study of wear has no {', '.join(sorted(unknown))}; it has {', '.join(sorted(FIELDS))}.")
     if "dynamics" in given:
         if "states" in given:
             raise click.UsageError(f"{file}: states and dynamics are given; dynamics tell the states.")
         _dynamics_object(file, given)
-    if missing := [
-        name for name in (*(() if "dynamics" in given else ("states",)), "wears", "law", "until") if name not in given
-    ]:
+    if missing := [name for name in (*(() if "dynamics" in given else ("states",)), "wears", "law", "until") if name not in given]:
         raise click.UsageError(f"{file}: {', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing.")
     step = _object(file, given, "step")
     if unknown := step.keys() - {"depth", "distance"}:
@@ -46,9 +42,7 @@ def read_study(file: str, states: Sequence[WeightedState] | None = None) -> Wear
     for name in ("law", "rail_law"):
         law = _object(file, given, name) if name in given else None
         if law is not None and not (law.get("source") and law.get("name")):
-            raise click.UsageError(
-                f"{file}: {name} has no name or no source; say what it is called, and where its coefficients come from."
-            )
+            raise click.UsageError(f"{file}: {name} has no name or no source; say what it is called, and where its coefficients come from.")
     named = {name: given[name] for name in _NAMED if name in given}
     if "fatigue" in named:
         _object(file, given, "fatigue")
@@ -64,9 +58,7 @@ def read_study(file: str, states: Sequence[WeightedState] | None = None) -> Wear
         _number(file, f"step.{name}", step.get(name))
     states = states or states_of(place)
     try:
-        return WearStudy(
-            _object(file, given, "setup"), states, given["wears"], given["law"], given["until"], **step, **named
-        )
+        return WearStudy(_object(file, given, "setup"), states, given["wears"], given["law"], given["until"], **step, **named)
     except InvalidArgument as error:
         raise click.UsageError(f"{file}: {error}") from None
 
@@ -101,13 +93,9 @@ def read_dynamics(file: str, folder: Path) -> Dynamics | None:
 def _dynamics_object(file: str, given: dict[str, Any]) -> dict[str, Any]:
     dynamics = _object(file, given, "dynamics")
     if unknown := dynamics.keys() - {"program", "depth", "conicity", "distance"}:
-        raise click.UsageError(
-            f"{file}: dynamics has no {', '.join(sorted(unknown))}; it has program, depth, conicity and distance."
-        )
+        raise click.UsageError(f"{file}: dynamics has no {', '.join(sorted(unknown))}; it has program, depth, conicity and distance.")
     if not dynamics.get("program") or not isinstance(dynamics["program"], (str, list)):
-        raise click.UsageError(
-            f"{file}: dynamics.program is missing; it is a command, which is called with the name of a folder."
-        )
+        raise click.UsageError(f"{file}: dynamics.program is missing; it is a command, which is called with the name of a folder.")
     for name in ("depth", "conicity", "distance"):
         _number(file, f"dynamics.{name}", dynamics.get(name))
     return dynamics

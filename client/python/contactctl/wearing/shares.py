@@ -60,10 +60,7 @@ class ShareFiles:
         until = time.monotonic() + self._longest_wait
         while (answers := self.read(step, index)) is None:
             if time.monotonic() > until:
-                raise Ended(
-                    Code.TIMEOUT,
-                    f"Share {index}/{self._share.count} has not answered for {self._longest_wait:g} s; start it, too.",
-                )
+                raise Ended(Code.TIMEOUT, f"Share {index}/{self._share.count} has not answered for {self._longest_wait:g} s; start it, too.")
             time.sleep(_PAUSE)
         return answers
 
@@ -90,14 +87,7 @@ class ShareFiles:
 
 
 def work(
-    files: ShareFiles,
-    record: Path,
-    study: WearStudy,
-    place: StudyPlace,
-    share: Share,
-    own: Solve,
-    longest_wait: float,
-    on_step: Callable[[float], None],
+    files: ShareFiles, record: Path, study: WearStudy, place: StudyPlace, share: Share, own: Solve, longest_wait: float, on_step: Callable[[float], None]
 ) -> None:
     """What the other processes do: their states on each section of the record, until it is at the study's end."""
     done, until = -1, time.monotonic() + longest_wait
@@ -113,7 +103,5 @@ def work(
             done, until = last.number, time.monotonic() + longest_wait
             on_step(last.distance)
         elif time.monotonic() > until:
-            raise Ended(
-                Code.TIMEOUT, f"{record} has had no new step for {longest_wait:g} s; start share 0/{share.count}, too."
-            )
+            raise Ended(Code.TIMEOUT, f"{record} has had no new step for {longest_wait:g} s; start share 0/{share.count}, too.")
         time.sleep(_PAUSE)

@@ -71,9 +71,7 @@ class ContactCalls(Caller):
             params["invariants"] = True
         if displacements:
             params["G"] = shear_modulus_of(problem, body)
-        result = yield from self.asked(
-            "contact.subsurface", params, timeout=timeout, on_progress=on_progress, progress=progress
-        )
+        result = yield from self.asked("contact.subsurface", params, timeout=timeout, on_progress=on_progress, progress=progress)
         components = result.pop("stress", None)
         stress = read(SubsurfaceStress, {**result, **components} if isinstance(components, dict) else result)
         check_shapes(stress, ["xx", "yy", "zz", "xy", "xz", "yz", "von_mises"], shape)
@@ -106,9 +104,7 @@ class ContactCalls(Caller):
         answered with the same. Shifts, transient rolling, and rolling across the rows are refused (InvalidArgument).
         """
         params = temperature_params(solution, bodies, velocity)
-        result = yield from self.asked(
-            "contact.temperature", params, timeout=timeout, on_progress=on_progress, progress=progress
-        )
+        result = yield from self.asked("contact.temperature", params, timeout=timeout, on_progress=on_progress, progress=progress)
         found = read(SurfaceTemperatures, result)
         assert solution.grid is not None  # temperature_params has looked
         check_shapes(found, ["upper_temperature", "lower_temperature"], solution.grid.shape)

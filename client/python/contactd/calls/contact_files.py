@@ -16,9 +16,7 @@ class ContactFileCalls(Caller):
     """The methods contact_file.* of the daemon."""
 
     @asks
-    def read_contact_file(
-        self, text: str, *, name: str = "text", timeout: float | None = None
-    ) -> Answering[ContactFile]:
+    def read_contact_file(self, text: str, *, name: str = "text", timeout: float | None = None) -> Answering[ContactFile]:
         """Cases of the `text` of an input file of the CONTACT program: control digits, and all values in force.
 
         Nothing that the file names is opened. `name` is that of the file, for refusals. What is wrong with a case is in
@@ -37,9 +35,7 @@ class ContactFileCalls(Caller):
             first = following
 
     @asks
-    def read_contact_slices(
-        self, text: str, *, name: str = "text", timeout: float | None = None
-    ) -> Answering[ContactSlices]:
+    def read_contact_slices(self, text: str, *, name: str = "text", timeout: float | None = None) -> Answering[ContactSlices]:
         """Slices of the `text` of a list of the CONTACT program (.slcs of rails, .slcw of wheels).
 
         Profiles that the list names are not opened: contactd.contact_files.read_slices reads them, too. `name` is that of

@@ -22,12 +22,7 @@ def progress_shown(method: str, requested: bool) -> Iterator[Callable[[Progress]
         from rich.progress import Progress as Bar
     except ImportError:
         raise MissingExtra("progress=True", "rich", "progress", "python3-rich") from None
-    columns = (
-        TextColumn("{task.description}"),
-        BarColumn(),
-        TextColumn("{task.percentage:>3.0f} %"),
-        TimeElapsedColumn(),
-    )
+    columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.percentage:>3.0f} %"), TimeElapsedColumn())
     with Bar(*columns, TextColumn("{task.fields[remark]}")) as bar:
         task = bar.add_task(method, total=1.0, remark="")
 

@@ -50,7 +50,9 @@ class TableCalls(Caller):
 
         def ask(params: dict[str, Any]) -> Answering[dict[str, Any]]:
             return (
-                yield from self.asked("ic.get", params, timeout=timeout, on_progress=on_progress, progress=progress)
+                yield from self.asked(
+                    "ic.get", params, timeout=timeout, on_progress=on_progress, progress=progress
+                )
             )
 
         try:

@@ -60,9 +60,7 @@ def _asks_for_finite_elements(problem: dict[str, Any]) -> bool:
 
 def say_that_the_build_goes_on(error: TimeoutExpired, job: str) -> None:
     """Adds to `error` what becomes of the build, `job` ("" where none is known), that the call has waited for."""
-    what = (
-        f"The build goes on in the daemon as job {job}" if job else "A build that it waited for goes on in the daemon"
-    )
+    what = f"The build goes on in the daemon as job {job}" if job else "A build that it waited for goes on in the daemon"
     end = f"cancel_job({job!r})" if job else "cancel_job()"
     advice = f"{what}: jobs() shows how far it is, {end} ends it, and the same call again joins it or gets its table."
     if isinstance(error, StatusError):

@@ -51,9 +51,7 @@ class WheelRailCalls(Caller):
         """
         names = None if fields is None else names_of(fields)
         params = {"setup": setup_params(setup), "state": state_params(state, "state"), **_of_patches(names, gap)}
-        result = yield from self.asked(
-            "wheelrail.solve", params, timeout=timeout, on_progress=on_progress, progress=progress
-        )
+        result = yield from self.asked("wheelrail.solve", params, timeout=timeout, on_progress=on_progress, progress=progress)
         solution = read_wheel_rail(names, gap, result)
         remember(solution, Origin(setup, state, _profiles_by(self, setup)))
         return solution
@@ -82,9 +80,7 @@ class WheelRailCalls(Caller):
         params = {"setup": setup_params(setup), "state": wheelset_state_params(state), **_of_patches(names, gap)}
         if left is not None:
             params["left"] = setup_params(left, "left")
-        result = yield from self.asked(
-            "wheelrail.wheelset", params, timeout=timeout, on_progress=on_progress, progress=progress
-        )
+        result = yield from self.asked("wheelrail.wheelset", params, timeout=timeout, on_progress=on_progress, progress=progress)
         return read_wheelset(names, gap, result)
 
     @asks
@@ -106,9 +102,7 @@ class WheelRailCalls(Caller):
             return []
         given = [state_params(state, f"states[{index}]") for index, state in enumerate(listed)]
         params = {"setup": setup_params(setup), "states": given}
-        result = yield from self.asked(
-            "wheelrail.geometry", params, timeout=timeout, on_progress=on_progress, progress=progress
-        )
+        result = yield from self.asked("wheelrail.geometry", params, timeout=timeout, on_progress=on_progress, progress=progress)
         geometries = result.get("geometries")
         if not isinstance(geometries, list) or len(geometries) != len(given):
             raise ProtocolError("The answer to wheelrail.geometry lacks a geometry for each state.")
@@ -162,21 +156,13 @@ class WheelRailCalls(Caller):
 
     @asks
     def placed_profiles(
-        self,
-        setup: WheelRailSetup | Mapping[str, Any],
-        *,
-        left: WheelRailSetup | None = None,
-        timeout: float | None = None,
+        self, setup: WheelRailSetup | Mapping[str, Any], *, left: WheelRailSetup | None = None, timeout: float | None = None
     ) -> Answering[ProfilesOfSides]:
         """The profiles of both sides as the daemon has read them, and where they lie: for whoever draws them, or wears them.
         The set-up may also be its parameters in the words of the wire."""
         profiles = yield from self._of_wheelset(setup, left, "profiles", True, "profiles", timeout)
         found = read(ProfilesOfSides, profiles, "result.profiles")
-        if any(
-            points.ndim != 2 or points.shape[1] != 2
-            for side in (found.left, found.right)
-            for points in (side.wheel, side.rail)
-        ):
+        if any(points.ndim != 2 or points.shape[1] != 2 for side in (found.left, found.right) for points in (side.wheel, side.rail)):
             raise ProtocolError("The answer to wheelrail.geometry has profiles whose points are no pairs.")
         return found
 

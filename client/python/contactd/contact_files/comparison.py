@@ -11,23 +11,7 @@ from .out_reader import PrintedCase
 
 __all__ = ["Difference", "case_differences", "common", "differences"]
 
-_FORCES = (
-    "FN",
-    "FX",
-    "FY",
-    "FS",
-    "MZ",
-    "MN",
-    "FX(TR)",
-    "FY(TR)",
-    "FZ(TR)",
-    "FX(WS)",
-    "FY(WS)",
-    "FZ(WS)",
-    "BAR_FN",
-    "BAR_FX",
-    "BAR_FS",
-)
+_FORCES = ("FN", "FX", "FY", "FS", "MZ", "MN", "FX(TR)", "FY(TR)", "FZ(TR)", "FX(WS)", "FY(WS)", "FZ(WS)", "BAR_FN", "BAR_FX", "BAR_FS")
 _MOTIONS = ("CREEP X", "CREEP Y", "SHIFT X", "SHIFT Y", "CKSI", "CETA")
 _PLACES = ("XCP(TR)", "YCP(TR)", "ZCP(TR)", "Z_WS", "DY_DEFL", "DZ_DEFL")
 _COUNTS = ("NCON", "NADH", "NSLIP")
@@ -76,9 +60,7 @@ def case_differences(found: Compared, printed: PrintedCase) -> list[str]:
     return sentences
 
 
-def differences(
-    found: Mapping[str, float], printed: Mapping[str, float], friction_bound: float
-) -> Iterator[Difference]:
+def differences(found: Mapping[str, float], printed: Mapping[str, float], friction_bound: float) -> Iterator[Difference]:
     """The numbers that both have and that are not in tolerance."""
     return (one for one in common(found, printed, friction_bound) if not one.is_in_tolerance)
 

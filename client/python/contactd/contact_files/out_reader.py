@@ -12,22 +12,7 @@ _CASE = re.compile(r" Case +(\d+)(?:, result element +(\d+)| for contact problem
 _PATCH = re.compile(r" -+ DATA FOR CONTACT PATCH +(\d+)")
 _LABEL = re.compile(r"(?:CREEP|SHIFT) [XYS]|\S+")
 #: Rows of labels whose numbers are read, by how they begin.
-_FIRST = (
-    "FN",
-    "BAR_FN",
-    "TILDE_FN",
-    "FN/G",
-    "NPOT",
-    "FX(TR)",
-    "XCP(TR)",
-    "XCP(W)",
-    "S_WS",
-    "X_WS",
-    "VX_WS",
-    "CHI",
-    "DT",
-    "KY_RAIL",
-)
+_FIRST = ("FN", "BAR_FN", "TILDE_FN", "FN/G", "NPOT", "FX(TR)", "XCP(TR)", "XCP(W)", "S_WS", "X_WS", "VX_WS", "CHI", "DT", "KY_RAIL")
 _LONGEST_LINE = 1000
 
 

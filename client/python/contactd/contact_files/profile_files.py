@@ -70,11 +70,7 @@ class ProfileFiles:
     def _points(self, profile: ProfileFile, which: str) -> Array | None:
         """Its points as the service reads them, y and z; None where it cannot."""
         track = Track(rail_origin=(750.0, 0.0))  # needs no gauge face, which not every rail has
-        setup = (
-            WheelRailSetup(wheel=profile, track=track)
-            if which == "WHEEL"
-            else WheelRailSetup(rail=profile, track=track)
-        )
+        setup = WheelRailSetup(wheel=profile, track=track) if which == "WHEEL" else WheelRailSetup(rail=profile, track=track)
         try:
             placed = self._client.placed_profiles(setup).right
         except InvalidArgument:

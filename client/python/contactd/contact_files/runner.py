@@ -81,9 +81,7 @@ def _refusal(case: Case, broken: Case | None) -> Outcome | None:
     if names := missing(case):
         return Outcome(case, "refused", f"contactd does not have: {', '.join(names)}.")
     if broken is not None and goes_on(case):
-        return Outcome(
-            case, "follows", f"It goes on from case {broken.number} in line {broken.line}, which is not computed."
-        )
+        return Outcome(case, "follows", f"It goes on from case {broken.number} in line {broken.line}, which is not computed.")
     return None
 
 
@@ -151,9 +149,7 @@ class Runner:
         contact = RailContact.of(case, self._profiles, self._wheel_surface)
         if steps is not None:
             return steps.solve(contact, self._stresses)
-        solution = self._client.wheel_rail(
-            contact.setup, replace(contact.state, displacements=contact.setup.model is None), gap=True
-        )
+        solution = self._client.wheel_rail(contact.setup, replace(contact.state, displacements=contact.setup.model is None), gap=True)
         return RailResult.of(contact, solution, self._stresses)
 
     def _stresses(self, problem: ContactProblem, acting: Estimate, body: Body, block: StressBlock) -> SubsurfaceStress:

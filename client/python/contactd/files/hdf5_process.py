@@ -46,9 +46,7 @@ def read_apart(read: Callable[[bytes], Any], content: bytes) -> Any:
     except subprocess.TimeoutExpired:
         raise ValueError(_too_long(seconds)) from None
     except OSError as error:
-        raise ContactdError(
-            f"HDF5 files are read by a Python program of its own, which cannot be started: {error}"
-        ) from None
+        raise ContactdError(f"HDF5 files are read by a Python program of its own, which cannot be started: {error}") from None
     if -ended.returncode in (signal.SIGXCPU, signal.SIGKILL):
         raise ValueError(_too_long(seconds))
     if ended.returncode < 0:

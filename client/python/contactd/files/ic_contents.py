@@ -46,9 +46,7 @@ class FileContents:
     def at(self, path: str) -> dict[str, Any]:
         """The attributes of a group or a dataset, by their names."""
         before = path + "/"
-        rest = (
-            (name.removeprefix(before), value) for name, value in self.attributes.items() if name.startswith(before)
-        )
+        rest = ((name.removeprefix(before), value) for name, value in self.attributes.items() if name.startswith(before))
         return {name: value for name, value in rest if "/" not in name}
 
     def has(self, path: str) -> bool:
@@ -123,11 +121,7 @@ class _Reader:
         self._found = FileContents()
 
     def read(self, file: Any) -> FileContents:
-        number = (
-            self._value(file.attrs.get_id("contactd_format"), "contactd_format")
-            if "contactd_format" in file.attrs
-            else None
-        )
+        number = self._value(file.attrs.get_id("contactd_format"), "contactd_format") if "contactd_format" in file.attrs else None
         if number != _FORMAT:  # first, since another format may have anything
             raise TableFileError(f"it has another format than {_FORMAT}, which this version reads")
         self._group(file, "", 0)
@@ -156,9 +150,7 @@ class _Reader:
         if not has_own_data(self._h5py, dataset):
             raise TableFileError(f"{path} keeps its data in other files")
         if plist.get_layout() != self._h5py.h5d.CONTIGUOUS or plist.get_nfilters() != 0:
-            raise TableFileError(
-                f"{path} has chunks, filters or parts elsewhere; datasets of these files are one piece"
-            )
+            raise TableFileError(f"{path} has chunks, filters or parts elsewhere; datasets of these files are one piece")
         if not low.get_type().equal(self._h5py.h5t.IEEE_F64LE):
             raise TableFileError(f"{path} does not hold doubles")
         shape = dataset.shape
@@ -179,11 +171,7 @@ class _Reader:
         for index in range(count):
             attribute = self._h5py.h5a.open(at.id, index=index)
             path = prefix + attribute.name.decode("utf-8", "replace")
-            if (
-                len(self._found.attributes) == _MOST_ATTRIBUTES
-                or not _PATH.fullmatch(path)
-                or len(path) > _LONGEST_PATH
-            ):
+            if len(self._found.attributes) == _MOST_ATTRIBUTES or not _PATH.fullmatch(path) or len(path) > _LONGEST_PATH:
                 raise TableFileError(f"{path[:100]!r} is no attribute of these files, or one too many")
             self._found.attributes[path] = self._value(attribute, path)
 

@@ -108,9 +108,7 @@ def _stored_extent(file: FileContents, name: str) -> tuple[int, int]:
     transform, columns = file.datasets["transform"], len(file.datasets["frames"])
     pairs = 3 * columns * (3 * columns + 1) // 2
     if columns < 1 or transform.ndim != 2 or transform.shape[1] != pairs or not np.isfinite(transform).all():
-        raise TableFileError(
-            f"{name} holds no transform of {columns} columns: of {pairs} finite numbers for each wavenumber"
-        )
+        raise TableFileError(f"{name} holds no transform of {columns} columns: of {pairs} finite numbers for each wavenumber")
     return columns, _MOST_ELEMENTS // columns
 
 
@@ -118,9 +116,7 @@ def _frames(file: FileContents, grid: Grid, name: str) -> Any:
     """Reads the frames of the columns of a longitudinally uniform body; in the file their places are over the width of a column."""
     frames = file.datasets["frames"]
     if frames.shape != (grid.ny, 3):
-        raise TableFileError(
-            f"{name}: the frames have shape {list(frames.shape)}; they must be [ny, 3], ny = {grid.ny}"
-        )
+        raise TableFileError(f"{name}: the frames have shape {list(frames.shape)}; they must be [ny, 3], ny = {grid.ny}")
     return frames * [grid.dy, grid.dy, 1.0]
 
 
@@ -171,9 +167,7 @@ def _section(given: dict[str, Any]) -> SectionEvidence | None:
     if "section_order" not in given:
         return None
     order, error = given["section_order"], given["section_error"]
-    return SectionEvidence(
-        order=order, error=error, **{f.name: given[f.name] for f in fields(SectionEvidence) if f.name in given}
-    )
+    return SectionEvidence(order=order, error=error, **{f.name: given[f.name] for f in fields(SectionEvidence) if f.name in given})
 
 
 def _errors(given: dict[str, Any]) -> IcErrors | None:

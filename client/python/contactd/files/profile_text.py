@@ -36,13 +36,7 @@ def format_profile(points: Array, kind: Literal["wheel", "rail"], ending: str, r
     if ending in (".csv", ".txt"):
         between = "," if ending == ".csv" else " "
         return "\n".join([*comments, between.join("yz"), *_rows(points, between), ""])
-    head = [
-        "header.begin",
-        "  version  = 1",
-        f"  type     = {1 if kind == 'wheel' else 0}",
-        "header.end",
-        "spline.begin",
-    ]
+    head = ["header.begin", "  version  = 1", f"  type     = {1 if kind == 'wheel' else 0}", "header.end", "spline.begin"]
     keys = ["  approx.smooth = 0.0", "  units.len.f   = 1000.0", "  units.ang.f   = 1.0", "  point.begin"]
     rows = [f"    {row}" for row in _rows(points, " ")]
     return "\n".join([*comments, *head, *keys, *rows, "  point.end", "spline.end", ""])

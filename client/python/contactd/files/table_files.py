@@ -97,9 +97,7 @@ def _read_npz(path: PathLike) -> IcTable | TableIcs:
     try:
         members = {} if content.getvalue().startswith(_ONE_ARRAY) else arrays_of(content)
     except Exception:  # there is no end of what zipfile and numpy raise for a damaged archive, and of what they advise
-        raise TableFileError(
-            f"{name} is no archive of numpy, or damaged; save_table writes one that can be read"
-        ) from None
+        raise TableFileError(f"{name} is no archive of numpy, or damaged; save_table writes one that can be read") from None
     array = members.get("array")
     frames = members.get("frames")
     shape = "[3, 3, ny, nx]" if frames is None else "[3, 3, ny, ny, nx], with frames"
@@ -123,9 +121,7 @@ def _read_npz(path: PathLike) -> IcTable | TableIcs:
         raise TableFileError(f"{name}: {str(error).replace('answer', 'file')}") from None
     if array.shape[-2:] != spec.grid.shape or (frames is not None and array.shape[2] != spec.grid.ny):
         raise TableFileError(f"{name}: array has shape {list(array.shape)}; spec.grid says {list(spec.grid.shape)}")
-    if frames is not None and (
-        frames.dtype.kind != "f" or frames.shape != (spec.grid.ny, 3) or not np.isfinite(frames).all()
-    ):
+    if frames is not None and (frames.dtype.kind != "f" or frames.shape != (spec.grid.ny, 3) or not np.isfinite(frames).all()):
         raise TableFileError(f'{name}: "frames" must be finite and of shape [ny, 3], ny = {spec.grid.ny}')
     _check(array, spec, name)
     return IcTable(str(members.get("key", "")), "file", spec, array, evidence, frames)

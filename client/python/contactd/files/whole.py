@@ -39,9 +39,7 @@ def read_whole(path: str | os.PathLike[str], most: int) -> bytes:
         if stat.S_ISDIR(status.st_mode):
             raise OSError(errno.EISDIR, os.strerror(errno.EISDIR), name)
         for is_kind, kind in _KINDS:
-            if is_kind(status.st_mode) and not (
-                kind == "a named pipe" and str(Path(name).absolute().parent) in _OPEN_FILES
-            ):
+            if is_kind(status.st_mode) and not (kind == "a named pipe" and str(Path(name).absolute().parent) in _OPEN_FILES):
                 raise OSError(errno.EINVAL, f"it is {kind}; it must be a file", name)
         os.set_blocking(opened, stat.S_ISFIFO(status.st_mode))  # files of /proc may wait as well
     except BaseException:

@@ -120,21 +120,14 @@ class CreepCurves:
         """One curve, and what its answers warn of: of sentences that differ by their numbers only one."""
         answers = self._answers([self.problem(values, x) for x in creepage])
         alike: dict[str, list[str]] = {}
-        for sentence in (
-            str(one) for answer in answers if isinstance(answer, dict) for one in answer.get("warnings", ())
-        ):
+        for sentence in (str(one) for answer in answers if isinstance(answer, dict) for one in answer.get("warnings", ())):
             alike.setdefault(_NUMBER.sub("#", sentence), []).append(sentence)
         sentences = [same[-1] if len(same) == 1 else f"{same[-1]} ({len(same)} points)" for same in alike.values()]
         return np.array([self._value(answer) for answer in answers]), tuple(sentences)
 
     def derivatives(self, values: Sequence[float], creepage: Array, path: str) -> Array | None:
         """Derivatives of the curve by one parameter as the daemon knows them; None where it does not."""
-        if path not in _DERIVATIVES or self._params.get("model", "full") not in (
-            "full",
-            "fastsim",
-            "fastrip",
-            "polach",
-        ):
+        if path not in _DERIVATIVES or self._params.get("model", "full") not in ("full", "fastsim", "fastrip", "polach"):
             return None
         problems = [{**self.problem(values, x), "derivatives": True} for x in creepage]
         found = []
@@ -184,9 +177,7 @@ class CreepCurves:
             return error
 
     def _solved(self, problems: list[dict[str, Any]]) -> list[dict[str, Any] | StatusError]:
-        answer = self._ask(
-            "contact.solve_many", {"problems": problems}, timeout=self._timeout, on_progress=self._report
-        )
+        answer = self._ask("contact.solve_many", {"problems": problems}, timeout=self._timeout, on_progress=self._report)
         return results("contact.solve_many", answer, "solutions", [_checked] * len(problems))
 
 

@@ -79,9 +79,7 @@ def fit(
     check_type("problem", problem, ContactProblem, Mapping)
     params = problem_params(problem) if isinstance(problem, ContactProblem) else dict(problem)
     if "setup" in params:
-        raise invalid(
-            "problem", "has setup, as wheelrail.solve takes it; a curve is fitted by one contact, as of contact.solve"
-        )
+        raise invalid("problem", "has setup, as wheelrail.solve takes it; a curve is fitted by one contact, as of contact.solve")
     points = MeasuredCurve.of(creepage, measured, uncertainty)
     fields = varied(parameters, start or {}, params)
     response = Response.of(by, force, quantity)
@@ -110,10 +108,7 @@ def _check(
     fields: list[VariedParameter], points: MeasuredCurve, response: Response, confidence: float, starts: int | None, most: int
 ) -> None:  # fmt: skip
     if len(points.creepage) < len(fields):
-        raise invalid(
-            "measured",
-            f"has {len(points.creepage)} points for {len(fields)} parameters; there must be as many at least",
-        )
+        raise invalid("measured", f"has {len(points.creepage)} points for {len(fields)} parameters; there must be as many at least")
     if not 0 < confidence < 1:
         raise ValueError(f"confidence is {confidence}; it must be between 0 and 1, such as 0.95")
     if starts is not None and (not isinstance(starts, int) or starts < 1):
@@ -170,10 +165,7 @@ def _parameter(index: int, fields: list[VariedParameter], found: Found, certaint
         return made
     error = float(np.sqrt(certainty.covariance[index, index]))
     reach = certainty.quantile * error
-    known = {
-        "standard_error": error * one.slope(place),
-        "interval": (one.value(place - reach), one.value(place + reach)),
-    }
+    known = {"standard_error": error * one.slope(place), "interval": (one.value(place - reach), one.value(place + reach))}
     return FittedParameter(**{**vars(made), **known})
 
 

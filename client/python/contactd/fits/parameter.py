@@ -12,9 +12,7 @@ from ..values.field_paths import get, parts
 
 __all__ = ["VariedParameter", "varied"]
 
-_RELATIVE_STEP = (
-    1e-2  #: of differences: above the jumps of curves where elements begin to slip, below what they bend over
-)
+_RELATIVE_STEP = 1e-2  #: of differences: above the jumps of curves where elements begin to slip, below what they bend over
 _LINEAR_STEP = 3e-3
 
 
@@ -69,9 +67,7 @@ def varied(
     """The parameters of a fit; where `start` does not say where to begin, the problem does, if it has a value within the bounds.
     Raises InvalidArgument."""
     if not parameters:
-        raise invalid(
-            "parameters", "has none; name at least one field with its bounds, such as friction.mu: (0.1, 0.6)"
-        )
+        raise invalid("parameters", "has none; name at least one field with its bounds, such as friction.mu: (0.1, 0.6)")
     if unknown := [path for path in start if path not in parameters]:
         raise invalid("start", f"has {unknown[0]}, which is none of the parameters {', '.join(parameters)}")
     return [_varied(path, bounds, start.get(path), params) for path, bounds in parameters.items()]
@@ -87,9 +83,7 @@ def _varied(path: str, bounds: Any, start: float | None, params: Mapping[str, An
     except (TypeError, ValueError):
         raise invalid(f"parameters[{path!r}]", f"is {bounds!r}; it must be two numbers, the bounds") from None
     if not (math.isfinite(low) and math.isfinite(high) and low < high):
-        raise invalid(
-            f"parameters[{path!r}]", f"is {low:g} to {high:g}; it must be two finite numbers, the lower one first"
-        )
+        raise invalid(f"parameters[{path!r}]", f"is {low:g} to {high:g}; it must be two finite numbers, the lower one first")
     if start is not None:
         if not low <= start <= high:
             raise invalid(f"start[{path!r}]", f"is {start:g}, outside of its bounds {low:g} to {high:g}")

@@ -90,20 +90,9 @@ class Search:
     def _from(self, start: Array, least_squares: Any, most: int) -> Found:
         self._curves.trouble = ""
         ended = least_squares(
-            self._residuals,
-            start,
-            self._jacobian_of_residuals,
-            bounds=(0.0, 1.0),
-            xtol=1e-7,
-            ftol=1e-9,
-            gtol=1e-10,
-            max_nfev=most,
+            self._residuals, start, self._jacobian_of_residuals, bounds=(0.0, 1.0), xtol=1e-7, ftol=1e-9, gtol=1e-10, max_nfev=most
         )
-        jacobian = (
-            self.jacobian(ended.x, self._curve.creepage)
-            if self._is_partial
-            else -ended.jac / self._curve.weight[:, None]
-        )
+        jacobian = self.jacobian(ended.x, self._curve.creepage) if self._is_partial else -ended.jac / self._curve.weight[:, None]
         trouble, converged = self._curves.trouble, ended.status > 0
         if trouble and converged and self._is_stuck(ended.x, jacobian, ended.fun):
             raise FitFailed(
@@ -217,9 +206,7 @@ def _spread(count: int, dimensions: int) -> list[Array]:
     """Halton's points, which fill the box more evenly than chance does."""
     if dimensions > len(_PRIMES):
         raise invalid("parameters", f"has {dimensions} fields; at most {len(_PRIMES)} can be fitted")
-    return [
-        np.array([_radical_inverse(index + 1, base) for base in _PRIMES[:dimensions]]) for index in range(max(0, count))
-    ]
+    return [np.array([_radical_inverse(index + 1, base) for base in _PRIMES[:dimensions]]) for index in range(max(0, count))]
 
 
 _PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29)

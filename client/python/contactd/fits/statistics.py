@@ -14,9 +14,7 @@ __all__ = ["Certainty", "certainty_of"]
 
 _AT_BOUND = 1e-3  #: of the way from bound to bound
 _CLOSE = 0.98  #: correlation from which on parameters cannot be told apart
-_SINGULAR = (
-    1e-6  #: singular value over the largest one, below which the curve does not tell a combination of parameters
-)
+_SINGULAR = 1e-6  #: singular value over the largest one, below which the curve does not tell a combination of parameters
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,11 +47,7 @@ class Certainty:
     def band(self, jacobian: Array) -> Array:
         """Half the height of the confidence band where the curve has this Jacobian, shape [m, n]; NaN without one."""
         free = np.array(self.is_known)
-        if (
-            self.quantile is None
-            or not free.any()
-            or any(not known and not bound for known, bound in zip(self.is_known, self.at_bound))
-        ):
+        if self.quantile is None or not free.any() or any(not known and not bound for known, bound in zip(self.is_known, self.at_bound)):
             return np.full(len(jacobian), np.nan)
         part, among = jacobian[:, free], self.covariance[np.ix_(free, free)]
         half: Array = self.quantile * np.sqrt(np.maximum(0.0, np.einsum("ij,jk,ik->i", part, among, part)))
@@ -85,15 +79,11 @@ def certainty_of(
             covariance[np.ix_(free, free)] = inverse
             sentences += _close_sentences(names, inverse, untold)
         else:
-            sentences.append(
-                f"There are {len(residuals)} points and {int(free.sum())} parameters: nothing is left that tells their errors."
-            )
+            sentences.append(f"There are {len(residuals)} points and {int(free.sum())} parameters: nothing is left that tells their errors.")
             known[:] = False
     quantile = float(stdtrit(freedom, 0.5 + confidence / 2)) if freedom > 0 else None
     certainty = Certainty(covariance, quantile, at_bound, tuple(bool(one) for one in known), tuple(sentences))
-    return Certainty(
-        covariance, quantile, at_bound, certainty.is_known, (*sentences, *_uncertain_sentences(parameters, certainty))
-    )
+    return Certainty(covariance, quantile, at_bound, certainty.is_known, (*sentences, *_uncertain_sentences(parameters, certainty)))
 
 
 def _untold(sizes: Array, ways: Array, count: int) -> Array:
@@ -142,7 +132,5 @@ def _uncertain_sentences(parameters: Sequence[VariedParameter], certainty: Certa
     uncertain = []
     for one, variance, known in zip(parameters, np.diag(certainty.covariance), certainty.is_known):
         if known and certainty.quantile * np.sqrt(variance) > 0.5:
-            uncertain.append(
-                f"The confidence interval of {one.path} is wider than its bounds: this curve hardly tells it."
-            )
+            uncertain.append(f"The confidence interval of {one.path} is wider than its bounds: this curve hardly tells it.")
     return uncertain

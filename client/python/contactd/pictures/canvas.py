@@ -14,23 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = [
-    "ADHESION",
-    "COLOURS",
-    "INK",
-    "aspect_of",
-    "axes_or_new",
-    "bare",
-    "colour_bar",
-    "edges",
-    "extent",
-    "legend_below",
-    "map_over",
-    "new_figure",
-    "plain",
-    "pyplot",
-    "warm",
-]
+__all__ = ["ADHESION", "COLOURS", "INK", "aspect_of", "axes_or_new", "bare", "colour_bar", "edges", "extent", "legend_below", "map_over", "new_figure", "plain", "pyplot", "warm"]
 
 INK = "#1d1d2b"
 ADHESION = "#1449b8"
@@ -92,9 +76,7 @@ def map_over(axes: Axes, grid: Grid, values: Array, label: str) -> None:
     """`values` >= 0 over the grid, shape [ny, nx], with their colours told beside."""
     image = axes.imshow(values, origin="lower", extent=extent(grid), cmap=warm(), vmin=0, interpolation="nearest")
     colour_bar(axes, image, label)
-    axes.set(
-        xlabel="x (mm)", ylabel="y (mm)", aspect=aspect_of(grid.nx * grid.dx, grid.ny * grid.dy), facecolor="#f4f4f6"
-    )
+    axes.set(xlabel="x (mm)", ylabel="y (mm)", aspect=aspect_of(grid.nx * grid.dx, grid.ny * grid.dy), facecolor="#f4f4f6")
 
 
 def aspect_of(width: float, height: float) -> Literal["equal", "auto"]:
@@ -124,7 +106,5 @@ def edges(mask: Any, grid: Grid, **style: Any) -> Any:
     def corner(i: int, j: int) -> tuple[float, float]:
         return (left + i * grid.dx, bottom + j * grid.dy)
 
-    sides = [[corner(i, j), corner(i, j + 1)] for j, i in upright] + [
-        [corner(i, j), corner(i + 1, j)] for j, i in level
-    ]
+    sides = [[corner(i, j), corner(i, j + 1)] for j, i in upright] + [[corner(i, j), corner(i + 1, j)] for j, i in level]
     return LineCollection(sides, **style)

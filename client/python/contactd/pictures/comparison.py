@@ -61,9 +61,7 @@ def _window(shown: tuple[ComparedModel, ...]) -> tuple[float, float, float, floa
             rows, columns = np.nonzero(solution.pressure > 0)
             if len(rows):
                 x, y = grid.x[columns], grid.y[rows] + place
-                found.append(
-                    [x.min() - grid.dx / 2, x.max() + grid.dx / 2, y.min() - grid.dy / 2, y.max() + grid.dy / 2]
-                )
+                found.append([x.min() - grid.dx / 2, x.max() + grid.dx / 2, y.min() - grid.dy / 2, y.max() + grid.dy / 2])
     if not found:
         return -1.0, 1.0, -1.0, 1.0
     left, bottom = (min(one[side] for one in found) for side in (0, 2))

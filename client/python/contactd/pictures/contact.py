@@ -41,9 +41,7 @@ def draw_section(solution: Solution[Any, Any], y: float = 0.0, axes: Axes | None
     axes = axes_or_new(axes)
     row = int(np.argmin(np.abs(grid.y - y)))
     if not abs(grid.y[row] - y) <= grid.dy / 2 * (1 + 1e-9):
-        raise ValueError(
-            f"y is {y}; the grid reaches from {grid.y[0] - grid.dy / 2:g} to {grid.y[-1] + grid.dy / 2:g} mm"
-        )
+        raise ValueError(f"y is {y}; the grid reaches from {grid.y[0] - grid.dy / 2:g} to {grid.y[-1] + grid.dy / 2:g} mm")
     adhesion = solution.element_division[row] == 1
     for start, end in _stretches(adhesion):
         ends = (grid.x[start] - grid.dx / 2, grid.x[end] + grid.dx / 2)

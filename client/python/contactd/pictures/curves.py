@@ -46,11 +46,7 @@ def plot_creep_curves(
             if any(values):
                 label = f"$-F_{force[1]}/F_n${', ' + name if name else ''}"
                 axes.plot(x, values, style, ms=4, mfc="none", color=color, label=label)
-    axes.set(
-        xlabel=_CREEPAGES[by],
-        ylabel="force over normal force",
-        title=f"Creep forces over the {_CREEPAGES[by].partition(' (')[0]}",
-    )
+    axes.set(xlabel=_CREEPAGES[by], ylabel="force over normal force", title=f"Creep forces over the {_CREEPAGES[by].partition(' (')[0]}")
     bare(axes)
     axes.legend(fontsize="small", frameon=False)
     return axes

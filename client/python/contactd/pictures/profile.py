@@ -44,9 +44,7 @@ def draw_profile(
     if evidence is not None and evidence.wheel is not None:
         for name in ("tip", "throat", "tread"):
             place = getattr(evidence.wheel, name)
-            axes.annotate(
-                name, (place.y, place.z), (4, 6), textcoords="offset points", fontsize="small", color=COLOURS[2]
-            )
+            axes.annotate(name, (place.y, place.z), (4, 6), textcoords="offset points", fontsize="small", color=COLOURS[2])
             axes.plot(place.y, place.z, "o", ms=4, color=COLOURS[2], zorder=4)
     axes.set_aspect("equal")
     axes.set(ylabel="z, down (mm)")

@@ -64,10 +64,7 @@ def draw_contact_locus(
     wheel = np.column_stack([profiles.wheel_origin + profiles.wheel[:, 0], profiles.wheel[:, 1] - lift])
     rises = np.interp([contact.wheel_y for contact in contacts], *profiles.wheel.T)
     at_wheel = np.array(
-        [
-            [out * (profiles.wheel_origin + contact.wheel_y), rise - lift]
-            for contact, rise in zip(contacts, rises, strict=True)
-        ]
+        [[out * (profiles.wheel_origin + contact.wheel_y), rise - lift] for contact, rise in zip(contacts, rises, strict=True)]
     )
     draw_body(axes, wheel * (out, 1), upwards=True)
     draw_body(axes, placed_rail(profiles, side=side), upwards=False)

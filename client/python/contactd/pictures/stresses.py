@@ -83,27 +83,14 @@ def _draw_map(
     signed = component not in _UNSIGNED
     bound = float(np.abs(values).max())
     drawn = axes.pcolormesh(
-        across,
-        up,
-        values,
-        cmap="RdBu_r" if signed else warm(),
-        vmin=-bound if signed else 0,
-        vmax=bound,
-        shading="nearest",
+        across, up, values, cmap="RdBu_r" if signed else warm(), vmin=-bound if signed else 0, vmax=bound, shading="nearest"
     )
     colour_bar(axes, drawn, label)
     if (levels := np.linspace(-bound if signed else 0, bound, 9)[1:-1]).any() and min(values.shape) > 1:
         axes.contour(across, up, values, levels=levels, colors=INK, linewidths=0.5, linestyles="solid")
     at = stress.largest
     if component == "von_mises" and np.isclose(values.max(), at.von_mises):
-        axes.plot(
-            getattr(at, free[1]),
-            getattr(at, free[0]),
-            "x",
-            color=INK,
-            ms=8,
-            label=f"largest, {at.von_mises:.4g} N/mm$^2$",
-        )
+        axes.plot(getattr(at, free[1]), getattr(at, free[0]), "x", color=INK, ms=8, label=f"largest, {at.von_mises:.4g} N/mm$^2$")
         axes.legend(loc="lower right", fontsize="small")
     depth = "; negative inside the body" if free[0] == "z" else ""
     aspect = aspect_of(float(np.ptp(across)) or 1.0, float(np.ptp(up)) or 1.0)

@@ -14,15 +14,7 @@ from .canvas import COLOURS, INK, plain
 if TYPE_CHECKING:
     from ..wear.steps import WornStep
 
-__all__ = [
-    "draw_competition",
-    "draw_depths",
-    "draw_groups",
-    "draw_measures",
-    "draw_shakedown",
-    "draw_worn",
-    "shakedown_limit",
-]
+__all__ = ["draw_competition", "draw_depths", "draw_groups", "draw_measures", "draw_shakedown", "draw_worn", "shakedown_limit"]
 
 _WORN = "#c8553d"
 
@@ -45,13 +37,9 @@ def draw_worn(axes: Any, steps: Sequence[WornStep], magnified: float = 1.0, unit
 def draw_depths(axes: Any, steps: Sequence[WornStep], unit: str = "km", most: int = 6) -> None:
     """The depth from the new profile, over its y, of up to `most` steps."""
     first, _ = _ends(steps)
-    chosen = [
-        steps[i] for i in np.unique(np.linspace(1, len(steps) - 1, min(most, len(steps) - 1)).round().astype(int))
-    ]
+    chosen = [steps[i] for i in np.unique(np.linspace(1, len(steps) - 1, min(most, len(steps) - 1)).round().astype(int))]
     for i, step in enumerate(chosen):
-        axes.plot(
-            first.points[:, 0], _depths(first, step), color=_shade(i, len(chosen)), label=f"{step.distance:.4g} {unit}"
-        )
+        axes.plot(first.points[:, 0], _depths(first, step), color=_shade(i, len(chosen)), label=f"{step.distance:.4g} {unit}")
     axes.set(xlabel="y (mm)", ylabel="depth (mm)")
     axes.set_ylim(bottom=0)
     axes.legend(frameon=False)
@@ -60,9 +48,7 @@ def draw_depths(axes: Any, steps: Sequence[WornStep], unit: str = "km", most: in
 def draw_groups(axes: Any, steps: Sequence[WornStep], unit: str = "km") -> None:
     """The area that each group of states has taken off, over the distance; of many groups those that take most, and all others."""
     sums = _sums_of_groups(steps)
-    axes.stackplot(
-        [step.distance for step in steps], *sums.values(), labels=list(sums), colors=COLOURS[: len(sums)], alpha=0.75
-    )
+    axes.stackplot([step.distance for step in steps], *sums.values(), labels=list(sums), colors=COLOURS[: len(sums)], alpha=0.75)
     axes.set(xlabel=unit, ylabel="area taken off (mm$^2$)")
     axes.margins(x=0)
     axes.legend(loc="upper left", frameon=False)
@@ -71,10 +57,7 @@ def draw_groups(axes: Any, steps: Sequence[WornStep], unit: str = "km") -> None:
 def _sums_of_groups(steps: Sequence[WornStep]) -> dict[str, Any]:
     """What groups have taken off up to each step, by what they are called in a legend: where there are more of them than
     colours, those that take most, and all others together."""
-    sums = {
-        name: np.cumsum([step.groups.get(name, 0.0) for step in steps])
-        for name in {name for step in steps for name in step.groups}
-    }
+    sums = {name: np.cumsum([step.groups.get(name, 0.0) for step in steps]) for name in {name for step in steps for name in step.groups}}
     by_size = sorted(sums, key=lambda name: (-sums[name][-1], name))
     few = by_size if len(by_size) <= len(COLOURS) else by_size[: len(COLOURS) - 1]
     shown = {plain(name) or "all": sums[name] for name in sorted(few)}
@@ -144,23 +127,13 @@ def draw_shakedown(axes: Any, steps: Sequence[WornStep], step: int = 1) -> None:
     for beyond, colour, name in ((False, COLOURS[2], "load below it"), (True, _WORN, "load beyond it")):
         of_these = is_beyond == beyond
         if of_these.any():
-            axes.scatter(
-                mu[of_these],
-                load[of_these],
-                s=12 + 200 * share[of_these],
-                color=colour,
-                alpha=0.8,
-                label=name,
-                zorder=3,
-            )
+            axes.scatter(mu[of_these], load[of_these], s=12 + 200 * share[of_these], color=colour, alpha=0.8, label=name, zorder=3)
     axes.set(xlabel="traction coefficient", ylabel="p0/k", xlim=(0, coefficients[-1]))
     axes.set_ylim(bottom=0)
     axes.legend(frameon=False)
 
 
-def draw_measures(
-    axes: Any, distances: Sequence[float], measures: dict[str, Sequence[float]], unit: str = "km", label: str = ""
-) -> None:
+def draw_measures(axes: Any, distances: Sequence[float], measures: dict[str, Sequence[float]], unit: str = "km", label: str = "") -> None:
     """Numbers of a profile over the distance, such as conicities."""
     for i, (name, values) in enumerate(measures.items()):
         style = ("-", "--", ":")[i % 3]  # lines that lie on each other are seen

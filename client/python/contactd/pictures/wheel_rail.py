@@ -45,9 +45,7 @@ def _draw_cross_section(axes: Axes, solution: WheelRailSolution) -> None:
     for number, (patch, color) in enumerate(zip(solution.patches, [*COLOURS] * (len(solution.patches) + 1)), 1):
         at, force, width = patch.place.reference, patch.forces.track, patch.place.grid.ny * patch.place.grid.dy
         along = np.array([-width, width]) / 2
-        axes.plot(
-            at.y + np.cos(at.angle) * along, at.z + np.sin(at.angle) * along, color=color, lw=4, solid_capstyle="butt"
-        )
+        axes.plot(at.y + np.cos(at.angle) * along, at.z + np.sin(at.angle) * along, color=color, lw=4, solid_capstyle="butt")
         scale = 15.0 / largest
         axes.annotate(
             "", xy=(at.y, at.z), xytext=(at.y - scale * force.Fy, at.z - scale * force.Fz),
@@ -63,12 +61,7 @@ def _draw_cross_section(axes: Axes, solution: WheelRailSolution) -> None:
     else:
         axes.text(0.5, 0.5, "no contact", transform=axes.transAxes, ha="center", color=INK)
         axes.set(xticks=[], yticks=[])
-    axes.set(
-        xlabel="y of the track (mm)",
-        ylabel="z of the track (mm), down",
-        aspect="equal",
-        title="Contacts, and forces on the rail",
-    )
+    axes.set(xlabel="y of the track (mm)", ylabel="z of the track (mm), down", aspect="equal", title="Contacts, and forces on the rail")
     bare(axes)
 
 

@@ -143,9 +143,7 @@ class Exchanges:
 
     def _too_late(self, one: _Open) -> None:
         connecting = not (one.is_sent or self._is_connected)
-        one.arrived.put_nowait(
-            no_daemon(self._endpoint) if connecting else too_late(self._endpoint, one.request.method)
-        )
+        one.arrived.put_nowait(no_daemon(self._endpoint) if connecting else too_late(self._endpoint, one.request.method))
 
     # --- what happens
 

@@ -137,9 +137,7 @@ def results(
     parts = result.get(name)
     if not isinstance(parts, list) or len(parts) != len(readers):
         raise ProtocolError(f"The answer to {method} lacks its {len(readers)} {name}.")
-    return [
-        _outcome(part, reader, f"result.{name}[{i}].result") for i, (part, reader) in enumerate(zip(parts, readers))
-    ]
+    return [_outcome(part, reader, f"result.{name}[{i}].result") for i, (part, reader) in enumerate(zip(parts, readers))]
 
 
 def _outcome(part: Any, reader: Callable[[Any, str], T], path: str) -> T | StatusError:

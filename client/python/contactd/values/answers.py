@@ -84,9 +84,7 @@ def _reader(kind: Any) -> Convert:
         if of_wire is not None:
             value = of_wire(value)
         found: dict[str, Any] = {}
-        for name, convert, has_default, may_be_none in _fields(
-            kind
-        ):  # not before: types that no answer has stay unknown
+        for name, convert, has_default, may_be_none in _fields(kind):  # not before: types that no answer has stay unknown
             if name in value:
                 reported = value[name]
                 if type(reported) is float and convert is _read_float:  # as most are
@@ -128,9 +126,7 @@ def _misplaced(value: Any) -> _Unreadable:
 @functools.cache
 def _converter(hint: Any) -> Convert:
     """Returns what reads a value of this type: looked at once, as answers are read again and again."""
-    hint = getattr(
-        hint, "__value__", hint
-    )  # what the name of a type stands for, such as numpy's NDArray where it is one
+    hint = getattr(hint, "__value__", hint)  # what the name of a type stands for, such as numpy's NDArray where it is one
     if hint is Any:
         return _as_it_is
     if dataclasses.is_dataclass(hint):

@@ -77,10 +77,7 @@ def _influence_params(given: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def body_params(
-    body: Material | RigidBody | LayeredBody | ViscoelasticBody,
-    ics: Ics | TableIcs | None,
-    grid: Grid,
-    both: Ics | TableIcs,
+    body: Material | RigidBody | LayeredBody | ViscoelasticBody, ics: Ics | TableIcs | None, grid: Grid, both: Ics | TableIcs
 ) -> dict[str, Any]:
     """`bodies.upper` or `bodies.lower`; `ics` is the body's own, where it is not that of both."""
     if isinstance(body, LayeredBody):
@@ -132,9 +129,7 @@ def layered_params(body: LayeredBody, ics: Ics | TableIcs) -> dict[str, Any]:
     """`ics` of a body of layers; they take the load shape of the other body's, and what they refuse of closed forms."""
     if isinstance(ics, TableIcs):
         raise TypeError("a table says all of a body; give it with a Material instead of a LayeredBody")
-    kept: dict[str, Any] = params_of(
-        AnalyticIcs(load_shape=ics.load_shape, line_contact=getattr(ics, "line_contact", None))
-    )
+    kept: dict[str, Any] = params_of(AnalyticIcs(load_shape=ics.load_shape, line_contact=getattr(ics, "line_contact", None)))
     return {**kept, **body.params()}
 
 
@@ -201,9 +196,7 @@ def shear_modulus_of(problem: ContactProblem, body: Literal["lower", "upper"]) -
             "displacements", f"are wanted, and body {body!r} creeps; below the surface only its stresses are known"
         )
     if not isinstance(material, Material):
-        raise invalid(
-            "displacements", f"are wanted, and body {body!r} is no half-space; its displacements are not known"
-        )
+        raise invalid("displacements", f"are wanted, and body {body!r} is no half-space; its displacements are not known")
     return material.G
 
 

@@ -49,18 +49,14 @@ def from_dict(told: Any, path: str = "") -> Any:
 
 def _value_of(told: Any, path: str) -> Any:
     if isinstance(told, Mapping):
-        parts = {
-            name: _value_of(item, f"{path}.{name}" if path else name) for name, item in told.items() if name != "type"
-        }
+        parts = {name: _value_of(item, f"{path}.{name}" if path else name) for name, item in told.items() if name != "type"}
         if "type" not in told:
             return parts
         kind = _kinds().get(told["type"])
         if kind is None:
             raise ValueError(f"{path or 'the value'} is of the type {told['type']!r}, which this version does not know")
         if unknown := parts.keys() - {field.name for field in fields(kind)}:
-            raise ValueError(
-                f"{path or 'the value'} has {', '.join(sorted(unknown))}, which {told['type']} does not know"
-            )
+            raise ValueError(f"{path or 'the value'} has {', '.join(sorted(unknown))}, which {told['type']} does not know")
         try:
             return kind(**parts)
         except TypeError as error:
@@ -73,9 +69,7 @@ def _value_of(told: Any, path: str) -> Any:
 @cache
 def _kinds() -> dict[str, Any]:
     modules = [module for name, module in sys.modules.items() if name.startswith(_VALUES)]
-    found = [
-        kind for module in modules for kind in vars(module).values() if isinstance(kind, type) and is_dataclass(kind)
-    ]
+    found = [kind for module in modules for kind in vars(module).values() if isinstance(kind, type) and is_dataclass(kind)]
     return {kind.__name__: kind for kind in found}
 
 

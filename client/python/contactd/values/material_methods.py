@@ -83,9 +83,7 @@ class SingleLayerMethods:
     """A Layer is made of its shear modulus or of Young's, as a Material is."""
 
     @public
-    def __init__(
-        self, thickness: float, G: float | None = None, nu: float | None = None, *, E: float | None = None
-    ) -> None:
+    def __init__(self, thickness: float, G: float | None = None, nu: float | None = None, *, E: float | None = None) -> None:
         if nu is None:
             raise TypeError("Layer() lacks nu")
         if (G is None) == (E is None):

@@ -14,17 +14,7 @@ from ..errors import invalid
 from ..refusals import check_type
 from .arrays import array_of
 
-__all__ = [
-    "Checked",
-    "HasParams",
-    "array_of",
-    "check_fields",
-    "fields_of",
-    "instead",
-    "names_of_fields",
-    "params_of",
-    "whole",
-]
+__all__ = ["Checked", "HasParams", "array_of", "check_fields", "fields_of", "instead", "names_of_fields", "params_of", "whole"]
 
 Convert = Callable[[Any, str], Any]
 
@@ -90,9 +80,7 @@ def _member(kind: type, one: Field[Any], hint: Any) -> _Member:
         else:
             convert = _writer(hint) if keys is None else _writer_of_tuples(hint, keys)
     # None is a value where it is none by default, and a flag is written where it is on.
-    left_out = (
-        False if one.default is False else MISSING if one.default is not None and type(None) in get_args(hint) else None
-    )
+    left_out = False if one.default is False else MISSING if one.default is not None and type(None) in get_args(hint) else None
     return _Member(one.metadata.get("within"), left_out, convert)
 
 
@@ -155,9 +143,7 @@ def _writer_of_tuples(hint: Any, keys: tuple[str, ...]) -> Convert:
         if len(values) not in lengths:
             raise ValueError(f"{field} has {len(values)} parts; they are {', '.join(keys)}")
         pairs = zip(values, writers, strict=False)
-        return {
-            key: plain(item) if convert is None else convert(item, f"{field}.{key}") for item, (key, convert) in pairs
-        }
+        return {key: plain(item) if convert is None else convert(item, f"{field}.{key}") for item, (key, convert) in pairs}
 
     def plain(item: Any) -> Any:
         return list(item) if isinstance(item, tuple) else item

@@ -39,11 +39,7 @@ class FileOfProfile:
         object.__setattr__(self, "text", text if isinstance(text, str) else _text_of(text))
 
     def __repr__(self) -> str:
-        given = ", ".join(
-            f"{name}={value!r}"
-            for name, value in vars(self).items()
-            if name not in ("name", "text") and value is not None
-        )
+        given = ", ".join(f"{name}={value!r}" for name, value in vars(self).items() if name not in ("name", "text") and value is not None)
         return f"{type(self).__name__}({self.name!r}{given and ', '}{given})"
 
     @staticmethod

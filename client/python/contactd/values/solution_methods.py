@@ -48,9 +48,7 @@ class SolutionMethods:
         return dataset
 
     def _rows(self: Any) -> Rows:
-        division = (
-            f"{self.elements.contact} elements: {self.elements.adhesion} in adhesion, {self.elements.slip} in slip"
-        )
+        division = f"{self.elements.contact} elements: {self.elements.adhesion} in adhesion, {self.elements.slip} in slip"
         forces: Rows = [(name, getattr(self, name)) for name in ("Fn", "Fx", "Fy", "Mz")]
         rows: Rows = [*forces, ("pmax", self.pmax), ("approach", self.approach), ("contact", division)]
         if self.motion is not None:

@@ -19,18 +19,7 @@ __all__ = ["Component", "StressBlockMethods", "SubsurfaceStressMethods"]
 #: What a stress has where `invariants` were asked for.
 INVARIANTS = ["hydrostatic", "principal_1", "principal_2", "principal_3", "tresca"]
 Component = Literal[
-    "von_mises",
-    "xx",
-    "yy",
-    "zz",
-    "xy",
-    "xz",
-    "yz",
-    "hydrostatic",
-    "principal_1",
-    "principal_2",
-    "principal_3",
-    "tresca",
+    "von_mises", "xx", "yy", "zz", "xy", "xz", "yz", "hydrostatic", "principal_1", "principal_2", "principal_3", "tresca"
 ]
 
 

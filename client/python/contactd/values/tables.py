@@ -160,16 +160,12 @@ def check_finite(array: Array) -> None:
     for at in np.argwhere(~np.isfinite(array))[:1]:
         i, j, *rows, k = at
         place = f"the offset ({k}, {rows[0]})" if len(rows) == 1 else f"the columns {rows[0]} and {rows[1]}, offset {k}"
-        raise ValueError(
-            f"array holds {array[tuple(at)]} for {_AXES[i] + _AXES[j]} at {place}; every coefficient must be finite"
-        )
+        raise ValueError(f"array holds {array[tuple(at)]} for {_AXES[i] + _AXES[j]} at {place}; every coefficient must be finite")
 
 
 def _require_offsets(table: IcTable) -> None:
     if table.frames is not None:
-        raise ValueError(
-            f"the table is that of a longitudinally uniform body, of columns instead of offsets; {_IMPORT}"
-        )
+        raise ValueError(f"the table is that of a longitudinally uniform body, of columns instead of offsets; {_IMPORT}")
 
 
 @public
@@ -201,9 +197,7 @@ class TableIcs(Shown):
     def __post_init__(self) -> None:
         array = np.asarray(whole(array_of(self.array), "array"), dtype=np.float64)
         if array.ndim == 5:
-            raise ValueError(
-                f"array has shape {list(array.shape)}, that of the columns of a longitudinally uniform body; {_IMPORT}"
-            )
+            raise ValueError(f"array has shape {list(array.shape)}, that of the columns of a longitudinally uniform body; {_IMPORT}")
         if array.ndim != 4 or array.shape[:2] != (3, 3) or 0 in array.shape:
             raise ValueError(f"array has shape {list(array.shape)}; it must be [3, 3, ny, nx]")
         for name, size in (("dx", self.dx), ("dy", self.dy), ("G", 1.0 if self.G is None else self.G)):

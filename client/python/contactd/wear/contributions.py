@@ -56,9 +56,7 @@ class Contributions:
                 try:
                     found._add(i, share, patch, answer, law, section, study, place)
                 except InvalidArgument as error:
-                    raise invalid(
-                        f"states[{study.given_index(i)}]", f"cannot be placed: {error.message.removesuffix('.')}"
-                    ) from error
+                    raise invalid(f"states[{study.given_index(i)}]", f"cannot be placed: {error.message.removesuffix('.')}") from error
         return found
 
     @property
@@ -84,15 +82,7 @@ class Contributions:
         return groups
 
     def _add(
-        self,
-        i: int,
-        share: float,
-        patch: dict[str, Any],
-        answer: dict[str, Any],
-        law: int,
-        section: Section,
-        study: WearStudy,
-        place: StudyPlace,
+        self, i: int, share: float, patch: dict[str, Any], answer: dict[str, Any], law: int, section: Section, study: WearStudy, place: StudyPlace
     ) -> None:
         rows = [row for row in patch["solution"].get("wear", {}).get("rows", ()) if row["depths"][law] > 0]
         dy = patch["place"]["grid"]["dy"]
@@ -104,9 +94,7 @@ class Contributions:
             worn = share * float(depths.sum()) * dy
             self.contacts.append(LoadedRows(worn, patch["solution"]["forces"]["Fn"] / area, area / width, width))
         if self.part == study.tired_part and (tired := patch["solution"].get("fatigue", {})).get("rows"):
-            self.places[-1].append(
-                (patch, *rows_along(tired["rows"], patch, answer, i, section, study, place, self.part))
-            )
+            self.places[-1].append((patch, *rows_along(tired["rows"], patch, answer, i, section, study, place, self.part)))
 
 
 def rows_along(
@@ -125,9 +113,7 @@ def rows_along(
     if part == "wheel":
         position = {"y": state.position.y, "roll": state.position.roll, "yaw": state.position.yaw, "z": answer["z"]}
         x = patch["place"]["reference"]["x"]
-        points = rows_on_wheel(
-            y, z, x=x, position=position, origin=place.wheel_origin, radius=place.radius, left=place.left
-        )
+        points = rows_on_wheel(y, z, x=x, position=position, origin=place.wheel_origin, radius=place.radius, left=place.left)
         passages: Array = np.asarray(_KM / (2 * np.pi * (place.radius + points[:, 1])))
     else:
         points = rows_on_rail(y, z, origin=place.rail_origin, deviation=(state.rail.y, state.rail.z), left=place.left)
@@ -135,9 +121,7 @@ def rows_along(
     return section.nearest(points), passages
 
 
-def fatigue_of(
-    answers: Sequence[dict[str, Any]], wear: Contributions, study: WearStudy, distance: float
-) -> StepFatigue | None:
+def fatigue_of(answers: Sequence[dict[str, Any]], wear: Contributions, study: WearStudy, distance: float) -> StepFatigue | None:
     """What a distance makes the section bear, where the study asks for it."""
     if wear.part != study.tired_part:
         return None

@@ -64,11 +64,7 @@ class Dynamics:
 
 
 def evolve_with(
-    client: WheelRailClient,
-    study: WearStudy,
-    dynamics: Dynamics,
-    steps: Sequence[WornStep] | None = None,
-    **options: Any,
+    client: WheelRailClient, study: WearStudy, dynamics: Dynamics, steps: Sequence[WornStep] | None = None, **options: Any
 ) -> Iterator[WornStep]:
     """As evolve, with its options; the states are those that dynamics tell, stage by stage, and those of the study those of the
     first one (`states_of_stage`), which nothing else depends on. Raises InvalidArgument ("dynamics") for a program that fails."""
@@ -93,9 +89,7 @@ def evolve_with(
                 break
 
 
-def states_of_stage(
-    dynamics: Dynamics, stage: int, points: Mapping[str, Array], distance: float
-) -> list[WeightedState]:
+def states_of_stage(dynamics: Dynamics, stage: int, points: Mapping[str, Array], distance: float) -> list[WeightedState]:
     """The states of a stage: those of its folder, or new ones, which are then there. Raises InvalidArgument ("dynamics")."""
     folder = dynamics.folder / f"stage-{stage:03d}"
     path = folder / "states.csv"
@@ -112,9 +106,7 @@ def states_of_stage(
         return read_states(path)
     program = [*dynamics.states, str(folder)]
     try:
-        ended = subprocess.run(
-            program, stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace", check=False
-        )
+        ended = subprocess.run(program, stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace", check=False)
     except OSError as error:
         raise invalid("dynamics", f"cannot be started: {' '.join(program)}: {error.strerror}") from None
     if ended.returncode != 0:
@@ -144,9 +136,7 @@ def write_states(path: Path, states: Sequence[WeightedState]) -> None:
     table.writerow([*names, "weight", "group", "mu"])
     for one, row in zip(states, rows):
         numbers = [float(row[name]) for name in names]
-        table.writerow(
-            [*numbers, float(one.weight), " ".join(one.group.splitlines()), "" if one.mu is None else float(one.mu)]
-        )
+        table.writerow([*numbers, float(one.weight), " ".join(one.group.splitlines()), "" if one.mu is None else float(one.mu)])
     write_whole(path, lambda into: into.write(written.getvalue().encode()))
 
 
@@ -172,20 +162,12 @@ def _conicity(client: WheelRailClient, study: WearStudy, place: Any, step: WornS
 
 
 def _is_due(
-    client: WheelRailClient,
-    study: WearStudy,
-    place: Any,
-    dynamics: Dynamics,
-    done: Sequence[WornStep],
-    start: WornStep,
-    conicity: float,
+    client: WheelRailClient, study: WearStudy, place: Any, dynamics: Dynamics, done: Sequence[WornStep], start: WornStep, conicity: float
 ) -> bool:
     last = done[-1]
     behind = [step for step in done if step.number > start.number]
     depth = sum(max(float(step.of(part).depths.max()) for part in study.parts) for step in behind)
-    if depth >= dynamics.depth or (
-        dynamics.distance is not None and last.distance - start.distance >= dynamics.distance
-    ):
+    if depth >= dynamics.depth or (dynamics.distance is not None and last.distance - start.distance >= dynamics.distance):
         return True
     if dynamics.conicity is None:
         return False

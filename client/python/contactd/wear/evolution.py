@@ -83,9 +83,7 @@ def by_threads(client: WheelRailClient, workers: int, study: WearStudy) -> Solve
             try:
                 return dict(client.call("wheelrail.solve", requests[i]))
             except InvalidArgument as error:
-                raise invalid(
-                    f"states[{study.given_index(i)}]", f"cannot be solved: {error.message.removesuffix('.')}"
-                ) from error
+                raise invalid(f"states[{study.given_index(i)}]", f"cannot be solved: {error.message.removesuffix('.')}") from error
 
         found = []
         with ThreadPoolExecutor(workers) as pool:
@@ -101,19 +99,12 @@ def by_threads(client: WheelRailClient, workers: int, study: WearStudy) -> Solve
     return solve
 
 
-def next_step(
-    first: WornStep, last: WornStep, study: WearStudy, place: StudyPlace, answers: Sequence[dict[str, Any]]
-) -> WornStep:
+def next_step(first: WornStep, last: WornStep, study: WearStudy, place: StudyPlace, answers: Sequence[dict[str, Any]]) -> WornStep:
     """The step behind `last`, by the answers of all states on it; `first` has the new sections."""
-    wear = {
-        part: Contributions.of(answers, Section(last.of(part).points, part), study, place, part) for part in study.parts
-    }
+    wear = {part: Contributions.of(answers, Section(last.of(part).points, part), study, place, part) for part in study.parts}
     if not any(one.areas.sum() > 0 for one in wear.values()):
         raise invalid("states", "wear nothing off: no contact of them slips, or the law is zero there")
-    parts = {
-        part: PartStep(one.rates.sum(axis=0), one.size, one.contacts, place.modulus, study.depth, study.smoothing)
-        for part, one in wear.items()
-    }
+    parts = {part: PartStep(one.rates.sum(axis=0), one.size, one.contacts, place.modulus, study.depth, study.smoothing) for part, one in wear.items()}
     distance = common_distance(list(parts.values()), study.until - last.distance, study.distance)
     T_gamma = T_gamma_with_spin = pmax = 0.0
     warnings: list[str] = []
@@ -125,9 +116,7 @@ def next_step(
             pmax = max(pmax, patch["solution"]["pmax"])
         if not answer["converged"]:
             warnings.append(f"states[{study.given_index(i)}] did not converge.")
-    reached = (
-        study.until if math.isclose(last.distance + distance, study.until, rel_tol=1e-12) else last.distance + distance
-    )
+    reached = study.until if math.isclose(last.distance + distance, study.until, rel_tol=1e-12) else last.distance + distance
     made = []
     for part, step in parts.items():
         before, new = last.of(part), Section(first.of(part).points, part)
@@ -153,3 +142,5 @@ def _is_carried_by_few(areas: Any) -> bool:
     few = max(int(_FEW * len(areas)), 1)
     total = float(areas.sum())
     return len(areas) >= 10 and total > 0 and float(np.sort(areas)[-few:].sum()) > _MOST_BY_FEW * total
+
+

@@ -56,16 +56,11 @@ def wheel_gauge(points: npt.ArrayLike, back: float = _BACK) -> WheelGauge:
     """By (y, z) of a profile whose tape circle is at y = 0, z down (mm); `back` is y of the flange's back."""
     y, z = np.asarray(points, dtype=np.float64).T
     if not y.min() < 0 < y.max():
-        raise invalid(
-            "points", f"reach from y = {y.min():.4g} to {y.max():.4g} mm; the tape circle, y = 0, must be among them"
-        )
+        raise invalid("points", f"reach from y = {y.min():.4g} to {y.max():.4g} mm; the tape circle, y = 0, must be among them")
     tread, tip = float(np.interp(0.0, y, z)), int(z.argmax())
     below, above = tread + _BELOW_TREAD, float(z[tip]) - _BELOW_TIP
     if not above > below:
-        raise invalid(
-            "points",
-            f"have a flange of {z[tip] - tread:.4g} mm; its thickness is measured {_BELOW_TREAD:g} mm below the tape circle",
-        )
+        raise invalid("points", f"have a flange of {z[tip] - tread:.4g} mm; its thickness is measured {_BELOW_TREAD:g} mm below the tape circle")
     face = _crossing(y[tip:], z[tip:], below, "points")
     return WheelGauge(float(z[tip]) - tread, face - back, face - _crossing(y[tip:], z[tip:], above, "points"))
 
@@ -88,11 +83,7 @@ def rail_wear(new: npt.ArrayLike, worn: npt.ArrayLike) -> RailWear:
 
 
 def conicities(
-    client: WheelRailClient,
-    study: WearStudy,
-    place: StudyPlace,
-    step: WornStep,
-    amplitudes: tuple[float, ...] = (3.0, 5.0),
+    client: WheelRailClient, study: WearStudy, place: StudyPlace, step: WornStep, amplitudes: tuple[float, ...] = (3.0, 5.0)
 ) -> tuple[float, ...]:
     """The equivalent conicities (EN 15302), asked of a client, of a wheelset whose wheels, or on rails that, are worn alike; NaN where it does not
     swing."""

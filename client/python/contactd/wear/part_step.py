@@ -20,13 +20,7 @@ class PartStep:
     """A step of a section, of any distance up to its own."""
 
     def __init__(
-        self,
-        rate: Array,
-        size: float,
-        contacts: Sequence[LoadedRows],
-        modulus: float,
-        depth: float,
-        smoothing: float | str,
+        self, rate: Array, size: float, contacts: Sequence[LoadedRows], modulus: float, depth: float, smoothing: float | str
     ) -> None:
         """`rate` is what a unit of distance takes off cells of a `size` (mm), `depth` the largest of a step (mm)."""
         self._rate, self._size, self._modulus, self._depth, self._smoothing = rate, size, modulus, depth, smoothing

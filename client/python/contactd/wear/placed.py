@@ -43,9 +43,7 @@ class StudyPlace:
         """By the answer to `placed_profiles` of a set-up in the words of the wire."""
         placed = getattr(profiles, setup.get("side", "right"))
         self._track = dict(setup.get("track", {}))
-        self.points: dict[str, Array] = {
-            part: np.asarray(getattr(placed, part), dtype=np.float64) for part in ("wheel", "rail")
-        }
+        self.points: dict[str, Array] = {part: np.asarray(getattr(placed, part), dtype=np.float64) for part in ("wheel", "rail")}
         self.left = setup.get("side") == "left"
         self.wheel_origin = float(placed.wheel_origin)
         self.rail_origin = (float(placed.rail_origin.y), float(placed.rail_origin.z))

@@ -13,14 +13,7 @@ Array = npt.NDArray[np.float64]
 
 
 def rows_on_wheel(
-    y: npt.ArrayLike,
-    z: npt.ArrayLike,
-    *,
-    x: float,
-    position: dict[str, float],
-    origin: float,
-    radius: float,
-    left: bool = False,
+    y: npt.ArrayLike, z: npt.ArrayLike, *, x: float, position: dict[str, float], origin: float, radius: float, left: bool = False
 ) -> Array:
     """Points (y, z) in the wheel's profile of rows at y and z (mm) of the track, x from the wheelset along the track.
 
@@ -39,12 +32,7 @@ def rows_on_wheel(
 
 
 def rows_on_rail(
-    y: npt.ArrayLike,
-    z: npt.ArrayLike,
-    *,
-    origin: tuple[float, float],
-    deviation: tuple[float, float] = (0.0, 0.0),
-    left: bool = False,
+    y: npt.ArrayLike, z: npt.ArrayLike, *, origin: tuple[float, float], deviation: tuple[float, float] = (0.0, 0.0), left: bool = False
 ) -> Array:
     """Points (y, z) in the rail's profile, as cant turned it, of rows at y and z (mm) of the track. `origin` is where its
     origin stands, `deviation` what the rail is off by, in the track."""

@@ -36,9 +36,7 @@ class Section:
         none are farther apart. Raises InvalidArgument where they are no curve."""
         given = np.array(points, dtype=np.float64)
         if given.ndim != 2 or given.shape[1] != 2 or len(given) < 3:
-            raise invalid(
-                "points", f"has shape {list(given.shape)}; a section has three points (y, z) at least", "ARRAY_INVALID"
-            )
+            raise invalid("points", f"has shape {list(given.shape)}; a section has three points (y, z) at least", "ARRAY_INVALID")
         if not np.isfinite(given).all():
             raise invalid("points", "has numbers that are not finite", "ARRAY_INVALID")
         if given[-1, 0] < given[0, 0]:
@@ -93,9 +91,7 @@ class Section:
             return self
         fine = Section(_refined(self.points, 0.2 * spacing), self.body)
         places = np.linspace(0.0, fine.lengths[-1], max(len(self.points), round(fine.lengths[-1] / spacing) + 1))
-        return Section(
-            np.stack([np.interp(places, fine.lengths, column) for column in fine.points.T], axis=1), self.body
-        )
+        return Section(np.stack([np.interp(places, fine.lengths, column) for column in fine.points.T], axis=1), self.body)
 
     def area_above(self, other: Section) -> float:
         """The area between this section and what is left of it (mm^2), positive where matter is gone. Both have ends that lie

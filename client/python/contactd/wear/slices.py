@@ -74,14 +74,9 @@ def depths_along(
     for i, one in enumerate(states):
         piece = int(np.searchsorted(along, one.state.position.x, side="right")) - 1
         if not 0 <= piece < len(pmax):
-            raise invalid(
-                f"states[{i}].position.x",
-                f"is {one.state.position.x:g}, beyond the pieces, {along[0]:g} to {along[-1]:g} mm",
-            )
+            raise invalid(f"states[{i}].position.x", f"is {one.state.position.x:g}, beyond the pieces, {along[0]:g} to {along[-1]:g} mm")
         own = params if one.mu is None else {**params, "friction": {**(params.get("friction") or {}), "mu": one.mu}}
-        answer = client.call(
-            "wheelrail.solve", {"setup": own, "state": state_params(one.state, f"states[{i}]"), "fields": []}
-        )
+        answer = client.call("wheelrail.solve", {"setup": own, "state": state_params(one.state, f"states[{i}]"), "fields": []})
         weights[piece] += one.weight
         for patch in answer.get("patches", ()):
             pmax[piece] = max(pmax[piece], patch["solution"]["pmax"])
@@ -95,10 +90,7 @@ def depths_along(
                 share = covered / (2 * half) if half > 0 else np.zeros(len(covered))
                 depths[piece] += one.weight * row["depths"][0] * dy * share / np.diff(across)
     if worn and not depths.any():
-        raise invalid(
-            "y_edges",
-            f"reach from {across[0]:g} to {across[-1]:g} mm, and contacts wear from {min(worn):g} to {max(worn):g} mm: nothing is there",
-        )
+        raise invalid("y_edges", f"reach from {across[0]:g} to {across[-1]:g} mm, and contacts wear from {min(worn):g} to {max(worn):g} mm: nothing is there")
     return DepthMap(along, across, depths / np.where(weights > 0, weights, 1.0)[:, None], pmax)
 
 

@@ -54,9 +54,7 @@ def read_states(path: str | os.PathLike[str]) -> list[WeightedState]:
     try:
         head, rows = table_of(content.decode("utf-8-sig"))
     except UnicodeDecodeError:
-        raise invalid(
-            "states", "are no text in UTF-8; they are a file of CSV, or of HDF5 (.h5) or Parquet (.parquet)"
-        ) from None
+        raise invalid("states", "are no text in UTF-8; they are a file of CSV, or of HDF5 (.h5) or Parquet (.parquet)") from None
     except ValueError as error:
         raise invalid("states", f"cannot be read: {error}") from None
     if not head:
@@ -68,10 +66,7 @@ def states_of_columns(columns: Mapping[str, Iterable[Any]]) -> list[WeightedStat
     """The states of columns by their names, as read_states reads them. Raises InvalidArgument naming the column."""
     table = {name: list(values) for name, values in columns.items()}
     if len({len(values) for values in table.values()}) > 1:
-        raise invalid(
-            "states",
-            f"have columns of different lengths: {', '.join(f'{name} {len(values)}' for name, values in table.items())}",
-        )
+        raise invalid("states", f"have columns of different lengths: {', '.join(f'{name} {len(values)}' for name, values in table.items())}")
     weights = [name for name in ("weight", "distance") if name in table]
     if len(weights) != 1:
         which = "both weight and distance" if weights else "neither weight nor distance"
@@ -85,11 +80,7 @@ def states_of_columns(columns: Mapping[str, Iterable[Any]]) -> list[WeightedStat
         weight = _number(table[weights[0]][row], f"states[{row}].{weights[0]}")
         if weight < 0:
             raise invalid(f"states[{row}].{weights[0]}", f"is {weight:g}; it must be at least 0")
-        mu = (
-            _number(table["mu"][row], f"states[{row}].mu")
-            if "mu" in table and table["mu"][row] not in ("", None)
-            else None
-        )
+        mu = _number(table["mu"][row], f"states[{row}].mu") if "mu" in table and table["mu"][row] not in ("", None) else None
         states.append(WeightedState(state, weight, str(table["group"][row]) if "group" in table else "", mu))
     if not sum(one.weight for one in states) > 0:
         raise invalid("states", f"have no {weights[0]} together; it must be positive")
@@ -138,10 +129,7 @@ def _parquet_columns(path: str | os.PathLike[str]) -> dict[str, list[Any]]:
     try:
         from pyarrow import parquet  # type: ignore[import-not-found]
     except ImportError:
-        raise invalid(
-            "states",
-            f"are in {os.fspath(path)}, and Parquet is read by pyarrow, which is missing: pip install pyarrow, or write CSV",
-        ) from None
+        raise invalid("states", f"are in {os.fspath(path)}, and Parquet is read by pyarrow, which is missing: pip install pyarrow, or write CSV") from None
     import pyarrow
 
     try:
@@ -159,13 +147,8 @@ def _hdf5_columns(path: str | os.PathLike[str]) -> dict[str, list[Any]]:
     try:
         with h5py.File(path, "r") as file:
             if wrong := next((name for name in file if getattr(file[name], "ndim", 0) != 1), None):
-                raise invalid(
-                    "states", f"have {wrong}, which is no column; a dataset with one number or word a state is one"
-                )
+                raise invalid("states", f"have {wrong}, which is no column; a dataset with one number or word a state is one")
             columns = {name: file[name][()] for name in file}
     except OSError as error:
         raise invalid("states", f"are no file of HDF5 that can be read: {error}") from None
-    return {
-        name: [v.decode(errors="replace") if isinstance(v, bytes) else v for v in values.tolist()]
-        for name, values in columns.items()
-    }
+    return {name: [v.decode(errors="replace") if isinstance(v, bytes) else v for v in values.tolist()] for name, values in columns.items()}

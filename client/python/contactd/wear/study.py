@@ -22,10 +22,7 @@ __all__ = ["WearStudy"]
 Law = WearLaw | Mapping[str, Any]
 
 _MOST_STEPS = 1_000_000
-_SPACINGS = (
-    0.01,
-    10.0,
-)  #: mm; longer cells tell no contact from the next, and shorter ones take memory that nobody has
+_SPACINGS = (0.01, 10.0)  #: mm; longer cells tell no contact from the next, and shorter ones take memory that nobody has
 
 
 @dataclass(frozen=True)
@@ -70,25 +67,18 @@ class WearStudy:
     def __post_init__(self) -> None:
         """Raises InvalidArgument naming what makes no sense."""
         if self.wears not in ("wheel", "rail", "both"):
-            raise invalid(
-                "wears", f"is {self.wears!r}; it must be wheel or rail, where the other one stays as it is, or both"
-            )
+            raise invalid("wears", f"is {self.wears!r}; it must be wheel or rail, where the other one stays as it is, or both")
         self._check_laws()
         for name in ("until", "depth", "spacing", "distance", "passages_per_km"):
             value = getattr(self, name)
             if value is not None and not (math.isfinite(value) and value > 0):
                 raise invalid(name, f"is {value}; it must be positive")
         if self.distance is not None and self.until / self.distance > _MOST_STEPS:
-            raise invalid(
-                "distance",
-                f"is {self.distance:g} {self.unit}, which makes more than {_MOST_STEPS} steps of {self.until:g}",
-            )
+            raise invalid("distance", f"is {self.distance:g} {self.unit}, which makes more than {_MOST_STEPS} steps of {self.until:g}")
         if not _SPACINGS[0] <= self.spacing <= _SPACINGS[1]:
             raise invalid("spacing", f"is {self.spacing:g} mm; it must lie in [{_SPACINGS[0]:g}, {_SPACINGS[1]:g}]")
         if self.smoothing not in ("auto", "exponential_step") and not _is_length(self.smoothing):
-            raise invalid(
-                "smoothing", f"is {self.smoothing!r}; it must be auto, exponential_step, or a wavelength (mm)"
-            )
+            raise invalid("smoothing", f"is {self.smoothing!r}; it must be auto, exponential_step, or a wavelength (mm)")
         if not self.states or sum(one.weight for one in self.states) == 0:
             raise invalid("states", "are none, or have no weight together")
         for i, one in enumerate(self.states):
@@ -98,13 +88,9 @@ class WearStudy:
                 raise invalid(f"states[{i}].motion", f"is {one.state.motion}; wear is that of steady rolling")
             wheel = one.state.wheel
             if wheel.x or wheel.y or wheel.z or wheel.roll or wheel.yaw or one.state.rail.roll:
-                raise invalid(
-                    f"states[{i}]", "moves the wheel on its axle, or turns the rail; rows are placed without that"
-                )
+                raise invalid(f"states[{i}]", "moves the wheel on its axle, or turns the rail; rows are placed without that")
         if {"rail_slices", "wheel_slices"} & self.setup_params().keys():
-            raise invalid(
-                "setup", "has slices; profiles that are the same along the track, or round the wheel, can wear"
-            )
+            raise invalid("setup", "has slices; profiles that are the same along the track, or round the wheel, can wear")
 
     def _check_laws(self) -> None:
         for name, part in zip(("law", "rail_law"), self.parts) if self.wears == "both" else (("law", self.parts[0]),):
@@ -114,20 +100,14 @@ class WearStudy:
             if (of_law := self._law(name).get("body")) != body:
                 raise invalid(f"{name}.body", f"is {of_law}, and the {part} wears; its law is one of {body}")
         if self.wears == "both" and self._law("law").get("name") == self._law("rail_law").get("name"):
-            raise invalid(
-                "rail_law.name",
-                f"is {self._law('law').get('name')}, as that of the wheel's law; answers tell laws by their names",
-            )
+            raise invalid("rail_law.name", f"is {self._law('law').get('name')}, as that of the wheel's law; answers tell laws by their names")
         if self.wears == "both" and self.passages_per_km is None:
             raise invalid("passages_per_km", "is missing; say how many wheels pass the rail while a wheel runs a km")
         for name in ("rail_law", "passages_per_km"):
             if self.wears != "both" and getattr(self, name) is not None:
                 raise invalid(name, f"is given, and only the {self.wears} wears; it goes with wears both")
         if self.fatigue is not None and self.tired_part not in self.parts:
-            raise invalid(
-                "fatigue.body",
-                f"is that of the {self.tired_part}, and the {self.wears} wears; what it bears moves along it",
-            )
+            raise invalid("fatigue.body", f"is that of the {self.tired_part}, and the {self.wears} wears; what it bears moves along it")
 
     @property
     def parts(self) -> tuple[WornPart, ...]:
@@ -204,27 +184,16 @@ class WearStudy:
     def sourced(self) -> list[dict[str, Any]]:
         """All that has a name and a source: laws, strength, functions of damage."""
         fatigue = self._fatigue_params()
-        return [
-            *self.law_params(),
-            *([fatigue["strength"]] if fatigue.get("strength") else []),
-            *fatigue.get("damages", []),
-        ]
+        return [*self.law_params(), *([fatigue["strength"]] if fatigue.get("strength") else []), *fatigue.get("damages", [])]
 
     def described(self) -> dict[str, Any]:
         """What was asked for, but for where it ends, in the words of the wire."""
-        states = [
-            {"state": state_params(one.state, "state"), "weight": one.weight, "group": one.group, "mu": one.mu}
-            for one in self.states
-        ]
+        states = [{"state": state_params(one.state, "state"), "weight": one.weight, "group": one.group, "mu": one.mu} for one in self.states]
         described: dict[str, Any] = {
             "setup": self.setup_params(), "states": states, "wears": self.wears, "laws": self.law_params(), "depth": self.depth,
             "distance": self.distance, "smoothing": self.smoothing, "energy": self.energy, "spacing": self.spacing,
         }  # fmt: skip
-        more = {
-            "passages_per_km": self.passages_per_km,
-            "symmetric": self.symmetric or None,
-            "fatigue": self._fatigue_params() or None,
-        }
+        more = {"passages_per_km": self.passages_per_km, "symmetric": self.symmetric or None, "fatigue": self._fatigue_params() or None}
         return {**described, **{name: value for name, value in more.items() if value is not None}}
 
 

@@ -115,12 +115,8 @@ def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="bogie", description=(__doc__ or "").split("\n")[0])
     parser.add_argument("--endpoint", help="of a daemon that runs; default: solves in this process, or starts a daemon")
     parser.add_argument("--daemon", action="store_true", help="start a daemon also where this process could solve")
-    parser.add_argument(
-        "--fmu", type=Path, metavar="FILE", help="contactd_wheel of ./dev fmu, to solve the wheels at --speeds"
-    )
-    parser.add_argument(
-        "--integrator", choices=("exudyn", "runge-kutta"), default="exudyn", help="default: %(default)s"
-    )
+    parser.add_argument("--fmu", type=Path, metavar="FILE", help="contactd_wheel of ./dev fmu, to solve the wheels at --speeds")
+    parser.add_argument("--integrator", choices=("exudyn", "runge-kutta"), default="exudyn", help="default: %(default)s")
     parser.add_argument("--contacts", nargs="+", choices=SETUPS, default=list(SETUPS), help="default: all")
     parser.add_argument("--speeds", nargs="*", type=float, default=[50.0, 90.0], help="m/s; default: 50 90")
     parser.add_argument("--seconds", type=float, default=2.0, help="simulated; default: %(default)g")
@@ -128,9 +124,7 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=1, help="of the track's irregularities; default: %(default)s")
     parser.add_argument("--curve", action="store_true", help="into a curve of 600 m at 30 m/s")
     parser.add_argument("--energy", action="store_true", help="the balance of energy over a second")
-    parser.add_argument(
-        "--search", nargs=2, type=float, metavar=("LOW", "HIGH"), help="critical speeds between these (m/s)"
-    )
+    parser.add_argument("--search", nargs=2, type=float, metavar=("LOW", "HIGH"), help="critical speeds between these (m/s)")
     parser.add_argument("--output", type=Path, help="folder of the pictures; default: none are drawn")
     options = parser.parse_args()
     if not options.seconds > 0 or not all(speed >= 30 for speed in [*options.speeds, *(options.search or ())]):

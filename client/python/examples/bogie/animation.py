@@ -52,13 +52,9 @@ def animate(run: Run, path: Path) -> None:
             for side in (0, 1):
                 centre = np.array([x, y * STRETCH]) + (2 * side - 1) * HALF_GAUGE * across
                 along = np.array([1.0, yaw * STRETCH])
-                wheels[2 * axle + side].set_data(
-                    *np.transpose([centre - WHEEL * along / 2, centre + WHEEL * along / 2])
-                )
+                wheels[2 * axle + side].set_data(*np.transpose([centre - WHEEL * along / 2, centre + WHEEL * along / 2]))
         x, y, yaw = _place(run, number, 2, middle)
-        shapes[2].set_data(
-            FRAME[:, 0] - yaw * STRETCH * FRAME[:, 1], y * STRETCH + FRAME[:, 1] + yaw * STRETCH * FRAME[:, 0]
-        )
+        shapes[2].set_data(FRAME[:, 0] - yaw * STRETCH * FRAME[:, 1], y * STRETCH + FRAME[:, 1] + yaw * STRETCH * FRAME[:, 0])
         now.set_xdata([run.times[number]] * 2)
 
     FuncAnimation(figure, draw, frames=frames, blit=False).save(path, PillowWriter(fps=PICTURES), dpi=70)

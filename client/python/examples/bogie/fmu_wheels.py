@@ -37,7 +37,9 @@ class FmuWheels:
         with ExitStack() as stack:
             folder = stack.enter_context(TemporaryDirectory(prefix="contactd-bogie-"))
             fmpy.extract(str(archive), folder)
-            self._wheels = [stack.enter_context(_Wheel(folder, description, parameters_of(setup))) for setup in setups]
+            self._wheels = [
+                stack.enter_context(_Wheel(folder, description, parameters_of(setup))) for setup in setups
+            ]
             self._open = stack.pop_all()
 
     def __call__(self, states: Sequence[WheelRailState]) -> list[OnWheelset]:

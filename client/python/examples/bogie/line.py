@@ -74,10 +74,7 @@ class Line:
         s = guess
         for _ in range(3):  # Newton's steps: the first one is exact where the line is straight
             heading = self.heading(s)
-            forwards, across = (
-                np.array([np.cos(heading), np.sin(heading)]),
-                np.array([-np.sin(heading), np.cos(heading)]),
-            )
+            forwards, across = np.array([np.cos(heading), np.sin(heading)]), np.array([-np.sin(heading), np.cos(heading)])
             away = np.asarray(place)[:2] - self.place(s)[:2]
             s += float(away @ forwards / (1 - self.curvature * self.share(s) * (away @ across)))
         return s

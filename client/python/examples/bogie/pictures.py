@@ -55,11 +55,7 @@ def draw_curve(run: Run, ways: Array, forces: Array, path: Path) -> None:
         panels[1].plot(ways, run.places[every, axle], label=f"{name} wheelset")
         for side, dashes in ((0, "--"), (1, "-")):
             panels[2].plot(
-                ways,
-                forces[:, 2 * axle + side, 1] / 1000,
-                dashes,
-                color=f"C{axle}",
-                label=f"{name}, {('left', 'right')[side]}",
+                ways, forces[:, 2 * axle + side, 1] / 1000, dashes, color=f"C{axle}", label=f"{name}, {('left', 'right')[side]}"
             )
     panels[1].set(ylabel="y (mm)")
     panels[2].set(ylabel="lateral force on the rail (kN)", xlabel="way of the frame (m)")

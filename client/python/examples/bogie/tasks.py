@@ -84,9 +84,7 @@ def search(
     """Critical speeds by simulations and by eigenvalues. Raises ValueError where they are not between both speeds."""
     critical, curves = {}, {}
     for contact in contacts:
-        critical[contact] = simulated(
-            client, contact, *between, seconds, integrate, lambda text: print(text, flush=True)
-        )
+        critical[contact] = simulated(client, contact, *between, seconds, integrate, lambda text: print(text, flush=True))
         print(f"{contact}: critical speed {critical[contact]:.1f} m/s, from 3 mm on straight track", flush=True)
         growth = small_motions(client, contact)
         curves[contact] = [(float(speed), growth(speed).real) for speed in np.linspace(*between, 9)]

@@ -46,9 +46,7 @@ def stages_of(client: Client, folder: Path, contact: str, low: float, high: floa
     found = []
     for place in places:
         distance = float((place / "distance.txt").read_text())
-        found.append(
-            _stage(small_motions(client, contact, ProfileFile(place / "wheel.prw")), distance, low, high, tolerance)
-        )
+        found.append(_stage(small_motions(client, contact, ProfileFile(place / "wheel.prw")), distance, low, high, tolerance))
         critical = found[-1].critical
         written = f"{critical:.1f} m/s" if critical is not None else f"not between {low:g} and {high:g} m/s"
         print(f"{distance:g} km: critical speed {written}", flush=True)
@@ -95,12 +93,8 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="wear_critical.py", description=(__doc__ or "").split("\n")[0])
     parser.add_argument("folder", type=Path, help="with stage-000 and so on; critical.csv is written there")
     parser.add_argument("--contact", choices=SETUPS, default="fastsim", help="default: %(default)s")
-    parser.add_argument(
-        "--between", type=float, nargs=2, metavar=("LOW", "HIGH"), default=(40.0, 120.0), help="speeds (m/s)"
-    )
-    parser.add_argument(
-        "--tolerance", type=float, default=0.25, help="of the critical speed (m/s); default: %(default)g"
-    )
+    parser.add_argument("--between", type=float, nargs=2, metavar=("LOW", "HIGH"), default=(40.0, 120.0), help="speeds (m/s)")
+    parser.add_argument("--tolerance", type=float, default=0.25, help="of the critical speed (m/s); default: %(default)g")
     parser.add_argument("--picture", type=Path, help="where it is drawn, such as critical.png")
     options = parser.parse_args()
     low, high = options.between

@@ -52,9 +52,7 @@ class HeardWheels:
         self._wheels.__exit__(None, None, None)
 
 
-def run(
-    client: Client, wheel: ProfileFile, line: Line, track: Track, speed: float, seconds: float
-) -> list[WheelRailState]:
+def run(client: Client, wheel: ProfileFile, line: Line, track: Track, speed: float, seconds: float) -> list[WheelRailState]:
     """The states of the leading right wheel, in the order that they were asked for."""
     kept: list[WheelRailState] = []
 
@@ -69,9 +67,7 @@ def run(
     return kept
 
 
-def states_of(
-    client: Client, wheel: ProfileFile, speed: float, seconds: float, count: int, radius: float
-) -> list[WeightedState]:
+def states_of(client: Client, wheel: ProfileFile, speed: float, seconds: float, count: int, radius: float) -> list[WeightedState]:
     """States on straight track, four fifths of the distance, and in a curve to each side (m)."""
     parts = [
         ("straight", 0.8, Line(), IrregularTrack(), speed),

@@ -211,21 +211,12 @@ def main() -> int:
     warnings.simplefilter("ignore", ContactWarning)  # grids are as coarse as those of what is compared with
     parser = argparse.ArgumentParser(prog="demo", description=(__doc__ or "").split("\n\n")[0])
     parser.add_argument(
-        "what",
-        nargs="?",
-        choices=["cattaneo", "wheelrail", "profiles", "conformal"],
-        default="cattaneo",
-        help="what to show (cattaneo)",
+        "what", nargs="?", choices=["cattaneo", "wheelrail", "profiles", "conformal"], default="cattaneo", help="what to show (cattaneo)"
     )
     parser.add_argument(
         "--bin", type=Path, default=Path("build/production/bin"), help="folder with contactd, contactd-ic"
     )
-    parser.add_argument(
-        "--output",
-        type=Path,
-        default=Path("contactd-demo.png"),
-        help="where the picture goes (PNG); of profiles, its folder gets four",
-    )
+    parser.add_argument("--output", type=Path, default=Path("contactd-demo.png"), help="where the picture goes (PNG); of profiles, its folder gets four")
     options = parser.parse_args()
     # So that the daemon is stopped whatever ends the demo.
     signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(128 + number))

@@ -188,11 +188,7 @@ def edge_at(client: Client, distance: float) -> Edge:
             grid=grid, upper=RigidBody(), lower=STEEL, lower_ics=ics, gap=Paraboloid(BALL, BALL), Fn=LOAD, timeout=600
         )
 
-    return Edge(
-        grid,
-        solve(AnalyticIcs()),
-        solve(FemIcs(body="longitudinally_uniform", section={"edge_block": BLOCK}, accuracy=1e-2)),
-    )
+    return Edge(grid, solve(AnalyticIcs()), solve(FemIcs(body="longitudinally_uniform", section={"edge_block": BLOCK}, accuracy=1e-2)))
 
 
 def more(value: float, reference: float) -> float:
@@ -204,7 +200,5 @@ def edge_checks(edges: dict[float, Edge]) -> list[Check]:
     for distance, edge in edges.items():
         found = more(edge.block.pmax, edge.half_space.pmax), more(edge.block.approach, edge.half_space.approach)
         off = max(np.abs(np.subtract(found, DISTANCES[distance])))
-        checks.append(
-            (bool(off <= 0.03), f"{f'{distance:g} mm from the edge, against a prototype':42} {off:8.1e}, at most 0.03")
-        )
+        checks.append((bool(off <= 0.03), f"{f'{distance:g} mm from the edge, against a prototype':42} {off:8.1e}, at most 0.03"))
     return checks

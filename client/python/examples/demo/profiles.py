@@ -38,15 +38,9 @@ def rail_60e1(slope: float) -> Curve:
     """The head, inclined towards y < 0, its top at z = 0."""
     y, z, angle = 0.0, 0.0, 0.0
     half = [(y, z)]
-    for radius, end in (
-        (300, math.asin(10.5 / 300)),
-        (80, math.asin(0.035 + (25.988 - 10.5) / 80)),
-        (13, math.atan(20)),
-    ):
+    for radius, end in ((300, math.asin(10.5 / 300)), (80, math.asin(0.035 + (25.988 - 10.5) / 80)), (13, math.atan(20))):
         angles = np.linspace(angle, end, 60)[1:]
-        half += [
-            (y + radius * (math.sin(a) - math.sin(angle)), z + radius * (math.cos(angle) - math.cos(a))) for a in angles
-        ]
+        half += [(y + radius * (math.sin(a) - math.sin(angle)), z + radius * (math.cos(angle) - math.cos(a))) for a in angles]
         (y, z), angle = half[-1], end
     half.append((y + 1, z + 20))
     right = np.array(half)

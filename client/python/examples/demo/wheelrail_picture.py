@@ -62,9 +62,7 @@ def _draw_profiles(axes: Any, side: str, solutions: list[WheelRailSolution]) -> 
                 along = np.linspace(y_from, y_to, 20)
                 height = np.interp(along, rail[:, 0], rail[:, 1])
                 axes.plot(along, height, color=colours(y / SHIFTS[-1]), lw=3.2, solid_capstyle="butt")
-    axes.set(
-        xlabel="y (mm)", ylabel="z (mm)", title=f"{side} wheel: the contacts, and the wheel at both ends of the way"
-    )
+    axes.set(xlabel="y (mm)", ylabel="z (mm)", title=f"{side} wheel: the contacts, and the wheel at both ends of the way")
     centre = rail[:, 0].mean()
     axes.set(xlim=(centre - 46, centre + 46), ylim=(31, -8), aspect="equal")
     return matplotlib.cm.ScalarMappable(plt.Normalize(0, SHIFTS[-1]), colours)
@@ -94,20 +92,10 @@ def _draw_pressures(axes: Any, sweep: Sweep) -> None:
     for side, solutions in sweep.items():
         values = [max(patch.solution.pmax for patch in solution.patches) / 1000 for solution in solutions]
         axes.plot(SHIFTS, values, color=COLOURS[side], lw=1.4, label=f"$p_{{max}}$ (kN/mm$^2$), {side}")
-        axes.plot(
-            SHIFTS,
-            [each.pmax / 1000 for each in KNOWN[side]],
-            "o",
-            mfc="none",
-            color=COLOURS[side],
-            ms=5,
-            clip_on=False,
-        )
+        axes.plot(SHIFTS, [each.pmax / 1000 for each in KNOWN[side]], "o", mfc="none", color=COLOURS[side], ms=5, clip_on=False)
         angles = [abs(solution.patches[0].place.reference.angle) for solution in solutions]
         axes.plot(SHIFTS, angles, "--", color=COLOURS[side], lw=1.4, label=f"angle (rad), {side}")
-        axes.plot(
-            SHIFTS, [abs(each.angle) for each in KNOWN[side]], "o", mfc="none", color=COLOURS[side], ms=5, clip_on=False
-        )
+        axes.plot(SHIFTS, [abs(each.angle) for each in KNOWN[side]], "o", mfc="none", color=COLOURS[side], ms=5, clip_on=False)
     _finish(axes, "kN/mm$^2$, rad", "Largest pressure, and size of the contact angle")
 
 

@@ -24,9 +24,7 @@ def draw_growth(curves: Mapping[str, Sequence[tuple[float, float]]], critical: M
         style: dict[str, Any] = {"color": COLOURS[contact], "lw": WIDTHS[contact]}
         panel.plot(*np.transpose(curve), marker=".", label=f"{contact}, small motions", **style)
         if contact in critical:
-            panel.axvline(
-                critical[contact], ls="--", label=f"{contact}, simulated: {critical[contact]:.1f} m/s", **style
-            )
+            panel.axvline(critical[contact], ls="--", label=f"{contact}, simulated: {critical[contact]:.1f} m/s", **style)
     panel.axhline(0, color="0.4", lw=0.8)
     panel.set(xlabel="speed (m/s)", ylabel="growth of hunting (1/s)")
     panel.grid(alpha=0.3)

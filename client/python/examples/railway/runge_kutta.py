@@ -9,9 +9,7 @@ import numpy as np
 from .motion import Array
 
 
-def integrate(
-    rates: Callable[[float, Array], Array], state: Array, duration: float, step: float
-) -> tuple[Array, Array]:
+def integrate(rates: Callable[[float, Array], Array], state: Array, duration: float, step: float) -> tuple[Array, Array]:
     """Times (s), shape [n], and states, shape [n, ...], from `state` on; `rates` of time and state are its derivative, which
     are asked for four times a step."""
     count = round(duration / step)

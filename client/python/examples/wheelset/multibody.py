@@ -112,9 +112,7 @@ def _motion(wheelset: Wheelset, time: float, place: Array, angles: Array, veloci
     yaw, roll = float(angles[0]), float(angles[1])
     roll_rate, pitch_rate, yaw_rate = (float(value) for value in axes(roll, yaw).T @ np.asarray(rates)[TO_TRACK])
     speed = wheelset.speed
-    return Motion(
-        wheelset.gone + speed * time + x, y, z, roll, yaw, vx + speed, vy, vz, roll_rate, pitch_rate, yaw_rate
-    )
+    return Motion(wheelset.gone + speed * time + x, y, z, roll, yaw, vx + speed, vy, vz, roll_rate, pitch_rate, yaw_rate)
 
 
 def _states(wheelset: Wheelset, *measured: Array) -> tuple[Array, Array]:

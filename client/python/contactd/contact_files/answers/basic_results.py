@@ -65,11 +65,7 @@ class BasicResult:
     def of(cls, contact: BasicContact, solution: ContactSolution, stresses: Stresses) -> BasicResult:
         """The solution has displacements, unless its model is a simplified one. `stresses` makes those below the surface."""
         grid, case = contact.area.grid, contact.case
-        pressure = (
-            _parabola(contact, solution)
-            if is_parabolic(case) and contact.problem.normal_model is None
-            else solution.pressure
-        )
+        pressure = _parabola(contact, solution) if is_parabolic(case) and contact.problem.normal_model is None else solution.pressure
         tractions = np.stack([solution.traction_x, solution.traction_y, pressure])
         energy = (solution.elastic_energy or 0.0) * _PER_THOUSAND
         lost = solution.frictional_power if case.digits["T"] > 1 else solution.frictional_work
@@ -163,9 +159,7 @@ class BasicResult:
         moves = "CREEP" if self.contact.case.digits["T"] >= 2 else "SHIFT"
         found = {f"{moves} {axis}": motion for axis, motion in zip("XY", self.creepage) if f"F{axis}" in values}
         has_friction = self.contact.case.digits["T"] > 0
-        adhesion, (slip, plastic) = (
-            (counts.adhesion, plastic_elements(solution)) if has_friction else (counts.contact, (0, 0))
-        )
+        adhesion, (slip, plastic) = (counts.adhesion, plastic_elements(solution)) if has_friction else (counts.contact, (0, 0))
         flows = {} if solution.flow_x is None else {"NPLAST": plastic}
         return {
             "FN": self._normal_force, "FX": self.fx, "FY": self.fy, "MZ": self.mz, "ELAST.EN.": self.elastic_energy,

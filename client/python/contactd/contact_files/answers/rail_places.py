@@ -83,9 +83,7 @@ def _on_axle(contact: RailContact) -> tuple[float, float]:
     wheelset = contact.setup.wheelset
     assert wheelset is not None and wheelset.nominal_radius is not None
     assert wheelset.flange_back_distance is not None and wheelset.flange_back_position is not None
-    return wheelset.nominal_radius, _outwards(contact) * (
-        wheelset.flange_back_distance / 2 - wheelset.flange_back_position
-    )
+    return wheelset.nominal_radius, _outwards(contact) * (wheelset.flange_back_distance / 2 - wheelset.flange_back_position)
 
 
 def _rail_rotation(contact: RailContact) -> float:

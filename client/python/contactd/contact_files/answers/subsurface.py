@@ -68,9 +68,7 @@ class StressField:
         return np.asarray(self.principal[2] - self.principal[0])
 
 
-def stress_field(
-    block: Mapping[str, Any], grid: Grid, tractions: Floats, pair: Pair, stresses: Stresses
-) -> StressField:
+def stress_field(block: Mapping[str, Any], grid: Grid, tractions: Floats, pair: Pair, stresses: Stresses) -> StressField:
     """Makes the field of a block of points as it was read. `tractions` act on body 1, along x, y and z, shape [3, ny, nx]."""
     x, y, z = _places(block, grid)
     displacement, stress = np.zeros((len(z), len(y), len(x), 3)), np.zeros((6, len(z), len(y), len(x)))

@@ -36,10 +36,7 @@ def mat_texts(result: BasicResult | RailResult) -> Iterator[tuple[str, str]]:
     for index, patch in enumerate(result.patches):
         creepages = patch.place.creepages
         motion = (creepages.chi, result.contact.step, creepages.velocity)
-        yield (
-            LETTERS[index % len(LETTERS)],
-            _text(case, patch_places(result, patch, index + 1), motion, result.elements_of(patch)),
-        )
+        yield LETTERS[index % len(LETTERS)], _text(case, patch_places(result, patch, index + 1), motion, result.elements_of(patch))
 
 
 def _text(case: Any, places: PatchPlaces, motion: tuple[float, float, float], elements: Elements) -> str:
@@ -91,17 +88,7 @@ def _elements(elements: Elements, in_contact_only: bool) -> Iterator[str]:
     chosen = np.flatnonzero(flat) if in_contact_only else np.arange(flat.size)
     slip = np.hypot(*elements.slip)
     displacement = elements.displacement
-    columns = [
-        elements.h,
-        elements.mu,
-        elements.pressure,
-        *elements.traction,
-        displacement[2],
-        displacement[0],
-        displacement[1],
-        slip,
-        *(elements.layer or ()),
-    ]
+    columns = [elements.h, elements.mu, elements.pressure, *elements.traction, displacement[2], displacement[0], displacement[1], slip, *(elements.layer or ())]
     columns += elements.temperature or ()
     table = np.stack([column.ravel() for column in columns], axis=1)
     for index in chosen:

@@ -15,7 +15,6 @@ from .out_text import case_head, digits, g_row, gs_row, interfacial_layer, row, 
 
 __all__ = ["basic_lines"]
 
-
 def basic_lines(result: BasicResult) -> list[str]:
     """All lines of a case, by its digit O."""
     case = result.contact.case
@@ -47,6 +46,7 @@ def basic_lines(result: BasicResult) -> list[str]:
         for number, below in enumerate(result.stresses, 1):
             lines += ["", *extremes(below, number)]
     return lines
+
 
 
 def _sentences(result: BasicResult) -> Iterator[str]:

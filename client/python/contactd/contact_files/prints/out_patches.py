@@ -30,12 +30,7 @@ def patch_lines(result: RailResult, patch: WheelRailPatch, number: int) -> list[
     lines += ["", *_motion(result, patch)]
     lines += ["", " TOTAL FORCES, TORSIONAL MOMENT, ELASTIC ENERGY, FRICTIONAL POWER", *_totals(result, patch)]
     numbers = result.numbers_of(patch)
-    lines += [
-        "",
-        *statistics_lines(
-            [int(numbers[name]) for name in ("NPOT", "NCON", "NADH", "NSLIP", "NPLAST") if name in numbers], 1, 1
-        ),
-    ]
+    lines += ["", *statistics_lines([int(numbers[name]) for name in ("NPOT", "NCON", "NADH", "NSLIP", "NPLAST") if name in numbers], 1, 1)]
     elements = result.elements_of(patch)
     if level >= 3:
         lines += ["", *division(elements)]

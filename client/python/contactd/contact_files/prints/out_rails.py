@@ -87,11 +87,7 @@ def _set_up(result: RailResult) -> Iterator[str]:
     if digit["Z"] in (1, 3):
         yield from ("", *_track(values))
     if digit["Z"] >= 2 and any(values[name] != 0 for name in _DEVIATIONS):
-        yield from (
-            "",
-            f" {base} IRREGULARITY",
-            "     DYRAIL      DZRAIL      DROLLR      VYRAIL      VZRAIL      VROLLR",
-        )
+        yield from ("", f" {base} IRREGULARITY", "     DYRAIL      DZRAIL      DROLLR      VYRAIL      VZRAIL      VROLLR")
         placed = [fixed(values[name], 12, 4) for name in _DEVIATIONS[:3]]
         yield row([*placed, *(general(values[name]) for name in _DEVIATIONS[3:])])
     if digit["E"] in (3, 5):
@@ -106,9 +102,7 @@ def _materials(values: Mapping[str, Any]) -> Iterator[str]:
     yield "     NU          G           AK          EPS"
     yield row([fortran_g(pair.nu), general(pair.G), fortran_g(pair.difference), general(values["EPS"])])
     yield from ("", "    POISS(R)    POISS(W)     GG(R)       GG(W)")
-    yield row(
-        [fortran_g(values["POISS1"]), fortran_g(values["POISS2"]), general(values["GG1"]), general(values["GG2"])]
-    )
+    yield row([fortran_g(values["POISS1"]), fortran_g(values["POISS2"]), general(values["GG1"]), general(values["GG2"])])
 
 
 def _friction(result: RailResult) -> Iterator[str]:

@@ -63,30 +63,20 @@ def _rolls_along_x(case: Case) -> bool:
 
 _BOTH = (
     _digit("tractions from the pressures of the case before", "P", 1),
-    _Feature(
-        "viscoelastic bodies but in steady rolling along x (M = 1, T < 3, CHI)",
-        lambda case: case.module == 3 and case.digits["M"] == 1 and not _rolls_along_x(case),
-    ),
-    _Feature(
-        "FASTSIM or FaStrip without Hertz's contact (M = 3, 5, IPOTCN > 0)",
-        lambda case: _is_simplified(case) and _has_no_ellipse(case),
-    ),
+    _Feature("viscoelastic bodies but in steady rolling along x (M = 1, T < 3, CHI)",
+             lambda case: case.module == 3 and case.digits["M"] == 1 and not _rolls_along_x(case)),
+    _Feature("FASTSIM or FaStrip without Hertz's contact (M = 3, 5, IPOTCN > 0)",
+             lambda case: _is_simplified(case) and _has_no_ellipse(case)),
     _digit("FASTSIM of one flexibility", "M", 2),
     _digit("trials of the simplified theory", "M", 6, 7),
-    _Feature(
-        "friction by temperature without heat (L = 6, H = 0)",
-        lambda case: case.values.get("FRCLAW") == 6 and case.digits["T"] > 0 and not _has_heat(case),
-    ),
-    _Feature(
-        "memory of friction by temperature (L = 6, MEMDST)",
-        lambda case: case.values.get("FRCLAW") == 6 and case.values.get("MEMDST", 0) > 0,
-    ),
+    _Feature("friction by temperature without heat (L = 6, H = 0)",
+             lambda case: case.values.get("FRCLAW") == 6 and case.digits["T"] > 0 and not _has_heat(case)),
+    _Feature("memory of friction by temperature (L = 6, MEMDST)",
+             lambda case: case.values.get("FRCLAW") == 6 and case.values.get("MEMDST", 0) > 0),
     _Feature("damping (M2)", _is_damped),
     _Feature("heat of an interfacial layer (H, M = 4)", lambda case: _has_heat(case) and case.digits["M"] == 4),
-    _Feature(
-        "surface temperature under bilinear tractions (H, C = 3)",
-        lambda case: _has_heat(case) and case.values.get("INFLCF") == 3,
-    ),
+    _Feature("surface temperature under bilinear tractions (H, C = 3)",
+             lambda case: _has_heat(case) and case.values.get("INFLCF") == 3),
 )
 
 _BASIC = (

@@ -49,15 +49,15 @@ def coefficients(values: Mapping[str, Any], sets: Sequence[Set], grid: Grid) -> 
     return np.repeat(np.array(rows)[:, None], grid.nx, axis=1), fall
 
 
-def coefficients_of_sets(values: Mapping[str, Any], sets: Sequence[Set]) -> tuple[list[float], KineticFriction | None]:
+def coefficients_of_sets(
+    values: Mapping[str, Any], sets: Sequence[Set]
+) -> tuple[list[float], KineticFriction | None]:
     """Coefficients at rest, and the fall that all sets have. Raises Missing where they do not all fall alike.
 
     INISLP < 0 lets the slip start at VELOC, which finds another solution where there are several."""
     law = values["FRCLAW"]
     start: SlipStart | None = "full_slip" if values.get("INISLP", 0) < 0 else None
-    memory = (
-        FrictionMemory(values["MEMDST"], values["MEM_S0"]) if law in _LAWS and values.get("MEMDST", 0) > 0 else None
-    )
+    memory = FrictionMemory(values["MEMDST"], values["MEM_S0"]) if law in _LAWS and values.get("MEMDST", 0) > 0 else None
     falls = [_fall(law, one, start, memory) for one in sets]
     if any(fall != falls[0] for fall in falls):
         raise Missing("falling friction that is another one from place to place (V)")

@@ -56,9 +56,7 @@ def ellipse_of_axes(aa: float, bb: float, load: Load) -> Ellipse:
     """The ellipse with these semi-axes."""
     rf = _rf(0, aa * aa, bb * bb)
     strength = load.value / rf if not load.is_force else load.value * load.compliance * 3 / (2 * math.pi)
-    return Ellipse(
-        strength / 3 * _rd(0, bb * bb, aa * aa), strength / 3 * _rd(0, aa * aa, bb * bb), aa, bb, strength * rf
-    )
+    return Ellipse(strength / 3 * _rd(0, bb * bb, aa * aa), strength / 3 * _rd(0, aa * aa, bb * bb), aa, bb, strength * rf)
 
 
 def ellipse_of_ratio(a1: float, ratio: float, load: Load) -> Ellipse:
@@ -121,7 +119,5 @@ def _rd(x: float, y: float, z: float) -> float:
     ea, eb = dx * dy, dz * dz
     ec, ed = ea - eb, ea - 6 * eb
     ef = ed + 2 * ec
-    series = (
-        1 + ed * (-3 / 14 + 9 / 88 * ed - 9 / 52 * dz * ef) + dz * (ef / 6 + dz * (-9 / 22 * ec + dz * 3 / 26 * ea))
-    )
+    series = 1 + ed * (-3 / 14 + 9 / 88 * ed - 9 / 52 * dz * ef) + dz * (ef / 6 + dz * (-9 / 22 * ec + dz * 3 / 26 * ea))
     return 3 * total + share * series / (mean * math.sqrt(mean))

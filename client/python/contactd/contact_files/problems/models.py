@@ -15,10 +15,7 @@ __all__ = ["is_parabolic", "models_of", "without_memory"]
 
 _PARABOLIC = 3
 _NORMAL: dict[int, NormalModel] = {4: "elliptic", 5: "kpec", 6: "analyn"}
-_PRESCRIBED: dict[int, NormalModel] = {
-    2: "elliptic",
-    3: "parabolic",
-}  #: of the full theory; simplified ones bound by them
+_PRESCRIBED: dict[int, NormalModel] = {2: "elliptic", 3: "parabolic"}  #: of the full theory; simplified ones bound by them
 _TANGENTIAL: dict[int, Model] = {3: "fastsim", 5: "fastrip"}
 
 
@@ -45,9 +42,7 @@ def models_of(case: Case) -> dict[str, Any]:
     k0, alpha, beta = (case.values[name] for name in ("K0", "ALFA", "BETA"))
     slope = SlopeReduction(k0, alpha, beta) if (k0, alpha) != (1, 1) else None
     is_fastsim = model == "fastsim"
-    bound: TractionBound | None = (
-        "elliptic" if is_fastsim and not is_parabolic(case) and "normal_model" not in found else None
-    )
+    bound: TractionBound | None = "elliptic" if is_fastsim and not is_parabolic(case) and "normal_model" not in found else None
     found["simplified"] = SimplifiedSettings(
         slope=slope, bound=bound, on_elements=True if is_fastsim else None, blended=True, coefficients="printed"
     )

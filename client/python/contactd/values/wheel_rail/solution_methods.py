@@ -57,9 +57,7 @@ class WheelsetSolutionMethods(Saved, Shown):
         rows: Rows = [("z", self.z), ("roll", self.roll)]
         for name, wheel in (("left", self.left), ("right", self.right)):
             track = wheel.forces.track
-            rows.append(
-                (name, f"{len(wheel.patches)} patches, Fx {track.Fx:.5g}, Fy {track.Fy:.5g}, Fz {track.Fz:.5g}")
-            )
+            rows.append((name, f"{len(wheel.patches)} patches, Fx {track.Fx:.5g}, Fy {track.Fy:.5g}, Fz {track.Fz:.5g}"))
         return [*rows, ("converged", "yes" if self.converged else "NO")]
 
     def _remarks(self: Any) -> tuple[str, ...]:
