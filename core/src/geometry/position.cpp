@@ -324,8 +324,9 @@ bool Position::measure(CandidatePatch& found, double z) const {
     place.creepages = creepages(wheel, rail_, state_, place.reference, place.approach);
     const bool by_elements = setup_.rigid_slip == RigidSlipKind::elements;
     if (!place.rows.empty() || by_elements) {
-        auto [fitted, rest] = curved_slip(wheel, rail_, state_, place, heights, found.gap, rail_share(setup_.bodies),
-                                          place.creepages, by_elements ? spin_ahead(place.creepages.velocity) : 0);
+        auto [fitted, rest] =
+            curved_slip(wheel, rail_, state_, place, heights, found.gap, rail_share(setup_.bodies), place.creepages,
+                        by_elements ? SlipConvention{spin_ahead(place.creepages.velocity), true} : SlipConvention{});
         place.creepages = fitted;
         found.additional_slip = std::move(rest);
     } else if (setup_.rigid_slip == RigidSlipKind::surfaces) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "geometry/conformal/curved_rows.hpp"
@@ -19,9 +20,10 @@ struct Slip {
 /// Both surfaces, at points that face each other.
 class FacingSurfaces {
    public:
-    /// `along_track` is how fast the contact moves there: seen from it both surfaces run through it.
+    /// `along_track` is how fast the contact moves there: seen from it both surfaces run through it, and lean; none
+    /// where they do not lean.
     FacingSurfaces(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state, double rail_share,
-                   double velocity, double along_track)
+                   double velocity, std::optional<double> along_track)
         : wheel_(wheel),
           rail_(rail),
           state_(state),
@@ -33,20 +35,23 @@ class FacingSurfaces {
         const Vector3 ground = of_rail(rail_, state_, on_rail).velocity;
         const Vector3 rim = of_wheel(wheel_, state_, on_wheel).velocity;
         const Rotation axes = Rotation::roll(angle);
-        const Vector3 moving{along_track_, 0, 0};
+        const Vector3 over = ground - rim;
+        const double across = dot(over, axes.y) / velocity_;
+        if (!along_track_) return {over.x / velocity_, across};
+        const Vector3 moving{*along_track_, 0, 0};
         const Vector3 through = rail_share_ * (ground - moving) + (1 - rail_share_) * (rim - moving);
         const double x = through.x, n = dot(through, axes.z), length = std::hypot(x, n);
-        const Vector3 over = ground - rim;
         const double lean_x = length > 0 ? std::abs(x) / length : 1;
         const double lean_n = length > 0 ? std::copysign(n, x * n) / length : 0;
-        return {(over.x * lean_x + dot(over, axes.z) * lean_n) / velocity_, dot(over, axes.y) / velocity_};
+        return {(over.x * lean_x + dot(over, axes.z) * lean_n) / velocity_, across};
     }
 
    private:
     const WheelSurface& wheel_;
     const RailSurface& rail_;
     const WheelRailState& state_;
-    double rail_share_, velocity_, along_track_;
+    double rail_share_, velocity_;
+    std::optional<double> along_track_;
 };
 
 /// w_x = xi - phi y, w_y = eta + phi x.
@@ -77,7 +82,7 @@ class CreepageFit {
 
 CurvedSlip curved_slip(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state,
                        const ContactPlace& place, const SurfaceHeights& heights, const std::vector<double>& gap,
-                       double rail_share, const Creepages& from, double spin_ahead) {
+                       double rail_share, const Creepages& from, const SlipConvention& convention) {
     const Grid& grid = place.grid;
     CurvedSlip result{from, {std::vector<double>(grid.size()), std::vector<double>(grid.size())}};
     if (!(from.velocity > 0)) return result;
@@ -87,11 +92,13 @@ CurvedSlip curved_slip(const WheelSurface& wheel, const RailSurface& rail, const
     const PlanePoints points =
         curved ? PlanePoints(grid, CurvedRows{.rows = place.rows}.in_plane(place.reference)) : PlanePoints(grid);
     const auto& [of_rail_surface, of_wheel_surface] = heights;
-    // The contact moves along a rail and stays on a roller; in a shift it moves with the velocity of that.
-    const double along_track = rail.axle() ? 0 : rolls ? state.velocity.x : result.creepages.velocity;
+    // The contact moves along a rail and stays on a roller.
+    std::optional<double> along_track;
+    if (rolls) along_track = rail.axle() ? 0 : state.velocity.x;
+    if (!rolls && convention.leans_in_shifts) along_track = result.creepages.velocity;
     const FacingSurfaces surfaces(wheel, rail, state, rail_share, result.creepages.velocity, along_track);
     const Frame contact = contact_frame(place.reference);
-    const double ahead = spin_ahead * std::cos(from.chi);
+    const double ahead = convention.spin_ahead * std::cos(from.chi);
     CreepageFit fit;
     std::vector<Slip> slips(grid.size());
     std::vector<bool> known(grid.size());

@@ -21,13 +21,19 @@ struct SurfaceHeights {
     std::vector<double> rail, wheel;
 };
 
+/// As a reference program has it: where the solver takes spin ahead (mm) of the middles of elements, of which slip is,
+/// this is left out of the rest; and surfaces lean in shifts, too, as if they ran through the contact by 1 mm/s.
+struct SlipConvention {
+    double spin_ahead = 0;
+    bool leans_in_shifts = false;
+};
+
 /// Velocities of both surfaces where they are, along x as the surfaces lean and along each row, over the velocity
 /// of the wheelset, or the creepages' where it stands. `gap` and `approach` say which elements are in contact;
 /// `rail_share` is the rail's part in the direction in which both lean, 0 to 1. `from` are the creepages of the plane:
-/// which way it rolls. The solver takes spin `spin_ahead` (mm) ahead of the middles of the elements, where slip is that
-/// of the middles: this is left out of the rest.
+/// which way it rolls. In shifts surfaces lean by a convention only.
 CurvedSlip curved_slip(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state,
                        const ContactPlace& place, const SurfaceHeights& heights, const std::vector<double>& gap,
-                       double rail_share, const Creepages& from, double spin_ahead);
+                       double rail_share, const Creepages& from, const SlipConvention& convention = {});
 
 }  // namespace contactd::geometry
