@@ -9,7 +9,6 @@
 #include "contactd/wheel_rail_solution.hpp"
 #include "geometry/placement/rail_surface.hpp"
 #include "geometry/placement/wheel_surface.hpp"
-#include "geometry/search/patch_grid.hpp"
 
 namespace contactd::geometry {
 
@@ -44,6 +43,11 @@ std::vector<double> rail_heights(const RailSurface& rail, const ContactReference
 /// settled are its values.
 std::vector<double> wheel_heights(const WheelSurface& wheel, const ContactReference& reference,
                                   const PlanePoints& points, double settled = 1e-10);
+
+/// An element has its middle here, in the coordinates of a contact (mm).
+struct ElementMiddle {
+    double x = 0, y = 0;
+};
 
 /// A place with what decides where the nodes of a mesh lie: the grid that it needs, before any element beside that, and
 /// where elements are counted from, in the plane.

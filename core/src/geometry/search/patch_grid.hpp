@@ -4,14 +4,10 @@
 #include <vector>
 
 #include "contactd/grid.hpp"
+#include "geometry/distance/heights.hpp"
 #include "geometry/search/regions.hpp"
 
 namespace contactd::geometry {
-
-/// An element has its middle here, in the coordinates of a contact (mm).
-struct ElementMiddle {
-    double x = 0, y = 0;
-};
 
 /// From one element before the group's extents to one behind them; the middle of one is at `middle`, 0 <= x < dx and
 /// 0 <= y < dy. Throws InvalidArgument ("dx") where these would be too many.
