@@ -1,5 +1,5 @@
-# Installs the programs, the C++ client as the CMake package "contactd" (targets contactd::client, ::proto, ::types), and
-# the C libraries as its components c and c_local (targets of the same names), and for pkg-config.
+# Installs what is built of: the programs, the C++ client as the CMake package "contactd" (targets contactd::client, ::proto,
+# ::types), and the C libraries as its components c and c_local (targets of the same names), and for pkg-config.
 include(CMakePackageConfigHelpers)
 
 # contactd_install_c(TARGET NAME COMPONENT) installs libNAME.so; what is needed to build with it is of c_development.
@@ -15,28 +15,36 @@ function(contactd_install_c target name component)
   install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT c_development)
 endfunction()
 
-install(TARGETS contactd_types contactd_proto contactd_client EXPORT contactd_targets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
-  FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
-install(EXPORT contactd_targets NAMESPACE contactd:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/contactd
-  COMPONENT development)
-install(DIRECTORY proto/include/ client/cpp/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/contactd-config.cmake.in
   ${PROJECT_BINARY_DIR}/contactd-config.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/contactd)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/contactd-config-version.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/contactd-config.cmake ${PROJECT_BINARY_DIR}/contactd-config-version.cmake
-  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/contactd COMPONENT development)
+# contactd_install_package(COMPONENT) installs what CMake finds the package by, whichever of its targets are there.
+function(contactd_install_package component)
+  install(FILES ${PROJECT_BINARY_DIR}/contactd-config.cmake ${PROJECT_BINARY_DIR}/contactd-config-version.cmake
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/contactd COMPONENT ${component})
+endfunction()
+
+if(TARGET contactd_client)
+  install(TARGETS contactd_types contactd_proto contactd_client EXPORT contactd_targets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
+    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+  install(EXPORT contactd_targets NAMESPACE contactd:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/contactd
+    COMPONENT development)
+  install(DIRECTORY proto/include/ client/cpp/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+  contactd_install_package(development)
+endif()
 if(TARGET contactd_c)
   contactd_install_c(contactd_c contactd c_library)
+endif()
+if(TARGET contactd_local_c)
+  contactd_install_c(contactd_local_c contactd-local c_local_library)
+endif()
+if(TARGET contactd_c OR TARGET contactd_local_c)
   install(DIRECTORY client/c/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT c_development)
   install(FILES client/c/fortran/contactd_calls.f90 client/c/fortran/contactd.f90
     client/c/matlab/contactd_mex.c client/c/matlab/contactd_mex_calls.h
     DESTINATION ${CMAKE_INSTALL_DATADIR}/contactd COMPONENT c_development)
-  install(FILES ${PROJECT_BINARY_DIR}/contactd-config.cmake ${PROJECT_BINARY_DIR}/contactd-config-version.cmake
-    DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/contactd COMPONENT c_development)
-endif()
-if(TARGET contactd_local_c)
-  contactd_install_c(contactd_local_c contactd-local c_local_library)
+  contactd_install_package(c_development)
 endif()
 foreach(program contactd contactd-ic)
   if(TARGET ${program})

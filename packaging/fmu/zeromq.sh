@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # packaging/fmu/zeromq.sh FOLDER: ZeroMQ as an archive that FMUs have inside, to FOLDER/{include,lib,licenses}. Debian's is for
-# programs only, and wants Kerberos. The sources, ZeroMQ 4.3.5, lie in those of pyzmq on PyPI.
+# programs only, and wants Kerberos. The sources, ZeroMQ 4.3.4, lie in those of pyzmq on PyPI.
 set -euo pipefail
 
 pyzmq=25.1.2
@@ -20,4 +20,5 @@ rm -rf "$folder"
 cmake --install build
 mkdir "$folder/licenses"
 cat "$sources/COPYING" "$sources/COPYING.LESSER" >"$folder/licenses/zeromq"
-echo "pyzmq-$pyzmq.tar.gz, its folder bundled/zeromq" >"$folder/sources.txt"
+version=$(sed -n 's/^#define ZMQ_VERSION_\(MAJOR\|MINOR\|PATCH\) \([0-9]*\)$/\2/p' "$folder/include/zmq.h" | paste -sd.)
+echo "zeromq-$version, in pyzmq-$pyzmq.tar.gz, its folder bundled/zeromq" >"$folder/sources.txt"

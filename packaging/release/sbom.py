@@ -24,6 +24,8 @@ INSIDE_PACKAGES = {
     "libcontactd-local1": (*_NUMERICS, *_MESSAGES, "cppzmq-dev"),
     "libcontactd-cntc0": _NUMERICS,
 }
+#: What wheels on PyPI that ours depend on have inside: versions are those of the wheel that pip takes.
+_BROUGHT = {"pyzmq": ("zeromq", "libsodium")}
 
 
 def libraries_in(path: Path) -> Iterator[tuple[str, str]]:
@@ -31,7 +33,7 @@ def libraries_in(path: Path) -> Iterator[tuple[str, str]]:
     for line in _lines_in(path):
         if found := re.fullmatch(r"([a-z0-9][a-z0-9.+-]*?)_(\S+?)\.orig\.tar\.\w+", line):  # an author's archive, from Debian
             yield found[1], found[2]
-        elif found := re.match(r"([a-z0-9][a-z0-9.+-]*)-(\d[\w.]*?)\.tar\.gz(?:,.*)?$", line):  # one from PyPI
+        elif found := re.fullmatch(r"([a-z0-9][a-z0-9.+-]*)-(\d[\w.]*?)(?:\.tar\.gz|, in \S+\.tar\.gz, .*)", line):  # one from PyPI, or in one
             yield found[1], found[2]
         elif found := re.fullmatch(r"([a-z0-9][a-z0-9.+-]*) (\S+)", line):  # a source package of Debian
             yield found[1], found[2]
@@ -87,11 +89,16 @@ def bill_of(folder: Path, version: str, timestamp: str) -> str:
         for name, of in libraries:
             known.setdefault(f"{name}@{of}", {"type": "library", "bom-ref": f"{name}@{of}", "name": name, "version": of})
         dependencies.append({"ref": path.name, "dependsOn": [f"{name}@{of}" for name, of in libraries]})
+    for one in [one for one in known.values() if one["name"] in _BROUGHT]:
+        brought = [f"{name}@any" for name in _BROUGHT[one["name"]]]
+        known |= {ref: {"type": "library", "bom-ref": ref, "name": ref.removesuffix("@any"), "version": "any"} for ref in brought}
+        dependencies.append({"ref": one["bom-ref"], "dependsOn": brought})
+    listed = {one["ref"] for one in dependencies}
     subject = {"type": "application", "bom-ref": "contactd", "name": "contactd", "version": version, "licenses": [{"license": {"id": "BSD-3-Clause"}}]}
     bill = {
         "bomFormat": "CycloneDX", "specVersion": "1.5", "version": 1,
         "metadata": {"timestamp": timestamp, "component": subject},
         "components": [*components, *(known[name] for name in sorted(known))],
-        "dependencies": [*dependencies, *({"ref": name} for name in sorted(known))],
+        "dependencies": [*dependencies, *({"ref": name} for name in sorted(known.keys() - listed))],
     }  # fmt: skip
     return json.dumps(bill, indent=1) + "\n"

@@ -89,6 +89,19 @@ def test_the_bill_lists_what_files_have_inside(tmp_path):
     assert {one["bom-ref"] for one in bill["components"]} >= set(inside) >= {"hdf5@1.14.5"}
 
 
+def test_the_bill_lists_what_a_library_from_pypi_has_inside(tmp_path):
+    with zipfile.ZipFile(tmp_path / "x.fmu", "w") as archive:
+        archive.writestr("documentation/licenses/sources.txt", "zeromq-4.3.4, in pyzmq-25.1.2.tar.gz, its folder bundled/zeromq\n")
+    with zipfile.ZipFile(tmp_path / "x.whl", "w") as archive:
+        archive.writestr("x-1.dist-info/METADATA", "Name: x\nRequires-Dist: pyzmq>=24\n\nIts client.\n")
+    assert set(libraries_in(tmp_path / "x.fmu")) == {("zeromq", "4.3.4")}
+    bill = json.loads(bill_of(tmp_path, "1.0.0", "2026-01-01T00:00:00Z"))
+    needed = {one["ref"]: set(one.get("dependsOn", [])) for one in bill["dependencies"]}
+    assert len(needed) == len(bill["dependencies"])
+    assert needed["x.whl"] == {"pyzmq@>=24"}
+    assert needed["pyzmq@>=24"] == {"zeromq@any", "libsodium@any"} <= {one["bom-ref"] for one in bill["components"]}
+
+
 def test_the_bill_looks_into_the_fmus_of_an_archive(tmp_path):
     with zipfile.ZipFile(tmp_path / "x.fmu", "w") as archive:
         archive.writestr("documentation/licenses/sources.txt", "hdf5_1.14.5.orig.tar.gz\n")
