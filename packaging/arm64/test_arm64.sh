@@ -24,7 +24,6 @@ rm -rf "$cases/arm64"
 mkdir -p "$cases/arm64"
 cp -r "$cases/linux/Tafeln für Räder" "$cases/linux/cases of "* "$cases/arm64/"
 python3 "$cases_of" run "$build/bin" "$cases/fmus" "$build/lib/fmu/contactd_fmu.so" "$cases/arm64" qemu-aarch64
-python3 "$cases_of" compare "$cases/linux" "$cases/arm64"
 
 python_of_arm64() {
     PYTHONPATH=$scratch/site PYTHONDONTWRITEBYTECODE=1 HOME=$scratch MPLBACKEND=Agg qemu-aarch64 -L "$machine" "$machine/usr/bin/python3" "$@"
@@ -33,6 +32,8 @@ say "$(python_of_arm64 -c 'import platform; print(platform.machine(), platform.p
 python_of_arm64 -m pip install --quiet --no-compile --only-binary :all: --find-links "$build/wheels" --target "$scratch/site" "contactd[local,pictures]"
 cd "$scratch"
 python_of_arm64 "$repository/packaging/wheels/try_local.py" >&2
+PYTHONPATH=$scratch/site HOME=$scratch python3 "$cases_of" python "$cases/linux" "$cases/arm64" qemu-aarch64 -L "$machine" "$machine/usr/bin/python3"
+python3 "$cases_of" compare "$cases/linux" "$cases/arm64"
 python_of_arm64 -m contactd.demo demo.png >&2
 [ -s demo.png ] || { say "the demo draws nothing"; exit 1; }
 say "all is well"

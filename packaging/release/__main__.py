@@ -43,7 +43,7 @@ def reasons_against(asked: str) -> list[str]:
 
 def assemble(asked: str, folder: Path) -> None:
     folder.mkdir(parents=True)
-    for kind in ("wheels/*.whl", "package/packages/*.deb", "fmu/*.fmu", "fmu/*.ssp", "arm64/wheels/*_aarch64.whl"):
+    for kind in ("wheels/*.whl", "package/packages/*.deb", "fmu/*.fmu", "fmu/*.ssp", "arm64/wheels/*_aarch64.whl", "windows/wheels/*-win_amd64.whl"):
         files = sorted(BUILD.glob(kind))
         if not files:
             sys.exit(f"build/{kind} is missing")

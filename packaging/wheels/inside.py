@@ -7,12 +7,13 @@ from pathlib import Path
 from elf import links, machine_of, own_folders
 from licenses import Origins
 
-__all__ = ["HEADERS", "licenses_of", "origins_of", "refuse_links"]
+__all__ = ["is_of_windows", "licenses_of", "origins_of", "refuse_links"]
 
 #: What every Linux has.
 OF_THE_SYSTEM = {"libc.so.6", "libm.so.6", "ld-linux-x86-64.so.2", "ld-linux-aarch64.so.1"}
 #: Archives and headers of Debian that are inside.
 INSIDE = [f"lib{name}.a" for name in ("sodium", "z")]
+_WINDOWS = "x86_64-w64-mingw32ucrt"
 HEADERS = [Path("/usr/include") / name for name in ("eigen3/Eigen/Core", "nlohmann/json.hpp", "valijson/validator.hpp")]
 
 
@@ -23,8 +24,15 @@ def refuse_links(module: Path) -> None:
         raise ValueError(f"{module} needs {sorted(asked)} from {own_folders(module)}; its libraries must be inside")
 
 
+def is_of_windows(module: Path) -> bool:
+    return module.suffix in (".dll", ".pyd")
+
+
 def origins_of(module: Path) -> Origins:
     """Of what comes from Debian as it is."""
+    if is_of_windows(module):
+        runtime = next(Path("/usr/lib/gcc", _WINDOWS).glob("*/libstdc++.a"))
+        return Origins([*HEADERS, runtime, Path("/usr", _WINDOWS, "lib", "libmingw32.a")])
     triple = f"{machine_of(module)}-linux-gnu"
     (runtime,) = [
         file for folder in ("gcc", "gcc-cross") for file in Path("/usr/lib", folder, triple).glob("*/libstdc++.a")

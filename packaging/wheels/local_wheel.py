@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from elf import machine_of
-from inside import licenses_of, origins_of
+from inside import is_of_windows, licenses_of, origins_of
 from project import copied, say, wheel
 
 __all__ = ["local_wheel"]
@@ -24,5 +24,10 @@ def local_wheel(module: Path, static: Sequence[Path], version: str, folder: Path
         licenses |= licenses_of(module, part)
     with copied(HERE / "local") as project:
         say(project, version, sources, licenses)
-        shutil.copy(module, project / "contactd_local.abi3.so")
-        return wheel(project, folder, machine_of(module))
+        if not is_of_windows(module):
+            shutil.copy(module, project / "contactd_local.abi3.so")
+            return wheel(project, folder, f"linux-{machine_of(module)}")
+        shutil.copy(module, project / "contactd_local.pyd")
+        about = project / "pyproject.toml"
+        about.write_text(about.read_text().replace(" AND ISC ", " AND ZPL-2.1 "))  # MinGW-w64's runtime, and no libsodium
+        return wheel(project, folder, "win-amd64")

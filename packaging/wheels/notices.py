@@ -9,22 +9,12 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from inside import HEADERS, origins_of
-from licenses import Origins
-
-WINDOWS = "x86_64-w64-mingw32ucrt"
+from inside import origins_of
 
 
 def main() -> None:
     library, folder, *parts = map(Path, sys.argv[1:])
-    if library.suffix == ".dll":
-        runtimes = [
-            next(Path(f"/usr/lib/gcc/{WINDOWS}").glob("*/libstdc++.a")),
-            Path(f"/usr/{WINDOWS}/lib/libmingw32.a"),
-        ]
-        origins = Origins([*HEADERS, *runtimes])
-    else:
-        origins = origins_of(library)
+    origins = origins_of(library)
     texts = {name: text.encode() for name, text in origins.texts().items()}
     sources = origins.sources()
     for part in parts:

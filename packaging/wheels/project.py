@@ -39,13 +39,13 @@ def say(project: Path, version: str, sources: Sequence[str], licenses: Mapping[s
         (project / "licenses" / name.replace("+", "x")).write_text(text)  # setuptools takes a plus for a pattern
 
 
-def wheel(project: Path, folder: Path, machine: str = platform.machine()) -> Path:
+def wheel(project: Path, folder: Path, system: str = f"linux-{platform.machine()}") -> Path:
     """Of a project as it stands there, in `folder`. Raises CalledProcessError, after what setuptools says, where it fails.
-    What is not of Python alone is for the processor `machine`."""
+    What is not of Python alone is for `system`, by distutils' name."""
     folder.mkdir(parents=True, exist_ok=True)
     build = "import sys; from setuptools.build_meta import build_wheel; print(build_wheel(sys.argv[1]))"
     built = subprocess.run(
         [sys.executable, "-c", build, folder.resolve()],
-        cwd=project, env={**os.environ, "SOURCE_DATE_EPOCH": _EPOCH, "_PYTHON_HOST_PLATFORM": f"linux-{machine}"}, stdout=subprocess.PIPE, text=True, check=True,
+        cwd=project, env={**os.environ, "SOURCE_DATE_EPOCH": _EPOCH, "_PYTHON_HOST_PLATFORM": system}, stdout=subprocess.PIPE, text=True, check=True,
     )  # fmt: skip
     return folder / built.stdout.splitlines()[-1]

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# packaging/windows/static_libraries.sh FOLDER: HDF5 and zlib for Windows as archives that DLLs have inside, from the sources of
-# the same Debian release, whose licences they bring along, to FOLDER/{include,lib,licenses}.
+# packaging/windows/static_libraries.sh FOLDER: HDF5, zlib and the core of prometheus-cpp for Windows as archives that DLLs have
+# inside, from the sources of the same Debian release, whose licences they bring along, to FOLDER/{include,lib,licenses}.
 set -euo pipefail
 
 here=$(dirname "$(readlink -f "$0")")
@@ -21,7 +21,7 @@ get_sources() {
     sed -n 's/^deb /deb-src /p' /etc/apt/sources.list >sources.list
     apt_of_sources update
     # Only their authors' archives are needed: a mirror that lacks Debian's part of a source will do.
-    apt_of_sources source --download-only hdf5 zlib || true
+    apt_of_sources source --download-only hdf5 prometheus-cpp zlib || true
 }
 
 # configured NAME OPTIONS...: unpacked, and ready to be built without shared libraries.
@@ -48,6 +48,10 @@ configured zlib
 built zlib-build --target zlibstatic
 cp zlib-build/libzlibstatic.a "$folder/lib/libz.a"
 find zlib zlib-build -maxdepth 1 \( -name zlib.h -o -name zconf.h \) -exec cp {} "$folder/include" \;
+configured prometheus-cpp -DENABLE_PUSH=OFF -DENABLE_PULL=OFF -DENABLE_COMPRESSION=OFF -DENABLE_TESTING=OFF \
+    -DUSE_THIRDPARTY_LIBRARIES=OFF -DGENERATE_PKGCONFIG=ON
+built prometheus-cpp-build
+cmake --install prometheus-cpp-build
 configured hdf5 -DHDF5_BUILD_CPP_LIB=ON -DHDF5_BUILD_HL_LIB=OFF -DHDF5_BUILD_TOOLS=OFF -DHDF5_BUILD_UTILS=OFF \
     -DHDF5_BUILD_EXAMPLES=OFF -DBUILD_TESTING=OFF -DHDF5_ENABLE_Z_LIB_SUPPORT=ON -DHDF5_ENABLE_SZIP_SUPPORT=OFF \
     -DHDF5_ENABLE_NONSTANDARD_FEATURES=OFF -DCMAKE_C_FLAGS=-D_GNU_SOURCE -DCMAKE_CXX_FLAGS=-D_GNU_SOURCE \

@@ -125,7 +125,16 @@ def test_a_wheel_says_for_which_processor_its_module_is(tmp_path):
     with copied(WHEELS / "local") as project:
         say(project, "1.2", [], {})
         (project / of_arm64.name).write_bytes(of_arm64.read_bytes())
-        assert wheel(project, tmp_path, "aarch64").name == "contactd_local-1.2-cp310-abi3-linux_aarch64.whl"
+        assert wheel(project, tmp_path, "linux-aarch64").name == "contactd_local-1.2-cp310-abi3-linux_aarch64.whl"
+
+
+def test_the_wheel_of_a_module_for_windows_has_it_under_the_name_that_python_looks_for_there(tmp_path):
+    with copied(WHEELS / "local") as project:
+        say(project, "1.2", [], {})
+        (project / "contactd_local.pyd").write_bytes(b"MZ")
+        made = wheel(project, tmp_path, "win-amd64")
+    assert made.name == "contactd_local-1.2-cp310-abi3-win_amd64.whl"
+    assert opened(made)[0]["contactd_local.pyd"] == b"MZ"
 
 
 def test_licences_come_with_the_texts_that_they_name():

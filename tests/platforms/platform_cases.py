@@ -1,8 +1,9 @@
 """Runs the programs of tests/platforms, and compares what they print: platform_cases.py run PROGRAMS FMUS LIBRARY FOLDER
-[RUNNER], or platform_cases.py compare FOLDER OTHER.
+[RUNNER], platform_cases.py python CASES FOLDER COMMAND..., or platform_cases.py compare FOLDER OTHER.
 
 PROGRAMS is the folder of local-cases, creep-lines and fmu-host, FMUS that of the archives, LIBRARY the binary of FMUs that they
 are tried with. Lines come into FOLDER, a file for each program. RUNNER runs programs of another platform: wine64, or qemu-aarch64.
+COMMAND is a Python that has contactd and contactd_local, with what runs it, which gets cases from the folder CASES.
 ./dev windows --test and ./dev arm64 --test do all of it, with the lines of this machine to compare with.
 """
 
@@ -25,6 +26,8 @@ from pathlib import Path
 STORE, BINARIES = "Tafeln für Räder", "FMU für Räder"
 #: What the drivers of tests/congruence are told, and where their answers come.
 CONGRUENCE = {"congruence-c-local": "contacts.txt", "congruence-wheel-c-local": "wheels.txt"}
+#: The same in the process of Python, where the cases of its own driver are.
+IN_PYTHON = {"python contacts.txt": "contacts", "python wheels.txt": "wheels"}
 #: From here on a whole number of theirs is a digest, which differs where a last bit does.
 DIGESTS = 100_000
 #: A radius of more millimetres than these is that of a flat place, the inverse of a rounding error.
@@ -42,6 +45,8 @@ FEWEST = {
     "fmu contact 3.txt": 5,
     "fmu wheel 2.txt": 5,
     "fmu wheel 3.txt": 5,
+    "python contacts.txt": 200,
+    "python wheels.txt": 60,
 }
 INPUTS = {
     "contact": {"load.Fn": 50e3, "gap.Rx": 460, "gap.Ry": 300, "motion.xi": 1e-3, "motion.phi": 2e-4},
@@ -113,6 +118,25 @@ def run(options: argparse.Namespace) -> None:
             printed(f"fmu {kind} {version}.txt", "fmu-host", place, *arguments_of(archive, kind, version))
 
 
+def run_python(options: argparse.Namespace) -> None:
+    folder = options.folder.resolve()
+    windows = any("wine" in Path(word).name for word in options.command)
+    tests = Path(__file__).parents[1]
+
+    def place(path: Path) -> str:
+        return windows_path(path) if windows else str(path)
+
+    parts = [place(tests), *filter(None, [os.environ.get("PYTHONPATH")])]
+    environment = {**os.environ, "PYTHONPATH": (";" if windows else ":").join(parts), "PYTHONDONTWRITEBYTECODE": "1"}
+    for name, kind in IN_PYTHON.items():
+        told = cases_of(options.cases.resolve(), name)
+        command = [*options.command, place(tests / "platforms" / "python_lines.py"), kind, place(told)]
+        ended = subprocess.run(command, capture_output=True, env=environment, check=False)
+        (folder / name).write_bytes(ended.stdout)
+        if ended.returncode != 0:
+            sys.exit(f"{' '.join(command)} ended with {ended.returncode}: {ended.stdout[-300:]!r} {ended.stderr[-900:]!r}")
+
+
 def cases_of(folder: Path, name: str) -> Path:
     return folder / f"cases of {name}"
 
@@ -120,11 +144,14 @@ def cases_of(folder: Path, name: str) -> Path:
 def write_congruence(folder: Path) -> None:
     """The cases that all interfaces answer alike, in the words of those by path."""
     sys.path.insert(0, str(Path(__file__).parents[1]))
+    from congruence.cases import write as write_words
     from congruence.paths import write_paths
     from congruence.wheel_cases import EVERYWHERE, write
 
     write_paths(cases_of(folder, "contacts.txt"))
     write(cases_of(folder, "wheels.txt"), EVERYWHERE)
+    write_words(cases_of(folder, "python contacts.txt"))
+    write(cases_of(folder, "python wheels.txt"), EVERYWHERE)
 
 
 def windows_path(path: Path) -> str:
@@ -148,7 +175,7 @@ def compare(options: argparse.Namespace) -> None:
                 wrong += [] if one.replace("built", "disk") == other else [f"{one!r} is {other!r}"]
                 continue
             kind = "searches" if "wheel" in one or "wheel" in name else "numbers"
-            numbers, others = (list(numbers_of(line, name in CONGRUENCE.values())) for line in (one, other))
+            numbers, others = (list(numbers_of(line, name in CONGRUENCE.values() or name in IN_PYTHON)) for line in (one, other))
             if words_of(one) != words_of(other):
                 wrong.append(f"{one[:160]!r} is {other[:160]!r}")
                 continue
@@ -208,14 +235,17 @@ def main() -> None:
         prog="platform_cases", description=__doc__, formatter_class=argparse.RawTextHelpFormatter
     )
     does = parser.add_subparsers(dest="does", required=True)
-    running, comparing = does.add_parser("run"), does.add_parser("compare")
+    running, in_python, comparing = (does.add_parser(name) for name in ("run", "python", "compare"))
     for name in ("programs", "fmus", "library", "folder"):
         running.add_argument(name, type=Path)
     running.add_argument("runner", nargs="?")
+    for name in ("cases", "folder"):
+        in_python.add_argument(name, type=Path)
+    in_python.add_argument("command", nargs=argparse.REMAINDER)
     comparing.add_argument("folder", type=Path)
     comparing.add_argument("other", type=Path)
     options = parser.parse_args()
-    run(options) if options.does == "run" else compare(options)
+    {"run": run, "python": run_python, "compare": compare}[options.does](options)
 
 
 if __name__ == "__main__":

@@ -75,6 +75,9 @@ std::string start_of(const std::string& process);
 /// Returns the name of this machine, without dots and slashes.
 std::string host_name();
 
+/// Fills `bytes` with what nobody can guess. Throws std::system_error.
+void random_bytes(std::span<unsigned char> bytes);
+
 /// A variable of the environment in UTF-8; empty where it is not set.
 std::string variable(const char* name);
 /// Where programs of the user keep what they can make again; empty where nothing says so.

@@ -190,6 +190,15 @@ std::string host_name() {
     return host;
 }
 
+void random_bytes(std::span<unsigned char> bytes) {
+    constexpr std::size_t most = 256;  // at a time
+    for (std::size_t begin = 0; begin < bytes.size(); begin += most) {
+        const auto part = bytes.subspan(begin, std::min(most, bytes.size() - begin));
+        if (::getentropy(part.data(), part.size()) != 0)
+            throw std::system_error(errno, std::generic_category(), "getentropy");
+    }
+}
+
 std::string variable(const char* name) {
     const char* value = std::getenv(name);
     return value ? value : "";

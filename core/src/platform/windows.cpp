@@ -3,6 +3,8 @@
 #define NOMINMAX
 #include <windows.h>
 
+#include <bcrypt.h>
+
 #include <algorithm>
 #include <atomic>
 #include <format>
@@ -221,6 +223,12 @@ std::string host_name() {
     std::string host = utf8_of(name);
     std::replace_if(host.begin(), host.end(), [](char c) { return c == '/' || c == '\\' || c == '.'; }, '_');
     return host;
+}
+
+void random_bytes(std::span<unsigned char> bytes) {
+    const NTSTATUS status =
+        ::BCryptGenRandom(nullptr, bytes.data(), static_cast<ULONG>(bytes.size()), BCRYPT_USE_SYSTEM_PREFERRED_RNG);
+    if (status < 0) throw std::system_error(std::make_error_code(std::errc::io_error), "BCryptGenRandom");
 }
 
 std::string variable(const char* name) {

@@ -2,12 +2,18 @@
 
 import os
 import shutil
+from pathlib import Path
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
+(MODULE,) = (str(file) for ending in ("abi3.so", "pyd") for file in Path().glob(f"contactd_local.{ending}"))
+
 
 class Copied(build_ext):
+    def get_ext_filename(self, name: str) -> str:
+        return MODULE  # of the system that the wheel is for
+
     def build_extension(self, extension: Extension) -> None:
         target = self.get_ext_fullpath(extension.name)
         os.makedirs(os.path.dirname(target), exist_ok=True)
@@ -15,7 +21,7 @@ class Copied(build_ext):
 
 
 setup(
-    ext_modules=[Extension("contactd_local", ["contactd_local.abi3.so"], py_limited_api=True)],
+    ext_modules=[Extension("contactd_local", [MODULE], py_limited_api=True)],
     cmdclass={"build_ext": Copied},
     options={"bdist_wheel": {"py_limited_api": "cp310"}},
 )

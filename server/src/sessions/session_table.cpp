@@ -1,13 +1,10 @@
 #include "session_table.hpp"
 
-#include <sys/random.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <system_error>
 #include <utility>
+
+#include "contactd/platform.hpp"
 
 namespace contactd::server {
 
@@ -21,8 +18,7 @@ constexpr std::size_t remembered_expired = 1024;
 /// 128 bits that cannot be guessed: who knows the name of a session can use it.
 std::string random_name() {
     std::array<unsigned char, 16> bytes{};
-    if (::getentropy(bytes.data(), bytes.size()) != 0)
-        throw std::system_error(errno, std::generic_category(), "getentropy");
+    platform::random_bytes(bytes);
     constexpr const char* digits = "0123456789abcdef";
     std::string name;
     for (const unsigned char byte : bytes) {

@@ -6,7 +6,6 @@ from __future__ import annotations
 import io
 import json
 import os
-import resource
 import signal
 import subprocess
 import sys
@@ -47,9 +46,9 @@ def read_apart(read: Callable[[bytes], Any], content: bytes) -> Any:
         raise ValueError(_too_long(seconds)) from None
     except OSError as error:
         raise ContactdError(f"HDF5 files are read by a Python program of its own, which cannot be started: {error}") from None
-    if -ended.returncode in (signal.SIGXCPU, signal.SIGKILL):
-        raise ValueError(_too_long(seconds))
     if ended.returncode < 0:
+        if -ended.returncode in (signal.SIGXCPU, signal.SIGKILL):
+            raise ValueError(_too_long(seconds))
         raise ValueError(f"it ends the library of HDF5 by the signal {signal.Signals(-ended.returncode).name}")
     if ended.returncode > 0:
         last = ended.stderr.decode("utf-8", "replace").strip().rpartition("\n")[2]
@@ -118,7 +117,12 @@ def _main(module: str, function: str, seconds: str) -> None:
 
 
 def _limit(seconds: float, size: int) -> None:
-    """Without it the process could take all memory, and outlive its parent in an endless loop."""
+    """Without it the process could take all memory, and outlive its parent in an endless loop. Windows has no such limits: there
+    the parent ends what takes too long, and memory is as much as there is."""
+    try:
+        import resource
+    except ModuleNotFoundError:
+        return
     reserved = 0  # by libraries
     with suppress(OSError):  # Linux tells it, in pages
         with open("/proc/self/statm") as file:

@@ -20,6 +20,8 @@ _KINDS = ((stat.S_ISCHR, "a device"), (stat.S_ISBLK, "a device"), (stat.S_ISSOCK
           (stat.S_ISFIFO, "a named pipe"))  # fmt: skip
 _OPEN_FILES = ("/dev/fd", "/proc/self/fd")  #: where a shell puts what <(COMMAND) writes
 _PIECE = 1 << 20
+#: What systems have of: no wait for a pipe, no terminal, no heirs, and no other line ends.
+_OPENED = sum(getattr(os, name, 0) for name in ("O_NONBLOCK", "O_NOCTTY", "O_CLOEXEC", "O_NOINHERIT", "O_BINARY"))
 
 
 def read_whole(path: str | os.PathLike[str], most: int) -> bytes:
@@ -31,7 +33,7 @@ def read_whole(path: str | os.PathLike[str], most: int) -> bytes:
     name = os.fspath(path)
     try:
         # Opening a named pipe would wait, too.
-        opened = os.open(name, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC | os.O_NOCTTY)
+        opened = os.open(name, os.O_RDONLY | _OPENED)
     except ValueError:  # a null character
         raise OSError(errno.EINVAL, "this is no name of a file", name) from None
     try:
@@ -41,7 +43,8 @@ def read_whole(path: str | os.PathLike[str], most: int) -> bytes:
         for is_kind, kind in _KINDS:
             if is_kind(status.st_mode) and not (kind == "a named pipe" and str(Path(name).absolute().parent) in _OPEN_FILES):
                 raise OSError(errno.EINVAL, f"it is {kind}; it must be a file", name)
-        os.set_blocking(opened, stat.S_ISFIFO(status.st_mode))  # files of /proc may wait as well
+        if stat.S_ISFIFO(status.st_mode):  # the others stay as they were opened: files of /proc may wait as well
+            os.set_blocking(opened, True)
     except BaseException:
         os.close(opened)
         raise
@@ -112,7 +115,7 @@ def write_whole(path: str | os.PathLike[str], write: Any) -> None:
     place = Path(os.path.realpath(place))
     part = Path(f"{place}.{secrets.token_hex(4)}.part")  # of this call alone: others may write the same file
     try:
-        with open(os.open(part, os.O_RDWR | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC, 0o666), "w+b") as file:
+        with open(os.open(part, os.O_RDWR | os.O_CREAT | os.O_EXCL | _OPENED, 0o666), "w+b") as file:
             write(file)
         part.replace(place)
     except OSError as error:
