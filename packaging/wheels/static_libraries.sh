@@ -25,7 +25,8 @@ get_sources() {
     apt_of_sources source --download-only hdf5 reproc prometheus-cpp || true
 }
 
-# library NAME OPTIONS...: built and installed without shared libraries.
+# library NAME OPTIONS...: built and installed without shared libraries. Nothing in them tells of this machine and of today: who
+# builds them elsewhere has the same bytes.
 library() {
     local name=$1
     shift
@@ -33,7 +34,8 @@ library() {
     mkdir "$name"
     tar -xf "$name"_*.orig.tar.* -C "$name" --strip-components=1
     cmake -S "$name" -B "$name-build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$folder" \
-        -DCMAKE_INSTALL_LIBDIR=lib -DCMAKE_POSITION_INDEPENDENT_CODE=ON -DBUILD_SHARED_LIBS=OFF "$@"
+        -DCMAKE_INSTALL_LIBDIR=lib -DCMAKE_POSITION_INDEPENDENT_CODE=ON -DBUILD_SHARED_LIBS=OFF \
+        -DCMAKE_C_FLAGS="-ffile-prefix-map=$scratch/=" -DCMAKE_CXX_FLAGS="-ffile-prefix-map=$scratch/=" "$@"
     cmake --build "$name-build" ${CONTACTD_JOBS:+-j "$CONTACTD_JOBS"}
     cmake --install "$name-build"
     mkdir -p "$folder/licenses"
@@ -49,4 +51,4 @@ library prometheus-cpp -DENABLE_PUSH=OFF -DENABLE_PULL=OFF -DENABLE_COMPRESSION=
     -DUSE_THIRDPARTY_LIBRARIES=OFF
 library hdf5 -DHDF5_BUILD_CPP_LIB=ON -DHDF5_BUILD_HL_LIB=OFF -DHDF5_BUILD_TOOLS=OFF -DHDF5_BUILD_UTILS=OFF \
     -DHDF5_BUILD_EXAMPLES=OFF -DBUILD_TESTING=OFF -DHDF5_ENABLE_Z_LIB_SUPPORT=ON -DHDF5_ENABLE_SZIP_SUPPORT=OFF \
-    -DHDF5_ENABLE_NONSTANDARD_FEATURES=OFF
+    -DHDF5_ENABLE_NONSTANDARD_FEATURES=OFF -DHDF5_ENABLE_EMBEDDED_LIBINFO=OFF

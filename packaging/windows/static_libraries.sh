@@ -24,9 +24,10 @@ get_sources() {
     apt_of_sources source --download-only hdf5 prometheus-cpp zlib || true
 }
 
-# configured NAME OPTIONS...: unpacked, and ready to be built without shared libraries.
+# configured NAME OPTIONS...: unpacked, and ready to be built without shared libraries. Nothing in them tells of this machine and of
+# today: who builds them elsewhere has the same bytes.
 configured() {
-    local name=$1
+    local name=$1 flags="-Wa,-muse-unaligned-vector-move -D_GNU_SOURCE -ffile-prefix-map=$scratch/="
     shift
     ls "$name"_*.orig.tar.* >/dev/null 2>&1 || { echo "the sources of $name cannot be had from this mirror" >&2 && exit 1; }
     mkdir "$name"
@@ -35,7 +36,8 @@ configured() {
     find "$name" -maxdepth 1 \( -name 'COPYING*' -o -name 'LICENSE*' \) -type f -exec cat {} + >"$folder/licenses/$name"
     ls "$name"_*.orig.tar.* >>"$folder/sources.txt"
     cmake -S "$name" -B "$name-build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$folder" \
-        -DCMAKE_TOOLCHAIN_FILE="$here/toolchain.cmake" -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_SHARED_LIBS=OFF "$@"
+        -DCMAKE_TOOLCHAIN_FILE="$here/toolchain.cmake" -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_SHARED_LIBS=OFF \
+        -DCMAKE_C_FLAGS="$flags" -DCMAKE_CXX_FLAGS="$flags" "$@"
 }
 
 built() { cmake --build "$@" ${CONTACTD_JOBS:+-j "$CONTACTD_JOBS"}; }
@@ -54,7 +56,7 @@ built prometheus-cpp-build
 cmake --install prometheus-cpp-build
 configured hdf5 -DHDF5_BUILD_CPP_LIB=ON -DHDF5_BUILD_HL_LIB=OFF -DHDF5_BUILD_TOOLS=OFF -DHDF5_BUILD_UTILS=OFF \
     -DHDF5_BUILD_EXAMPLES=OFF -DBUILD_TESTING=OFF -DHDF5_ENABLE_Z_LIB_SUPPORT=ON -DHDF5_ENABLE_SZIP_SUPPORT=OFF \
-    -DHDF5_ENABLE_NONSTANDARD_FEATURES=OFF -DCMAKE_C_FLAGS=-D_GNU_SOURCE -DCMAKE_CXX_FLAGS=-D_GNU_SOURCE \
+    -DHDF5_ENABLE_NONSTANDARD_FEATURES=OFF -DHDF5_ENABLE_EMBEDDED_LIBINFO=OFF \
     -DZLIB_INCLUDE_DIR="$folder/include" -DZLIB_LIBRARY="$folder/lib/libz.a"
 built hdf5-build
 cmake --install hdf5-build
