@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import argparse
 import hashlib
+import os
 import shutil
 import subprocess
 import sys
@@ -18,6 +19,7 @@ from datetime import datetime, timezone
 from pathlib import Path
 
 from archives import epoch, files_of, write_tar, write_zip
+from places import telling
 from sbom import bill_of
 from versions import ROOT, differing, version
 
@@ -74,6 +76,9 @@ def assemble(asked: str, folder: Path) -> None:
     shutil.copyfile(ROOT / "packaging" / "release" / "check.py", folder / "check.py")
     moment = datetime.fromtimestamp(epoch(), timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
     (folder / f"{name}.cdx.json").write_text(bill_of(folder, asked, moment))
+    own = [f"{ROOT}/", f"{Path(tempfile.gettempdir(), 'tmp.')}", *(f"{os.environ[name]}/" for name in ("HOME", "XDG_CACHE_HOME") if os.environ.get(name))]
+    if told := telling(folder, own):
+        sys.exit("\n".join(["files would be others where this clone, its user or temporary folders have other names:", *told]))
     sums = [f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {path.name}\n" for path in sorted(folder.iterdir())]
     (folder / "SHA256SUMS").write_text("".join(sums))
 

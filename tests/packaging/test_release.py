@@ -17,6 +17,7 @@ sys.path.insert(0, str(ROOT / "packaging" / "release"))
 
 from archives import write_tar, write_zip  # noqa: E402
 from check import problems  # noqa: E402
+from places import telling  # noqa: E402
 from sbom import bill_of, libraries_in  # noqa: E402
 from versions import differing  # noqa: E402
 
@@ -109,3 +110,16 @@ def test_the_bill_looks_into_the_fmus_of_an_archive(tmp_path):
         archive.write(tmp_path / "x.fmu", "resources/x.fmu")
         archive.writestr("SystemStructure.ssd", "")
     assert set(libraries_in(tmp_path / "x.ssp")) == {("hdf5", "1.14.5")}
+
+
+def test_binaries_that_name_a_folder_of_the_machine_are_found_wherever_they_are_packed(tmp_path, monkeypatch):
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1750000000")
+    (tmp_path / "apart").mkdir()
+    program, text = b"\x7fELF...\0/home/a/sources/x.c\0", b"see /home/a/sources"
+    inner = write_zip(tmp_path / "apart" / "inner.fmu", {"binaries/linux64/x.so": program, "documentation/index.html": text})
+    folder = tmp_path / "release"
+    folder.mkdir()
+    write_zip(folder / "x.ssp", {"resources/inner.fmu": inner.read_bytes()})
+    write_tar(folder / "y.tar.gz", {"lib/y.so": program, "README": text, "lib/z.dll": b"MZ...sources/x.c"})
+    assert telling(folder, ["/home/a/"]) == ["x.ssp: resources/inner.fmu: binaries/linux64/x.so names /home/a/", "y.tar.gz: lib/y.so names /home/a/"]
+    assert telling(folder, ["/home/b/"]) == []
