@@ -45,14 +45,12 @@ def reasons_against(asked: str) -> list[str]:
 
 def assemble(asked: str, folder: Path) -> None:
     folder.mkdir(parents=True)
-    for kind in ("wheels/*.whl", "package/packages/*.deb", "fmu/*.fmu", "fmu/*.ssp", "arm64/wheels/*_aarch64.whl", "windows/wheels/*-win_amd64.whl"):
+    for kind in ("wheels/*.whl", "package/packages/*.deb", "fmu/*.fmu", "fmu/*.ssp", "arm64/wheels/*_aarch64.whl", "windows/wheels/*-win_amd64.whl", "arm64-package/packages/*_arm64.deb"):
         files = sorted(BUILD.glob(kind))
         if not files:
             sys.exit(f"build/{kind} is missing")
         for file in files:
             shutil.copyfile(file, folder / file.name)
-    for file in sorted(BUILD.glob("arm64-package/packages/*_arm64.deb")):  # where ./dev arm64 --packages has made them
-        shutil.copyfile(file, folder / file.name)
     name = f"contactd-{asked}"
     sources = tarfile_of(git("archive", "--format=tar", "HEAD"))
     write_tar(folder / f"{name}-source.tar.gz", {f"{name}/{file}": data for file, data in sources.items()})
