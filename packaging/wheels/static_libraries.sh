@@ -33,6 +33,8 @@ library() {
     ls "$name"_*.orig.tar.* >/dev/null 2>&1 || { echo "the sources of $name cannot be had from this mirror" >&2 && exit 1; }
     mkdir "$name"
     tar -xf "$name"_*.orig.tar.* -C "$name" --strip-components=1
+    # What HDF5 would tell of this machine and of today.
+    [ ! -e "$name/src/H5build_settings.off.c.in" ] || cp "$name"/src/H5build_settings.{off,cmake}.c.in
     cmake -S "$name" -B "$name-build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$folder" \
         -DCMAKE_INSTALL_LIBDIR=lib -DCMAKE_POSITION_INDEPENDENT_CODE=ON -DBUILD_SHARED_LIBS=OFF \
         -DCMAKE_C_FLAGS="-ffile-prefix-map=$scratch/=" -DCMAKE_CXX_FLAGS="-ffile-prefix-map=$scratch/=" "$@"
@@ -51,4 +53,4 @@ library prometheus-cpp -DENABLE_PUSH=OFF -DENABLE_PULL=OFF -DENABLE_COMPRESSION=
     -DUSE_THIRDPARTY_LIBRARIES=OFF
 library hdf5 -DHDF5_BUILD_CPP_LIB=ON -DHDF5_BUILD_HL_LIB=OFF -DHDF5_BUILD_TOOLS=OFF -DHDF5_BUILD_UTILS=OFF \
     -DHDF5_BUILD_EXAMPLES=OFF -DBUILD_TESTING=OFF -DHDF5_ENABLE_Z_LIB_SUPPORT=ON -DHDF5_ENABLE_SZIP_SUPPORT=OFF \
-    -DHDF5_ENABLE_NONSTANDARD_FEATURES=OFF -DHDF5_ENABLE_EMBEDDED_LIBINFO=OFF
+    -DHDF5_ENABLE_NONSTANDARD_FEATURES=OFF

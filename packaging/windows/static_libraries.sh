@@ -32,6 +32,8 @@ configured() {
     ls "$name"_*.orig.tar.* >/dev/null 2>&1 || { echo "the sources of $name cannot be had from this mirror" >&2 && exit 1; }
     mkdir "$name"
     tar -xf "$name"_*.orig.tar.* -C "$name" --strip-components=1
+    # What HDF5 would tell of this machine and of today.
+    [ ! -e "$name/src/H5build_settings.off.c.in" ] || cp "$name"/src/H5build_settings.{off,cmake}.c.in
     mkdir -p "$folder/licenses"
     find "$name" -maxdepth 1 \( -name 'COPYING*' -o -name 'LICENSE*' \) -type f -exec cat {} + >"$folder/licenses/$name"
     ls "$name"_*.orig.tar.* >>"$folder/sources.txt"
@@ -56,7 +58,7 @@ built prometheus-cpp-build
 cmake --install prometheus-cpp-build
 configured hdf5 -DHDF5_BUILD_CPP_LIB=ON -DHDF5_BUILD_HL_LIB=OFF -DHDF5_BUILD_TOOLS=OFF -DHDF5_BUILD_UTILS=OFF \
     -DHDF5_BUILD_EXAMPLES=OFF -DBUILD_TESTING=OFF -DHDF5_ENABLE_Z_LIB_SUPPORT=ON -DHDF5_ENABLE_SZIP_SUPPORT=OFF \
-    -DHDF5_ENABLE_NONSTANDARD_FEATURES=OFF -DHDF5_ENABLE_EMBEDDED_LIBINFO=OFF \
+    -DHDF5_ENABLE_NONSTANDARD_FEATURES=OFF \
     -DZLIB_INCLUDE_DIR="$folder/include" -DZLIB_LIBRARY="$folder/lib/libz.a"
 built hdf5-build
 cmake --install hdf5-build
