@@ -75,8 +75,8 @@ def assemble(asked: str, folder: Path) -> None:
     moment = datetime.fromtimestamp(epoch(), timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
     (folder / f"{name}.cdx.json").write_text(bill_of(folder, asked, moment))
     own = [f"{ROOT}/", f"{Path(tempfile.gettempdir(), 'tmp.')}", *(f"{os.environ[name]}/" for name in ("HOME", "XDG_CACHE_HOME") if os.environ.get(name))]
-    if told := telling(folder, own):
-        sys.exit("\n".join(["files would be others where this clone, its user or temporary folders have other names:", *told]))
+    if named := telling(folder, own):
+        sys.exit("\n".join(["files would be others where this clone, its user or temporary folders have other names:", *named]))
     sums = [f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {path.name}\n" for path in sorted(folder.iterdir())]
     (folder / "SHA256SUMS").write_text("".join(sums))
 
