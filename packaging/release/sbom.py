@@ -29,7 +29,8 @@ _BROUGHT = {"pyzmq": ("zeromq", "libsodium")}
 
 
 def libraries_in(path: Path) -> Iterator[tuple[str, str]]:
-    """Name and version of what a file has inside, or of what it depends on, as it tells by itself."""
+    """Name and version of what a file has inside, or of what it depends on, as it tells by itself. Raises ValueError for a line of
+    its sources that has none."""
     for line in _lines_in(path):
         if found := re.fullmatch(r"([a-z0-9][a-z0-9.+-]*?)_(\S+?)\.orig\.tar\.\w+", line):  # an author's archive, from Debian
             yield found[1], found[2]
@@ -37,6 +38,8 @@ def libraries_in(path: Path) -> Iterator[tuple[str, str]]:
             yield found[1], found[2]
         elif found := re.fullmatch(r"([a-z0-9][a-z0-9.+-]*) (\S+)", line):  # a source package of Debian
             yield found[1], found[2]
+        elif path.suffix != ".whl":  # whose metadata have other lines, too
+            raise ValueError(f"{path.name} lists {line!r}; a name and a version must be read from it")
 
 
 def _sources_in(archive: Path | io.BytesIO) -> list[str]:
@@ -59,7 +62,7 @@ def _lines_in(path: Path) -> list[str]:
             return [line for name in archive.namelist() if name.endswith(".fmu") for line in _sources_in(io.BytesIO(archive.read(name)))]
     if path.name.endswith(".tar.gz"):
         with tarfile.open(path) as archive:
-            files = [archive.extractfile(member) for member in archive if member.name.lower().endswith("/sources.txt")]
+            files = [archive.extractfile(member) for member in archive if member.name.lower().endswith("/sources.txt") and ".egg-info/" not in member.name]
             return [line for file in files if file for line in file.read().decode().splitlines()]
     if path.suffix == ".deb":
         name, asked = (subprocess.run(["dpkg-deb", "-f", path, field], capture_output=True, text=True, check=True).stdout for field in ("Package", "Depends"))

@@ -103,6 +103,13 @@ def test_the_bill_lists_what_a_library_from_pypi_has_inside(tmp_path):
     assert needed["pyzmq@>=24"] == {"zeromq@any", "libsodium@any"} <= {one["bom-ref"] for one in bill["components"]}
 
 
+def test_what_is_inside_and_has_no_version_is_not_passed_over(tmp_path):
+    with zipfile.ZipFile(tmp_path / "x.fmu", "w") as archive:
+        archive.writestr("documentation/licenses/sources.txt", "zeromq, as it lies there\n")
+    with pytest.raises(ValueError, match="x.fmu lists 'zeromq, as it lies there'"):
+        list(libraries_in(tmp_path / "x.fmu"))
+
+
 def test_the_bill_looks_into_the_fmus_of_an_archive(tmp_path):
     with zipfile.ZipFile(tmp_path / "x.fmu", "w") as archive:
         archive.writestr("documentation/licenses/sources.txt", "hdf5_1.14.5.orig.tar.gz\n")
