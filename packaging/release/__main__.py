@@ -68,7 +68,9 @@ def assemble(asked: str, folder: Path) -> None:
         if not shared:
             sys.exit(f"build/{built}/lib has no libraries")
         write_tar(folder / f"{name}-linux-{machine}.tar.gz", {f"{name}/{file}": data for file, data in {**headers, **pages, **examples, **shared, **texts}.items()})
-    write_tar(folder / f"{name}-site.tar.gz", files_of(BUILD / "docs", f"{name}-site/"))
+    site = files_of(BUILD / "docs", f"{name}-site/")
+    site.pop(f"{name}-site/.buildinfo", None)  # a digest of paths, by which Sphinx knows what to build anew
+    write_tar(folder / f"{name}-site.tar.gz", site)
     notices = {**inside, **{Path(file).name: data for file, data in {**windows, **arm64}.items() if file.startswith("licenses/")}}
     (folder / "NOTICES.txt").write_bytes(b"\n".join(f"=== {file} ===\n".encode() + notices[file] for file in sorted(notices)))
     shutil.copyfile(ROOT / "packaging" / "release" / "check.py", folder / "check.py")
