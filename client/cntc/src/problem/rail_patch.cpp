@@ -61,7 +61,7 @@ const char* left_out(const WheelRailSetup& setup, const WheelRailState& state, c
     if (state.motion != WheelRailMotion::steady_rolling) return "a motion that is not steady";
     if (!place.rows.empty()) return "a curved contact";
     if (place.regions.size() > 1) return "regions that share their displacements in part";
-    if (setup.rigid_slip != RigidSlipKind::plane) return "slip row by row";
+    if (setup.rigid_slip != RigidSlipKind::plane) return "slip of the surfaces";
     if (setup.friction && setup.friction->layer) return "an interfacial layer";
     return nullptr;
 }
