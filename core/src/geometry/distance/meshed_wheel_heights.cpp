@@ -64,11 +64,12 @@ NodeMesh sliced_mesh(const WheelSurface& wheel, const MeshedPlace& found) {
         }
     least_z -= needed.dy * std::abs(sine);
     const double from = std::atan((x.from - 2 * needed.dx) / least_z), to = std::atan((x.to + 2 * needed.dx) / least_z);
-    long columns = std::lround((to - from) * radius / needed.dx) + 2;
+    const auto [first, last] = wheel.seen_slice_nodes();
+    const double lines = std::round((to - from) * radius / needed.dx) + 2;
+    long columns = static_cast<long>(lines_within_bound(lines + 2 * spare, last - first + 1)) - 2 * spare;
     columns += columns % 2 == 0 ? 1 : 0;
     const double step = (to - from) / static_cast<double>(columns - 1);
     std::vector<Vector3> nodes;
-    const auto [first, last] = wheel.seen_slice_nodes();
     for (std::size_t j = first; j <= last; ++j)
         for (long i = -spare; i < columns + spare; ++i)
             nodes.push_back(

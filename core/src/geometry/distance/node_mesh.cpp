@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
+
+#include "contactd/count_of.hpp"
 
 namespace contactd::geometry {
 namespace {
 
 constexpr double slack = 1e-9;
+constexpr int most_nodes = 4'000'000;
 
 /// Whether a share lies before its side, on it or behind it: -1, 0 or 1.
 int beside(double share) {
@@ -22,6 +26,13 @@ bool go(std::size_t& cell, int step, std::size_t nodes) {
 }
 
 }  // namespace
+
+std::size_t lines_within_bound(double columns, std::size_t rows) {
+    const int most = most_nodes / static_cast<int>(std::clamp<std::size_t>(rows, 1, most_nodes));
+    return static_cast<std::size_t>(
+        count_of(columns, {"dx", "is too small for a mesh of a wheel with " + std::to_string(rows) + " points across",
+                           "lines across it", "make it larger, or give the wheel fewer points", most}));
+}
 
 NodeMesh::NodeMesh(std::size_t columns, std::vector<Vector3> nodes, Between between)
     : columns_(columns), rows_(nodes.size() / columns), nodes_(std::move(nodes)), between_(between) {}

@@ -11,6 +11,10 @@
 
 namespace contactd::geometry {
 
+/// Returns the number of lines across a mesh. Throws InvalidArgument ("dx") where such a mesh has more than four
+/// million nodes (96 MB), of which none must be made before.
+std::size_t lines_within_bound(double columns, std::size_t rows);
+
 /// Nodes in columns and rows, seen along z: x of each row ascends with the columns, and y of each column with the rows.
 /// A point lies in a cell at shares u and v of its sides, by which the cell's corners make x and y of it.
 class NodeMesh {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "contactd/count_of.hpp"
 #include "geometry/distance/heights.hpp"
@@ -37,9 +38,9 @@ GapMesh::GapMesh(const WheelSurface& wheel, const RailSurface& rail, double step
                  const Observer& observer)
     : GapMesh(wheel, rail, lines_around(wheel, rail, step_x, step_y), std::nullopt, observer) {}
 
-GapMesh::GapMesh(const WheelSurface& wheel, const RailSurface& rail, const NodeMesh& nodes, double step_y,
+GapMesh::GapMesh(const WheelSurface& wheel, const RailSurface& rail, NodeMesh nodes, double step_y,
                  const Observer& observer)
-    : GapMesh(wheel, rail, lines_of(nodes, rail, step_y), nodes, observer) {}
+    : GapMesh{wheel, rail, lines_of(nodes, rail, step_y), std::optional(std::move(nodes)), observer} {}  // in order
 
 GapMesh::Lines GapMesh::lines_around(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y) {
     const Span& seen = rail.visible();
@@ -66,8 +67,8 @@ GapMesh::Lines GapMesh::lines_of(const NodeMesh& nodes, const RailSurface& rail,
     return {from, step_x, nodes.columns(), first_y, std::min(last, seen.high), step_y};
 }
 
-GapMesh::GapMesh(const WheelSurface& wheel, const RailSurface& rail, const Lines& lines,
-                 const std::optional<NodeMesh>& nodes, const Observer& observer)
+GapMesh::GapMesh(const WheelSurface& wheel, const RailSurface& rail, const Lines& lines, std::optional<NodeMesh> nodes,
+                 const Observer& observer)
     : wheel_(wheel),
       rail_(rail),
       observer_(observer),
@@ -75,7 +76,7 @@ GapMesh::GapMesh(const WheelSurface& wheel, const RailSurface& rail, const Lines
       step_y_(lines.step_y),
       first_x_(lines.first_x),
       columns_(lines.columns),
-      nodes_(nodes),
+      nodes_(std::move(nodes)),
       least_gap_(infinite) {
     constexpr double rounding = 1e-6;  // of a step
     const double steps = std::max(0.0, (lines.last_y - lines.first_y) / lines.step_y + rounding);

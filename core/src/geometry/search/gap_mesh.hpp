@@ -38,7 +38,7 @@ class GapMesh {
     /// Takes the wheel by nodes of its own, in the track (search_nodes.hpp). Lines of equal x are as many as columns of
     /// these, and reach as far; those of equal y begin at the third point of the rail's profile, and end with the third
     /// from its end.
-    GapMesh(const WheelSurface& wheel, const RailSurface& rail, const NodeMesh& nodes, double step_y,
+    GapMesh(const WheelSurface& wheel, const RailSurface& rail, NodeMesh nodes, double step_y,
             const Observer& observer);
 
     /// Has all nodes looked at that may have a gap below `height`.
@@ -68,8 +68,8 @@ class GapMesh {
         std::size_t columns;
         double first_y, last_y, step_y;
     };
-    GapMesh(const WheelSurface& wheel, const RailSurface& rail, const Lines& lines,
-            const std::optional<NodeMesh>& nodes, const Observer& observer);
+    GapMesh(const WheelSurface& wheel, const RailSurface& rail, const Lines& lines, std::optional<NodeMesh> nodes,
+            const Observer& observer);
     static Lines lines_around(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y);
     static Lines lines_of(const NodeMesh& nodes, const RailSurface& rail, double step_y);
     std::vector<double> wheel_heights_at(const ContactReference& plane, const Grid& columns, std::vector<double> y,

@@ -13,9 +13,9 @@ class MeshSearch : public OverlapSearch {
                const Observer& observer)
         : rail_(rail), mesh_(wheel, rail, step_x, step_y, observer) {}
     /// Takes the wheel by the nodes of search_nodes.hpp.
-    MeshSearch(const WheelSurface& wheel, const RailSurface& rail, const NodeMesh& nodes, double step_y,
+    MeshSearch(const WheelSurface& wheel, const RailSurface& rail, NodeMesh nodes, double step_y,
                const Observer& observer)
-        : rail_(rail), mesh_(wheel, rail, nodes, step_y, observer) {}
+        : rail_(rail), mesh_(wheel, rail, std::move(nodes), step_y, observer) {}
 
     double least_gap() const override { return mesh_.least_gap(); }
     std::vector<OverlapRegion> regions(double z) override;

@@ -10,15 +10,15 @@ namespace contactd::geometry {
 namespace {
 
 /// How many lines reach so far: an odd number, so that one of them is in the middle.
-std::size_t lines_over(double length, double step) {
-    const auto lines = static_cast<std::size_t>(std::lround(length / step + 2));
+std::size_t lines_over(double length, double step, std::size_t rows) {
+    const std::size_t lines = lines_within_bound(std::round(length / step + 2), rows);
     return lines + (lines % 2 == 0 ? 1 : 0);
 }
 
 NodeMesh of_round(const WheelSurface& wheel, double dx) {
     constexpr double step = 1.5, small_wheel = 30.5;  // in elements; mm
     const double radius = wheel.nominal_radius(), reach = radius * (radius < small_wheel ? 0.242 : 0.125);
-    const std::size_t columns = lines_over(2 * reach, step * dx);
+    const std::size_t columns = lines_over(2 * reach, step * dx, wheel.profile().knots().size());
     std::vector<Vector3> nodes;
     for (const double s : wheel.profile().knots()) {
         if (s < wheel.visible().from || s > wheel.visible().to) continue;
@@ -32,8 +32,8 @@ NodeMesh of_round(const WheelSurface& wheel, double dx) {
 
 NodeMesh of_slices(const WheelSurface& wheel, double dx) {
     constexpr double step = 4, reach = 0.2;  // in elements; rad
-    const std::size_t columns = lines_over(2 * reach * wheel.nominal_radius(), step * dx);
     const auto [first, last] = wheel.seen_slice_nodes();
+    const std::size_t columns = lines_over(2 * reach * wheel.nominal_radius(), step * dx, last - first + 1);
     std::vector<Vector3> nodes;
     for (std::size_t row = first; row <= last; ++row)
         for (std::size_t i = 0; i < columns; ++i) {

@@ -2,12 +2,17 @@
 #include "geometry/search/search_nodes.hpp"
 
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>
 #include <memory>
 
+#include "contactd/error.hpp"
 #include "contactd/make_profile.hpp"
 
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::MessageMatches;
 using Catch::Matchers::WithinAbs;
 using namespace contactd;
 using namespace contactd::geometry;
@@ -36,4 +41,16 @@ TEST_CASE("Search nodes of an out-of-round wheel reach so far as an angle") {
     CHECK_THAT(std::atan2(last.x, last.z + 460), WithinAbs(0.2, 1e-12));
     CHECK_THAT(lowest.x, WithinAbs(0, 1e-12));
     CHECK_THAT(std::hypot(last.x, last.z + 460), WithinAbs(lowest.z + 460, 1e-9));
+}
+
+TEST_CASE("A mesh of a wheel that is too fine is refused before any of its nodes is made") {
+    const ProfileCurve profile = make_profile({ProfileKind::wheel, S1002{}}).curve;
+    const WheelSurface round(profile, Wheelset{}, {});
+    const WheelSurface sliced(
+        profile, Wheelset{}, {}, {},
+        std::make_shared<const OutOfRound>(std::vector<double>{-1, 1}, std::vector<ProfileCurve>{profile, profile}));
+    for (const double dx : {1e-4, 1e-300})
+        for (const WheelSurface* wheel : {&round, &sliced})
+            CHECK_THROWS_MATCHES(search_nodes(*wheel, dx), InvalidArgument,
+                                 MessageMatches(ContainsSubstring("too small for a mesh of a wheel with")));
 }
