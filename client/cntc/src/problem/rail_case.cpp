@@ -27,16 +27,17 @@ enum Previous { go_on = 0, again = 3 };
 constexpr int from_last_case = 3;  // of the initial estimate
 
 /// Returns what a step starts from. Tractions are a history only where the step is not steady.
-WheelRailEstimates start_of(const RailCase& rail, const Settings& common, const WheelRailState& state) {
+SharedEstimates start_of(const RailCase& rail, const Settings& common, const WheelRailState& state) {
     const bool is_steady = state.motion == WheelRailMotion::steady_rolling;
     const bool has_estimate = common.digits(flag::estimate) == from_last_case;
     const int previous = common.digits(flag::previous);
-    if (is_steady) return has_estimate ? rail.estimates : WheelRailEstimates{};
+    if (is_steady) return has_estimate ? rail.estimates : nullptr;
     if (previous == go_on) return rail.estimates;
     if (previous == again) return rail.before;
-    WheelRailEstimates start = has_estimate ? rail.estimates : WheelRailEstimates{};
+    if (!has_estimate || !rail.estimates) return nullptr;
+    WheelRailEstimates start = *rail.estimates;
     start.patches.clear();
-    return start;
+    return std::make_shared<const WheelRailEstimates>(std::move(start));
 }
 
 void require_all_converged(const WheelRailSolution& solution) {
@@ -72,13 +73,13 @@ void calculate(RailCase& rail, const Settings& common) {
     const WheelRailState state = state_of(common, rail.settings);
     use(rail, setup);
     if (common.digits(flag::result) >= 2) return;
-    const WheelRailEstimates start = start_of(rail, common, state);
-    WheelRailEstimates next = start;
+    SharedEstimates start = start_of(rail, common, state);
+    const auto next = start ? std::make_shared<WheelRailEstimates>(*start) : std::make_shared<WheelRailEstimates>();
     Observer observer;
-    rail.solution = rail.contact->solve(state, next, observer);
+    rail.solution = rail.contact->solve(state, *next, observer);
     rail.state = state;
-    rail.before = start;
-    rail.estimates = std::move(next);
+    rail.before = std::move(start);
+    rail.estimates = next;
     rail.current = true;
     require_contact(rail);
     require_all_converged(*rail.solution);

@@ -19,12 +19,15 @@ struct RailOutlines {
     geometry::Profiles profiles;
 };
 
+/// Tractions of all patches among them: too much to copy in each step. Null: there are none.
+using SharedEstimates = std::shared_ptr<const WheelRailEstimates>;
+
 struct RailCase {
     std::mutex mutex;  ///< held by whoever uses the rest
     RailSettings settings;
     std::unique_ptr<const WheelRailContact> contact{};  ///< kept as long as the set-up stays
     std::shared_ptr<const RailOutlines> outlines{};     ///< that somebody asked for last
-    WheelRailEstimates before{}, estimates{};           ///< where the last step started, and where the next one does
+    SharedEstimates before{}, estimates{};              ///< where the last step started, and where the next one does
     std::optional<WheelRailState> state{};              ///< of the last solve
     std::optional<WheelRailSolution> solution{};        ///< of the last solve
     bool current = false;  ///< whether it is what was asked for last: a refused case cannot be read
