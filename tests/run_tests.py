@@ -1,9 +1,10 @@
-"""./dev test [--all] [NAME...] [-- OPTIONS] builds, and runs C++ tests by ctest and Python tests by pytest.
+"""./dev test [--all | --long] [NAME...] [-- OPTIONS] builds, and runs C++ tests by ctest and Python tests by pytest.
 
   NAME      runs the files that have it in their path below tests/: integration/test_jobs, core/contact, client/python, rolling;
             where there is none, the files that have it in the name of a test
   --all     slow tests, too, and without a NAME also builds what no test needs, fuzz targets, benchmarks and random problems,
             and fuzzes what reads messages, under sanitizers
+  --long    the same and long tests: what a release is tested with
   OPTIONS   are handed to pytest
 """
 
@@ -16,6 +17,7 @@ import sys
 import time
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from enum import IntEnum
 from pathlib import Path
 
 TESTS = Path(__file__).resolve().parent
@@ -78,7 +80,20 @@ def workers() -> int:
     return max(1, min(PROCESSORS + 1, memory // BYTES_OF_A_WORKER))
 
 
-def build_command(chosen: Sequence[Source] | None, everything: bool) -> list[str]:
+class Effort(IntEnum):
+    """Which tests run: those of seconds; slow ones, too, as in CI; and long ones, as before a release."""
+
+    QUICK = 0
+    ALL = 1
+    LONG = 2
+
+    @property
+    def left_out(self) -> list[str]:
+        """Labels of ctest, marks of pytest."""
+        return ["slow", "long"][self :]
+
+
+def build_command(chosen: Sequence[Source] | None, effort: Effort) -> list[str]:
     command = ["cmake", "--build", "--preset", "development"]
     if jobs := os.environ.get("CONTACTD_JOBS"):
         command += ["-j", jobs]
@@ -87,22 +102,25 @@ def build_command(chosen: Sequence[Source] | None, everything: bool) -> list[str
         if any(test.target is None for test in chosen):
             targets |= set(PROGRAMS)
         return [*command, "--target", *sorted(targets)]
-    return [*command, "--target", "all", *EXTRAS] if everything else command
+    return [*command, "--target", "all", *EXTRAS] if effort else command
 
 
-def cpp_command(chosen: Sequence[Source] | None, everything: bool) -> list[str]:
+def cpp_command(chosen: Sequence[Source] | None, effort: Effort) -> list[str]:
     command = ["ctest", "--preset", "development", "-j", str(PROCESSORS)]
     if chosen is None:
-        return command if everything else [*command, "--label-exclude", "^(slow|fuzz)$"]
+        labels = [*effort.left_out, *([] if effort else ["fuzz"])]
+        return [*command, "--label-exclude", f"^({'|'.join(labels)})$"] if labels else command
     paths = "|".join(re.escape(test.path) for test in chosen if test.target)
-    suffix = r"( \(slow\))?" if everything else ""
+    suffix = ["", r"( \(slow\))?", r"( \((slow|long)\))?"][effort]
     return [*command, "--no-tests=ignore", "--tests-regex", f"^({paths}){suffix}$"]
 
 
-def python_command(chosen: Sequence[Source] | None, everything: bool, options: Sequence[str]) -> list[str]:
+def python_command(chosen: Sequence[Source] | None, effort: Effort, options: Sequence[str]) -> list[str]:
     files = [str(TESTS)] if chosen is None else [str(test.file) for test in chosen if test.target is None]
     # Who runs all of them sees where the time goes.
-    command = [sys.executable, "-m", "pytest", *(["--durations", "25"] if everything else ["-m", "not slow"])]
+    command = [sys.executable, "-m", "pytest", *(["--durations", "25"] if effort else [])]
+    if effort.left_out:
+        command += ["-m", " and ".join(f"not {mark}" for mark in effort.left_out)]
     if (processes := workers() if chosen is None else min(workers(), len(files))) > 1:
         # A process that crashes ends the run: pytest-xdist would start another one, and then wait without end.
         command += ["-n", str(processes), "--dist", "loadgroup", "--max-worker-restart", "0"]
@@ -130,8 +148,8 @@ def main(arguments: Sequence[str]) -> int:
     own, options = list(arguments), []
     if "--" in own:
         own, options = own[: own.index("--")], own[own.index("--") + 1 :]
-    everything = "--all" in own
-    names = [word for word in own if word != "--all"]
+    effort = Effort.LONG if "--long" in own else Effort.ALL if "--all" in own else Effort.QUICK
+    names = [word for word in own if word not in ("--all", "--long")]
     if any(name.startswith("-") for name in names):
         print(__doc__)
         return 0 if {"-h", "--help"} & set(names) else 2
@@ -142,13 +160,13 @@ def main(arguments: Sequence[str]) -> int:
         print(f"dev: {error}", file=sys.stderr)
         return 2
     run = Run()
-    if run.part("build", build_command(chosen, everything)):
+    if run.part("build", build_command(chosen, effort)):
         if chosen is None or any(test.target for test in chosen):
-            run.part("C++ tests", cpp_command(chosen, everything))
+            run.part("C++ tests", cpp_command(chosen, effort))
         if chosen is None or any(test.target is None for test in chosen):
-            fine = (0,) if chosen is None else (0, NO_TEST_LEFT)  # all that were named are slow
-            run.part("Python tests", python_command(chosen, everything, options), fine)
-        if chosen is None and everything:
+            fine = (0,) if chosen is None else (0, NO_TEST_LEFT)  # all that were named are left out
+            run.part("Python tests", python_command(chosen, effort, options), fine)
+        if chosen is None and effort:
             run.part("fuzzing", FUZZING)
     print(f"\033[1m==>\033[0m {', '.join(run.took)}", file=sys.stderr)
     if run.failed:

@@ -68,7 +68,7 @@ def test_what_is_left_out_is_gone_and_the_rest_configures(tmp_path, left_out, th
     assert not gone & targets
 
 
-@pytest.mark.skipif(os.environ.get("CONTACTD_CONFIGURATIONS") != "long", reason="compiles core once more; ./dev package --test runs it")
+@pytest.mark.long  # compiles core once more; ./dev package --test runs it, too
 @pytest.mark.timeout(1800)
 def test_the_library_in_process_is_built_and_used_without_zeromq(tmp_path):
     build = BIN.parents[1] / "without-remote"  # beside the others, where the cache of ./dev knows its sources

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import run_tests
-from run_tests import Source, build_command, choose, cpp_command, cpp_tests, python_command, python_tests
+from run_tests import Effort, Source, build_command, choose, cpp_command, cpp_tests, python_command, python_tests
 from support.slowness import SLOWER
 
 LISTED = """core/contact/test_rolling\tcore/contact/test_rolling.cpp\ttest_core
@@ -82,14 +82,14 @@ def test_an_unknown_name_is_told_what_there_is():
 
 
 def test_a_part_builds_what_it_needs():
-    assert build_command(choose(ALL, ["core/contact"]), False)[-2:] == ["--target", "test_core"]
-    assert set(run_tests.PROGRAMS) < set(build_command(choose(ALL, ["test_jobs"]), False))
+    assert build_command(choose(ALL, ["core/contact"]), Effort.QUICK)[-2:] == ["--target", "test_core"]
+    assert set(run_tests.PROGRAMS) < set(build_command(choose(ALL, ["test_jobs"]), Effort.QUICK))
 
 
 def test_a_process_that_crashes_ends_the_run(tmp_path):
     tests = tmp_path / "test_crash.py"
     tests.write_text(CRASH)
-    command = [*python_command(None, True, ["-p", "no:cacheprovider"])[:-1], str(tests)]
+    command = [*python_command(None, Effort.LONG, ["-p", "no:cacheprovider"])[:-1], str(tests)]
     ended = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=50 * SLOWER)
     assert ended.returncode != 0
     assert "test_one[37]" in ended.stdout + ended.stderr
@@ -111,11 +111,11 @@ def test_slow_tests_begin_first_and_a_file_that_shares_stays_together(tmp_path):
 
 
 def test_what_no_test_needs_is_built_with_all():
-    assert build_command(None, False)[-1] == "development"
-    assert build_command(None, True)[-4:] == ["all", "fuzz", "benchmarks", "random_problems"]
+    assert build_command(None, Effort.QUICK)[-1] == "development"
+    assert build_command(None, Effort.ALL)[-4:] == ["all", "fuzz", "benchmarks", "random_problems"]
 
 
-@pytest.mark.parametrize(("arguments", "fuzzes"), [(["--all"], True), ([], False), (["--all", "packaging"], False)])
+@pytest.mark.parametrize(("arguments", "fuzzes"), [(["--all"], True), (["--long"], True), ([], False), (["--all", "packaging"], False)])
 def test_all_ends_with_fuzzing_of_messages_in_short_form(monkeypatch, tmp_path, arguments, fuzzes):
     called = []
     (tmp_path / "tests.txt").write_text(LISTED)
@@ -127,19 +127,22 @@ def test_all_ends_with_fuzzing_of_messages_in_short_form(monkeypatch, tmp_path, 
         assert (run_tests.TESTS / "fuzz" / f"{target}.cpp").exists()
 
 
-def test_slow_tests_are_left_out_unless_all_are_wanted():
-    assert "^(slow|fuzz)$" in cpp_command(None, False)
-    assert "^(slow|fuzz)$" not in cpp_command(None, True)
-    assert ["-m", "not slow"] == python_command(None, False, [])[3:5]
-    assert "not slow" not in python_command(None, True, [])
+def test_slow_and_long_tests_are_left_out_unless_they_are_wanted():
+    assert cpp_command(None, Effort.QUICK)[-1] == "^(slow|long|fuzz)$"
+    assert cpp_command(None, Effort.ALL)[-1] == "^(long)$"
+    assert "--label-exclude" not in cpp_command(None, Effort.LONG)
+    assert ["-m", "not slow and not long"] == python_command(None, Effort.QUICK, [])[3:5]
+    assert ["-m", "not long"] == python_command(None, Effort.ALL, [])[5:7]
+    assert "-m" not in python_command(None, Effort.LONG, [])[3:]
     rolling = choose(ALL, ["core/contact"])
-    assert cpp_command(rolling, False)[-1] == "^(core/contact/test_rolling)$"
-    assert cpp_command(rolling, True)[-1] == r"^(core/contact/test_rolling)( \(slow\))?$"
+    assert cpp_command(rolling, Effort.QUICK)[-1] == "^(core/contact/test_rolling)$"
+    assert cpp_command(rolling, Effort.ALL)[-1] == r"^(core/contact/test_rolling)( \(slow\))?$"
+    assert cpp_command(rolling, Effort.LONG)[-1] == r"^(core/contact/test_rolling)( \((slow|long)\))?$"
 
 
 def test_one_file_runs_in_one_process_and_options_go_to_pytest():
     (file,) = choose(ALL, ["test_jobs"])
-    command = python_command([file], True, ["-k", "cancel"])
+    command = python_command([file], Effort.ALL, ["-k", "cancel"])
     assert "-n" not in command
     assert command[-3:] == ["-k", "cancel", str(file.file)]
 

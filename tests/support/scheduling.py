@@ -10,6 +10,10 @@ import pytest
 SLOW = " (slow)"
 
 
+def is_slow(item: pytest.Item) -> bool:
+    return any(item.get_closest_marker(mark) is not None for mark in ("slow", "long"))
+
+
 def shares_a_module(item: pytest.Item) -> bool:
     fixtures = item._fixtureinfo.name2fixturedefs.values() if isinstance(item, pytest.Function) else ()
     return any(found[-1].scope == "module" for found in fixtures)
@@ -20,18 +24,17 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     """Puts tests that share something of a module's scope, and each slow one, into a group; the names of groups say what is slow."""
     groups: dict[str, list[pytest.Item]] = {}
     for number, item in enumerate(items):
-        slow = item.get_closest_marker("slow") is not None
         if (given := item.get_closest_marker("xdist_group")) is not None:
             name = given.args[0]
         elif shares_a_module(item):
             name = item.path.relative_to(config.rootpath).as_posix() if item.path.is_relative_to(config.rootpath) else item.path.stem
-        elif slow:
+        elif is_slow(item):
             name = str(number)
         else:
             continue
         groups.setdefault(name, []).append(item)
     for name, members in groups.items():
-        slow = any(item.get_closest_marker("slow") for item in members)
+        slow = any(is_slow(item) for item in members)
         for item in members:
             item.add_marker(pytest.mark.xdist_group(name + SLOW * slow), append=False)
 

@@ -49,8 +49,8 @@ TEST_CASE("The error of prisms depends on the direction of the diagonals", "[fem
     CHECK_THAT(build(spec).errors.zz.value().origin, WithinRel(-2.0e-3, 0.02));
 }
 
-// Slow: four blocks on fine meshes of prisms.
-TEST_CASE("Every test on prisms reaches the target at the origin", "[fem][prism][verification][slow]") {
+// Long: four blocks on fine meshes of prisms.
+TEST_CASE("Every test on prisms reaches the target at the origin", "[fem][prism][verification][long]") {
     const auto [preset, L_over_h] = GENERATE(std::pair{"paper-mesh2-test1", 40}, std::pair{"paper-mesh2-test2", 40},
                                              std::pair{"paper-mesh2-test3", 40}, std::pair{"paper-mesh2-test2", 640});
     CAPTURE(preset, L_over_h);
@@ -60,8 +60,8 @@ TEST_CASE("Every test on prisms reaches the target at the origin", "[fem][prism]
     CHECK(std::abs(evidence.errors.yy.value().origin) < target);
 }
 
-// Slow: factorises what it also iterates on.
-TEST_CASE("Both solvers find the same coefficients on prisms", "[fem][prism][verification][slow]") {
+// Long: factorises what it also iterates on.
+TEST_CASE("Both solvers find the same coefficients on prisms", "[fem][prism][verification][long]") {
     // The paper blames ill-conditioned matrices for Mesh2's plateau; then they would not.
     IcSpec spec = paper_spec("paper-mesh2-test2", 512);
     Observer observer;
@@ -101,9 +101,9 @@ TEST_CASE("The error of prisms falls with their order", "[fem][prism][verificati
     }
 }
 
-// Slow: a factorised block, and contact on 160 x 160 elements.
+// Long: a factorised block, and contact on 160 x 160 elements.
 TEST_CASE("The Cattaneo problem with coefficients on prisms is within the paper's errors",
-          "[fem][prism][verification][slow]") {
+          "[fem][prism][verification][long]") {
     const ContactProblem problem = test::cattaneo_problem(160);
     IcSpec spec = paper_spec("paper-mesh2-test2", 128);
     spec.material = problem.bodies.upper.material;
