@@ -98,6 +98,11 @@ std::vector<std::string> friction_warnings(const ContactProblem& problem, const 
                                            const ContactSolution& solution, const Observer& observer) {
     std::vector<std::string> warnings;
     if (!problem.friction || problem.model != Model::full) return warnings;
+    if (const auto& outer = solution.evidence.outer; outer && !outer->converged && influence.coupled())
+        warnings.push_back("The outer iterations between pressures and tractions have not settled after " +
+                           std::to_string(outer->iterations) +
+                           ": bodies of different materials may have several answers where a step is not steady. Try "
+                           "a shorter step or smaller elements.");
     if (const double gain = loop_gain(problem, influence, solution, observer); gain > 1)
         warnings.push_back("Friction may have several answers here: what falls feeds back on the slip with a gain of " +
                            short_text(gain) +

@@ -1,4 +1,4 @@
-// Tells whether the answer to a contact with softening or falling friction is the only one.
+// Tells whether the answer to a contact with friction is the only one.
 #pragma once
 
 #include <string>
@@ -17,7 +17,8 @@ namespace contactd {
 double loop_gain(const ContactProblem& problem, const InfluenceOperator& influence, const ContactSolution& solution,
                  const Observer& observer);
 
-/// Sentences about a gain above 1, and about steps in which particles slip farther than they remember.
+/// Sentences about a gain above 1, about outer iterations that have not settled, and about steps in which particles
+/// slip farther than they remember.
 std::vector<std::string> friction_warnings(const ContactProblem& problem, const InfluenceOperator& influence,
                                            const ContactSolution& solution, const Observer& observer);
 

@@ -1,4 +1,5 @@
 // Bodies of different materials, one of them rigid in the limit: normal and tangential contact influence each other.
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -211,5 +212,11 @@ TEST_CASE("dissimilar bodies meet the forces that are given, steadily, by shifts
 TEST_CASE("an outer loop that is cut short says so", "[dissimilar]") {
     ContactProblem problem = sphere(rigid_on_soft, 0.4);
     problem.settings.outer.max_iterations = 1;
-    CHECK_FALSE(solve_half_spaces(problem).converged());
+    const ContactSolution solution = solve_half_spaces(problem);
+    CHECK_FALSE(solution.converged());
+    CHECK(std::ranges::any_of(solution.warnings, [](const std::string& warning) {
+        return warning.find("have not settled after 1: bodies of different materials") != std::string::npos;
+    }));
+    problem.settings.outer.max_iterations = 100;
+    CHECK(solve_half_spaces(problem).warnings.empty());
 }
