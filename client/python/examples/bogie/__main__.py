@@ -20,7 +20,7 @@ sys.path.append(str(Path(__file__).parents[1]))  # railway, which the examples s
 
 from railway.track import IrregularTrack
 from railway.wheels import SETUPS, SessionWheels
-from runs import Integrate, OpenWheels, Run, by_numpy, simulate
+from runs import INTEGRATORS, OpenWheels, Run, integrator, simulate
 from tasks import run_curve, search, tell_energy
 
 import contactd
@@ -29,7 +29,7 @@ from contactd import Client
 
 def main() -> None:
     options = _options()
-    integrate, open_wheels = _integrator(options.integrator), _opener(options.fmu)
+    integrate, open_wheels = integrator(options.integrator), _opener(options.fmu)
     with _client(options) as client:
         track = IrregularTrack(seed=options.seed)
         runs = []
@@ -80,21 +80,6 @@ def _client(options: argparse.Namespace) -> Iterator[Client]:
         yield client
 
 
-def _integrator(name: str) -> Integrate:
-    if name == "runge-kutta":
-        return by_numpy
-    try:
-        import exudyn  # noqa: F401
-    except ModuleNotFoundError:
-        raise SystemExit(
-            "exudyn is not installed: pip install './client/python[wheelset]' (or pip install exudyn). "
-            "--integrator runge-kutta needs no Exudyn."
-        ) from None
-    from multibody import integrate
-
-    return integrate
-
-
 def _opener(fmu: Path | None) -> OpenWheels:
     if fmu is None:
         return SessionWheels
@@ -115,8 +100,10 @@ def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="bogie", description=(__doc__ or "").split("\n")[0])
     parser.add_argument("--endpoint", help="of a daemon that runs; default: solves in this process, or starts a daemon")
     parser.add_argument("--daemon", action="store_true", help="start a daemon also where this process could solve")
-    parser.add_argument("--fmu", type=Path, metavar="FILE", help="contactd_wheel of ./dev fmu, to solve the wheels at --speeds")
-    parser.add_argument("--integrator", choices=("exudyn", "runge-kutta"), default="exudyn", help="default: %(default)s")
+    parser.add_argument(
+        "--fmu", type=Path, metavar="FILE", help="contactd_wheel of ./dev fmu, to solve the wheels at --speeds"
+    )
+    parser.add_argument("--integrator", choices=INTEGRATORS, default="exudyn", help="default: %(default)s")
     parser.add_argument("--contacts", nargs="+", choices=SETUPS, default=list(SETUPS), help="default: all")
     parser.add_argument("--speeds", nargs="*", type=float, default=[50.0, 90.0], help="m/s; default: 50 90")
     parser.add_argument("--seconds", type=float, default=2.0, help="simulated; default: %(default)g")
@@ -124,7 +111,9 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=1, help="of the track's irregularities; default: %(default)s")
     parser.add_argument("--curve", action="store_true", help="into a curve of 600 m at 30 m/s")
     parser.add_argument("--energy", action="store_true", help="the balance of energy over a second")
-    parser.add_argument("--search", nargs=2, type=float, metavar=("LOW", "HIGH"), help="critical speeds between these (m/s)")
+    parser.add_argument(
+        "--search", nargs=2, type=float, metavar=("LOW", "HIGH"), help="critical speeds between these (m/s)"
+    )
     parser.add_argument("--output", type=Path, help="folder of the pictures; default: none are drawn")
     options = parser.parse_args()
     if not options.seconds > 0 or not all(speed >= 30 for speed in [*options.speeds, *(options.search or ())]):

@@ -31,6 +31,26 @@ PIECE = 0.1  # s
 OFF_TRACK = 15.0  # mm: a flange runs on top of its rail
 
 
+#: By whom the equations of motion are integrated.
+INTEGRATORS = ("exudyn", "runge-kutta")
+
+
+def integrator(name: str) -> Integrate:
+    """One of INTEGRATORS; SystemExit where Exudyn is not installed."""
+    if name == "runge-kutta":
+        return by_numpy
+    try:
+        import exudyn  # noqa: F401
+    except ModuleNotFoundError:
+        raise SystemExit(
+            "exudyn is not installed: pip install './client/python[wheelset]' (or pip install exudyn). "
+            "--integrator runge-kutta needs no Exudyn."
+        ) from None
+    from multibody import integrate
+
+    return integrate
+
+
 def by_numpy(equations: Equations, state: Array, duration: float, step: float) -> tuple[Array, Array]:
     return runge_kutta.integrate(equations.rates, state, duration, step)
 

@@ -1,6 +1,6 @@
 """States of a wheel of the bogie on worn profiles, for contactctl wear: straight track and two curves. docs/damage.md tells of it.
 
-Run: python3 client/python/examples/bogie/wear_states.py [--seconds 2] [--speed 50] FOLDER
+Run: python3 client/python/examples/bogie/wear_states.py [--seconds 2] [--speed 50] [--integrator exudyn] FOLDER
 
 FOLDER has wheel.prw, as contactctl wear leaves it; states.csv of the leading right wheel is written there. It solves with the
 contactd_local or the daemon that the example of the bogie takes.
@@ -19,7 +19,7 @@ sys.path.append(str(Path(__file__).parents[1]))  # railway, which the examples s
 from line import Line
 from railway.track import IrregularTrack, Track
 from railway.wheels import OnWheelset, SessionWheels
-from runs import simulate
+from runs import INTEGRATORS, Integrate, integrator, simulate
 
 import contactd
 from contactd import Client
@@ -52,7 +52,9 @@ class HeardWheels:
         self._wheels.__exit__(None, None, None)
 
 
-def run(client: Client, wheel: ProfileFile, line: Line, track: Track, speed: float, seconds: float) -> list[WheelRailState]:
+def run(
+    client: Client, wheel: ProfileFile, line: Line, track: Track, speed: float, seconds: float, integrate: Integrate
+) -> list[WheelRailState]:
     """The states of the leading right wheel, in the order that they were asked for."""
     kept: list[WheelRailState] = []
 
@@ -61,13 +63,17 @@ def run(client: Client, wheel: ProfileFile, line: Line, track: Track, speed: flo
         wheels.kept = kept
         return wheels
 
-    found = simulate(client, "fastsim", speed, seconds, line=line, track=track, open_wheels=open_wheels)
+    found = simulate(
+        client, "fastsim", speed, seconds, integrate=integrate, line=line, track=track, open_wheels=open_wheels
+    )
     if found.derailed:
         raise SystemExit(f"The bogie left the track at {speed:g} m/s after {found.times[-1]:.2f} s.")
     return kept
 
 
-def states_of(client: Client, wheel: ProfileFile, speed: float, seconds: float, count: int, radius: float) -> list[WeightedState]:
+def states_of(
+    client: Client, wheel: ProfileFile, speed: float, seconds: float, count: int, radius: float, integrate: Integrate
+) -> list[WeightedState]:
     """States on straight track, four fifths of the distance, and in a curve to each side (m)."""
     parts = [
         ("straight", 0.8, Line(), IrregularTrack(), speed),
@@ -76,7 +82,7 @@ def states_of(client: Client, wheel: ProfileFile, speed: float, seconds: float, 
     ]
     found = []
     for group, weight, line, track, at in parts:
-        kept = run(client, wheel, line, track, at, seconds)
+        kept = run(client, wheel, line, track, at, seconds, integrate)
         kept = kept[int(SETTLED * len(kept)) :]
         chosen = [kept[i * len(kept) // count] for i in range(count)]
         found += [WeightedState(state, weight / count, group) for state in chosen]
@@ -95,10 +101,14 @@ def main() -> None:
     parser.add_argument("--speed", type=float, default=50.0, help="on straight track (m/s); default: %(default)g")
     parser.add_argument("--radius", type=float, default=600.0, help="of both curves (m); default: %(default)g")
     parser.add_argument("--count", type=int, default=20, help="states of each part; default: %(default)s")
+    parser.add_argument(
+        "--integrator", choices=INTEGRATORS, default="runge-kutta", help="default: %(default)s, which needs no Exudyn"
+    )
     options = parser.parse_args()
+    integrate = integrator(options.integrator)
     with contactd.local() as client:
         wheel = ProfileFile(options.folder / "wheel.prw")
-        found = states_of(client, wheel, options.speed, options.seconds, options.count, options.radius)
+        found = states_of(client, wheel, options.speed, options.seconds, options.count, options.radius, integrate)
     write_states(options.folder / "states.csv", found)
 
 
