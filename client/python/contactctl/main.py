@@ -12,13 +12,30 @@ from typing import Any, NoReturn
 
 __all__ = ["main"]
 
+_OF_THE_EXTRA = ("click", "rich", "typer")  #: what pip installs with contactd[cli] only
+
 
 def main(arguments: Sequence[str] | None = None) -> NoReturn:
     """Runs the command that `arguments` name (those of the process), and ends the process with its exit code."""
     _open_streams()
     with _killed_by_interrupts():
-        from .app import run
+        try:
+            from .app import run
+        except ModuleNotFoundError as error:
+            _end_without(error)
     sys.exit(run(arguments))
+
+
+def _end_without(error: ModuleNotFoundError) -> NoReturn:
+    """Says which extra brings the module that is missing; anything but a package of the extra is a defect."""
+    from contactd import MissingExtra
+
+    from .codes import Code
+
+    if error.name not in _OF_THE_EXTRA:
+        raise error
+    print(f"contactctl: {MissingExtra('The command line', error.name, 'cli', 'contactctl')}", file=sys.stderr)
+    sys.exit(Code.USAGE)
 
 
 def _open_streams() -> None:

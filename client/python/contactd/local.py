@@ -28,6 +28,10 @@ if TYPE_CHECKING:
 
 __all__ = ["InProcessClient", "LocalDaemon", "local"]
 
+_ADVICE = (
+    ' Put it on PATH, or name it: LocalDaemon(program); pip install "contactd[daemon]" brings one,'
+    ' and with "contactd[local]" contactd.local() needs none.'
+)
 #: Parts of a configuration that only a daemon has.
 _OF_DAEMONS = ("endpoint", "security", "methods", "log", "http", "shutdown")
 
@@ -219,7 +223,7 @@ class LocalDaemon:
         except OSError as error:
             if self._temporary:
                 shutil.rmtree(self.folder, ignore_errors=True)
-            advice = "" if os.sep in program else " Put it on PATH, or name it: LocalDaemon(program); pip install \"contactd[daemon]\" brings one."
+            advice = "" if os.sep in program else _ADVICE
             raise DaemonFailed(f"{program} cannot be started: {error.strerror}.{advice}") from None
 
     def _wait_until_ready(self, timeout: float) -> None:

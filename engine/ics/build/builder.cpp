@@ -138,10 +138,12 @@ std::string first_program(const BuilderCommand& command) {
     return "builds.launcher begins with " + command.launcher.front();
 }
 
-/// Tells why the first program, or the one behind a launcher, could not be started.
+/// Tells why the first program, or the one behind a launcher, could not be started, and who has it.
 std::string cannot_be_started(const std::string& what, const std::string& reason) {
-    return what + "; it cannot be started: " + reason +
-           " The builder is contactd-ic; builds.program says where it is, in process CONTACTD_IC.";
+    const std::string end = reason.ends_with('.') ? "" : ".";
+    return what + "; it cannot be started: " + reason + end +
+           " The builder is contactd-ic; builds.program says where it is, in process CONTACTD_IC. Debian's package "
+           "contactd has it, and for Python pip install \"contactd[daemon]\".";
 }
 
 /// A launcher's word for a program that it did not find, or may not run, as shells have it.

@@ -248,9 +248,8 @@ def test_nobody_listens_at_the_endpoint(tmp_path):
         return outcomes
 
     outcomes = asyncio.run(act())
-    assert [(type(error), str(error)) for error in outcomes] == [
-        (ConnectionFailed, f"No daemon answers at ipc://{tmp_path}/nobody.")
-    ] * 3
+    assert [type(error) for error in outcomes] == [ConnectionFailed] * 3
+    assert all(str(error).startswith(f"No daemon answers at ipc://{tmp_path}/nobody. ") for error in outcomes)
 
 
 def test_a_daemon_that_goes_away_is_told_and_one_that_comes_back_answers(tmp_path):

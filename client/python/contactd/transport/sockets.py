@@ -113,7 +113,7 @@ def close(socket: ZmqSocket, monitor: ZmqSocket) -> None:
 
 def no_daemon(endpoint: str) -> ConnectionFailed:
     """Nobody listens."""
-    return ConnectionFailed(f"No daemon answers at {endpoint}.")
+    return ConnectionFailed(f"No daemon answers at {endpoint}. The program contactd is one; contactd.local() and contactctl --local need none.")
 
 
 def went_away(endpoint: str, method: str) -> ConnectionFailed:

@@ -26,6 +26,15 @@ def test_done_is_0(ctl):
     assert ctl("health").code == 0
 
 
+@pytest.mark.parametrize("package", ["click", "typer"])
+def test_without_a_package_of_its_extra_it_says_what_to_install(ctl, tmp_path, package):
+    (tmp_path / f"{package}.py").write_text(f"raise ModuleNotFoundError(name={package!r})")
+    environment = {**ctl.environment, "PYTHONPATH": os.pathsep.join([str(tmp_path), ctl.environment["PYTHONPATH"]])}
+    ended = subprocess.run([*ctl.command, "--version"], env=environment, capture_output=True, text=True, check=False)
+    assert (ended.returncode, ended.stdout) == (2, "")
+    assert ended.stderr == f'contactctl: The command line needs {package}: pip install "contactd[cli]", or on Debian contactctl.\n'
+
+
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
@@ -94,7 +103,7 @@ def test_what_must_not_be_written_is_2_before_anything_is_solved(lonely, monkeyp
 
 
 def test_no_daemon_is_3(lonely):
-    assert refused(lonely("info"), 3, "No daemon answers at ipc://")
+    assert refused(lonely("info"), 3, "No daemon answers at ipc://", "contactctl --local")
     assert refused(lonely("info", "-e", "nonsense"), 3, "is no endpoint")
 
 
