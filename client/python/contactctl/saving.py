@@ -9,7 +9,7 @@ from typing import Any, get_args
 
 import click
 
-from contactd import ContactSolution, PartialSolution
+from contactd import ContactSolution, MissingExtra, PartialSolution
 from contactd.files.whole import write_whole
 from contactd.values.result import Field
 from contactd.wheel_rail import WheelRailSolution
@@ -33,7 +33,7 @@ def check_outputs(paths: Iterable[str]) -> list[Path]:
             raise click.UsageError(f"--output {path}: the name must end in .json, .h5, .png, .svg or .pdf.")
         checked.append(writable("--output", name))
         if path.suffix == ".h5":
-            need("h5py", "HDF5 files", "python3-h5py")
+            need("h5py", "HDF5 files", "hdf5")
         elif path.suffix in _PICTURES:
             _need_matplotlib()
     return checked
@@ -49,16 +49,15 @@ def check_picture(option: str, name: str) -> Path:
 
 
 def _need_matplotlib() -> None:
-    need("matplotlib", "pictures", "python3-matplotlib")
+    need("matplotlib", "pictures", "pictures")
 
 
-def need(module: str, what: str, package: str) -> None:
-    """Raises click.UsageError where the module is not installed."""
+def need(module: str, what: str, extra: str) -> None:
+    """Raises click.UsageError where the module is not installed, which the extra brings."""
     try:
         __import__(module)
     except ImportError:
-        advice = f"Writing {what} needs {module}: pip install {module}, or on Debian {package}."
-        raise click.UsageError(advice) from None
+        raise click.UsageError(str(MissingExtra(f"Writing {what}", module, extra, f"python3-{module}"))) from None
 
 
 def save(path: Path, answer: dict[str, Any], read: Callable[[], ContactSolution | PartialSolution | WheelRailSolution]) -> None:

@@ -8,6 +8,8 @@ from typing import Any, ClassVar
 
 import click
 
+from contactd import MissingExtra
+
 __all__ = ["parse_yaml"]
 
 #: Values that are written there. Each takes a kilobyte until all are read; larger arrays are better in files of their own.
@@ -29,7 +31,7 @@ def parse_yaml(text: str, check_names: Callable[[Iterable[tuple[Hashable, Any]]]
         import yaml
     except ImportError:
         raise click.UsageError(
-            "Reading YAML needs the package PyYAML: pip install PyYAML, or on Debian python3-yaml. JSON needs none."
+            f"{MissingExtra('Reading YAML', 'PyYAML', 'cli', 'python3-yaml')} JSON needs none."
         ) from None
     kind, loader = _loader_kind(yaml, check_names), None
     try:

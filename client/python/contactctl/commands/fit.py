@@ -14,7 +14,7 @@ import numpy as np
 import typer
 
 import contactd
-from contactd import Fit, FitFailed
+from contactd import Fit, FitFailed, MissingExtra
 from contactd.files.number_text import number_in, rows_of
 from contactd.files.whole import read_whole, write_whole
 
@@ -94,7 +94,7 @@ def _check_outputs(plot: str | None, table: Path | None, output: str | None) -> 
     try:
         import scipy  # noqa: F401
     except ImportError:
-        raise click.UsageError("Fits need SciPy: pip install scipy, or on Debian python3-scipy.") from None
+        raise click.UsageError(str(MissingExtra("A fit", "scipy", "fit", "python3-scipy"))) from None
     if plot is not None:
         check_picture("--plot", plot)
     if table is not None:

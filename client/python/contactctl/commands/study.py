@@ -79,7 +79,7 @@ def _check_output(part: Share | None, table: Path | None, arrays: Path | None) -
             raise click.UsageError(f"{option} takes all rows: leave it to the command without --share, when all shares are done.")
         writable(option, path)
     if arrays is not None:
-        need("h5py", "HDF5 files", "python3-h5py")
+        need("h5py", "HDF5 files", "hdf5")
 
 
 def _solved(

@@ -59,9 +59,9 @@ def wear(
 
     Killed at any moment and started again, it goes on behind the last step.
     """
-    need("h5py", "HDF5 files", "python3-h5py")
+    need("h5py", "HDF5 files", "hdf5")
     if pictures is not None:
-        need("matplotlib", "pictures", "python3-matplotlib")
+        need("matplotlib", "pictures", "pictures")
     if convergence:
         _tell_convergence(read_study(file), workers)
         return

@@ -170,7 +170,7 @@ def test_without_scipy_it_says_what_to_install(files, monkeypatch):
     monkeypatch.setitem(sys.modules, "scipy", None)
     ended = files("fit", "curve.csv", "--case", "case.yaml", *MU)
     assert ended.code == Code.USAGE
-    assert "pip install scipy" in ended.err
+    assert 'pip install "contactd[fit]"' in ended.err
 
 
 def test_ctrl_c_ends_it_and_its_solves(own):

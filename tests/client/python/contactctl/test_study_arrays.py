@@ -45,7 +45,7 @@ def test_without_h5py_it_is_told_before_anything_is_solved(lonely):
     lonely.environment["PYTHONPATH"] = f"{hiding}:{lonely.environment['PYTHONPATH']}"
     ended = lonely.alone("study", "study.yaml", "--hdf5", "all.h5")
     assert ended.code == 2
-    assert "Writing HDF5 files needs h5py" in ended.err
+    assert 'Writing HDF5 files needs h5py: pip install "contactd[hdf5]"' in ended.err
 
 
 def test_the_creep_tables_of_the_examples_are_hertzian_and_similar(ctl):
