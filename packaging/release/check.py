@@ -8,6 +8,7 @@ SHA256SUMS has his signature, lists every other file, and each has its sum. Ends
 from __future__ import annotations
 
 import hashlib
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -20,6 +21,12 @@ SUMS, SIGNATURE, NAMESPACE = "SHA256SUMS", "SHA256SUMS.sig", "contactd-release"
 def problems(folder: Path, signers: Path, name: str = NAMESPACE) -> list[str]:
     """What is wrong with the folder; nothing when all is as it was signed."""
     sums, signature = folder / SUMS, folder / SIGNATURE
+    if not folder.is_dir():
+        return [f"{folder} is no folder"]
+    if not signers.is_file():
+        return [f"{signers} is no file; it must be one of signers, with a line such as: {name} ssh-ed25519 AAAA..."]
+    if shutil.which("ssh-keygen") is None:
+        return ["ssh-keygen is missing, which checks signatures; OpenSSH's client has it"]
     for file in (sums, signature):
         if not file.is_file():
             return [f"{file.name} is missing: nobody has signed these files"]
