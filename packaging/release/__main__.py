@@ -64,10 +64,13 @@ def assemble(asked: str, folder: Path) -> None:
     write_zip(folder / f"{name}-windows-x86_64.zip", {f"{name}/{file}": data for file, data in {**headers, **pages, **examples, **libraries, **windows}.items()})
     linux = {"SOURCES.txt": inside["sources.txt"], **{f"licenses/{file}": data for file, data in inside.items() if file != "sources.txt"}}
     for machine, built, texts in (("x86_64", "fmu-build", linux), ("aarch64", "arm64", arm64)):
-        shared = {f"lib/{path.name}": path.read_bytes() for path in sorted((BUILD / built / "lib").glob("libcontactd-*.so*")) if not path.is_symlink()}
+        found = sorted((BUILD / built / "lib").glob("libcontactd-*.so*"))
+        shared = {f"lib/{path.name}": path.read_bytes() for path in found if not path.is_symlink()}
+        # Names by which linkers find them, and programs when they start.
+        links = {f"{name}/lib/{path.name}": os.readlink(path) for path in found if path.is_symlink()}
         if not shared:
             sys.exit(f"build/{built}/lib has no libraries")
-        write_tar(folder / f"{name}-linux-{machine}.tar.gz", {f"{name}/{file}": data for file, data in {**headers, **pages, **examples, **shared, **texts}.items()})
+        write_tar(folder / f"{name}-linux-{machine}.tar.gz", {f"{name}/{file}": data for file, data in {**headers, **pages, **examples, **shared, **texts}.items()}, links)
     site = files_of(BUILD / "docs", f"{name}-site/")
     site.pop(f"{name}-site/.buildinfo", None)  # a digest of paths, by which Sphinx knows what to build anew
     write_tar(folder / f"{name}-site.tar.gz", site)

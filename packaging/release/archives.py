@@ -24,13 +24,19 @@ def files_of(folder: Path, within: str = "") -> dict[str, bytes]:
     return {f"{within}{path.relative_to(folder).as_posix()}": path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
 
 
-def write_tar(path: Path, files: Mapping[str, bytes]) -> Path:
-    """Writes a .tar.gz; programs and libraries (.so) may be run."""
+def write_tar(path: Path, files: Mapping[str, bytes], links: Mapping[str, str] | None = None) -> Path:
+    """Writes a .tar.gz; programs and libraries (.so) may be run. `links` are symbolic ones, with what each names."""
+    links = links or {}
     packed = io.BytesIO()
     with tarfile.open(fileobj=packed, mode="w", format=tarfile.PAX_FORMAT) as archive:
-        for name in sorted(files):
+        for name in sorted([*files, *links]):
             entry = tarfile.TarInfo(name)
-            entry.size, entry.mtime = len(files[name]), epoch()
+            entry.mtime = epoch()
+            if name in links:
+                entry.type, entry.linkname, entry.mode = tarfile.SYMTYPE, links[name], 0o777
+                archive.addfile(entry)
+                continue
+            entry.size = len(files[name])
             entry.mode = 0o755 if files[name][:4] == b"\x7fELF" or files[name][:2] == b"#!" else 0o644
             archive.addfile(entry, io.BytesIO(files[name]))
     with path.open("wb") as file, gzip.GzipFile("", "wb", 9, file, mtime=epoch()) as compressed:

@@ -7,6 +7,7 @@ import json
 import shutil
 import subprocess
 import sys
+import tarfile
 import zipfile
 from pathlib import Path
 
@@ -84,6 +85,14 @@ def test_archives_have_the_same_bytes(tmp_path, monkeypatch):
         first = write(tmp_path / f"one{ending}", {"b": b"2", "a": b"1"})
         again = write(tmp_path / f"two{ending}", {"a": b"1", "b": b"2"})
         assert first.read_bytes() == again.read_bytes()
+
+
+def test_an_archive_has_the_names_by_which_linkers_find_its_libraries(tmp_path, monkeypatch):
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1750000000")
+    write_tar(tmp_path / "a.tar.gz", {"lib/libx.so.1.0": b"\x7fELF"}, {"lib/libx.so.1": "libx.so.1.0", "lib/libx.so": "libx.so.1"})
+    with tarfile.open(tmp_path / "a.tar.gz") as archive:
+        assert archive.getnames() == ["lib/libx.so", "lib/libx.so.1", "lib/libx.so.1.0"]
+        assert archive.extractfile("lib/libx.so").read() == b"\x7fELF"
 
 
 def test_the_bill_lists_what_files_have_inside(tmp_path):
