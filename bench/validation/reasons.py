@@ -10,7 +10,6 @@ __all__ = ["REASONS", "Reason", "reason_of"]
 
 _TESTS = "tests/integration/test_contact_cases.py"
 _TESTBANK = "testbank/testbank.inp"
-_CONFORMAL = "testbank/examples_conformal"
 _TRANSIENT = "testbank/examples_trans"
 _SLICES = "testbank/examples_s+c"
 _HEAT = "testbank/examples_temp"
@@ -91,14 +90,6 @@ REASONS = (
         "The fourth digit of a moment of which most is a force of four digits times 9 mm, or in a conformal contact 40 mm",
         {f"{_TRANSIENT}/m1_catt_shift.inp": range(50, 70), f"{_TRANSIENT}/t3_t1_conformal.inp": range(1, 17)},
         "forces and places of the same cases, which agree",
-    ),
-    Reason(
-        "half-spaces that turn",
-        "half-spaces that turn (C = 4), variant 3",
-        "Up to 1 % of the approach, and up to 9 % of a creepage that a force makes. Variant 3 turns displacements only: what two "
-        "elements do to each other is not the same then, as it is of every elastic body. contactd has variant 4, of which it is. "
-        "With variant 3 the approach agrees to 0.3 %, the creepage not",
-        {f"{_CONFORMAL}/groove_li.inp": range(5, 9)},
     ),
     Reason(
         "search lines",

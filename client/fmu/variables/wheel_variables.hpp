@@ -10,7 +10,8 @@ inline constexpr std::string_view side_keywords[] = {"left", "right"};
 inline constexpr Enumeration sides{"Side", side_keywords};
 inline constexpr std::string_view coordinate_keywords[] = {"track", "rail", "wheelset"};
 inline constexpr Enumeration coordinate_systems{"Coordinates", coordinate_keywords};
-inline constexpr std::string_view conformal_keywords[] = {"off", "half_space", "rotated", "fem", "auto"};
+inline constexpr std::string_view conformal_keywords[] = {"off", "half_space", "rotated",
+                                                          "fem", "auto",       "rotated_displacements"};
 inline constexpr Enumeration conformal_kinds{"Conformal", conformal_keywords};
 inline constexpr std::string_view search_keywords[] = {"locus", "mesh"};
 inline constexpr Enumeration searches{"Search", search_keywords};
@@ -108,7 +109,8 @@ inline constexpr auto wheel_alone = std::to_array<Variable>({
     at_path("setup.conformal", keyword("conformal", conformal_kinds, 0,
                                        "Whether contacts are curved across the track, and with which coefficients.")),
     number("conformal_number", "conformal", conformal_kinds,
-           "In the place of conformal: 0 off, 1 half_space, 2 rotated, 3 fem, 4 auto; -1: as conformal says."),
+           "In the place of conformal: 0 off, 1 half_space, 2 rotated, 3 fem, 4 auto, 5 rotated_displacements; -1: as "
+           "conformal says."),
     keyword_at("setup.rigid_slip", rigid_slips,
                boolean("slip_of_surfaces", Role::parameter, false,
                        "Elements slip by the motion of both surfaces there, not by creepages.")),

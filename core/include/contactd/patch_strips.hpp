@@ -23,6 +23,9 @@ struct PatchStrips {
     std::vector<StripFrame> frames{};
     /// Strips of bodies that are known by their sections: both, but for rigid ones.
     std::optional<BodyStrips> rail{}, wheel{};
+    /// Half-spaces lie along the loaded row and only displacements turn; else midway between both rows, and loads turn
+    /// as much.
+    bool along_loaded_row = false;
 
     bool flat() const { return frames.empty(); }
     bool of_sections() const { return rail || wheel; }

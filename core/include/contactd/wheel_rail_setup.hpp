@@ -112,8 +112,10 @@ enum class RigidSlipKind { plane, surfaces, elements };
 /// its own normal, by which gaps are measured, tractions turned and slip is that of the surfaces. With the influence
 /// coefficients of half-spaces, as if the rows lay flat; of half-spaces that turn from row to row; or of wheel and rail
 /// by their cross-sections, from finite elements. `automatic`: rotated where a contact in a plane would bend away from
-/// it by more than most_bend, else off.
-enum class Conformal { off, half_space, rotated, fem, automatic };
+/// it by more than most_bend, else off. `rotated_displacements`: of half-spaces along the loaded row, of which only the
+/// displacements turn, which reference programs have and comparisons with them want: what two rows do to each other is
+/// not the same then.
+enum class Conformal { off, half_space, rotated, fem, automatic, rotated_displacements };
 
 /// Angle (rad) of the rail to the plane of a contact from where on distances along the one normal are wrong by 3 %.
 inline constexpr double most_bend = 0.2419;

@@ -121,6 +121,16 @@ TEST_CASE("In a conformal contact rotated half-spaces bear the force with a lowe
                    WithinAbs(pressure[(ny - 1 - i / nx) * nx + i % nx], 1e-5 * flat.patches[0].solution.pmax));
 }
 
+TEST_CASE("Of half-spaces of which only displacements turn a throat is as stiff as of those that turn by halves") {
+    const WheelRailSolution flat = solve(throat_on_rail(Conformal::half_space), loaded(0, 60000));
+    const WheelRailSolution rotated = solve(throat_on_rail(Conformal::rotated), loaded(0, 60000));
+    const WheelRailSolution displaced = solve(throat_on_rail(Conformal::rotated_displacements), loaded(0, 60000));
+    // To second order of the angles both are the same along the normal.
+    const double pmax = displaced.patches.at(0).solution.pmax;
+    CHECK_THAT(pmax, WithinRel(rotated.patches.at(0).solution.pmax, 0.02));
+    CHECK(pmax < flat.patches.at(0).solution.pmax);
+}
+
 TEST_CASE("Where surfaces are nearly flat rotated and flat half-spaces agree") {
     const WheelRailSolution flat = solve(in_the_corner(Conformal::half_space), loaded(0, 60000));
     const WheelRailSolution rotated = solve(in_the_corner(Conformal::rotated), loaded(0, 60000));

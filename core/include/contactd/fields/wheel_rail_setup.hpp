@@ -44,12 +44,13 @@ static_assert(static_cast<int>(RigidSlipKind::elements) == 2);
 
 template <>
 inline constexpr auto enum_words<Conformal> =
-    std::to_array<std::string_view>({"off", "half_space", "rotated", "fem", "auto"});
+    std::to_array<std::string_view>({"off", "half_space", "rotated", "fem", "auto", "rotated_displacements"});
 static_assert(static_cast<int>(Conformal::off) == 0);
 static_assert(static_cast<int>(Conformal::half_space) == 1);
 static_assert(static_cast<int>(Conformal::rotated) == 2);
 static_assert(static_cast<int>(Conformal::fem) == 3);
 static_assert(static_cast<int>(Conformal::automatic) == 4);
+static_assert(static_cast<int>(Conformal::rotated_displacements) == 5);
 
 template <>
 const FieldType& type_of<WheelRailFriction>();

@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "bodies/strip_influence.hpp"
+#include "bodies/turned_influence.hpp"
 #include "contactd/error.hpp"
 #include "contactd/strip_spectrum.hpp"
 #include "influence/rotated/rotated_half_space.hpp"
@@ -67,6 +69,11 @@ StripTable table_of(const std::optional<BodyStrips>& strips, const Grid& grid, c
 ContactInfluence patch_influence(const ContactProblem& problem, const PatchStrips& strips, const IcRecord* of_rail,
                                  const IcRecord* of_wheel, const Observer& observer) {
     const Grid& grid = problem.grid;
+    if (strips.along_loaded_row) {
+        std::vector<double> angles;
+        for (const StripFrame& frame : strips.frames) angles.push_back(frame.angle);
+        return turned_influence(problem, angles, observer);
+    }
     check_size(grid);
     if (!strips.of_sections())
         return strip_influence(problem, rotated_pair(problem, strips.frames, observer), observer);

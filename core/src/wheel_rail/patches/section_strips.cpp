@@ -96,9 +96,12 @@ class StripCarrier {
 PatchStrips strips_of(const WheelRailSetup& setup, const geometry::Profiles& profiles,
                       const geometry::CandidatePatch& found) {
     PatchStrips strips;
-    const bool rotated = setup.conformal == Conformal::rotated, fem = setup.conformal == Conformal::fem;
+    const bool along_loaded_row = setup.conformal == Conformal::rotated_displacements,
+               rotated = along_loaded_row || setup.conformal == Conformal::rotated,
+               fem = setup.conformal == Conformal::fem;
     if (found.place.rows.empty() || !(rotated || fem)) return strips;
     strips.frames = strips_of(found.place).frames;
+    strips.along_loaded_row = along_loaded_row;
     if (rotated) return strips;
     const Grid& grid = found.place.grid;
     const auto& [rail, wheel, pair] = setup.bodies;

@@ -38,6 +38,7 @@ Profiles = Callable[["Case", str], "Profile | tuple[Slices, str]"]
 
 _ROLLER, _RIGHT = 4, 1
 _SHIFT, _TRANSIENT = 1, 2
+_OF_DISPLACEMENTS = 3  # variants of half-spaces that turn
 _HALF_PLANE = 4  #: D: contact that follows the surfaces
 _BY_ELEMENTS = (3, 4)  #: D: slip by the motion of both surfaces
 _NEAR = 1e-6  #: by how much distances that are the same to the program are apart here (mm)
@@ -156,7 +157,9 @@ def _patches(values: Any) -> PatchRules:
 def _conformal(values: Any) -> Any:
     if values["DISCNS"] != _HALF_PLANE:
         return None
-    return "rotated" if values["INFLCF"] == _HALF_PLANE else "half_space"
+    if values["INFLCF"] != _HALF_PLANE:
+        return "half_space"
+    return "rotated_displacements" if values["VARIANT"] == _OF_DISPLACEMENTS else "rotated"
 
 
 def _settings(values: Any) -> dict[str, Any]:

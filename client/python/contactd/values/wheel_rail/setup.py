@@ -45,7 +45,7 @@ ContactSearch = Literal["locus", "mesh"]
 SliceSpline = Literal["shape_preserving", "cubic", "approximating"]
 WheelSurface = Literal["exact", "bilinear"]
 RigidSlipKind = Literal["plane", "surfaces", "elements"]
-Conformal = Literal["off", "half_space", "rotated", "fem", "auto"]
+Conformal = Literal["off", "half_space", "rotated", "fem", "auto", "rotated_displacements"]
 
 
 @dataclass(frozen=True)
@@ -213,8 +213,9 @@ class WheelRailSetup(Saved):
             Otherwise each row of elements has its own normal, along which gaps are measured, tractions turned and slip
             is that of the surfaces, with coefficients of half_space, as if rows lay flat; rotated, half-spaces that
             turn from row to row; fem, wheel and rail by their cross-sections, whose tables are built when they are
-            first needed. auto: rotated where a plane would be left by more than 0.24 rad, else off. Of model full.
-            Default "off".
+            first needed. auto: rotated where a plane would be left by more than 0.24 rad, else off.
+            rotated_displacements: half-spaces along the loaded row, of which only the displacements turn, which
+            comparisons with other programs want. Of model full. Default "off".
         normal: Stopping criterion of NORM, for the pressures, on which all else builds; its tolerance is 1e-8 unless
             given.
         tangential: Stopping criterion for the tractions under friction, and the solver that finds them.

@@ -1,0 +1,93 @@
+#include "turned_operator.hpp"
+
+#include <utility>
+
+#include "contactd/error.hpp"
+#include "operators/coarser_with.hpp"
+
+namespace contactd {
+
+class TurnedOperator::Boxes final : public ElementBoxes {
+   public:
+    explicit Boxes(const TurnedOperator& whole) : whole_(whole) {}
+
+    ElementBox extent() const override { return of_flat().extent(); }
+    ElementBox convenient(const ElementBox& needed, bool may_grow) const override {
+        return of_flat().convenient(needed, may_grow);
+    }
+    std::shared_ptr<const InfluenceOperator> influence(const ElementBox& box) const override {
+        return std::make_shared<const TurnedOperator>(of_flat().influence(box),
+                                                      whole_.turns_.on(box.first_y, box.ny, box.nx));
+    }
+
+   private:
+    const ElementBoxes& of_flat() const { return *whole_.flat_->boxes(); }
+
+    const TurnedOperator& whole_;
+};
+
+TurnedOperator::TurnedOperator(std::shared_ptr<const InfluenceOperator> flat, RowTurns turns)
+    : flat_(std::move(flat)), turns_(std::move(turns)) {
+    if (flat_->size() != turns_.size()) throw InvalidArgument("flat", "is on another number of elements");
+    if (flat_->boxes() != nullptr) boxes_ = std::make_unique<Boxes>(*this);
+}
+
+TurnedOperator::~TurnedOperator() = default;
+
+RowComponents TurnedOperator::of_normal(std::span<const double> pz) const {
+    RowComponents u(size());
+    flat_->normal(pz, u.z);
+    if (!flat_->coupled()) return u;
+    std::vector<double> x(size());
+    flat_->tangential_of_normal(pz, x, u.s);
+    return u;
+}
+
+RowComponents TurnedOperator::of_tangential(std::span<const double> px, std::span<const double> py,
+                                            std::span<double> ux) const {
+    RowComponents u(size());
+    flat_->tangential(px, py, ux, u.s);
+    if (flat_->coupled()) flat_->normal_of_tangential(px, py, u.z);
+    return u;
+}
+
+void TurnedOperator::normal(std::span<const double> pz, std::span<double> uz) const {
+    turns_.along_z(of_normal(turns_.times_cosine(pz)), of_normal(turns_.times_sine(pz)), uz);
+}
+
+void TurnedOperator::tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
+                                std::span<double> uy) const {
+    const RowComponents of_cosine = of_tangential(turns_.times_cosine(px), turns_.times_cosine(py), ux),
+                        of_sine = of_tangential(turns_.times_sine(px), turns_.times_sine(py), ux);
+    turns_.along_s(of_cosine, of_sine, uy);
+    of_tangential(px, py, ux);
+}
+
+void TurnedOperator::normal_of_tangential(std::span<const double> px, std::span<const double> py,
+                                          std::span<double> uz) const {
+    std::vector<double> x(size());
+    const RowComponents of_cosine = of_tangential(turns_.times_cosine(px), turns_.times_cosine(py), x),
+                        of_sine = of_tangential(turns_.times_sine(px), turns_.times_sine(py), x);
+    turns_.along_z(of_cosine, of_sine, uz);
+}
+
+void TurnedOperator::tangential_of_normal(std::span<const double> pz, std::span<double> ux,
+                                          std::span<double> uy) const {
+    turns_.along_s(of_normal(turns_.times_cosine(pz)), of_normal(turns_.times_sine(pz)), uy);
+    std::vector<double> s(size());
+    flat_->tangential_of_normal(pz, ux, s);
+}
+
+const CoarserGrid* TurnedOperator::coarser() const {
+    const auto make = [&]() -> std::unique_ptr<const CoarserGrid> {
+        const CoarserGrid* grid = flat_->coarser();
+        if (grid == nullptr) return nullptr;
+        const std::shared_ptr<const InfluenceOperator> flat(std::shared_ptr<void>(),
+                                                            &grid->influence());  // flat_ owns it
+        return std::make_unique<const CoarserWith>(
+            *grid, std::make_unique<const TurnedOperator>(flat, turns_.coarse(grid->along_x(), grid->along_y())));
+    };
+    return coarser_.get(make).get();
+}
+
+}  // namespace contactd

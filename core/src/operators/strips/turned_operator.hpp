@@ -1,0 +1,54 @@
+// Rows of elements with normals of their own, on half-spaces that lie along the loaded row.
+#pragma once
+
+#include <memory>
+
+#include "contactd/influence_operator.hpp"
+#include "operators/lazy.hpp"
+#include "row_turns.hpp"
+
+namespace contactd {
+
+/// Displacements of a flat surface, turned from the axes of the loaded row to those of the observed one. What two
+/// elements do to each other differs, which it does of no elastic body; the matrices are not symmetric. Distances are
+/// those along the rows, as if these lay flat. The preconditioner, boxes and coarser grids are those of the flat
+/// surface.
+class TurnedOperator final : public InfluenceOperator {
+   public:
+    /// Throws InvalidArgument where the numbers of elements differ.
+    TurnedOperator(std::shared_ptr<const InfluenceOperator> flat, RowTurns turns);
+    ~TurnedOperator() override;
+
+    std::size_t size() const override { return flat_->size(); }
+    void normal(std::span<const double> pz, std::span<double> uz) const override;
+    void tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
+                    std::span<double> uy) const override;
+    bool coupled() const override { return true; }
+    void normal_of_tangential(std::span<const double> px, std::span<const double> py,
+                              std::span<double> uz) const override;
+    void tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const override;
+    bool is_symmetric() const override { return false; }
+    std::vector<double> diagonal(Axis i) const override { return flat_->diagonal(i); }
+    void precondition(Axis i, std::span<const double> r, std::span<double> z) const override {
+        flat_->precondition(i, r, z);
+    }
+    void precondition_tangential(std::span<const double> rx, std::span<const double> ry, std::span<double> zx,
+                                 std::span<double> zy) const override {
+        flat_->precondition_tangential(rx, ry, zx, zy);
+    }
+    std::size_t bytes() const override { return flat_->bytes(); }
+    const CoarserGrid* coarser() const override;
+    const ElementBoxes* boxes() const override { return boxes_.get(); }
+
+   private:
+    class Boxes;
+    RowComponents of_normal(std::span<const double> pz) const;
+    RowComponents of_tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux) const;
+
+    const std::shared_ptr<const InfluenceOperator> flat_;
+    const RowTurns turns_;
+    std::unique_ptr<const ElementBoxes> boxes_;
+    mutable Lazy<std::unique_ptr<const CoarserGrid>> coarser_;
+};
+
+}  // namespace contactd
