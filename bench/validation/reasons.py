@@ -10,6 +10,7 @@ __all__ = ["REASONS", "Reason", "reason_of"]
 
 _TESTS = "tests/integration/test_contact_cases.py"
 _TESTBANK = "testbank/testbank.inp"
+_CONFORMAL = "testbank/examples_conformal"
 _TRANSIENT = "testbank/examples_trans"
 _SLICES = "testbank/examples_s+c"
 _HEAT = "testbank/examples_temp"
@@ -92,6 +93,14 @@ REASONS = (
         "forces and places of the same cases, which agree",
     ),
     Reason(
+        "top of a circle",
+        "a creepage of 4e-8 of a leaning roller",
+        "2e-5 mm of the height at which it is taken, of rolling radii that differ by less. The profile is a circle, whose top lies "
+        "at 0.4996 - 100 (1 - cos 0.1) = 1.65e-5 mm; contactd has 1.63e-5 mm, and the printed creepage is that of -0.5e-5 mm",
+        {f"{_CONFORMAL}/test-rollers2.inp": (9,)},
+        "the top of the circle",
+    ),
+    Reason(
         "search lines",
         "rails of slices, a search on a mesh (D = 5)",
         "Where patches carry less than 3 % of the load their angle and place are means over a few nodes, by 1e-3 rad and 0.02 mm. "
@@ -110,7 +119,7 @@ REASONS = (
         "friction by temperature (L = 6)",
         "Up to 3 % of mu Fn. CONTACT counts the heat of an element on itself twice: temperatures of full slip are a tenth higher, "
         "and come to the closed form of Hertz's strip from above as elements become smaller. contactd is within 1e-3 of it",
-        {f"{_HEAT}/m1_tempdep.inp": (2,), f"{_HEAT}/m3_tempdep.inp": (2, 3)},
+        {f"{_HEAT}/m1_tempdep.inp": (2, 3), f"{_HEAT}/m3_tempdep.inp": (2, 3)},
         "the closed form (`tests/core/temperature/test_surface_temperature.cpp`)",
     ),
     Reason(

@@ -147,20 +147,40 @@ void check_models(const WheelRailSetup& setup) {
                                                        "one of them out");
 }
 
+/// The least coefficient between angles is that at one of the angles of either list, as both are straight lines.
+void check_by_angle(const WheelRailFriction& friction) {
+    const auto& laws = friction.temperature_by_angle;
+    if (laws.empty()) return;
+    if (friction.temperature)
+        throw InvalidArgument("friction.temperature_by_angle",
+                              "is given, and friction.temperature, too; leave one of them out");
+    for (std::size_t i = 1; i < laws.size(); ++i)
+        require(laws[i].angle > laws[i - 1].angle, "friction.temperature_by_angle[" + std::to_string(i) + "].angle",
+                laws[i].angle, "be larger than the one before, " + number_text(laws[i - 1].angle));
+    const auto check_at = [&](double angle) {
+        const double mu = coefficient_at(friction.mu, angle);
+        validate(law_at(laws, angle), {&mu, 1});
+    };
+    for (const TemperatureFrictionAtAngle& law : laws) check_at(law.angle);
+    for (const FrictionAtAngle& entry : friction.mu) check_at(entry.angle);
+}
+
 void check_temperature(const WheelRailSetup& setup) {
-    if (setup.friction && setup.friction->temperature) {
+    if (setup.friction && setup.friction->follows_temperature()) {
         if (!setup.temperature)
             throw InvalidArgument("friction.temperature",
                                   "is given, and temperature is not; say there what the bodies have to do with heat");
         std::vector<double> mu;
         for (const FrictionAtAngle& entry : setup.friction->mu) mu.push_back(entry.mu);
-        validate(*setup.friction->temperature, mu);
+        if (setup.friction->temperature) validate(*setup.friction->temperature, mu);
+        check_by_angle(*setup.friction);
         if (setup.friction->kinetic)
             throw InvalidArgument("friction.temperature",
                                   "is given, and friction.kinetic, too; friction follows the temperature or the slip "
                                   "velocity: leave one of them out");
-        require(setup.model == Model::full, "friction.temperature.change", setup.friction->temperature->change,
-                "be left out with simplified models, whose friction follows nothing; take model full");
+        if (setup.model != Model::full)
+            throw InvalidArgument("friction.temperature",
+                                  "is given, and friction of simplified models follows nothing; take model full");
     }
     if (!setup.temperature) return;
     validate(*setup.temperature, "temperature");

@@ -39,7 +39,7 @@ WheelRailSetup unusual_setup() {
                           {0.2, {ProfileKind::wheel, ProfilePoints{{{-1, 0}, {1, 0.25}}}}}};
     setup.rigid_slip = RigidSlipKind::surfaces;
     setup.conformal = Conformal::half_space;
-    setup.track = {1520, 13, 0.05, ProfilePoint{760.5, -1}, 500, RailSprings{2e4, 1e5}};
+    setup.track = {1520, 13, 0.05, ProfilePoint{760.5, -1}, 500, true, RailSprings{2e4, 1e5}};
     setup.wheelset = {1440, -69, 475};
     setup.bodies = Bodies::of({{80000, 0.3}, Material::rigid()});
     setup.friction = WheelRailFriction{{{-1.2, 0.1}, {0, 0.4}}, true, KineticFriction{SlipLaw::linear, 0.05, 900}};

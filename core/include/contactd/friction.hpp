@@ -151,7 +151,10 @@ struct FrictionLaw {
     std::optional<KineticFriction> kinetic{};
     std::optional<InterfacialLayer> layer{};  ///< of model full
     std::optional<TemperatureFriction> temperature{};
+    /// In place of `temperature`, one a row of the grid: of wheels on rails.
+    std::vector<TemperatureFriction> temperature_of_rows{};
 
+    bool follows_temperature() const { return temperature || !temperature_of_rows.empty(); }
     bool operator==(const FrictionLaw&) const = default;
     double mu_of(std::size_t element) const { return mu.size() == 1 ? mu[0] : mu[element]; }
 };

@@ -36,6 +36,10 @@ struct Track {
     /// A roller turns under the wheel in place of the rail: its radius where the profile has z = 0. The profile is not
     /// lifted to the plane of the track then.
     std::optional<double> roller_radius{};
+    /// The roller's surface is one about an axle that leans and moves with the deviations roll and z, while it turns
+    /// about a level axle that does not, which reference programs have and comparisons with them want. Else the axle is
+    /// level and moves with z, and the profile leans on it.
+    bool roller_leans = false;
     std::optional<RailSprings> springs{};  ///< absent: the rail is rigid
 
     bool operator==(const Track&) const = default;
@@ -129,15 +133,32 @@ struct FrictionAtAngle {
     bool operator==(const FrictionAtAngle&) const = default;
 };
 
+/// How friction follows the temperature where the rail's surface is inclined by `angle`, as TemperatureFriction:
+/// straight lines between, constant beyond.
+struct TemperatureFrictionAtAngle {
+    double angle = 0;
+    double change = 0, reference = 0, range = 0;
+
+    TemperatureFriction law() const { return {change, reference, range}; }
+    bool operator==(const TemperatureFrictionAtAngle&) const = default;
+};
+
 struct WheelRailFriction {
     std::vector<FrictionAtAngle> mu{{0, 0.3}};  ///< by ascending angles; one entry holds everywhere
     bool along_profile = false;  ///< the angle is that of the rail at each row of elements, else that of the patch
     std::optional<KineticFriction> kinetic{};
     std::optional<InterfacialLayer> layer{};  ///< of model full
     std::optional<TemperatureFriction> temperature{};
+    /// In place of `temperature` where it is another one from place to place, by ascending angles.
+    std::vector<TemperatureFrictionAtAngle> temperature_by_angle{};
 
+    bool follows_temperature() const { return temperature || !temperature_by_angle.empty(); }
     bool operator==(const WheelRailFriction&) const = default;
 };
+
+/// Between angles on straight lines, and constant beyond them.
+double coefficient_at(const std::vector<FrictionAtAngle>& mu, double angle);
+TemperatureFriction law_at(const std::vector<TemperatureFrictionAtAngle>& laws, double angle);
 
 struct WheelRailSetup {
     Side side = Side::right;

@@ -52,7 +52,7 @@ class BoundaryElements {
         static_mu_.resize(n_);
         for (std::size_t i = 0; i < n_; ++i) static_mu_[i] = friction.mu_of(i);
         bound_ = bound_of(static_mu_);
-        if (friction.temperature && friction.temperature->change != 0) temperature_law_.emplace(problem);
+        if (friction.follows_temperature()) temperature_law_.emplace(problem);
         if (!friction.kinetic) return;
         slip_law_.emplace(*friction.kinetic, static_mu_);
         if (!friction.kinetic->memory) return;

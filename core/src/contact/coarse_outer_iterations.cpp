@@ -37,7 +37,7 @@ bool is_well_within_bound(const ContactProblem& problem) {
 bool is_plain(const ContactProblem& problem) {
     const SurfaceState &before = problem.previous, &initial = problem.initial;
     return !problem.columns && problem.friction->mu.size() == 1 && !problem.friction->kinetic &&
-           !problem.friction->temperature && problem.rigid_slip.empty() && before.pressure.empty() &&
+           !problem.friction->follows_temperature() && problem.rigid_slip.empty() && before.pressure.empty() &&
            before.traction_x.empty() && before.traction_y.empty() && before.yield_stress.empty() &&
            initial.traction_x.empty() && initial.traction_y.empty() && is_well_within_bound(problem);
 }

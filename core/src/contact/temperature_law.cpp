@@ -7,6 +7,10 @@
 namespace contactd {
 namespace {
 
+std::vector<TemperatureFriction> laws_of(const FrictionLaw& friction) {
+    return friction.temperature ? std::vector{*friction.temperature} : friction.temperature_of_rows;
+}
+
 double velocity_of(const ContactProblem& problem) {
     return std::get<Rolling>(problem.motion).velocity;
 }
@@ -23,7 +27,7 @@ double coefficient_of_own_heat(const TemperatureFriction& law, double mu, double
 }
 
 TemperatureLaw::TemperatureLaw(const ContactProblem& problem)
-    : law_(*problem.friction->temperature),
+    : laws_(laws_of(*problem.friction)),
       nx_(static_cast<std::size_t>(problem.grid.nx)),
       ny_(static_cast<std::size_t>(problem.grid.ny)),
       backwards_(std::cos(std::get<Rolling>(problem.motion).chi) < 0),
@@ -32,7 +36,7 @@ TemperatureLaw::TemperatureLaw(const ContactProblem& problem)
       mu_(problem.grid.size()) {
     for (std::size_t i = 0; i < mu_.size(); ++i) {
         cold_[i] = problem.friction->mu_of(i);
-        mu_[i] = friction_coefficient(law_, cold_[i], heat_.contact_temperature());
+        mu_[i] = friction_coefficient(law_of(i / nx_), cold_[i], heat_.contact_temperature());
     }
 }
 
@@ -58,7 +62,7 @@ void TemperatureLaw::march(std::size_t row, std::span<const double> slip_velocit
         double T = heat_.contact_temperature();
         for (const auto& [ahead, heat] : sources) T += heat * heat_.weight(k - ahead);
         const double heat_of_mu = pressure[i] * slip_velocity[i];
-        mu[i] = coefficient_of_own_heat(law_, cold_[i], T, heat_.weight(0) * heat_of_mu);
+        mu[i] = coefficient_of_own_heat(law_of(row), cold_[i], T, heat_.weight(0) * heat_of_mu);
         if (heat_of_mu > 0) sources.emplace_back(k, mu[i] * heat_of_mu);
     }
 }

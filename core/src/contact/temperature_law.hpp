@@ -26,10 +26,11 @@ class TemperatureLaw {
     double follow(std::span<const double> slip_velocity, std::span<const double> pressure);
 
    private:
+    const TemperatureFriction& law_of(std::size_t row) const { return laws_[laws_.size() == 1 ? 0 : row]; }
     void march(std::size_t row, std::span<const double> slip_velocity, std::span<const double> pressure,
                std::vector<double>& mu) const;
 
-    const TemperatureFriction law_;
+    const std::vector<TemperatureFriction> laws_;  // one, or one a row
     const std::size_t nx_, ny_;
     const bool backwards_;  // rolling along -x: the leading edge is that of small x
     const RowHeat heat_;

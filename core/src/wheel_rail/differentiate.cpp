@@ -110,8 +110,8 @@ class Differences {
         if (state_.motion != WheelRailMotion::steady_rolling) return false;
         const std::optional<InterfacialLayer>& layer = fine_.friction->layer;
         if (layer && layer->yields()) return false;
-        if (fine_.friction->kinetic || fine_.friction->temperature || fine_.rigid_slip != RigidSlipKind::plane ||
-            fine_.conformal != Conformal::off)
+        if (fine_.friction->kinetic || fine_.friction->follows_temperature() ||
+            fine_.rigid_slip != RigidSlipKind::plane || fine_.conformal != Conformal::off)
             return false;
         wheel_.set_velocity(state_.velocity);
         for (CandidatePatch& found : wheel_.position().candidates(solution_.z)) {

@@ -9,10 +9,13 @@ namespace {
 
 // A member that the schema does not declare makes the number of these names wrong.
 [[maybe_unused]] void all_of(const WheelRailFriction& all) {
-    [[maybe_unused]] const auto& [mu_, along_profile_, kinetic_, layer_, temperature_] = all;
+    [[maybe_unused]] const auto& [mu_, along_profile_, kinetic_, layer_, temperature_, temperature_by_angle_] = all;
 }
 [[maybe_unused]] void all_of(const FrictionAtAngle& all) {
     [[maybe_unused]] const auto& [angle_, mu_] = all;
+}
+[[maybe_unused]] void all_of(const TemperatureFrictionAtAngle& all) {
+    [[maybe_unused]] const auto& [angle_, change_, reference_, range_] = all;
 }
 [[maybe_unused]] void all_of(const WheelRailSetup& all) {
     [[maybe_unused]] const auto& [side_, wheel_, rail_, rail_slices_, wheel_slices_, track_, wheelset_, bodies_, model_,
@@ -27,7 +30,8 @@ namespace {
     [[maybe_unused]] const auto& [angle_, profile_] = all;
 }
 [[maybe_unused]] void all_of(const Track& all) {
-    [[maybe_unused]] const auto& [gauge_, gauge_height_, cant_, rail_origin_, roller_radius_, springs_] = all;
+    [[maybe_unused]] const auto& [gauge_, gauge_height_, cant_, rail_origin_, roller_radius_, roller_leans_, springs_] =
+        all;
 }
 [[maybe_unused]] void all_of(const RailSprings& all) {
     [[maybe_unused]] const auto& [y_, z_] = all;
@@ -50,6 +54,7 @@ const FieldType& type_of<WheelRailFriction>() {
         fields::field<&WheelRailFriction::kinetic>("kinetic"),
         fields::field<&WheelRailFriction::layer>("layer"),
         fields::field<&WheelRailFriction::temperature>("temperature"),
+        fields::field<&WheelRailFriction::temperature_by_angle>("temperature_by_angle"),
     });
     static const FieldType type = fields::object_type(list);
     return type;
@@ -62,6 +67,23 @@ const FieldType& type_of<FrictionAtAngle>() {
             "angle",
             {.bounds = {.least = -3.141592653589793, .most = 3.141592653589793}, .unit = "rad", .required = true}),
         fields::field<&FrictionAtAngle::mu>("mu", {.bounds = {.least = 0, .most = 1000}, .required = true}),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<TemperatureFrictionAtAngle>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&TemperatureFrictionAtAngle::angle>(
+            "angle",
+            {.bounds = {.least = -3.141592653589793, .most = 3.141592653589793}, .unit = "rad", .required = true}),
+        fields::field<&TemperatureFrictionAtAngle::change>(
+            "change", {.bounds = {.least = -1000, .most = 1000}, .required = true}),
+        fields::field<&TemperatureFrictionAtAngle::reference>(
+            "reference", {.bounds = {.least = -1e+12, .most = 1e+12}, .unit = "degC", .required = true}),
+        fields::field<&TemperatureFrictionAtAngle::range>(
+            "range", {.bounds = {.least = 0, .most = 1e+12, .least_excluded = true}, .unit = "K", .required = true}),
     });
     static const FieldType type = fields::object_type(list);
     return type;
@@ -137,6 +159,7 @@ const FieldType& type_of<Track>() {
         fields::field<&Track::rail_origin>("rail_origin"),
         fields::field<&Track::roller_radius>(
             "roller_radius", {.bounds = {.least = 0, .most = 10000, .least_excluded = true}, .unit = "mm"}),
+        fields::field<&Track::roller_leans>("roller_leans"),
         fields::field<&Track::springs>("springs"),
     });
     static const FieldType type = fields::object_type(list);

@@ -34,12 +34,29 @@ void check_elements(const Bodies& bodies) {
                                   "constant tractions");
 }
 
+/// Each with the coefficients of its row.
+void check_rows(const ContactProblem& problem) {
+    const FrictionLaw& friction = *problem.friction;
+    const std::size_t nx = static_cast<std::size_t>(problem.grid.nx), ny = static_cast<std::size_t>(problem.grid.ny);
+    if (friction.temperature || friction.temperature_of_rows.size() != ny)
+        throw InvalidArgument("friction.temperature_of_rows",
+                              "has " + std::to_string(friction.temperature_of_rows.size()) +
+                                  " entries; it needs one for each of the " + std::to_string(ny) +
+                                  " rows of the grid, in place of friction.temperature");
+    for (std::size_t row = 0; row < ny; ++row)
+        for (std::size_t i = row * nx; i < (row + 1) * nx; ++i) {
+            const double mu = friction.mu_of(i);
+            validate(friction.temperature_of_rows[row], {&mu, 1});
+        }
+}
+
 void check_law(const ContactProblem& problem) {
     const FrictionLaw& friction = *problem.friction;
     if (!problem.temperature)
         throw InvalidArgument("friction.temperature",
                               "is given, and temperature is not; say there what the bodies have to do with heat");
-    validate(*friction.temperature, friction.mu);
+    if (friction.temperature) validate(*friction.temperature, friction.mu);
+    if (!friction.temperature_of_rows.empty()) check_rows(problem);
     if (problem.model != Model::full)
         throw InvalidArgument("friction.temperature",
                               "makes friction depend on the temperature, which simplified models do not know; model "
@@ -57,7 +74,7 @@ void check_law(const ContactProblem& problem) {
 }  // namespace
 
 void check_temperature(const ContactProblem& problem, bool complete) {
-    if (problem.friction && problem.friction->temperature) check_law(problem);
+    if (problem.friction && problem.friction->follows_temperature()) check_law(problem);
     if (!problem.temperature) return;
     validate(*problem.temperature, "temperature");
     if (problem.model == Model::hertz)

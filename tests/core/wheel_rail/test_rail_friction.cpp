@@ -128,3 +128,55 @@ TEST_CASE("Simplified models of wheels know no layer") {
     setup.model = Model::fastsim;
     CHECK(refused(setup, creeping()) == "friction.layer");
 }
+
+TEST_CASE("Friction by temperature goes on straight lines between angles, and is constant beyond") {
+    const std::vector<TemperatureFrictionAtAngle> laws{{-0.2, -0.1, 0, 300}, {0.2, -0.3, 100, 600}};
+    CHECK(law_at(laws, -1) == TemperatureFriction{-0.1, 0, 300});
+    CHECK(law_at(laws, 1) == TemperatureFriction{-0.3, 100, 600});
+    const TemperatureFriction between = law_at(laws, 0.1);
+    CHECK_THAT(between.change, WithinRel(-0.25, 1e-12));
+    CHECK_THAT(between.reference, WithinRel(75, 1e-12));
+    CHECK_THAT(between.range, WithinRel(525, 1e-12));
+}
+
+TEST_CASE("Friction by temperature at angles is that of the patch's angle, or of each row's") {
+    const std::vector<TemperatureFrictionAtAngle> laws{{-0.5, -0.1, 0, 300}, {0.5, -0.2, 50, 400}};
+    WheelRailState state = creeping();
+    state.velocity.pitch = -44;
+    const auto setup_of = [&](const WheelRailFriction& friction) {
+        WheelRailSetup setup = coarse_setup(friction);
+        setup.temperature = ThermalBodies{};
+        return setup;
+    };
+    WheelRailFriction by_angle{{{0, 0.3}}}, plain = by_angle, alike = by_angle, rows = by_angle;
+    by_angle.temperature_by_angle = laws;
+    const WheelRailSolution solution = solve(setup_of(by_angle), state);
+    plain.temperature = law_at(laws, solution.patches.at(0).place.reference.angle);
+    const WheelRailSolution one = solve(setup_of(plain), state);
+    CHECK_THAT(solution.forces.track.Fx, WithinRel(one.forces.track.Fx, 1e-9));
+    // Rows of which all have one law are the contact with that law.
+    alike.along_profile = rows.along_profile = true;
+    alike.temperature_by_angle = {
+        {-1, plain.temperature->change, plain.temperature->reference, plain.temperature->range},
+        {1, plain.temperature->change, plain.temperature->reference, plain.temperature->range}};
+    CHECK_THAT(solve(setup_of(alike), state).forces.track.Fx, WithinRel(one.forces.track.Fx, 1e-9));
+    rows.temperature_by_angle = laws;
+    CHECK_THAT(solve(setup_of(rows), state).forces.track.Fx, WithinRel(one.forces.track.Fx, 0.05));
+}
+
+TEST_CASE(
+    "Friction by temperature at angles is refused beside another one, in disorder, or without friction when hot") {
+    const auto refused_field = [&](const WheelRailFriction& friction) {
+        WheelRailSetup setup = coarse_setup(friction);
+        setup.temperature = ThermalBodies{};
+        return refused(setup, creeping());
+    };
+    WheelRailFriction both{{{0, 0.3}}}, disorder = both, none = both;
+    both.temperature = TemperatureFriction{-0.1, 0, 300};
+    both.temperature_by_angle = {{0, -0.1, 0, 300}};
+    CHECK(refused_field(both) == "friction.temperature_by_angle");
+    disorder.temperature_by_angle = {{0.1, -0.1, 0, 300}, {-0.1, -0.1, 0, 300}};
+    CHECK(refused_field(disorder) == "friction.temperature_by_angle[1].angle");
+    none.temperature_by_angle = {{0, -0.1, 0, 300}, {0.5, -0.3, 0, 300}};
+    CHECK(refused_field(none) == "friction.temperature.change");
+}

@@ -737,6 +737,7 @@
 #define CONTACTD_PATH_SETUP_TRACK_RAIL_ORIGIN_Y "setup.track.rail_origin.y" /* mm */
 #define CONTACTD_PATH_SETUP_TRACK_RAIL_ORIGIN_Z "setup.track.rail_origin.z" /* mm */
 #define CONTACTD_PATH_SETUP_TRACK_ROLLER_RADIUS "setup.track.roller_radius" /* mm */
+#define CONTACTD_PATH_SETUP_TRACK_ROLLER_LEANS "setup.track.roller_leans"
 #define CONTACTD_PATH_SETUP_TRACK_SPRINGS "setup.track.springs"
 #define CONTACTD_PATH_SETUP_TRACK_SPRINGS_Y "setup.track.springs.y" /* N/mm */
 #define CONTACTD_PATH_SETUP_TRACK_SPRINGS_Z "setup.track.springs.z" /* N/mm */
@@ -871,9 +872,16 @@
 #define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE_CHANGE "setup.friction.temperature.change"
 #define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE_REFERENCE "setup.friction.temperature.reference" /* degC */
 #define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE_RANGE "setup.friction.temperature.range"         /* K */
-#define CONTACTD_PATH_SETUP_DX "setup.dx"                                                         /* mm */
-#define CONTACTD_PATH_SETUP_DY "setup.dy"                                                         /* mm */
-#define CONTACTD_PATH_SETUP_DQ "setup.dq"                                                         /* mm */
+#define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE_BY_ANGLE "setup.friction.temperature_by_angle"
+#define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE_BY_ANGLE_ANGLE \
+    "setup.friction.temperature_by_angle[%d].angle" /* rad */
+#define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE_BY_ANGLE_CHANGE "setup.friction.temperature_by_angle[%d].change"
+#define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE_BY_ANGLE_REFERENCE \
+    "setup.friction.temperature_by_angle[%d].reference" /* degC */
+#define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE_BY_ANGLE_RANGE "setup.friction.temperature_by_angle[%d].range"
+#define CONTACTD_PATH_SETUP_DX "setup.dx" /* mm */
+#define CONTACTD_PATH_SETUP_DY "setup.dy" /* mm */
+#define CONTACTD_PATH_SETUP_DQ "setup.dq" /* mm */
 #define CONTACTD_PATH_SETUP_PATCHES "setup.patches"
 #define CONTACTD_PATH_SETUP_PATCHES_ANGLE_SEPARATE "setup.patches.angle_separate"       /* rad */
 #define CONTACTD_PATH_SETUP_PATCHES_DISTANCE_SEPARATE "setup.patches.distance_separate" /* mm */

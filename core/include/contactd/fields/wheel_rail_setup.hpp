@@ -57,6 +57,8 @@ const FieldType& type_of<WheelRailFriction>();
 template <>
 const FieldType& type_of<FrictionAtAngle>();
 template <>
+const FieldType& type_of<TemperatureFrictionAtAngle>();
+template <>
 const FieldType& type_of<WheelRailSetup>();
 template <>
 const FieldType& type_of<RailSlice>();

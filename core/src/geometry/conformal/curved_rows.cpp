@@ -31,9 +31,8 @@ class RailSection {
     std::optional<SectionPoint> at(double from_reference) const {
         const double arc = start_ + from_reference;
         if (!(arc >= 0 && arc <= length_)) return std::nullopt;
-        const ProfileCurve::Place place = rail_.placed(profile_, profile_.s_at_arc_length(arc));
-        return SectionPoint{place.at.y, rail_.turned_z(x_, place.at.z), place.slope.y,
-                            rail_.turned_slope(x_, place.at.z) * place.slope.z};
+        const ProfileCurve::Place place = rail_.turned_to(x_, rail_.placed(profile_, profile_.s_at_arc_length(arc)));
+        return SectionPoint{place.at.y, place.at.z, place.slope.y, place.slope.z};
     }
 
    private:

@@ -32,10 +32,9 @@ class Section {
         Vector3 at;
         const bool found = find_ascending(
             [&](double s) {
-                const auto place = rail_.placed(profile_, s);
-                at = {x, place.at.y - reference_.y, rail_.turned_z(x, place.at.z) - reference_.z};
-                return Sloped{cosine_ * at.y + sine_ * at.z,
-                              cosine_ * place.slope.y + sine_ * rail_.turned_slope(x, place.at.z) * place.slope.z};
+                const auto place = rail_.turned_to(x, rail_.placed(profile_, s));
+                at = {x, place.at.y - reference_.y, place.at.z - reference_.z};
+                return Sloped{cosine_ * at.y + sine_ * at.z, cosine_ * place.slope.y + sine_ * place.slope.z};
             },
             y, span_.from, span_.to, s_);
         return found ? cosine_ * at.z - sine_ * at.y : no_height;

@@ -54,7 +54,15 @@ RailSurface::RailSurface(ProfileCurve profile, const Track& track, ProfilePoint 
     frame_ = {{0, origin.y + deviation.y, origin.z + deviation.z}, Rotation::roll(angle)};
     cosine_ = std::cos(angle);
     sine_ = std::sin(angle);
-    if (radius_) axle_ = frame_.origin.z + *radius_;
+    if (radius_) {
+        axle_ = frame_.origin.z + *radius_;
+        from_inwards_axle_ = *axle_;
+        if (track.roller_leans) {
+            axle_ = origin.z + *radius_;
+            inwards_ = {-std::sin(deviation.roll), std::cos(deviation.roll)};
+            from_inwards_axle_ = inwards_.y * frame_.origin.y + inwards_.z * frame_.origin.z + *radius_;
+        }
+    }
     visible_ = visible_part(profile_);
 }
 
@@ -87,15 +95,19 @@ bool RailSurface::find_y(double y, double& s) const {
         y, visible_.from, visible_.to, s);
 }
 
+// Of a roller that leans points move across as they turn, by little: what lies at y at x was a little beside it.
 double RailSurface::height(double x, double y, double s) const {
     find_y(y, s);
-    return z_at(x, y, place(s).at.z);
+    if (!leans()) return z_at(x, y, place(s).at.z);
+    constexpr int enough = 4;
+    for (int pass = 0; pass < enough; ++pass) find_y(y - inwards_.y * sag(x, place(s).at), s);
+    return turned_to(x, place(s)).at.z;
 }
 
 // Between columns a cubic through the four around: slices lie farther apart. Where one of the outer columns has no rail
 // there, because a part of it begins or ends, a straight line stands for it.
 double RailSurface::z_at(double x, double y, double z) const {
-    if (!slices_) return turned_z(x, z);
+    if (!slices_) return axle_ ? z + sag(x, {y, z}) : z;
     const double position = x / column_width;
     const double first = std::floor(position) - 1, t = position - first;  // 1 to 2
     const auto column = [&](int k) { return column_z(static_cast<int>(first) + k, y); };
@@ -113,6 +125,11 @@ double RailSurface::slope_along(double x, double y, double z) const {
         return (z_at(x + step, y, z) - z_at(x - step, y, z)) / (2 * step);
     }
     if (!axle_) return 0;
+    if (leans()) {
+        constexpr double step = 0.1;
+        const double middle = 0.5 * (visible_.from + visible_.to);
+        return (height(x + step, y, middle) - height(x - step, y, middle)) / (2 * step);
+    }
     const double radius = *axle_ - z;
     return x / std::sqrt(std::max(radius * radius - x * x, 1e-12));
 }
@@ -142,15 +159,24 @@ double RailSurface::column_z(int column, double y) const {
     return placed(at.profile, s).at.z;
 }
 
-double RailSurface::turned_slope(double x, double z) const {
-    if (!axle_) return 1;
-    const double radius = *axle_ - z;
-    return radius / std::sqrt(std::max(radius * radius - x * x, 1e-12));
+ProfileCurve::Place RailSurface::turned_to(double x, ProfileCurve::Place place) const {
+    if (!axle_) return place;
+    const double radius = from_inwards_axle_ - inwards_.y * place.at.y - inwards_.z * place.at.z;
+    const double sunk = sag(x, place.at);
+    const double more = (radius / std::sqrt(std::max(radius * radius - x * x, 1e-12)) - 1) *
+                        (inwards_.y * place.slope.y + inwards_.z * place.slope.z);
+    place.at.y += inwards_.y * sunk;
+    place.at.z += inwards_.z * sunk;
+    place.slope.y += inwards_.y * more;
+    place.slope.z += inwards_.z * more;
+    return place;
 }
 
-double RailSurface::roller_z(double x, double z) const {
-    const double radius = *axle_ - z, square = radius * radius - x * x;
-    return square > 0 ? *axle_ - std::sqrt(square) : *axle_;
+/// By how much a point that turns about the axle comes nearer to it along x = 0.
+double RailSurface::sag(double x, const ProfilePoint& at) const {
+    const double radius = from_inwards_axle_ - inwards_.y * at.y - inwards_.z * at.z;
+    const double square = radius * radius - x * x;
+    return square > 0 ? radius - std::sqrt(square) : radius;
 }
 
 }  // namespace contactd::geometry

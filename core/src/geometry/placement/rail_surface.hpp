@@ -45,20 +45,21 @@ class RailSurface {
     double slope_along(double x, double y, double z) const;  ///< its derivative by x
     bool varies() const { return axle_ || slices_; }         ///< along the track
     bool is_sliced() const { return slices_ != nullptr; }
-    /// The profile at x; that of rollers is turned about their axle, by the two functions below.
+    /// The profile at x; that of rollers is turned about their axle, by `turned_to`.
     ProfileCurve section(double x) const { return slices_ ? slices_->at(x_ + x) : profile_; }
     /// Returns where the next slice behind x is; infinite where there is none.
     double next_slice(double x) const {
         return slices_ ? slices_->next_slice(x_ + x) - x_ : std::numeric_limits<double>::infinity();
     }
-    double turned_z(double x, double z) const { return axle_ ? roller_z(x, z) : z; }
-    double turned_slope(double x, double z) const;  ///< its derivative by z
+    /// What the place of a profile becomes at x, with its first derivative: on a roller.
+    ProfileCurve::Place turned_to(double x, ProfileCurve::Place place) const;
 
     /// 1/R of a roller along x (1/mm); zero of a rail, sliced or not.
     double curvature_along() const { return axle_ ? 1 / *radius_ : 0; }
     /// Returns the curvature along the track at a point, also of slices; positive where convex. `s` is as for height.
     double curvature_along(double x, double y, double s) const;
-    std::optional<double> axle() const { return axle_; }  ///< z of a roller's axle, which lies along y
+    /// z of the axle that a roller turns about, which lies along y.
+    std::optional<double> axle() const { return axle_; }
 
     const Frame& frame() const { return frame_; }
     const ProfileCurve& profile() const { return profile_; }
@@ -71,7 +72,8 @@ class RailSurface {
         double s;
     };
 
-    double roller_z(double x, double z) const;
+    double sag(double x, const ProfilePoint& at) const;
+    bool leans() const { return inwards_.y != 0; }
     Span visible_part(const ProfileCurve& profile) const;
     double column_z(int column, double y) const;
 
@@ -82,6 +84,8 @@ class RailSurface {
     double cosine_, sine_;
     Span visible_;
     std::optional<double> radius_, axle_;
+    ProfilePoint inwards_{0, 1};    // of a roller: the direction from its surface to the axle that this lies about,
+    double from_inwards_axle_ = 0;  // and how far the track's origin is from that axle, along it
     mutable std::map<int, Column> columns_;  // of slices: one surface is one thread's
 };
 

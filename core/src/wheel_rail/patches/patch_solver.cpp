@@ -38,12 +38,16 @@ Values row_angles(const ContactPlace& place, const geometry::RailSurface& rail) 
 FrictionLaw friction_law(const WheelRailFriction& friction, const ContactPlace& place,
                          const geometry::RailSurface& rail) {
     FrictionLaw law{{}, friction.kinetic, friction.layer, friction.temperature};
-    if (!friction.along_profile || friction.mu.size() == 1) {
+    const auto& by_angle = friction.temperature_by_angle;
+    if (!friction.along_profile || (friction.mu.size() == 1 && by_angle.size() <= 1)) {
         law.mu = {coefficient_at(friction.mu, place.reference.angle)};
+        if (!by_angle.empty()) law.temperature = law_at(by_angle, place.reference.angle);
         return law;
     }
-    for (const double angle : row_angles(place, rail))
+    for (const double angle : row_angles(place, rail)) {
         law.mu.insert(law.mu.end(), static_cast<std::size_t>(place.grid.nx), coefficient_at(friction.mu, angle));
+        if (!by_angle.empty()) law.temperature_of_rows.push_back(law_at(by_angle, angle));
+    }
     return law;
 }
 
@@ -239,15 +243,6 @@ ContactSolution solve_on(ContactProblem& problem, const ContactPlace& place, con
 }
 
 }  // namespace
-
-double coefficient_at(const std::vector<FrictionAtAngle>& mu, double angle) {
-    const auto behind =
-        std::find_if(mu.begin(), mu.end(), [&](const FrictionAtAngle& entry) { return entry.angle > angle; });
-    if (behind == mu.begin()) return mu.front().mu;
-    const FrictionAtAngle& before = *(behind - 1);
-    if (behind == mu.end()) return before.mu;
-    return before.mu + (angle - before.angle) / (behind->angle - before.angle) * (behind->mu - before.mu);
-}
 
 Motion motion_of(const Creepages& creepages, const WheelRailSetup& setup, const WheelRailState& state) {
     if (state.motion == WheelRailMotion::shift || !(creepages.velocity > 0))

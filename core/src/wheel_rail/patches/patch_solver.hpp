@@ -8,9 +8,6 @@
 
 namespace contactd {
 
-/// Between angles on straight lines, and constant beyond them.
-double coefficient_at(const std::vector<FrictionAtAngle>& mu, double angle);
-
 /// Returns the motion of a patch with these creepages; a wheel without a velocity is in a shift that brings nothing.
 Motion motion_of(const Creepages& creepages, const WheelRailSetup& setup, const WheelRailState& state);
 

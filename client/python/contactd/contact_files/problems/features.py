@@ -105,8 +105,6 @@ _ON_RAILS = (
     _Feature("half-spaces that turn with their loads (C = 4, VARIANT = 1, 2)",
              lambda case: case.values.get("INFLCF") == 4 and case.values.get("VARIANT") in (1, 2)),
     _Feature("trials of the discretisation (D = 6 to 9)", lambda case: case.values.get("DISCNS", 2) > 5),
-    _Feature("a roller that leans with its axle (DROLLR)",
-             lambda case: case.digits["C1"] >= 4 and case.values.get("DROLLR", 0) != 0),
     _Feature("a roller placed by its gauge that deviates with its axle (DZRAIL)",
              lambda case: case.digits["C1"] >= 4 and case.values.get("DZRAIL", 0) != 0 and case.values["GAUGHT"] > 0),
 )  # fmt: skip

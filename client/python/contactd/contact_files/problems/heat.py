@@ -12,7 +12,7 @@ from .features import Missing
 if TYPE_CHECKING:
     from ...values.contact_files import ContactCase as Case
 
-__all__ = ["temperature_friction", "thermal_bodies"]
+__all__ = ["temperature_by_angle", "temperature_friction", "thermal_bodies"]
 
 _STEADY = 3
 _BY_TEMPERATURE = 6
@@ -39,7 +39,23 @@ def temperature_friction(law: int, sets: Sequence[Mapping[str, float]]) -> Tempe
     """How friction follows the temperature, which all sets have in common. Raises Missing where they do not."""
     if law != _BY_TEMPERATURE:
         return None
-    laws = [TemperatureFriction(one["DFHEAT"], one["TREF"], one["DTHEAT"]) for one in sets]
+    laws = [_law(one) for one in sets]
     if any(one != laws[0] for one in laws):
-        raise Missing("friction by temperature that is another one from place to place (V, L = 6)")
+        raise Missing("friction by temperature that is another one from row to row (V, L = 6)")
     return laws[0]
+
+
+def temperature_by_angle(
+    law: int, angles: Sequence[float], sets: Sequence[Mapping[str, float]]
+) -> dict[str, Any]:
+    """How friction follows the temperature where the rail has these angles, as keywords of WheelRailFriction."""
+    if law != _BY_TEMPERATURE:
+        return {}
+    laws = [_law(one) for one in sets]
+    if all(one == laws[0] for one in laws):
+        return {"temperature": laws[0]}
+    return {"temperature_by_angle": [(angle, one.change, one.reference, one.range) for angle, one in zip(angles, laws)]}
+
+
+def _law(one: Mapping[str, float]) -> TemperatureFriction:
+    return TemperatureFriction(one["DFHEAT"], one["TREF"], one["DTHEAT"])

@@ -24,7 +24,7 @@ from ...values.wheel_rail.state import RailDeviation, WheelDeviation, WheelRailS
 from .bodies import pair_of, sheet_of
 from .features import Missing, missing
 from .frictions import coefficients_of_sets, layer
-from .heat import temperature_friction, thermal_bodies
+from .heat import temperature_by_angle, temperature_friction, thermal_bodies
 from .models import models_of, without_memory
 
 if TYPE_CHECKING:
@@ -124,16 +124,21 @@ def _track(case: Case) -> Track:
     else:
         places = {"rail_origin": (outwards * values["RAILY0"], values["RAILZ0"] + _sunk(case))}
     if case.digits["C1"] >= _ROLLER:
-        return Track(roller_radius=values["NOMRADR"], **places)
+        return Track(roller_radius=values["NOMRADR"], roller_leans=_leans(case) or None, **places)
     springs = None
     if case.digits["F"] == 3 and (values["KYRAIL"] > 0 or values["KZRAIL"] > 0):
         springs = RailSprings(y=values["KYRAIL"] or None, z=values["KZRAIL"] or None)
     return Track(cant=values["CANT"], springs=springs, **places)
 
 
+def _leans(case: Case) -> bool:
+    """Whether a roller's surface leans, and what it turns about does not."""
+    return case.digits["C1"] >= _ROLLER and case.values.get("DROLLR", 0) != 0
+
+
 def _sunk(case: Case) -> float:
     """By how much a roller lies deeper, whose axle goes along with its deviation (mm)."""
-    is_whole = case.digits["C1"] >= _ROLLER and case.values["GAUGHT"] <= 0
+    is_whole = case.digits["C1"] >= _ROLLER and case.values["GAUGHT"] <= 0 and not _leans(case)
     return float(case.values["DZRAIL"]) if is_whole else 0.0
 
 
@@ -178,10 +183,11 @@ def _friction(case: Case) -> WheelRailFriction:
             float(mu), kinetic=without_memory(case, kinetic), layer=layer(case), temperature=by_temperature
         )
     mus, kinetic = coefficients_of_sets(values, case.friction)
-    by_angle = [(one["ALPHVF"] + _angle_offset(case), mu) for one, mu in zip(case.friction, mus)]
+    angles = [one["ALPHVF"] + _angle_offset(case) for one in case.friction]
     return WheelRailFriction(
-        by_angle, along_profile=values["DISCNS"] == _HALF_PLANE or None, kinetic=without_memory(case, kinetic), layer=layer(case),
-        temperature=temperature_friction(values["FRCLAW"], case.friction),
+        list(zip(angles, mus)), along_profile=values["DISCNS"] == _HALF_PLANE or None,
+        kinetic=without_memory(case, kinetic), layer=layer(case),
+        **temperature_by_angle(values["FRCLAW"], angles, case.friction),
     )  # fmt: skip
 
 

@@ -71,6 +71,9 @@ class WheelRailFriction:
         temperature: Friction by the temperature T of the surfaces, mu + change min(1, max(0, (T - reference)/range)),
             mu that of friction; where the problem has temperature, and in model full. None: the coefficient does not
             follow it.
+        temperature_by_angle: In place of temperature, where friction by temperature is another one from place to place:
+            by the angle of the rail's surface as mu, ascending, with straight lines between; of a patch, or of each row
+            where along_profile is set.
     """
 
     mu: float | Sequence[tuple[float, float]] = field(default=0.3, metadata={"keys": ("angle", "mu")})
@@ -78,6 +81,9 @@ class WheelRailFriction:
     kinetic: KineticFriction | None = None
     layer: InterfacialLayer | None = None
     temperature: TemperatureFriction | None = None
+    temperature_by_angle: Sequence[tuple[float, float, float, float]] | None = field(
+        default=None, metadata={"keys": ("angle", "change", "reference", "range")}
+    )
 
 
 @dataclass(frozen=True)
@@ -105,6 +111,9 @@ class Track:
             side, and down; gauge and gauge_height mean nothing then. None: as they say.
         roller_radius: Radius of a roller that turns under the wheel in place of the rail, where its profile has z = 0
             (mm), > 0. None: a rail.
+        roller_leans: Whether a roller's surface is one about an axle that leans and moves with its deviation, rail.roll
+            and rail.z, while it turns about a level axle that does not, which comparisons with other programs want;
+            else its profile leans and its axle is level. Default False.
         springs: Springs between a rail without mass and the ground; it is rigid in a direction that has none. None: a
             rigid rail.
     """
@@ -114,6 +123,7 @@ class Track:
     cant: float | None = None
     rail_origin: tuple[float, float] | None = field(default=None, metadata={"keys": ("y", "z")})
     roller_radius: float | None = None
+    roller_leans: bool | None = None
     springs: RailSprings | None = None
 
 
