@@ -84,6 +84,11 @@ struct WheelSlice {
 /// wheel alone is curved; or on a mesh seen from above, for rails that curve along the track, too.
 enum class ContactSearch { locus, mesh };
 
+/// What the parts of a patch go on from that splits in a step which is not steady: the tractions on their own elements;
+/// or those of all the patch before, whose displacements each part feels before the step and not behind it, so that the
+/// split alone brings slip, which is what reference programs do and comparisons with them want.
+enum class PatchHistory { own, whole };
+
 /// Rules by which regions of overlap that lie close to each other are patches of their own, whose planes turn towards
 /// each other (below distance_turn); parts of one patch with a weighted interaction (blending, below
 /// distance_separate); or one patch (below distance_combine). Distances in mm; 0 < distance_combine < distance_separate
@@ -96,6 +101,7 @@ struct PatchRules {
     double distance_turn = 12;
     double locus_step = 0.3;  ///< of the locus across the track, in elements dy
     ContactSearch search = ContactSearch::locus;
+    PatchHistory history = PatchHistory::own;
 
     bool operator==(const PatchRules&) const = default;
 };

@@ -80,6 +80,16 @@ std::vector<double> distances(const RailSurface& rail, const ContactPlace& place
     return h;
 }
 
+/// Leaves out the distances of elements that may not be in contact.
+void keep_apart(const Grid& grid, const Grid& touches, std::vector<double>& h) {
+    const long left = std::lround((touches.x0 - grid.x0) / grid.dx),
+               below = std::lround((touches.y0 - grid.y0) / grid.dy);
+    for (std::size_t i = 0; i < h.size(); ++i) {
+        const long ix = static_cast<long>(i) % grid.nx - left, iy = static_cast<long>(i) / grid.nx - below;
+        if (ix < 0 || ix >= touches.nx || iy < 0 || iy >= touches.ny) h[i] = std::numeric_limits<double>::quiet_NaN();
+    }
+}
+
 /// Makes gaps of distances; returns the approach.
 double take_out_approach(std::vector<double>& h) {
     double least = std::numeric_limits<double>::infinity();
@@ -313,6 +323,7 @@ bool Position::measure(CandidatePatch& found, double z) const {
         observer_.throw_if_cancelled();
         heights = heights_of(setup_, wheel, rail_, found);
         found.gap = distances(rail_, place, heights);
+        if (found.touches) keep_apart(place.grid, *found.touches, found.gap);
         place.approach = take_out_approach(found.gap);
         if (!std::isfinite(place.approach)) return false;
         Grid grid = place.grid;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,7 @@ struct CandidatePatch {
     Paraboloid paraboloid{};
     double row_on_rail = 0, row_on_wheel = 0;  ///< arc lengths of the first row along the profiles (mm)
     Grid needed{};                             ///< what the overlap needs, with no more elements beside it
+    std::optional<Grid> touches{};             ///< elements that may be in contact, where not all of the grid's may
     ElementMiddle middle;                      ///< where elements lie
     ElementMiddle counted_from;  ///< where they are counted from, in the plane; the reference, of steady rolling
     int more_below = 0, more_above = 0;  ///< rows of a curved contact beside those that it needs

@@ -194,6 +194,7 @@ Placement RightWheel::placed(double z, std::vector<CandidatePatch> candidates, O
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         CandidatePatch& found = candidates[i];
         observer.throw_if_cancelled();
+        if (history.shares(i)) found.touches = found.place.grid;
         if (before_) position_.widen(found, history.widened(i), z);
         if (!position_.measure(found, z)) {
             placement.warnings.push_back(apart_along_normal(found.place.reference, setup_.side));
@@ -249,7 +250,7 @@ WheelRailSolution RightWheel::solve(const Placement& placement, const Load& load
 }
 
 TractionHistory RightWheel::history_of(const std::vector<CandidatePatch>& candidates) const {
-    return {before_ ? *before_ : Patches{}, candidates, state_};
+    return {before_ ? *before_ : Patches{}, candidates, state_, setup_.patches.history};
 }
 
 ContactProblem RightWheel::problem_of(const CandidatePatch& found) const {

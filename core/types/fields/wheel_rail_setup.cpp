@@ -41,7 +41,7 @@ namespace {
 }
 [[maybe_unused]] void all_of(const PatchRules& all) {
     [[maybe_unused]] const auto& [angle_separate_, distance_separate_, distance_combine_, distance_turn_, locus_step_,
-                                  search_] = all;
+                                  search_, history_] = all;
 }
 
 }  // namespace
@@ -205,6 +205,7 @@ const FieldType& type_of<PatchRules>() {
         fields::field<&PatchRules::locus_step>("locus_step",
                                                {.bounds = {.least = 0, .most = 1, .least_excluded = true}}),
         fields::field<&PatchRules::search>("search"),
+        fields::field<&PatchRules::history>("history"),
     });
     static const FieldType type = fields::object_type(list);
     return type;

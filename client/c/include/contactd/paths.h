@@ -889,6 +889,7 @@
 #define CONTACTD_PATH_SETUP_PATCHES_DISTANCE_TURN "setup.patches.distance_turn"         /* mm */
 #define CONTACTD_PATH_SETUP_PATCHES_LOCUS_STEP "setup.patches.locus_step"
 #define CONTACTD_PATH_SETUP_PATCHES_SEARCH "setup.patches.search"
+#define CONTACTD_PATH_SETUP_PATCHES_HISTORY "setup.patches.history"
 #define CONTACTD_PATH_SETUP_RAIL_SPLINE "setup.rail_spline"
 #define CONTACTD_PATH_SETUP_WHEEL_SPLINE "setup.wheel_spline"
 #define CONTACTD_PATH_SETUP_WHEEL_SURFACE "setup.wheel_surface"
@@ -1436,6 +1437,8 @@
 #define CONTACTD_WORD_NORMAL_MODEL_ANALYN "analyn"
 #define CONTACTD_WORD_NORMAL_MODEL_ELLIPTIC "elliptic"
 #define CONTACTD_WORD_NORMAL_MODEL_PARABOLIC "parabolic"
+#define CONTACTD_WORD_PATCH_HISTORY_OWN "own"
+#define CONTACTD_WORD_PATCH_HISTORY_WHOLE "whole"
 #define CONTACTD_WORD_RIGID_SLIP_PLANE "plane"
 #define CONTACTD_WORD_RIGID_SLIP_SURFACES "surfaces"
 #define CONTACTD_WORD_RIGID_SLIP_ELEMENTS "elements"

@@ -25,6 +25,11 @@ static_assert(static_cast<int>(ContactSearch::locus) == 0);
 static_assert(static_cast<int>(ContactSearch::mesh) == 1);
 
 template <>
+inline constexpr auto enum_words<PatchHistory> = std::to_array<std::string_view>({"own", "whole"});
+static_assert(static_cast<int>(PatchHistory::own) == 0);
+static_assert(static_cast<int>(PatchHistory::whole) == 1);
+
+template <>
 inline constexpr auto enum_words<SliceSpline> =
     std::to_array<std::string_view>({"shape_preserving", "cubic", "approximating"});
 static_assert(static_cast<int>(SliceSpline::shape_preserving) == 0);

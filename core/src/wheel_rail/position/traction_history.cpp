@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 
 namespace contactd {
 namespace {
@@ -29,7 +30,8 @@ void begin_friction_state(SurfaceState& state, const ContactProblem& problem) {
 }  // namespace
 
 TractionHistory::TractionHistory(const std::vector<WheelRailEstimates::Patch>& before,
-                                 const std::vector<geometry::CandidatePatch>& now, const WheelRailState& state) {
+                                 const std::vector<geometry::CandidatePatch>& now, const WheelRailState& state,
+                                 PatchHistory parts) {
     const bool moves = state.motion != WheelRailMotion::shift;
     const auto seen = [moves](RailPlace place, double x) {
         if (moves) place.along -= x;
@@ -38,11 +40,13 @@ TractionHistory::TractionHistory(const std::vector<WheelRailEstimates::Patch>& b
     for (const geometry::CandidatePatch& found : now) {
         const Grid& grid = found.place.grid;
         const RailPlace on_rail = seen(found.place.on_rail, state.position.x);
-        patches_.push_back({grid, on_rail, elements_of(grid, on_rail)});
+        patches_.push_back({grid, on_rail, elements_of(grid, on_rail), {}, !found.place.rows.empty()});
     }
     for (const WheelRailEstimates::Patch& patch : before) {
         if (patches_.empty() || patch.grid.dx != patches_[0].grid.dx || patch.grid.dy != patches_[0].grid.dy) continue;
         const Elements elements = elements_of(patch.grid, seen(patch.on_rail, patch.x));
+        std::vector<Traction> whole;
+        std::vector<Patch*> owners;  // of each
         for (std::size_t i = 0; i < patch.grid.size(); ++i) {
             const double pressure = value_at(patch.tractions.pressure, i);
             const double along = value_at(patch.tractions.traction_x, i);
@@ -50,13 +54,31 @@ TractionHistory::TractionHistory(const std::vector<WheelRailEstimates::Patch>& b
             if (pressure == 0 && along == 0 && across == 0) continue;
             const long long ix = elements.x + static_cast<int>(i) % elements.nx;
             const long long iy = elements.y + static_cast<int>(i) / elements.nx;
-            if (Patch* owner = nearest(ix, iy))
-                owner->tractions.push_back({ix, iy, pressure, along, across,
-                                            value_if_any(patch.tractions.yield_stress, i),
-                                            value_if_any(patch.tractions.friction_coefficient, i)});
-            else
+            if (Patch* owner = nearest(ix, iy)) {
+                owners.push_back(owner);
+                whole.push_back({ix, iy, pressure, along, across, value_if_any(patch.tractions.yield_stress, i),
+                                 value_if_any(patch.tractions.friction_coefficient, i)});
+            } else {
                 left_behind_ += std::hypot(along, across) * patch.grid.element_area();
+            }
         }
+        const bool splits = std::adjacent_find(owners.begin(), owners.end(), std::not_equal_to<>()) != owners.end();
+        if (parts == PatchHistory::whole && splits)
+            share_whole(whole, owners);
+        else
+            for (std::size_t i = 0; i < whole.size(); ++i) owners[i]->tractions.push_back(whole[i]);
+    }
+}
+
+/// Of parts in planes only the first one has it.
+void TractionHistory::share_whole(const std::vector<Traction>& whole, const std::vector<Patch*>& owners) {
+    bool is_first = true;
+    for (Patch& patch : patches_) {
+        if (std::find(owners.begin(), owners.end(), &patch) == owners.end()) continue;
+        patch.shares = is_first || patch.is_curved;
+        is_first = false;
+        for (std::size_t i = 0; i < whole.size(); ++i)
+            if (patch.shares || owners[i] == &patch) patch.tractions.push_back(whole[i]);
     }
 }
 

@@ -18,8 +18,11 @@ class TractionHistory {
     /// The elements of the patches are those that they touch by, before they are widened. By the motion of the state
     /// elements move with the wheelset, or are fixed to the rail.
     TractionHistory(const std::vector<WheelRailEstimates::Patch>& before,
-                    const std::vector<geometry::CandidatePatch>& now, const WheelRailState& state);
+                    const std::vector<geometry::CandidatePatch>& now, const WheelRailState& state,
+                    PatchHistory parts = PatchHistory::own);
 
+    /// Tells whether a patch has tractions that others have, too: those of a patch that split, wanted whole.
+    bool shares(std::size_t patch) const { return patches_[patch].shares; }
     /// Returns the grid of a patch with the elements that its tractions lie on.
     Grid widened(std::size_t patch) const;
     /// On the elements of the problem of a patch; empty where there are none. What particles carry beside tractions is
@@ -46,10 +49,12 @@ class TractionHistory {
         RailPlace on_rail;
         Elements elements;
         std::vector<Traction> tractions{};
+        bool is_curved = false, shares = false;
     };
 
     static Elements elements_of(const Grid& grid, const RailPlace& on_rail);
     Patch* nearest(long long ix, long long iy);
+    void share_whole(const std::vector<Traction>& whole, const std::vector<Patch*>& owners);
 
     std::vector<Patch> patches_;
     double left_behind_ = 0;

@@ -4,7 +4,7 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
 
-#include "contactd/profile.hpp"
+#include "contactd/make_profile.hpp"
 #include "geometry/placement/rail_surface.hpp"
 #include "wheel_rail/wheel_rail_cases.hpp"
 
@@ -26,7 +26,7 @@ RailSurface cylinder(bool leans, double lower) {
     RailDeviation deviation;
     deviation.roll = roll;
     deviation.z = lower;
-    return {make_profile({ProfileKind::rail, ConeProfile{0, -40, 40}}), track, *track.rail_origin, deviation};
+    return {make_profile({ProfileKind::rail, ConeProfile{0, -40, 40}}).curve, track, *track.rail_origin, deviation};
 }
 
 }  // namespace

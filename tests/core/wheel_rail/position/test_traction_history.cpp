@@ -2,6 +2,7 @@
 #include "wheel_rail/position/traction_history.hpp"
 
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <numeric>
 
@@ -75,6 +76,24 @@ TEST_CASE("Tractions of patches that merge and split are kept") {
         kept += part;
     }
     CHECK_THAT(kept, WithinRel(sum(whole.tractions.traction_x), 1e-12));
+}
+
+TEST_CASE("Parts that go on from the whole of a patch have all of its tractions, in planes the first one only") {
+    const bool curved = GENERATE(false, true);
+    const WheelRailEstimates::Patch whole = patch_at(0, 0, 5, 7), other = patch_at(0, 40, 5, 3);
+    std::vector<geometry::CandidatePatch> now{candidate_at(0, 0, 5, 2), candidate_at(0, 0.5, 5, 2),
+                                              candidate_at(0, 40, 5, 3)};
+    if (curved)
+        for (geometry::CandidatePatch& found : now) found.place.rows.resize(1);
+    const TractionHistory own({whole, other}, now, shift()), all({whole, other}, now, shift(), PatchHistory::whole);
+    CHECK_FALSE(own.shares(0));
+    CHECK(all.shares(0));
+    CHECK(all.shares(1) == curved);
+    CHECK_FALSE(all.shares(2));
+    CHECK(all.widened(0).ny == 7);
+    CHECK(all.widened(1).ny == (curved ? 7 : own.widened(1).ny));
+    CHECK(all.widened(2) == own.widened(2));
+    CHECK(all.force_left_behind() == 0);
 }
 
 TEST_CASE("Tractions too far away are counted, and left behind") {

@@ -156,6 +156,7 @@ def _patches(values: Any) -> PatchRules:
     return PatchRules(
         angle_separate=min(values["A_SEP"], math.pi), distance_combine=combine, distance_separate=separate,
         distance_turn=max(values["D_TURN"], separate + _NEAR), search="mesh" if values["DISCNS"] == 5 else None,
+        history="whole",
     )  # fmt: skip
 
 

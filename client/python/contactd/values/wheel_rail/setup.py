@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 __all__ = [
     "Conformal",
     "ContactSearch",
+    "PatchHistory",
     "PatchRules",
     "RailSprings",
     "RigidSlipKind",
@@ -42,6 +43,7 @@ __all__ = [
 
 Side = Literal["left", "right"]
 ContactSearch = Literal["locus", "mesh"]
+PatchHistory = Literal["own", "whole"]
 SliceSpline = Literal["shape_preserving", "cubic", "approximating"]
 WheelSurface = Literal["exact", "bilinear"]
 RigidSlipKind = Literal["plane", "surfaces", "elements"]
@@ -157,6 +159,10 @@ class PatchRules:
         locus_step: Step of the locus across the track, in elements dy (> 0, <= 1). Default 0.3.
         search: Search for regions of overlap: along the locus, where the distance along the track is least, or on a
             mesh seen from above, for rails that curve along the track. Default "locus".
+        history: What the parts of a patch go on from that splits in a step which is not steady: the tractions on their
+            own elements; or whole, those of all the patch before, whose displacements a part feels before the step and
+            not behind it, which comparisons with other programs want; of parts in planes the first one only. Default
+            "own".
     """
 
     angle_separate: float | None = None
@@ -165,6 +171,7 @@ class PatchRules:
     distance_turn: float | None = None
     locus_step: float | None = None
     search: ContactSearch | None = None
+    history: PatchHistory | None = None
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
