@@ -30,19 +30,19 @@ IcTable half_space(const ContactProblem& problem, const Body& body, const Observ
 ContactInfluence turned_influence(const ContactProblem& problem, std::span<const double> angles,
                                   const Observer& observer) {
     const Grid& grid = problem.grid;
-    const RowTurns turns(angles, grid.nx);
+    const RowRotations rotations(angles, grid.nx);
     const IcTable flat = pair_of(half_space(problem, problem.bodies.upper, observer),
                                  half_space(problem, problem.bodies.lower, observer));
     ContactInfluence influence;
     influence.current = std::make_shared<const TurnedOperator>(
-        std::make_shared<const ConvolutionOperator>(flat, grid.nx, grid.ny), turns);
+        std::make_shared<const ConvolutionOperator>(flat, grid.nx, grid.ny), rotations);
     const double step = step_of(problem)[0];
     if (step == 0) return influence;
     const MaterialPair bodies = problem.bodies.materials();
     auto along = std::make_shared<const ShiftedOperator>(
         change_over_step(flat, shifted_half_spaces({bodies}, grid, step, 0, observer)));
     influence.increment =
-        std::make_shared<const TurnedStep>(std::move(along), normal_increment(bodies, grid, step, observer), turns);
+        std::make_shared<const TurnedStep>(std::move(along), normal_increment(bodies, grid, step, observer), rotations);
     return influence;
 }
 

@@ -17,7 +17,7 @@ class TurnedOperator::Boxes final : public ElementBoxes {
     }
     std::shared_ptr<const InfluenceOperator> influence(const ElementBox& box) const override {
         return std::make_shared<const TurnedOperator>(of_flat().influence(box),
-                                                      whole_.turns_.on(box.first_y, box.ny, box.nx));
+                                                      whole_.rotations_.on(box.first_y, box.ny, box.nx));
     }
 
    private:
@@ -26,9 +26,9 @@ class TurnedOperator::Boxes final : public ElementBoxes {
     const TurnedOperator& whole_;
 };
 
-TurnedOperator::TurnedOperator(std::shared_ptr<const InfluenceOperator> flat, RowTurns turns)
-    : flat_(std::move(flat)), turns_(std::move(turns)) {
-    if (flat_->size() != turns_.size()) throw InvalidArgument("flat", "is on another number of elements");
+TurnedOperator::TurnedOperator(std::shared_ptr<const InfluenceOperator> flat, RowRotations rotations)
+    : flat_(std::move(flat)), rotations_(std::move(rotations)) {
+    if (flat_->size() != rotations_.size()) throw InvalidArgument("flat", "is on another number of elements");
     if (flat_->boxes() != nullptr) boxes_ = std::make_unique<Boxes>(*this);
 }
 
@@ -52,28 +52,28 @@ RowComponents TurnedOperator::of_tangential(std::span<const double> px, std::spa
 }
 
 void TurnedOperator::normal(std::span<const double> pz, std::span<double> uz) const {
-    turns_.along_z(of_normal(turns_.times_cosine(pz)), of_normal(turns_.times_sine(pz)), uz);
+    rotations_.along_z(of_normal(rotations_.times_cosine(pz)), of_normal(rotations_.times_sine(pz)), uz);
 }
 
 void TurnedOperator::tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
                                 std::span<double> uy) const {
-    const RowComponents of_cosine = of_tangential(turns_.times_cosine(px), turns_.times_cosine(py), ux),
-                        of_sine = of_tangential(turns_.times_sine(px), turns_.times_sine(py), ux);
-    turns_.along_s(of_cosine, of_sine, uy);
+    const RowComponents of_cosine = of_tangential(rotations_.times_cosine(px), rotations_.times_cosine(py), ux),
+                        of_sine = of_tangential(rotations_.times_sine(px), rotations_.times_sine(py), ux);
+    rotations_.along_s(of_cosine, of_sine, uy);
     of_tangential(px, py, ux);
 }
 
 void TurnedOperator::normal_of_tangential(std::span<const double> px, std::span<const double> py,
                                           std::span<double> uz) const {
     std::vector<double> x(size());
-    const RowComponents of_cosine = of_tangential(turns_.times_cosine(px), turns_.times_cosine(py), x),
-                        of_sine = of_tangential(turns_.times_sine(px), turns_.times_sine(py), x);
-    turns_.along_z(of_cosine, of_sine, uz);
+    const RowComponents of_cosine = of_tangential(rotations_.times_cosine(px), rotations_.times_cosine(py), x),
+                        of_sine = of_tangential(rotations_.times_sine(px), rotations_.times_sine(py), x);
+    rotations_.along_z(of_cosine, of_sine, uz);
 }
 
 void TurnedOperator::tangential_of_normal(std::span<const double> pz, std::span<double> ux,
                                           std::span<double> uy) const {
-    turns_.along_s(of_normal(turns_.times_cosine(pz)), of_normal(turns_.times_sine(pz)), uy);
+    rotations_.along_s(of_normal(rotations_.times_cosine(pz)), of_normal(rotations_.times_sine(pz)), uy);
     std::vector<double> s(size());
     flat_->tangential_of_normal(pz, ux, s);
 }
@@ -85,7 +85,7 @@ const CoarserGrid* TurnedOperator::coarser() const {
         const std::shared_ptr<const InfluenceOperator> flat(std::shared_ptr<void>(),
                                                             &grid->influence());  // flat_ owns it
         return std::make_unique<const CoarserWith>(
-            *grid, std::make_unique<const TurnedOperator>(flat, turns_.coarse(grid->along_x(), grid->along_y())));
+            *grid, std::make_unique<const TurnedOperator>(flat, rotations_.coarse(grid->along_x(), grid->along_y())));
     };
     return coarser_.get(make).get();
 }

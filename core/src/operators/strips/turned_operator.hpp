@@ -5,7 +5,7 @@
 
 #include "contactd/influence_operator.hpp"
 #include "operators/lazy.hpp"
-#include "row_turns.hpp"
+#include "row_rotations.hpp"
 
 namespace contactd {
 
@@ -16,7 +16,7 @@ namespace contactd {
 class TurnedOperator final : public InfluenceOperator {
    public:
     /// Throws InvalidArgument where the numbers of elements differ.
-    TurnedOperator(std::shared_ptr<const InfluenceOperator> flat, RowTurns turns);
+    TurnedOperator(std::shared_ptr<const InfluenceOperator> flat, RowRotations rotations);
     ~TurnedOperator() override;
 
     std::size_t size() const override { return flat_->size(); }
@@ -46,7 +46,7 @@ class TurnedOperator final : public InfluenceOperator {
     RowComponents of_tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux) const;
 
     const std::shared_ptr<const InfluenceOperator> flat_;
-    const RowTurns turns_;
+    const RowRotations rotations_;
     std::unique_ptr<const ElementBoxes> boxes_;
     mutable Lazy<std::unique_ptr<const CoarserGrid>> coarser_;
 };

@@ -33,10 +33,10 @@ PaddedFft::ComplexSymbol NormalIncrement::symbol(std::size_t load) const {
 std::shared_ptr<const NormalIncrement> NormalIncrement::on(int nx, int ny) const {
     std::vector<double> part;
     part.reserve(3 * offsets(nx, ny));
-    const std::ptrdiff_t wide = 2 * nx_ - 1, high = 2 * ny_ - 1;
+    const std::ptrdiff_t along_row = 2 * nx_ - 1, high = 2 * ny_ - 1;
     for (std::ptrdiff_t load = 0; load < 3; ++load)
         for (std::ptrdiff_t l = ny_ - ny; l < ny_ + ny - 1; ++l) {
-            const auto row = kernels_.begin() + (load * high + l) * wide;
+            const auto row = kernels_.begin() + (load * high + l) * along_row;
             part.insert(part.end(), row + (nx_ - nx), row + (nx_ + nx - 1));
         }
     return std::make_shared<const NormalIncrement>(nx, ny, std::move(part));
@@ -65,9 +65,9 @@ std::shared_ptr<const NormalIncrement> normal_increment(const MaterialPair& bodi
 }
 
 TurnedStep::TurnedStep(std::shared_ptr<const StepOperator> flat, std::shared_ptr<const NormalIncrement> along_normal,
-                       RowTurns turns)
-    : flat_(std::move(flat)), along_normal_(std::move(along_normal)), turns_(std::move(turns)) {
-    if (flat_->size() != turns_.size() || flat_->size() != along_normal_->size())
+                       RowRotations rotations)
+    : flat_(std::move(flat)), along_normal_(std::move(along_normal)), rotations_(std::move(rotations)) {
+    if (flat_->size() != rotations_.size() || flat_->size() != along_normal_->size())
         throw InvalidArgument("flat", "is on another number of elements");
 }
 
@@ -88,16 +88,16 @@ RowComponents TurnedStep::of_normal(std::span<const double> pz, std::span<double
 
 void TurnedStep::tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
                             std::span<double> uy) const {
-    const RowComponents of_cosine = of_tangential(turns_.times_cosine(px), turns_.times_cosine(py), ux),
-                        of_sine = of_tangential(turns_.times_sine(px), turns_.times_sine(py), ux);
-    turns_.along_s(of_cosine, of_sine, uy);
+    const RowComponents of_cosine = of_tangential(rotations_.times_cosine(px), rotations_.times_cosine(py), ux),
+                        of_sine = of_tangential(rotations_.times_sine(px), rotations_.times_sine(py), ux);
+    rotations_.along_s(of_cosine, of_sine, uy);
     of_tangential(px, py, ux);
 }
 
 void TurnedStep::tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const {
-    const RowComponents of_cosine = of_normal(turns_.times_cosine(pz), ux),
-                        of_sine = of_normal(turns_.times_sine(pz), ux);
-    turns_.along_s(of_cosine, of_sine, uy);
+    const RowComponents of_cosine = of_normal(rotations_.times_cosine(pz), ux),
+                        of_sine = of_normal(rotations_.times_sine(pz), ux);
+    rotations_.along_s(of_cosine, of_sine, uy);
     of_normal(pz, ux);
 }
 
@@ -105,7 +105,7 @@ std::shared_ptr<const StepOperator> TurnedStep::on(const ElementBox& box) const 
     auto flat = flat_->on(box);
     if (!flat) return nullptr;
     return std::make_shared<const TurnedStep>(std::move(flat), along_normal_->on(box.nx, box.ny),
-                                              turns_.on(box.first_y, box.ny, box.nx));
+                                              rotations_.on(box.first_y, box.ny, box.nx));
 }
 
 }  // namespace contactd

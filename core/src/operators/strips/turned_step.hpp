@@ -6,7 +6,7 @@
 #include "contactd/material.hpp"
 #include "contactd/step_operator.hpp"
 #include "operators/fft/padded_fft.hpp"
-#include "row_turns.hpp"
+#include "row_rotations.hpp"
 
 namespace contactd {
 
@@ -44,7 +44,7 @@ class TurnedStep final : public StepOperator {
     /// `flat` and `along_normal` are those of a flat surface. Throws InvalidArgument where the numbers of elements
     /// differ.
     TurnedStep(std::shared_ptr<const StepOperator> flat, std::shared_ptr<const NormalIncrement> along_normal,
-               RowTurns turns);
+               RowRotations rotations);
 
     std::size_t size() const override { return flat_->size(); }
     void tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
@@ -62,7 +62,7 @@ class TurnedStep final : public StepOperator {
 
     const std::shared_ptr<const StepOperator> flat_;
     const std::shared_ptr<const NormalIncrement> along_normal_;
-    const RowTurns turns_;
+    const RowRotations rotations_;
 };
 
 }  // namespace contactd

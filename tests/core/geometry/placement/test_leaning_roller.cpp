@@ -4,6 +4,7 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
 
+#include "closed_forms/hertz.hpp"
 #include "contactd/make_profile.hpp"
 #include "geometry/placement/rail_surface.hpp"
 #include "wheel_rail/wheel_rail_cases.hpp"

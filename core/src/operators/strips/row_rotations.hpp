@@ -18,15 +18,15 @@ struct RowComponents {
 /// row J to those of the observed row I by the product of T(a_I) and T(-a_J) = cos a_J - sin a_J Q. So those of all
 /// rows are two convolutions of tractions that are multiplied by the cosines and by the sines of their rows:
 /// u = T(a_I) (A (cos p) - Q A (sin p)).
-class RowTurns {
+class RowRotations {
    public:
     /// Angles (rad) of the normals, which lean towards +s where they are positive, by rows of nx elements.
-    RowTurns(std::span<const double> angles, int nx);
+    RowRotations(std::span<const double> angles, int nx);
 
     std::size_t size() const { return cosine_.size() * nx_; }
-    RowTurns on(int first_row, int rows, int nx) const;
+    RowRotations on(int first_row, int rows, int nx) const;
     /// Of rows that stand for so many neighbours each: with their mean angle. The last may reach beyond.
-    RowTurns coarse(int along_x, int along_y) const;
+    RowRotations coarse(int along_x, int along_y) const;
 
     std::vector<double> times_cosine(std::span<const double> values) const { return times(cosine_, values); }
     std::vector<double> times_sine(std::span<const double> values) const { return times(sine_, values); }
