@@ -34,6 +34,12 @@ void continue_with(SolverEvidence& evidence, const SolverEvidence& next) {
     evidence = {evidence.iterations + next.iterations, next.residual, next.converged, evidence.seconds + next.seconds};
 }
 
+bool changes_with_temperature(const FrictionLaw& friction) {
+    const auto changes = [](const TemperatureFriction& law) { return law.change != 0; };
+    return (friction.temperature && changes(*friction.temperature)) ||
+           std::ranges::any_of(friction.temperature_of_rows, changes);
+}
+
 class BoundaryElements {
    public:
     BoundaryElements(const ContactProblem& problem, const ContactInfluence& influence)
@@ -52,7 +58,7 @@ class BoundaryElements {
         static_mu_.resize(n_);
         for (std::size_t i = 0; i < n_; ++i) static_mu_[i] = friction.mu_of(i);
         bound_ = bound_of(static_mu_);
-        if (friction.follows_temperature()) temperature_law_.emplace(problem);
+        if (changes_with_temperature(friction)) temperature_law_.emplace(problem);
         if (!friction.kinetic) return;
         slip_law_.emplace(*friction.kinetic, static_mu_);
         if (!friction.kinetic->memory) return;

@@ -273,6 +273,38 @@ TEST_CASE("a roller turns under the wheel, and friction follows the rail's angle
     CHECK_THAT(rail.patch(1).forces().fy, WithinRel(full, 1e-6));
 }
 
+TEST_CASE("a roller that leans with its deviation is solved as core solves it") {
+    RailCase roller = manchester_wheel(1, Side::right);
+    const ManchesterCase& known = known_case(Side::right, 1);
+    place(roller, known);
+    roller.whole.flag(1967, 5);
+    const double pitch = 4, roll = GENERATE(0.0, 2e-3);
+    roller.track(3, {0, 760.532353, -0.000023, 0, 500, 0, 0.05, roll, 0, 0, 0});
+    roller.velocity(2, {pitch, 0, 0, 0, 0, -pitch * 500 / 460.0});
+    REQUIRE(roller.whole.calculate() == 0);
+
+    WheelRailSetup setup = core_setup(Side::right);
+    setup.track.roller_radius = 500;
+    setup.track.roller_leans = roll != 0;
+    setup.patches.history = PatchHistory::whole;
+    WheelRailState state = contactd::test::manchester_state(known);
+    state.position.x = 0;
+    state.velocity = {};
+    state.velocity.pitch = -pitch * 500 / 460.0;
+    state.roller_pitch = pitch;
+    if (roll != 0) {
+        state.rail.z = 0.05;
+        state.rail.roll = roll;
+    } else {  // it goes along with its axle
+        setup.track.rail_origin->z += 0.05;
+    }
+    Observer observer;
+    const WheelRailSolution expected = WheelRailContact(setup).solve(state, observer);
+    CHECK_THAT(roller.wheelset_position()[2], WithinAbs(expected.z, 1e-9));
+    CHECK_THAT(roller.patch(1).forces().fy, WithinRel(expected.patches.front().solution.forces.Fy, 1e-7));
+    CHECK_THAT(roller.patch(1).found_creepages().phi, WithinRel(expected.patches.front().place.creepages.phi, 1e-7));
+}
+
 TEST_CASE("stresses below each patch are those of its tractions") {
     RailCase rail = manchester_wheel(1, Side::left);
     place(rail, known_case(Side::left, 5));

@@ -22,9 +22,14 @@ double outwards(const Settings& settings) {
     return on_left_side(settings) ? -1 : 1;
 }
 
+/// Returns whether a roller's surface leans with its deviation, which of rails is a roll alone.
+bool leans(const RailSettings& rail) {
+    return rail.deviation.roll != 0;
+}
+
 /// A roller goes along with its axle where its profile is placed itself.
 double sunk(const Settings& settings, const RailSettings& rail) {
-    return on_roller(settings) && rail.track.gauge_height <= 0 ? rail.deviation.z : 0;
+    return on_roller(settings) && rail.track.gauge_height <= 0 && !leans(rail) ? rail.deviation.z : 0;
 }
 
 Track track_of(const Settings& settings, const RailSettings& rail) {
@@ -39,11 +44,12 @@ Track track_of(const Settings& settings, const RailSettings& rail) {
     if (on_roller(settings)) {
         if (!(given.roller_radius > 0))
             throw Refused(error_code::input, "The radius of the roller is not positive; call cntc_settrackdimensions.");
-        if (rail.deviation.roll != 0 || (rail.deviation.z != 0 && given.gauge_height > 0))
+        if (rail.deviation.z != 0 && given.gauge_height > 0)
             throw Refused(error_code::input,
                           "The roller deviates with its axle, which contactd has only where its profile is placed "
-                          "itself (gaught <= 0), and without roll.");
+                          "itself (gaught <= 0).");
         track.roller_radius = given.roller_radius;
+        track.roller_leans = leans(rail);
         return track;
     }
     track.cant = given.cant;
@@ -73,6 +79,7 @@ PatchRules patches_of(const GivenElements& given, int surfaces) {
     rules.distance_separate = std::max(given.separate, given.combine + near);
     rules.distance_turn = std::max(given.turn, rules.distance_separate + near);
     if (surfaces == mesh) rules.search = ContactSearch::mesh;
+    rules.history = PatchHistory::whole;
     return rules;
 }
 
