@@ -107,13 +107,17 @@ std::vector<std::size_t> kinks_of(const Points& points, const KinkRule& rule) {
         angles.push_back(i + 1 < points.size() ? turn(points, i) : 0);
     }
     std::vector<std::size_t> kinks;
+    const auto mark = [&](std::size_t i) {
+        if (!kinks.empty() && i == kinks.back() + 2) kinks.push_back(i - 1);
+        kinks.push_back(i);
+    };
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
         if (angles[i] <= rule.angle) continue;
         const auto from = std::lower_bound(s.begin(), s.end(), s[i] - rule.width) - s.begin();
         const auto to = std::upper_bound(s.begin(), s.end(), s[i] + rule.width) - s.begin();
         const auto bends =
             std::count_if(angles.begin() + from, angles.begin() + to, [&](double t) { return t > rule.rest; });
-        if (bends == 1) kinks.push_back(i);
+        if (bends == 1) mark(i);
     }
     return kinks;
 }

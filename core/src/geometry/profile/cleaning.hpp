@@ -27,7 +27,8 @@ Points rail_seen_from_above(const Points& points);
 
 Points seen_from_above(const Points& points, ProfileKind kind);
 
-/// Points at which the curve is broken.
+/// Points at which the curve is broken. One that lies alone between two of them is one, too: smoothed through three
+/// points a curve would follow none of them.
 std::vector<std::size_t> kinks_of(const Points& points, const KinkRule& rule = {});
 
 /// What bodies that come from above can touch.

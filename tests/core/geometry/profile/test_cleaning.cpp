@@ -83,6 +83,14 @@ TEST_CASE("kinks are sharp corners between smooth parts", "[profile]") {
     CHECK(kinks_of(gentle).empty());
 }
 
+TEST_CASE("a point alone between two kinks is one, too", "[profile]") {
+    const KinkRule each{.angle = 0.5, .rest = 0.1, .width = 0};
+    const Points steps{{0, 5}, {1, 5}, {2, 5}, {3, 4}, {4, 3}, {5, 3}, {6, 3}, {7, 3}, {8, 4}, {9, 5}};
+    CHECK(kinks_of(steps, each) == std::vector<std::size_t>{2, 3, 4, 7});
+    const Points apart{{0, 5}, {1, 5}, {2, 5}, {3, 5}, {4, 4}, {5, 3}, {6, 2}, {7, 2}};
+    CHECK(kinks_of(apart, each) == std::vector<std::size_t>{3, 6});
+}
+
 TEST_CASE("chords that cross are found", "[profile]") {
     const auto crossing = crossing_of({{0, 0}, {10, 0}, {10, 5}, {5, 5}, {5, -5}});
     CHECK(crossing.found());
