@@ -212,6 +212,14 @@ TEST_CASE("The reply of ic.get comes back exactly", "[codec]") {
     check_equal(read.evidence, reply.evidence);
 }
 
+TEST_CASE("A reply of ic.get without the material of its body is refused", "[codec]") {
+    ArrayWriter arrays(ArrayEncoding::list);
+    json result = encode_ic_reply(ic_reply(), arrays);
+    result["spec"].erase("material");
+    CHECK(violations_of("ic.get.result", result).empty());
+    CHECK_THROWS_AS(decode_ic_reply(result, {}), StatusError);
+}
+
 TEST_CASE("A table of another extent than its spec is refused", "[codec]") {
     ArrayWriter arrays(ArrayEncoding::frame);
     json result = encode_ic_reply(ic_reply(), arrays);

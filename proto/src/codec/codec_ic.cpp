@@ -5,10 +5,13 @@
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/import_codec.hpp"
 #include "contactd/proto/object.hpp"
+#include "contactd/proto/status.hpp"
 
 namespace contactd::proto {
 
 using nlohmann::json;
+
+constexpr const char* material_field = "material";
 
 double finite(double value, const char* what) {
     if (!std::isfinite(value)) throw Error(std::string(what) + " is not finite and cannot be sent.");
@@ -32,7 +35,7 @@ json encode_ic_spec(const IcSpec& spec) {
     json result{
         {"grid", {{"nx", spec.nx}, {"ny", spec.ny}, {"dx", finite(spec.dx, "dx")}, {"dy", finite(spec.dy, "dy")}}},
         {"ics", encode_ics(spec)}};
-    if (!spec.layered) result["material"] = encode_material(spec.material);
+    if (!spec.layered) result[material_field] = encode_material(spec.material);
     return result;
 }
 
@@ -43,7 +46,10 @@ IcSpec decode_ic_spec(const json& params) {
 IcSpec decode_ic_spec(const json& params, const Frames& frames) {
     const json& grid = params["grid"];
     IcSpec spec{decode_ics(params["ics"], frames), {}, 0, 0, 0, 0};
-    spec.material = spec.layered ? spec.layered->surface() : decode_material(params["material"]);
+    // The schema of an answer does not ask for it, as layers have materials of their own.
+    if (!spec.layered && !params.contains(material_field))
+        throw invalid_field(material_field, "is missing; a body that is not layered has one");
+    spec.material = spec.layered ? spec.layered->surface() : decode_material(params[material_field]);
     spec.dx = grid["dx"].get<double>();
     spec.dy = grid["dy"].get<double>();
     spec.nx = decode_count(grid, "nx");
