@@ -57,7 +57,7 @@ def test_all_fields_are_sent_as_the_schema_has_them():
         side="left",
         wheel=ProfilePoints([[0, 0], [1, 0.1]], unit=1000, mirror_y=True, mirror_z=False, smoothing_length=5),
         rail=ArcProfile(300, slope=0.1, ends=(-20, 20)),
-        track=Track(1520, 13, 0.05, (760.5, -1), 500, RailSprings(2e4, 1e5)),
+        track=Track(1520, 13, 0.05, (760.5, -1), 500, True, RailSprings(2e4, 1e5)),
         wheelset=Wheelset(1440, -69, 475),
         upper=Material(80000, 0.3),
         lower=RigidBody(),

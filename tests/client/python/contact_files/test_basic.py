@@ -254,7 +254,7 @@ def test_friction_may_follow_the_temperature() -> None:
     assert friction is not None
     assert (friction.mu, friction.kinetic) == (0.3, None)
     assert friction.temperature == TemperatureFriction(change=-0.18, reference=20, range=400)
-    with pytest.raises(Missing, match="from place to place"):
+    with pytest.raises(Missing, match="from row to row"):
         made(H=3, T=3, FRCLAW=6, VARFRC=3, friction=[*sets, {**sets[0], "TREF": 30.0}], **HEAT)
 
 
