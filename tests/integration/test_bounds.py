@@ -44,7 +44,7 @@ def ended_after(raw, condition):
     return time.monotonic() - begun
 
 
-def least_of(seconds, enough, tries=3):
+def least_of(seconds, enough, tries=6):
     """The shortest of some times, until one is enough: whatever else a machine does only makes them longer."""
     least = seconds()
     for _ in range(tries - 1):
