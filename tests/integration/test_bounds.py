@@ -44,7 +44,7 @@ def ended_after(raw, condition):
     return time.monotonic() - begun
 
 
-def least_of(seconds, enough, tries=6):
+def least_of(seconds, enough, tries=3):
     """The shortest of some times, until one is enough: whatever else a machine does only makes them longer."""
     least = seconds()
     for _ in range(tries - 1):
@@ -81,6 +81,7 @@ def test_a_large_request_takes_no_more_than_it_states(daemons, example):
 
 @pytest.mark.slow  # a daemon for each of the largest requests, twice
 @pytest.mark.timeout(300)
+@pytest.mark.xdist_group("alone")  # its times are not those of a machine that test_load keeps busy
 @pytest.mark.parametrize("way", ["cancelled", "overdue"])
 @every_method
 def test_the_worker_of_a_request_that_has_ended_is_free_soon(daemons, example, way):
