@@ -33,7 +33,7 @@ library() {
     ls "$name"_*.orig.tar.* >/dev/null 2>&1 || { echo "the sources of $name cannot be had from this mirror" >&2 && exit 1; }
     mkdir "$name"
     tar -xf "$name"_*.orig.tar.* -C "$name" --strip-components=1
-    # What HDF5 would tell of this machine and of today.
+    # HDF5 would tell of this machine and of today.
     [ ! -e "$name/src/H5build_settings.off.c.in" ] || cp "$name"/src/H5build_settings.{off,cmake}.c.in
     cmake -S "$name" -B "$name-build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$folder" \
         -DCMAKE_INSTALL_LIBDIR=lib -DCMAKE_POSITION_INDEPENDENT_CODE=ON -DBUILD_SHARED_LIBS=OFF \

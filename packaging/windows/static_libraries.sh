@@ -32,7 +32,7 @@ configured() {
     ls "$name"_*.orig.tar.* >/dev/null 2>&1 || { echo "the sources of $name cannot be had from this mirror" >&2 && exit 1; }
     mkdir "$name"
     tar -xf "$name"_*.orig.tar.* -C "$name" --strip-components=1
-    # What HDF5 would tell of this machine and of today.
+    # HDF5 would tell of this machine and of today.
     [ ! -e "$name/src/H5build_settings.off.c.in" ] || cp "$name"/src/H5build_settings.{off,cmake}.c.in
     mkdir -p "$folder/licenses"
     find "$name" -maxdepth 1 \( -name 'COPYING*' -o -name 'LICENSE*' \) -type f -exec cat {} + >"$folder/licenses/$name"

@@ -1,4 +1,4 @@
-"""What can be left out of a build by CMake's options can be left out: the rest configures, builds, and is installed."""
+"""Parts of a build can be left out by CMake's options: the rest configures, builds, and is installed."""
 
 from __future__ import annotations
 

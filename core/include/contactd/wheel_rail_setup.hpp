@@ -84,9 +84,9 @@ struct WheelSlice {
 /// wheel alone is curved; or on a mesh seen from above, for rails that curve along the track, too.
 enum class ContactSearch { locus, mesh };
 
-/// What the parts of a patch go on from that splits in a step which is not steady: the tractions on their own elements;
-/// or those of all the patch before, whose displacements each part feels before the step and not behind it, so that the
-/// split alone brings slip, which is what reference programs do and comparisons with them want.
+/// Says what the parts of a patch go on from that splits in a step which is not steady: the tractions on their own
+/// elements; or those of all the patch before, whose displacements each part feels before the step and not behind it,
+/// so that the split alone brings slip, which is what reference programs do and comparisons with them want.
 enum class PatchHistory { own, whole };
 
 /// Rules by which regions of overlap that lie close to each other are patches of their own, whose planes turn towards

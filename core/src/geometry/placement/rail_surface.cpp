@@ -95,7 +95,7 @@ bool RailSurface::find_y(double y, double& s) const {
         y, visible_.from, visible_.to, s);
 }
 
-// Of a roller that leans points move across as they turn, by little: what lies at y at x was a little beside it.
+// Points of a roller that leans move across as they turn, by little: what lies at y at x was a little beside it.
 double RailSurface::height(double x, double y, double s) const {
     find_y(y, s);
     if (!leans()) return z_at(x, y, place(s).at.z);

@@ -51,7 +51,7 @@ class RailSurface {
     double next_slice(double x) const {
         return slices_ ? slices_->next_slice(x_ + x) - x_ : std::numeric_limits<double>::infinity();
     }
-    /// What the place of a profile becomes at x, with its first derivative: on a roller.
+    /// Returns where a place of the profile comes at x, with its first derivative: on a roller it turns.
     ProfileCurve::Place turned_to(double x, ProfileCurve::Place place) const;
 
     /// 1/R of a roller along x (1/mm); zero of a rail, sliced or not.

@@ -25,7 +25,7 @@ class RowRotations {
 
     std::size_t size() const { return cosine_.size() * nx_; }
     RowRotations on(int first_row, int rows, int nx) const;
-    /// Of rows that stand for so many neighbours each: with their mean angle. The last may reach beyond.
+    /// Returns those of rows that stand for so many neighbours each, by their mean angle. The last may reach beyond.
     RowRotations coarse(int along_x, int along_y) const;
 
     std::vector<double> times_cosine(std::span<const double> values) const { return times(cosine_, values); }

@@ -70,7 +70,7 @@ TractionHistory::TractionHistory(const std::vector<WheelRailEstimates::Patch>& b
     }
 }
 
-/// Of parts in planes only the first one has it.
+/// Gives all parts that are curved the whole, and of those in planes the first one.
 void TractionHistory::share_whole(const std::vector<Traction>& whole, const std::vector<Patch*>& owners) {
     bool is_first = true;
     for (Patch& patch : patches_) {

@@ -132,7 +132,7 @@ def _track(case: Case) -> Track:
 
 
 def _leans(case: Case) -> bool:
-    """Whether a roller's surface leans, and what it turns about does not."""
+    """Tells whether a roller's surface leans; what it turns about does not."""
     return case.digits["C1"] >= _ROLLER and case.values.get("DROLLR", 0) != 0
 
 
