@@ -237,6 +237,17 @@ void check_penetration(const ContactProblem& problem) {
                               "differences of solves, or leave normal_model out");
 }
 
+void check_regions(const ContactProblem& problem) {
+    if (!problem.regions) return;
+    validate(*problem.regions);
+    const auto refuse = [](const std::string& why) {
+        throw InvalidArgument("regions", "are given, and " + why + ": leave one of them out");
+    };
+    if (problem.model != Model::full)
+        refuse("model " + std::string(name_of(problem.model)) + " has pressures over the whole contact");
+    if (problem.normal_model != NormalModel::of_model) refuse("normal_model has pressures over the whole contact");
+}
+
 void check_displacements(const ContactProblem& problem) {
     if (problem.displacements && problem.model != Model::full)
         throw InvalidArgument("displacements", "are those of model full; simplified models know none");
@@ -365,6 +376,7 @@ void check(const ContactProblem& problem, bool complete) {
     if (is_line_contact(problem)) check_line_contact(problem);
     check_derivatives(problem);
     check_penetration(problem);
+    check_regions(problem);
     check_displacements(problem);
     check_tangential_solver(problem);
     check_layer(problem);

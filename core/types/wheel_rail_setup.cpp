@@ -25,6 +25,9 @@ void require(bool right, const std::string& field, double value, const std::stri
 void check(const Track& track) {
     require(track.gauge_height <= 0 || track.gauge_height >= 1, "track.gauge_height", track.gauge_height,
             "be zero, or 1 mm at least; gauges are measured about 14 mm below the tops: check the unit");
+    if (track.roller_leans && !track.roller_radius)
+        throw InvalidArgument("track.roller_leans",
+                              "is given, and the rail is no roller; give track.roller_radius, too");
     if (!track.springs) return;
     const auto& [y, z] = *track.springs;
     if (!y && !z) throw InvalidArgument("track.springs", "has neither y nor z; leave it out where the rail is rigid");
@@ -272,7 +275,13 @@ void validate(const WheelRailSetup& setup) {
     constexpr double rounding = 1e-9;
     require(setup.conformal != Conformal::fem || setup.dx >= shortest_uniform_element * setup.dy * (1 - rounding), "dx",
             setup.dx, "be half of dy at least, where conformal is fem");
+    require(setup.conformal != Conformal::fem || setup.patches.max_elements == 0, "patches.max_elements",
+            setup.patches.max_elements, "be left out where conformal is fem, whose sections are divided by dy");
     check(setup.patches);
+}
+
+double step_of_rolling(const WheelRailSetup& setup, double dx) {
+    return setup.dq > 0 ? setup.dq * (dx / setup.dx) : dx;
 }
 
 WheelRailSetup with_tolerances(const WheelRailSetup& setup) {

@@ -36,6 +36,8 @@ MODULES = [
             "contact.solve.params.json#/properties/gap/properties/paraboloid",
             "contact.solve.params.json#/properties/gap/properties/semi_axes",
             "contact.solve.params.json#/properties/gap/properties/half_ellipses",
+            "definitions.json#/definitions/region_limits",
+            "definitions.json#/definitions/contact_regions",
         ),
         is_asked=True,
     ),

@@ -111,6 +111,15 @@ TEST_CASE("Curved columns come back exactly, and what a request leaves out of th
     CHECK_FALSE(decode_problem(sent(params), frames).columns);
 }
 
+TEST_CASE("Regions come back exactly", "[codec]") {
+    ContactProblem original = problem();
+    original.regions = ContactRegions{{{{-3, -1}, {-2, 1.0 / 3}}, {{1, 3}, {-2, 2}}}, {1, 0.4, 0.4, 1}};
+    ArrayWriter arrays(ArrayEncoding::frame);
+    json params = encode_problem(original, arrays);
+    CHECK(violations_of("contact.solve.params", params).empty());
+    CHECK(decode_problem(sent(params), arrays.take_frames()).regions == original.regions);
+}
+
 TEST_CASE("A problem with finite-element coefficients keeps their spec", "[codec]") {
     ContactProblem original = problem();
     Ics ics;

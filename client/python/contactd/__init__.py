@@ -68,7 +68,7 @@ from .values.fatigue import DamageFunction, FatigueRequest, FatigueStrength, Pas
 from .values.fem_ics import FemIcs
 from .values.fit import Fit, FittedCurve, FittedParameter
 from .values.friction import Friction, InterfacialLayer
-from .values.grid import Grid, HalfEllipses, Paraboloid, SemiAxes
+from .values.grid import ContactRegions, Grid, HalfEllipses, Paraboloid, RegionLimits, SemiAxes
 from .values.ics import AnalyticIcs, LineContact
 from .values.materials import Layer, LayeredBody, Material, RigidBody, ViscoelasticBody
 from .values.motion import FrictionMemory, KineticFriction, Rolling, SecondTerm, Shift, TemperatureFriction
@@ -118,6 +118,7 @@ __all__ = [
     "ContactColumns",
     "ContactFatigue",
     "ContactProblem",
+    "ContactRegions",
     "ContactSolution",
     "ContactTemperature",
     "ContactWarning",
@@ -169,6 +170,7 @@ __all__ = [
     "QuarantinedIc",
     "RecentPatch",
     "RecentSolve",
+    "RegionLimits",
     "ResourceExhausted",
     "RigidBody",
     "Rolling",

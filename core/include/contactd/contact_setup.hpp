@@ -5,6 +5,7 @@
 
 #include "contactd/body.hpp"
 #include "contactd/contact_columns.hpp"
+#include "contactd/contact_regions.hpp"
 #include "contactd/fatigue.hpp"
 #include "contactd/friction.hpp"
 #include "contactd/grid.hpp"
@@ -90,6 +91,7 @@ struct ContactSetup {
     std::optional<FrictionLaw> friction;      ///< absent: frictionless
     ContactSettings settings;
     std::optional<ContactColumns> columns{};  ///< where the surface is curved along y; absent: a plane
+    std::optional<ContactRegions> regions{};  ///< where bodies may touch, of model full; absent: everywhere
 };
 
 /// Throws InvalidArgument ("simplified.*", "normal_model") for options that do not go with the model.

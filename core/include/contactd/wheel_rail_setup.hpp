@@ -102,6 +102,8 @@ struct PatchRules {
     double locus_step = 0.3;  ///< of the locus across the track, in elements dy
     ContactSearch search = ContactSearch::locus;
     PatchHistory history = PatchHistory::own;
+    /// Elements are doubled along and across in patches of steady rolling that would have as many; 0: never.
+    int max_elements = 0;
 
     bool operator==(const PatchRules&) const = default;
 };
@@ -213,6 +215,9 @@ inline constexpr double normal_per_accuracy = 0.03, tangential_per_accuracy = 1;
 
 /// Returns the set-up with the tolerances that its accuracy chooses.
 WheelRailSetup with_tolerances(const WheelRailSetup& setup);
+
+/// Returns the step of rolling on elements dx long (mm): `dq` in proportion to the set-up's dx, or their length.
+double step_of_rolling(const WheelRailSetup& setup, double dx);
 
 /// Tells whether patches have distances of their own on a grid, as pressures that are no ellipses need.
 bool has_distances(const WheelRailSetup& setup);

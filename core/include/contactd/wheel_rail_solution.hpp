@@ -28,13 +28,6 @@ struct RailPlace {
     bool operator==(const RailPlace&) const = default;
 };
 
-/// Ends of what lies between (mm), from and to.
-struct Extent {
-    double from = 0, to = 0;
-
-    bool operator==(const Extent&) const = default;
-};
-
 /// Where the undeformed profiles overlap, seen from above: what patches are made of.
 struct OverlapRegion {
     ContactReference reference;

@@ -15,6 +15,7 @@
 #include "contact/normal/normal.hpp"
 #include "contact/penetration/virtual_penetration.hpp"
 #include "contact/rolling/rolling.hpp"
+#include "contact_regions.hpp"
 #include "contact_temperature.hpp"
 #include "contactd/error.hpp"
 #include "contactd/strip_frames.hpp"
@@ -316,16 +317,22 @@ ContactSolution solve_valid(const ContactProblem& problem, const ContactInfluenc
     return solution;
 }
 
-}  // namespace
-
-ContactSolution solve_contact(const ContactProblem& problem, const ContactInfluence& influence, Observer& observer) {
-    validate(problem);
+ContactSolution solve_checked(const ContactProblem& problem, const ContactInfluence& influence, Observer& observer) {
     if (!problem.bodies.any_viscoelastic()) return solve_valid(problem, influence, observer);
     ContactProblem rolling = problem;
     rolling.bodies = without_instant_creep(problem.bodies);
     ContactSolution solution = solve_valid(rolling, influence, observer);
     solution.rolling_resistance = rolling_resistance(problem, *influence.current, solution);
     return solution;
+}
+
+}  // namespace
+
+ContactSolution solve_contact(const ContactProblem& problem, const ContactInfluence& influence, Observer& observer) {
+    validate(problem);
+    if (!problem.regions) return solve_checked(problem, influence, observer);
+    const ProblemOfRegions plain(problem, influence);
+    return solve_checked(plain.problem, plain.influence, observer);
 }
 
 }  // namespace contactd

@@ -246,7 +246,7 @@ CandidatePatch Position::candidate_of(const RegionGroup& group, const WheelSurfa
     for (const OverlapRegion& region : group.regions)
         place.penetration = std::max(place.penetration, region.penetration);
     find_elements(found);
-    place.grid = found.needed = grid_of(group, rail_, setup_.dx, setup_.dy, found.middle);
+    place.grid = found.needed = grid_of(group, rail_, setup_.dx, setup_.dy, found.middle, most_elements());
     place.radii = radii_of(wheel, rail_, place.reference);
     if (has_distances(setup_)) {
         place.approach = place.penetration * std::abs(std::cos(place.reference.angle));
@@ -275,18 +275,23 @@ void Position::find_elements(CandidatePatch& found) const {
                     next(on_rail.across, setup_.dy)};
 }
 
+/// Those of a transient contact stay as they are, since tractions do that lie on them.
+int Position::most_elements() const {
+    return state_.motion == WheelRailMotion::steady_rolling ? setup_.patches.max_elements : 0;
+}
+
 /// Makes the place a curved one, where that is asked for; false where rail and wheel do not face each other there.
 bool Position::bend(CandidatePatch& found, const WheelSurface& wheel) const {
     ContactPlace& place = found.place;
     Extent y = place.regions.front().y;
     for (const OverlapRegion& region : place.regions)
         y = {std::min(y.from, region.y.from), std::max(y.to, region.y.to)};
-    CurvedRows curved =
-        curved_rows(wheel, rail_, place.reference, y, setup_.dy, found.middle.y, found.more_below, found.more_above);
+    CurvedRows curved = curved_rows(wheel, rail_, place.reference, y, place.grid.dy, found.middle.y, found.more_below,
+                                    found.more_above);
     if (curved.rows.empty()) return false;
     place.rows = std::move(curved.rows);
     place.grid.ny = static_cast<int>(place.rows.size());
-    place.grid.y0 = (curved.first - 0.5) * setup_.dy + found.middle.y;
+    place.grid.y0 = (curved.first - 0.5) * place.grid.dy + found.middle.y;
     found.row_on_rail = curved.on_rail;
     found.row_on_wheel = curved.on_wheel;
     return true;
@@ -304,10 +309,10 @@ void Position::widen(CandidatePatch& found, const Grid& grid, double z) const {
 }
 
 /// How far ahead solvers take the spin of creepages (mm).
-double Position::spin_ahead(double velocity) const {
+double Position::spin_ahead(const ContactPlace& place) const {
     if (state_.motion == WheelRailMotion::shift) return 0;
     const bool by_time = state_.motion == WheelRailMotion::transient_rolling && state_.time_step;
-    const double step = by_time ? velocity * *state_.time_step : setup_.dq > 0 ? setup_.dq : setup_.dx;
+    const double step = by_time ? place.creepages.velocity * *state_.time_step : step_of_rolling(setup_, place.grid.dx);
     return spin_offset * step;
 }
 
@@ -337,7 +342,7 @@ bool Position::measure(CandidatePatch& found, double z) const {
     if (!place.rows.empty() || by_elements) {
         auto [fitted, rest] =
             curved_slip(wheel, rail_, state_, place, heights, found.gap, rail_share(setup_.bodies), place.creepages,
-                        by_elements ? SlipConvention{spin_ahead(place.creepages.velocity), true} : SlipConvention{});
+                        by_elements ? SlipConvention{spin_ahead(place), true} : SlipConvention{});
         place.creepages = fitted;
         found.additional_slip = std::move(rest);
     } else if (setup_.rigid_slip == RigidSlipKind::surfaces) {

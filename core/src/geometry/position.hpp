@@ -80,7 +80,8 @@ class Position {
     CandidatePatch candidate_of(const RegionGroup& group, const WheelSurface& wheel, double z) const;
     void find_elements(CandidatePatch& found) const;
     std::vector<RegionGroup> groups(double z, bool blends) const;
-    double spin_ahead(double velocity) const;
+    double spin_ahead(const ContactPlace& place) const;
+    int most_elements() const;
     bool bend(CandidatePatch& found, const WheelSurface& wheel) const;
 
     const WheelRailSetup& setup_;

@@ -140,7 +140,7 @@ WheelRailGeometry RightWheel::locate() {
     check_depth(geometry.z);
     for (const CandidatePatch& found : position_.candidates(geometry.z)) {
         geometry.places.push_back(found.place);
-        warn(geometry, warnings_of(found, setup_.side, false));
+        warn(geometry, warnings_of(found, setup_, false));
         warn(geometry,
              plausibility_warnings(found.place.reference, setup_.side, position_.wheel(geometry.z), position_.rail()));
     }
@@ -202,7 +202,7 @@ Placement RightWheel::placed(double z, std::vector<CandidatePatch> candidates, O
         }
         ContactProblem problem = problem_of(found);
         problem.previous = history.on(i, problem);
-        warn(placement, warnings_of(found, setup_.side, setup_.friction && state_.motion != WheelRailMotion::shift));
+        warn(placement, warnings_of(found, setup_, setup_.friction && state_.motion != WheelRailMotion::shift));
         warn(placement,
              plausibility_warnings(found.place.reference, setup_.side, position_.wheel(z), position_.rail()));
         placement.add(std::move(found), std::move(problem));

@@ -26,13 +26,19 @@ std::string apart_along_normal(const ContactReference& reference, Side side) {
            "the normal. Profiles that end there have nothing to touch; give more of them, or check position.z.";
 }
 
-std::vector<std::string> warnings_of(const geometry::CandidatePatch& found, Side side, bool has_friction) {
+std::vector<std::string> warnings_of(const geometry::CandidatePatch& found, const WheelRailSetup& setup,
+                                     bool has_friction) {
     std::vector<std::string> warnings;
-    const std::string name = name_of(found.place.reference, side);
+    const std::string name = name_of(found.place.reference, setup.side);
     if (found.quality.bend > most_bend)
         warnings.push_back(name + " bends too much for a planar one: the rail's surface turns by up to " +
                            short_text(found.quality.bend) +
                            " rad from the plane of the contact. Conformal rotated follows it, and auto chooses it.");
+    if (found.place.grid.dx > setup.dx || found.place.grid.dy > setup.dy)
+        warnings.push_back(name + " has elements of " + short_text(found.place.grid.dx) + " by " +
+                           short_text(found.place.grid.dy) +
+                           " mm, larger than dx and dy: it would have patches.max_elements otherwise, " +
+                           std::to_string(setup.patches.max_elements) + ".");
     if (found.quality.at_end)
         warnings.push_back(name +
                            " reaches the end of a profile: what lies beyond is not known, and the contact is "

@@ -12,7 +12,8 @@ namespace contactd {
 std::string apart_along_normal(const ContactReference& reference, Side side);
 
 /// Warns of a candidate patch of a right wheel, named by where it is on its own side.
-std::vector<std::string> warnings_of(const geometry::CandidatePatch& found, Side side, bool has_friction);
+std::vector<std::string> warnings_of(const geometry::CandidatePatch& found, const WheelRailSetup& setup,
+                                     bool has_friction);
 /// Warns of angles that look as if they were in degrees.
 std::vector<std::string> warnings_of(const WheelRailState& state);
 /// Those of its solution, under the same name.

@@ -64,6 +64,7 @@ const FieldType& type_of<ContactProblem>() {
                                                                         &type_of<FrictionFields<ContactProblem>>),
         fields::field_along<ContactProblem, &ContactProblem::previous>("previous"),
         fields::field_along<ContactProblem, &ContactProblem::columns>("columns"),
+        fields::field_along<ContactProblem, &ContactProblem::regions>("regions"),
         fields::field_along<ContactProblem, &ContactProblem::settings>("settings"),
         fields::field_along<ContactProblem, &ContactProblem::initial>("initial"),
         fields::field_along<ContactProblem, &ContactProblem::derivatives>("derivatives"),

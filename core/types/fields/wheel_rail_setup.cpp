@@ -41,7 +41,7 @@ namespace {
 }
 [[maybe_unused]] void all_of(const PatchRules& all) {
     [[maybe_unused]] const auto& [angle_separate_, distance_separate_, distance_combine_, distance_turn_, locus_step_,
-                                  search_, history_] = all;
+                                  search_, history_, max_elements_] = all;
 }
 
 }  // namespace
@@ -206,6 +206,7 @@ const FieldType& type_of<PatchRules>() {
                                                {.bounds = {.least = 0, .most = 1, .least_excluded = true}}),
         fields::field<&PatchRules::search>("search"),
         fields::field<&PatchRules::history>("history"),
+        fields::field<&PatchRules::max_elements>("max_elements", {.bounds = {.least = 0, .most = 1e+09}}),
     });
     static const FieldType type = fields::object_type(list);
     return type;

@@ -36,9 +36,6 @@ namespace {
 [[maybe_unused]] void all_of(const OverlapRegion& all) {
     [[maybe_unused]] const auto& [reference_, x_, y_, z_, penetration_, size_] = all;
 }
-[[maybe_unused]] void all_of(const Extent& all) {
-    [[maybe_unused]] const auto& [from_, to_] = all;
-}
 [[maybe_unused]] void all_of(const Creepages& all) {
     [[maybe_unused]] const auto& [xi_, eta_, phi_, chi_, velocity_] = all;
 }
@@ -180,16 +177,6 @@ const FieldType& type_of<OverlapRegion>() {
         fields::field<&OverlapRegion::size>("size", {.unit = "mm^4", .required = true}),
     });
     static const FieldType type = fields::object_type(list);
-    return type;
-}
-
-template <>
-const FieldType& type_of<Extent>() {
-    static const auto list = std::to_array<Field>({
-        fields::field<&Extent::from>("from"),
-        fields::field<&Extent::to>("to"),
-    });
-    static const FieldType type = fields::tuple_type(list);
     return type;
 }
 

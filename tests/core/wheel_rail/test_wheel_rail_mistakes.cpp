@@ -23,6 +23,7 @@ TEST_CASE("Mistakes in a set-up are refused by name") {
     refused([](auto& setup) { setup.track.gauge = 40; }, "track.gauge is 40");
     refused([](auto& setup) { setup.track.gauge_height = -1; }, "track.gauge_height is -1");
     refused([](auto& setup) { setup.track.cant = 1.4; }, "track.cant is 1.4");
+    refused([](auto& setup) { setup.track.roller_leans = true; }, "track.roller_leans is given");
     refused([](auto& setup) { setup.wheelset.nominal_radius = 0; }, "wheelset.nominal_radius is 0");
     refused([](auto& setup) { setup.wheelset.nominal_radius = 2; }, "wheelset.nominal_radius is 2");
     refused([](auto& setup) { setup.wheelset.flange_back_position = 900; }, "wheelset.flange_back_position is 900");

@@ -77,7 +77,7 @@ GivenMotion creepages_of(const Motion& motion) {
 void show(const WheelRailPatch& patch, const RailCase& rail, const Settings& common, ContactCase& problem) {
     const WheelRailSetup& setup = rail.contact->setup();
     const ContactPlace& place = patch.place;
-    const Motion motion = motion_of(place.creepages, setup, *rail.state);
+    const Motion motion = motion_of(place.creepages, place.grid.dx, setup, *rail.state);
     // The arrays of the last step become those of this one.
     if (!problem.solved) problem.solved.emplace();
     Solved& solved = *problem.solved;

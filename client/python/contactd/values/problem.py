@@ -17,7 +17,7 @@ from .dictionaries import Saved
 from .evidence import Model, NormalModel, SimplifiedSettings, SolverSettings
 from .fatigue import FatigueRequest
 from .friction import Friction
-from .grid import Grid, HalfEllipses, Paraboloid, SemiAxes
+from .grid import ContactRegions, Grid, HalfEllipses, Paraboloid, SemiAxes
 from .ics import Ics
 from .materials import LayeredBody, Material, RigidBody, ViscoelasticBody
 from .params import HasParams, instead
@@ -129,6 +129,8 @@ class ContactProblem(ProblemMethods, Saved):
         wear: Laws of wear, where that is wanted: of steady rolling along x (chi 0 or pi). None: no answer of wear.
         fatigue: Rolling contact fatigue of one of the bodies, where that is wanted: of steady rolling along x (chi 0 or
             pi). None: no answer of fatigue.
+        regions: Where bodies may touch, and how much the pressures of each region act on the others; of model full.
+            None: everywhere, and all act in full.
     """
 
     grid: Grid
@@ -160,6 +162,7 @@ class ContactProblem(ProblemMethods, Saved):
     temperature: ThermalBodies | None = None
     wear: WearRequest | None = None
     fatigue: FatigueRequest | None = None
+    regions: ContactRegions | None = None
 
     @public
     def replace(self, **changes: Unpack[ProblemFields]) -> ContactProblem:
@@ -195,3 +198,4 @@ class ProblemFields(TypedDict, total=False):
     temperature: ThermalBodies | None
     wear: WearRequest | None
     fatigue: FatigueRequest | None
+    regions: ContactRegions | None

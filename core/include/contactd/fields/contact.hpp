@@ -6,6 +6,7 @@
 #include "contactd/fields.hpp"
 #include "contactd/fields/contact_columns.hpp"
 #include "contactd/fields/contact_load.hpp"
+#include "contactd/fields/contact_regions.hpp"
 #include "contactd/fields/contact_setup.hpp"
 #include "contactd/fields/derivatives.hpp"
 #include "contactd/fields/fatigue.hpp"

@@ -4,6 +4,7 @@
 
 #include "contactd/fields.hpp"
 #include "contactd/fields/contact.hpp"
+#include "contactd/fields/contact_regions.hpp"
 #include "contactd/fields/grid.hpp"
 #include "contactd/wheel_rail_solution.hpp"
 
@@ -27,8 +28,6 @@ template <>
 const FieldType& type_of<RailPlace>();
 template <>
 const FieldType& type_of<OverlapRegion>();
-template <>
-const FieldType& type_of<Extent>();
 template <>
 const FieldType& type_of<Creepages>();
 template <>

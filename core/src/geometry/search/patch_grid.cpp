@@ -22,6 +22,22 @@ Range range_of(double from, double to, double step) {
     return {static_cast<int>(std::floor(from / step)) - 1, static_cast<int>(std::ceil(to / step)) + 1};
 }
 
+/// The count of a range, also where no int holds it.
+double number_of(const Extent& between, double step) {
+    return std::ceil(between.to / step) - std::floor(between.from / step) + 3;
+}
+
+/// Doubles elements, by the rule of reference programs, which is not in proportion where they are few in one direction.
+void keep_below(int most, const Extent& x, const Extent& y, double& dx, double& dy) {
+    constexpr double few = 10;
+    for (;;) {
+        const double nx = number_of(x, dx), ny = number_of(y, dy);
+        if (nx * ny < most || !(nx > few || ny > few)) return;
+        if (nx > few) dx *= 2;
+        if (ny > few) dy *= 2;
+    }
+}
+
 void check_elements(double elements, double dx, double dy, double length, double width, int most) {
     count_of(elements, {"dx",
                         "and dy are " + number_text(dx) + " and " + number_text(dy) + " mm, and the contact " +
@@ -55,10 +71,12 @@ void check_size(const Grid& grid) {
                    most_elements);
 }
 
-Grid grid_of(const RegionGroup& group, const RailSurface& rail, double dx, double dy, const ElementMiddle& middle) {
+Grid grid_of(const RegionGroup& group, const RailSurface& rail, double dx, double dy, const ElementMiddle& middle,
+             int most) {
     const double here = along_rail(rail, group.reference.y);
     const double x_from = group.x.from - group.reference.x, x_to = group.x.to - group.reference.x;
     const double y_from = along_rail(rail, group.y.from) - here, y_to = along_rail(rail, group.y.to) - here;
+    if (most > 0) keep_below(most, {x_from, x_to}, {y_from, y_to}, dx, dy);
     const double elements = ((x_to - x_from) / dx + 4) * ((y_to - y_from) / dy + 4);
     check_elements(elements, dx, dy, x_to - x_from, y_to - y_from, most_elements);
     const Range columns = range_of(x_from - middle.x, x_to - middle.x, dx);

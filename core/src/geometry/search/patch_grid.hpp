@@ -10,8 +10,10 @@
 namespace contactd::geometry {
 
 /// From one element before the group's extents to one behind them; the middle of one is at `middle`, 0 <= x < dx and
-/// 0 <= y < dy. Throws InvalidArgument ("dx") where these would be too many.
-Grid grid_of(const RegionGroup& group, const RailSurface& rail, double dx, double dy, const ElementMiddle& middle = {});
+/// 0 <= y < dy. As long as there are `most` elements (0: any number), they are made twice as long and as wide, where
+/// they are more than ten. Throws InvalidArgument ("dx") where these would be too many.
+Grid grid_of(const RegionGroup& group, const RailSurface& rail, double dx, double dy, const ElementMiddle& middle = {},
+             int most = 0);
 
 /// Arc length of the first point of a profile with y >= 0 (mm), from which lengths across it are counted.
 double arc_length_of_middle(const ProfileCurve& profile);

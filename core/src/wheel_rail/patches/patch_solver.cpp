@@ -87,64 +87,38 @@ RigidSlip rigid_slip_of(const std::vector<geometry::RowSlip>& rows, const Grid& 
     return slip;
 }
 
-/// Which region each element belongs to; -1: none, it can not touch.
-std::vector<int> regions_of_elements(const ContactPlace& place, const PatchRules& rules) {
-    const double wider = 0.4 * rules.distance_combine, cosine = std::cos(place.reference.angle);
+/// Returns where the middles of rows lie between two places across the track, as ends of y on the grid.
+Extent rows_between(const ContactPlace& place, double from, double to) {
     const Grid& grid = place.grid;
-    std::vector<int> regions;
-    regions.reserve(grid.size());
-    for (int iy = 0; iy < grid.ny; ++iy)
-        for (int ix = 0; ix < grid.nx; ++ix) {
-            const double x = place.reference.x + grid.x(ix);
-            const double y = place.rows.empty() ? place.reference.y + cosine * grid.y(iy)
-                                                : place.rows[static_cast<std::size_t>(iy)].y;
-            const auto holds = [&](const OverlapRegion& region) {
-                return x >= region.x.from - wider && x <= region.x.to + wider && y >= region.y.from - wider * cosine &&
-                       y <= region.y.to + wider * cosine;
-            };
-            const auto found = std::find_if(place.regions.begin(), place.regions.end(), holds);
-            regions.push_back(found == place.regions.end() ? -1 : static_cast<int>(found - place.regions.begin()));
-        }
-    return regions;
+    Extent rows{0, -1};
+    for (int iy = 0; iy < grid.ny; ++iy) {
+        const double y = place.rows.empty() ? place.reference.y + std::cos(place.reference.angle) * grid.y(iy)
+                                            : place.rows[static_cast<std::size_t>(iy)].y;
+        if (y < from || y > to) continue;
+        if (rows.to < rows.from) rows.from = grid.y(iy) - 0.25 * grid.dy;
+        rows.to = grid.y(iy) + 0.25 * grid.dy;
+    }
+    return rows;
 }
 
-/// Takes out of the gap what the regions do not feel of each other, until that stands.
-class Blending {
-   public:
-    Blending(const ContactProblem& problem, const ContactPlace& place, const PatchRules& rules,
-             const InfluenceOperator& influence)
-        : place_(place),
-          influence_(influence),
-          regions_(regions_of_elements(place, rules)),
-          gap_(std::get<Values>(*problem.gap)) {
-        for (std::size_t i = 0; i < gap_.size(); ++i)
-            if (regions_[i] < 0) gap_[i] += out_of_reach;
+/// The regions of overlap with what lies around them, on the grid of their patch; without those that have no element.
+ContactRegions contact_regions(const ContactPlace& place, const PatchRules& rules) {
+    const double wider = 0.4 * rules.distance_combine, wider_across = wider * std::cos(place.reference.angle);
+    const std::size_t count = place.regions.size();
+    ContactRegions result;
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < count; ++i) {
+        const OverlapRegion& region = place.regions[i];
+        const Extent y = rows_between(place, region.y.from - wider_across, region.y.to + wider_across);
+        if (y.to < y.from) continue;
+        kept.push_back(i);
+        const double origin = place.reference.x;
+        result.limits.push_back({{region.x.from - wider - origin, region.x.to + wider - origin}, y});
     }
-
-    const Values& gap() const { return gap_; }
-
-    /// The gap that the pressures ask for.
-    Values gap_under(const Values& pressure) const {
-        Values gap = gap_, part(gap.size()), displacement(gap.size());
-        const std::size_t count = place_.regions.size();
-        for (std::size_t j = 0; j < count; ++j) {
-            for (std::size_t i = 0; i < part.size(); ++i)
-                part[i] = regions_[i] == static_cast<int>(j) ? pressure[i] : 0;
-            influence_.normal(part, displacement);
-            for (std::size_t i = 0; i < gap.size(); ++i)
-                if (regions_[i] >= 0)
-                    gap[i] -= (1 - place_.shares[j * count + static_cast<std::size_t>(regions_[i])]) * displacement[i];
-        }
-        return gap;
-    }
-
-   private:
-    static constexpr double out_of_reach = 10;  // mm
-    const ContactPlace& place_;
-    const InfluenceOperator& influence_;
-    std::vector<int> regions_;
-    Values gap_;
-};
+    for (const std::size_t i : kept)
+        for (const std::size_t j : kept) result.shares.push_back(place.shares[j * count + i]);
+    return result;
+}
 
 /// A spin that moves no element by more than a rounding error of creepages.
 bool is_next_to_nothing(double phi, const Grid& grid) {
@@ -171,34 +145,6 @@ bool is_next_to_nothing(double phi, const Grid& grid) {
     throw;
 }
 
-double largest_difference(const Values& a, const Values& b) {
-    double largest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-    return largest;
-}
-
-/// The gap that stands, of normal contact; pressures become where the next solve starts.
-void blend(ContactProblem& problem, const ContactPlace& place, const PatchRules& rules,
-           const ContactInfluence& influence, Observer& observer) {
-    constexpr int most_rounds = 30;
-    constexpr double settled = 1e-9;  // mm
-    const Blending blending(problem, place, rules, *influence.current);
-    ContactProblem normal = problem;
-    normal.friction.reset();
-    normal.temperature.reset();
-    normal.wear.reset();
-    normal.gap = blending.gap();
-    for (int round = 0; round < most_rounds; ++round) {
-        normal.initial.pressure = solve_contact(normal, influence, observer).pressure;
-        Values next = blending.gap_under(normal.initial.pressure);
-        const double change = largest_difference(next, std::get<Values>(*normal.gap));
-        normal.gap = std::move(next);
-        if (change < settled) break;
-    }
-    problem.gap = std::move(normal.gap);
-    problem.initial.pressure = std::move(normal.initial.pressure);
-}
-
 void scale(RigidSlip& slip, double length) {
     for (auto* values : {&slip.x, &slip.y})
         for (double& value : *values) value *= length;
@@ -209,7 +155,7 @@ void set_motion(ContactProblem& problem, const WheelRailSetup& setup, const Whee
                 const CandidatePatch& found) {
     Creepages creepages = found.place.creepages;
     if (!found.row_slips.empty()) creepages.xi = creepages.eta = creepages.phi = 0;
-    problem.motion = motion_of(creepages, setup, state);
+    problem.motion = motion_of(creepages, problem.grid.dx, setup, state);
     auto* rolling = std::get_if<Rolling>(&problem.motion);
     if (rolling != nullptr && setup.model == Model::hertz && is_next_to_nothing(rolling->phi, problem.grid))
         rolling->phi = 0;
@@ -238,16 +184,16 @@ ContactSolution solve_on(ContactProblem& problem, const ContactPlace& place, con
     if (problem.model != Model::full) return solve_contact(problem, {}, observer);
     const ContactInfluence influence = influences(problem, strips, observer);
     if (place.regions.size() > 1 && problem.normal_model == NormalModel::of_model)
-        blend(problem, place, rules, influence, observer);
+        problem.regions = contact_regions(place, rules);
     return solve_contact(problem, influence, observer);
 }
 
 }  // namespace
 
-Motion motion_of(const Creepages& creepages, const WheelRailSetup& setup, const WheelRailState& state) {
+Motion motion_of(const Creepages& creepages, double dx, const WheelRailSetup& setup, const WheelRailState& state) {
     if (state.motion == WheelRailMotion::shift || !(creepages.velocity > 0))
         return shift_of(creepages, state.time_step.value_or(1));
-    return rolling_of(creepages, state, setup.dq > 0 ? setup.dq : setup.dx);
+    return rolling_of(creepages, state, step_of_rolling(setup, dx));
 }
 
 ContactProblem problem_of(const WheelRailSetup& setup, const WheelRailState& state, const CandidatePatch& found,

@@ -8,15 +8,15 @@
 
 namespace contactd {
 
-/// Returns the motion of a patch with these creepages; a wheel without a velocity is in a shift that brings nothing.
-Motion motion_of(const Creepages& creepages, const WheelRailSetup& setup, const WheelRailState& state);
+/// Returns the motion of a patch with these creepages and elements dx long; a wheel without a velocity is in a shift
+/// that brings nothing.
+Motion motion_of(const Creepages& creepages, double dx, const WheelRailSetup& setup, const WheelRailState& state);
 
 /// Returns the contact problem of a candidate patch, without what a step that is not steady goes on from.
 ContactProblem problem_of(const WheelRailSetup& setup, const WheelRailState& state,
                           const geometry::CandidatePatch& found, const geometry::RailSurface& rail);
 
-/// Solves it, on the strips of its patch. Regions with a weighted interaction are solved in outer iterations: the
-/// share of the displacements of the others that does not act on them is taken out of the gap.
+/// Solves it, on the strips of its patch; regions of it with a weighted interaction are those of a ContactProblem.
 ContactSolution solve_patch(ContactProblem problem, const ContactPlace& place, const PatchStrips& strips,
                             const PatchRules& rules, const InfluenceSource& influences, Observer& observer);
 

@@ -57,6 +57,8 @@ WorkCost cost_of_solve(const json& params, const Config& config) {
     const double products =
         friction != nullptr ? products_of_friction + products_of_step * (steps - 1) : products_of_normal;
     double seconds = product * products;
+    if (const json* regions = member(params, "regions"))  // a product of each
+        seconds += product * products_of_normal * static_cast<double>(regions->at("limits").size() - 1);
     if (any_body(params, "layered")) seconds += seconds_of_layered_offset * elements * (rolls ? 5 : 1);
     if (any_viscoelastic(params)) {
         bytes += elements * bytes_of_creep;

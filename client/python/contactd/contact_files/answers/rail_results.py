@@ -146,7 +146,7 @@ class RailResult:
         """The elements of a patch."""
         place, solution, motion = patch.place, patch.solution, patch.place.creepages
         none = np.zeros(place.grid.shape)
-        offset = ahead(0.0 if self.contact.is_shift else self.contact.step, motion.chi, _SPIN_OFFSET)
+        offset = ahead(0.0 if self.contact.is_shift else self.contact.step_on(place.grid), motion.chi, _SPIN_OFFSET)
         arrays = [none if array is None else array for array in (solution.slip_x, solution.slip_y, patch.gap)]
         slip_x, slip_y, gap = arrays
         traction_x, traction_y, pressure = _tractions(patch)

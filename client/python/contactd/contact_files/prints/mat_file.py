@@ -35,7 +35,7 @@ def mat_texts(result: BasicResult | RailResult) -> Iterator[tuple[str, str]]:
         return
     for index, patch in enumerate(result.patches):
         creepages = patch.place.creepages
-        motion = (creepages.chi, result.contact.step, creepages.velocity)
+        motion = (creepages.chi, result.contact.step_on(patch.place.grid), creepages.velocity)
         yield LETTERS[index % len(LETTERS)], _text(case, patch_places(result, patch, index + 1), motion, result.elements_of(patch))
 
 

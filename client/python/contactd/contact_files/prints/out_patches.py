@@ -84,7 +84,7 @@ def _motion(result: RailResult, patch: WheelRailPatch) -> Iterator[str]:
     yield " KINEMATIC CONSTANTS"
     yield "     CHI         DQ          VELOC       CKSI        CETA        CPHI"
     given = [general(value) for value in (motion.velocity, motion.xi, motion.eta, motion.phi)]
-    yield row([fortran_g(motion.chi), fortran_g(result.contact.step), *given])
+    yield row([fortran_g(motion.chi), fortran_g(result.contact.step_on(patch.place.grid)), *given])
     centre = result.spin_centre(patch)
     if any(centre):
         yield from ("", "     SPINXO      SPINYO", row([fortran_g(number) for number in centre]))

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...values.evidence import SolverSettings
+from ...values.grid import Grid
 from ...values.profile_shapes import Profile
 from ...values.wheel_rail.setup import (
     PatchRules,
@@ -90,12 +91,11 @@ class RailContact:
         """Tells whether the step is one."""
         return self.state.motion == "shift"
 
-    @property
-    def step(self) -> float:
-        """The step rolls so far (mm); a shift has 1, as the program prints DQ."""
+    def step_on(self, grid: Grid) -> float:
+        """The step rolls so far on the elements of a patch (mm); a shift has 1, as the program prints DQ."""
         if self.is_shift:
             return 1.0
-        return float(self.case.values["DX"] if self.setup.dq is None else self.setup.dq)
+        return grid.dx if self.setup.dq is None else float(self.setup.dq)
 
 
 def _step(case: Case) -> float | None:
@@ -156,7 +156,7 @@ def _patches(values: Any) -> PatchRules:
     return PatchRules(
         angle_separate=min(values["A_SEP"], math.pi), distance_combine=combine, distance_separate=separate,
         distance_turn=max(values["D_TURN"], separate + _NEAR), search="mesh" if values["DISCNS"] == 5 else None,
-        history="whole",
+        history="whole", max_elements=values["NPOT_MAX"],
     )  # fmt: skip
 
 

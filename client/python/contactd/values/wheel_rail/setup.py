@@ -163,6 +163,9 @@ class PatchRules:
             own elements; or whole, those of all the patch before, whose displacements a part feels before the step and
             not behind it, which comparisons with other programs want; of parts in planes the first one only. Default
             "own".
+        max_elements: Patches of steady rolling that would have as many elements get them twice as long and as wide, in
+            the directions in which they are more than ten, until they are fewer: what comparisons with other programs
+            want. 0: elements stay as they are, and too many are refused. Default 0.
     """
 
     angle_separate: float | None = None
@@ -172,6 +175,7 @@ class PatchRules:
     locus_step: float | None = None
     search: ContactSearch | None = None
     history: PatchHistory | None = None
+    max_elements: int | None = None
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
