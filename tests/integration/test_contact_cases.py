@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from contactd import ContactProblem, Friction, Grid, Material, Rolling, SemiAxes, contact_files
+from contactd import AnalyticIcs, ContactProblem, Friction, Grid, Material, Rolling, SemiAxes, TableIcs, contact_files
 from contactd.contact_files.comparison import case_differences, differences
 from contactd.contact_files.out_file import lines_of, out_text
 from contactd.contact_files.out_reader import printed_cases
@@ -80,6 +80,26 @@ def test_temperatures_are_where_scripts_look(shared):
     assert rows[0][-1] == 2410
     upper = np.array([row[-2] for row in rows[6:]]).reshape(solution.upper_temperature.shape)
     np.testing.assert_allclose(upper, solution.upper_temperature, rtol=1e-5, atol=1e-5)
+
+
+@pytest.mark.parametrize("changes", [{}, {"T": 1}, {"CPHI": 2e-4}])
+def test_coefficients_of_a_file_are_solved_with(shared, tmp_path, changes):
+    own = basic_case(**changes)
+    (plain,) = computed(shared, [own])
+    grid = plain.result.contact.area.grid
+    array = 2 * shared.get_ic(Material(G=82000, nu=0.28), grid, AnalyticIcs()).array
+    array[0, 2] = array[2, 0] = array[1, 2] = array[2, 1] = 0  # of like bodies
+    (tmp_path / "table.txt").write_text(TableIcs(array, grid.dx, grid.dy).to_contact_text(82000))
+    (outcome,) = computed(shared, [basic_case(INFLCF=9, CFNAME="table.txt", **changes)], ProfileFiles(tmp_path, shared))
+    assert outcome.status == "solved", outcome.sentence
+    for name in ("Fn", "Fx", "Fy", "Mz", "approach", "pmax"):
+        assert getattr(outcome.result.solution, name) == pytest.approx(getattr(plain.result.solution, name), rel=2e-3, abs=1e-6)
+    assert "FN          FX" in "\n".join(lines_of(outcome))
+    (tmp_path / "table.txt").write_text("1 1\n0 312\n1 0\nthree")
+    (outcome,) = computed(shared, [basic_case(INFLCF=9, CFNAME="table.txt")], ProfileFiles(tmp_path, shared))
+    assert (outcome.status, "line 4" in outcome.sentence) == ("wrong", True)
+    (outcome,) = computed(shared, [basic_case(INFLCF=9, CFNAME="none.txt")], ProfileFiles(tmp_path, shared))
+    assert (outcome.status, "none.txt" in outcome.sentence) == ("wrong", True)
 
 
 @pytest.mark.parametrize("level", range(6))

@@ -8,11 +8,12 @@ from typing import Any
 
 import click
 
-from contactd import Client, ContactProblem
+from contactd import Client, ContactProblem, TableFileError
 from contactd.contact_files.case import Case
 from contactd.contact_files.problems.basic import BasicContact, goes_on
 from contactd.contact_files.problems.features import Missing
-from contactd.contact_files.problems.rails import Profiles, RailContact
+from contactd.contact_files.problems.rails import RailContact
+from contactd.contact_files.profile_files import ProfileFiles
 from contactd.contact_files.python_text import python_text
 from contactd.values.contact_params import problem_params
 from contactd.values.wheel_rail.params import setup_params, state_params
@@ -22,7 +23,7 @@ from ..output import plain_json
 __all__ = ["as_python", "as_yaml", "case_params"]
 
 
-def case_params(case: Case, client: Client, profiles: Profiles) -> dict[str, Any]:
+def case_params(case: Case, client: Client, profiles: ProfileFiles) -> dict[str, Any]:
     """The parameters of contact.solve or of wheelrail.solve. Raises click.UsageError for a case that has none."""
     contact = _made(case, client, profiles)
     if isinstance(contact, str):
@@ -34,7 +35,7 @@ def case_params(case: Case, client: Client, profiles: Profiles) -> dict[str, Any
     return problem_params(contact.problem)
 
 
-def as_yaml(case: Case, client: Client, profiles: Profiles) -> str:
+def as_yaml(case: Case, client: Client, profiles: ProfileFiles) -> str:
     """Returns it as text. Raises click.UsageError for a case that has none."""
     import yaml
 
@@ -43,13 +44,13 @@ def as_yaml(case: Case, client: Client, profiles: Profiles) -> str:
     return f"# Case {case.number}, line {case.line}.\n{text}"
 
 
-def as_python(file: Path, cases: Sequence[Case], client: Client, profiles: Profiles) -> str:
+def as_python(file: Path, cases: Sequence[Case], client: Client, profiles: ProfileFiles) -> str:
     """A program that solves the cases, one after the other."""
     contacts = [_made(case, client, profiles) for case in cases]
     return python_text(f"Cases of {file.name}, by contactd.", contacts, [goes_on(case) for case in cases])
 
 
-def _made(case: Case, client: Client, profiles: Profiles) -> BasicContact | RailContact | str:
+def _made(case: Case, client: Client, profiles: ProfileFiles) -> BasicContact | RailContact | str:
     where = f"Case {case.number} in line {case.line}"
     if case.errors:
         return f"{where} cannot be read: {' '.join(case.errors)}"
@@ -58,8 +59,12 @@ def _made(case: Case, client: Client, profiles: Profiles) -> BasicContact | Rail
         return client.solve(problem, fields=[]).Fn
 
     try:
-        return RailContact.of(case, profiles, "exact") if case.module == 1 else BasicContact.of(case, normal_force)
+        if case.module == 1:
+            return RailContact.of(case, profiles, "exact")
+        return BasicContact.of(case, normal_force, coefficients=profiles.coefficients)
     except Missing as error:
         return f"{where} needs what contactd does not have: {error}."
+    except TableFileError as error:
+        raise click.UsageError(f"{where}: {error}.") from None
     except OSError as error:
         raise click.UsageError(f"{where}: {error.filename} cannot be read: {error.strerror}.") from None

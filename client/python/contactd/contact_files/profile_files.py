@@ -1,4 +1,4 @@
-"""The profiles that cases name, read from files beside the file of cases, as the CONTACT program places them."""
+"""Profiles, and coefficients, that cases name: files beside the file of cases, placed as the CONTACT program has them."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from ..errors import InvalidArgument
 from ..files.case_text import text_of
 from ..files.profile_text import read_profile_text
 from ..values.profile_shapes import KinkRule, Profile, ProfileFile
+from ..values.tables import TableIcs
 from ..values.wheel_rail.setup import Track, WheelRailSetup
 from .case import Case
 from .problems.rails import Slices
@@ -58,6 +59,11 @@ class ProfileFiles:
                 is_list = name.lower().endswith(_LISTS)
                 self._read[key] = self._slices(place, options) if is_list else self._profile(place, options, which)
             return self._read[key]
+
+    def coefficients(self, case: Case, modulus: float) -> TableIcs:
+        """The influence coefficients that a case names (C = 9). Raises OSError where they cannot be read, and TableFileError
+        where they are none."""
+        return TableIcs.from_contact_text(self.place(str(case.values["CFNAME"])), modulus)
 
     def _profile(self, path: Path, options: Mapping[str, Any], which: str) -> ProfileFile:
         profile = _profile(path, options)

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
-from ..errors import InvalidArgument, StatusError, TimeoutExpired
+from ..errors import InvalidArgument, StatusError, TableFileError, TimeoutExpired
 from ..values.problem import ContactProblem, Estimate
 from ..values.result import Field
 from ..values.subsurface import StressBlock, SubsurfaceStress
@@ -20,6 +20,7 @@ from .answers.subsurface import Body, Stresses
 from .problems.basic import BasicContact, State, goes_on
 from .problems.features import Missing, missing
 from .problems.rails import Profiles, RailContact
+from .profile_files import ProfileFiles
 
 if TYPE_CHECKING:
     from ..client import Client
@@ -91,6 +92,7 @@ class Runner:
     def __init__(self, client: Client, profiles: Profiles, wheel_surface: WheelSurface = "exact") -> None:
         self._client = client
         self._profiles, self._wheel_surface = profiles, wheel_surface
+        self._coefficients = profiles.coefficients if isinstance(profiles, ProfileFiles) else None
 
     def run(self, chain: Iterable[Case]) -> Iterator[Outcome]:
         """The outcomes of cases that go on from each other.
@@ -133,6 +135,8 @@ class Runner:
             return Outcome(case, "refused", str(error))
         except (StatusError, TimeoutExpired) as error:
             return Outcome(case, "failed", str(error))
+        except TableFileError as error:
+            return Outcome(case, "wrong", f"{error}.")
         except OSError as error:
             return Outcome(case, "wrong", f"{error.filename}: {error.strerror}.")
         is_complete = result.is_converged
@@ -141,7 +145,7 @@ class Runner:
         return Outcome(case, status, sentence, result, time.monotonic() - began)
 
     def _basic(self, case: Case, start: State | None) -> BasicResult:
-        contact = BasicContact.of(case, self._normal_force, start)
+        contact = BasicContact.of(case, self._normal_force, start, self._coefficients)
         problem = contact.problem.replace(displacements=contact.problem.model is None)
         return BasicResult.of(contact, self._client.solve(problem), self._stresses)
 

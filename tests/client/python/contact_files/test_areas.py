@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from contactd import Grid, Paraboloid
+from contactd import Grid, Paraboloid, RegionLimits
 from contactd.contact_files.problems.areas import potential_contact
-from contactd.contact_files.problems.distances import EXCLUDED
+from contactd.contact_files.problems.distances import EXCLUDED, regions_of
 from support.contact_cases import basic_case
 
 QUADRATIC = {"IBASE": 1, "IPLAN": 1, "B1": 1e-3, "B2": 0.0, "B3": 2e-3, "B4": 0.0, "B5": 0.0, "B6": 0.0}
@@ -83,6 +83,18 @@ def test_elements_outside_of_the_planform_do_not_touch() -> None:
     rectangles = {"IPLAN": 3, **dict(zip(names, (-3.0, -2.0, -1.0, 1.0, 2.0, 3.0, 0.0, 1.0)))}
     found = potential_contact(basic_case(**{**QUADRATIC, **CORNER, **rectangles}).values)
     assert ((found.h < EXCLUDED) == [[1, 0, 0, 0, 0, 0]] * 2 + [[1, 0, 0, 0, 0, 1]] * 2).all()
+
+
+def test_patches_of_a_planform_are_regions_with_the_factors_between_them() -> None:
+    patches = {"IPLAN": 4, "NPATCH": 3, "PATCH_FACTORS": (0.5, 0.25, 0.0)}
+    limits = (-3.0, -2.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 2.0, 3.0, 0.0, 1.0)
+    values = basic_case(**{**QUADRATIC, **CORNER, **patches, "PATCH_LIMITS": limits}).values
+    assert ((potential_contact(values).h < EXCLUDED) == [[1, 0, 1, 1, 0, 0]] * 2 + [[1, 0, 1, 1, 0, 1]] * 2).all()
+    found = regions_of(values)
+    assert found is not None
+    assert found.limits[1] == RegionLimits((-1.0, 1.0), (-1.0, 1.0))
+    assert found.shares == (1.0, 0.5, 0.25, 0.5, 1.0, 0.0, 0.25, 0.0, 1.0)
+    assert regions_of(basic_case(**QUADRATIC, **CORNER).values) is None
 
 
 def test_a_step_that_goes_on_keeps_the_size_of_its_elements_and_lies_whole_elements_away() -> None:

@@ -19,6 +19,7 @@ from contactd import (
     SecondTerm,
     SimplifiedSettings,
     SlopeReduction,
+    TableIcs,
     TemperatureFriction,
     ThermalBodies,
     ThermalBody,
@@ -26,6 +27,7 @@ from contactd import (
 )
 from contactd.contact_files.problems.basic import BasicContact, State, goes_on
 from contactd.contact_files.problems.features import Missing, missing
+from contactd.values.contact_files import ContactCase
 from support.contact_cases import basic_case
 
 CORNER = {"IPOTCN": 1, "MX": 6, "MY": 4, "XL": -3.0, "YL": -1.0, "DX": 1.0, "DY": 0.5, "IBASE": 1, "IPLAN": 1,
@@ -277,8 +279,8 @@ def test_bodies_that_creep_alike_are_one_and_others_two() -> None:
         ({"M": 1, "N": 0, "PEN": 0.02, "F": 1, "FX": 0.2, "FG1": 1.0, "FG2": 1.0, "TC1": 0.1, "TC2": 0.1}, "shares of a normal force"), ({"M": 2}, "one flexibility"),
         ({"M": 5, "B": 3, "K0": 1.0, "ALFA": 1.0, "BETA": 1.0}, "parabolic"), ({"FRCLAW": 6}, "temperature"),
         ({"H": 1, "INFLCF": 3}, "temperature"), ({"CDAMPN": 1.0, "CDAMPT": 0.0}, "damping"),
-        ({"INFLCF": 4}, "half-spaces that turn"), ({"INFLCF": 9}, "from a file"), ({"IPOTCN": -6}, "half ellipses"),
-        ({"IPOTCN": 1, "IPLAN": 4}, "share their displacements"),
+        ({"INFLCF": 4}, "half-spaces that turn"), ({"IPOTCN": -6}, "half ellipses"),
+        ({"IPOTCN": 1, "IPLAN": 4, "B": 5}, "share their displacements"),
     ],
 )  # fmt: skip
 def test_what_contactd_lacks_is_told_by_name(changes: dict[str, object], name: str) -> None:
@@ -286,6 +288,27 @@ def test_what_contactd_lacks_is_told_by_name(changes: dict[str, object], name: s
     assert name in told
     with pytest.raises(Missing, match=name):
         made(**changes)
+
+
+def test_coefficients_of_a_file_take_the_place_of_the_bodies_and_end_where_it_ends() -> None:
+    array = np.random.default_rng(1).normal(size=(3, 3, 4, 6))
+    asked: list[float] = []
+
+    def coefficients(case: ContactCase, modulus: float) -> TableIcs:
+        asked.append(modulus)
+        return TableIcs(array, 0.5, 0.25)
+
+    case = basic_case(INFLCF=9, CFNAME="there.txt", GG1=60000.0, GG2=30000.0)
+    problem = BasicContact.of(case, no_force, coefficients=coefficients).problem
+    assert asked == [pytest.approx(40000.0)]
+    assert problem.upper is None
+    assert isinstance(problem.ics, TableIcs)
+    ny, nx = problem.grid.shape
+    assert problem.ics.shape == (max(ny, 4), max(nx, 6))
+    np.testing.assert_array_equal(problem.ics.array[:, :, :4, :6], array)
+    assert not problem.ics.array[:, :, 4:].any()
+    with pytest.raises(Missing, match="C = 9"):
+        BasicContact.of(case, no_force)
 
 
 def test_pressures_are_prescribed_over_an_ellipse_or_two_halves() -> None:

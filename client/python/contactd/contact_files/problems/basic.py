@@ -16,8 +16,10 @@ from ...values.grid import Grid
 from ...values.ics import AnalyticIcs
 from ...values.motion import Rolling
 from ...values.problem import ContactProblem, Estimate
+from ...values.tables import TableIcs
 from .areas import PotentialContact, potential_contact
 from .bodies import Pair, bodies_of, pair_of, sheet_of
+from .distances import regions_of
 from .features import Missing, missing, prescribes_pressures
 from .frictions import coefficients, layer, shares, static
 from .heat import temperature_friction, thermal_bodies
@@ -29,7 +31,10 @@ if TYPE_CHECKING:
 __all__ = ["BasicContact", "State", "goes_on"]
 
 NormalForce = Callable[[ContactProblem], float]
+#: The table that a case names, with the combined modulus of its bodies (N/mm^2), by which the file's values are over it.
+Coefficients = Callable[["Case", float], TableIcs]
 
+_BILINEAR, _OF_FILE = 3, 9  #: C
 _NONE, _SHIFT, _TRANSIENT, _STEADY = range(4)
 _NEAR = 0.01  #: rad, of a rolling direction that counts as that of an axis
 _NORMAL, _OTHERS = 1e-8, 1e-6  #: contactd's own tolerances, which a case makes smaller and never larger
@@ -68,7 +73,7 @@ class BasicContact:
     friction_unit: float
     chi: float
     dq: float
-    ics: AnalyticIcs
+    ics: AnalyticIcs | TableIcs
     problem: ContactProblem
 
     @property
@@ -78,8 +83,11 @@ class BasicContact:
         return 0.0 if is_split else float(self.case.values["CPHI"])
 
     @classmethod
-    def of(cls, case: Case, normal_force: NormalForce, before: State | None = None) -> BasicContact:
-        """`normal_force` solves a problem without friction; `before` is the state at the start of a step that goes on.
+    def of(
+        cls, case: Case, normal_force: NormalForce, before: State | None = None, coefficients: Coefficients | None = None
+    ) -> BasicContact:
+        """`normal_force` solves a problem without friction; `before` is the state at the start of a step that goes on;
+        `coefficients` reads those of a file.
 
         Raises Missing for what contactd does not have.
         """
@@ -90,12 +98,13 @@ class BasicContact:
         pair = pair_of(values)
         if prescribes_pressures(case) and not pair.is_quasi_identical:
             raise Missing("prescribed pressures of dissimilar bodies (B = 2, 3, 4)")
-        upper, lower = bodies_of(case, pair)
         load = {"Fn": values["FN"]} if case.digits["N"] == 1 else {"approach": values["PEN"]}
-        ics = AnalyticIcs(load_shape="bilinear") if values["INFLCF"] == 3 else AnalyticIcs()
+        ics = _ics(case, area.grid, pair, coefficients)
+        upper, lower = (None, None) if isinstance(ics, TableIcs) else bodies_of(case, pair)
         problem = ContactProblem(
             grid=area.grid, upper=upper, lower=lower, gap=area.gap, ics=ics, **load,
             **_settings(values, pair), **models_of(case), sheet_flexibility=sheet_of(case),
+            regions=regions_of(values),
         )  # fmt: skip
         unit = 1.0 if values["VARFRC"] == 3 else static(values["FRCLAW"], case.friction[0])
         chi, dq = _rolling_step(case, area.grid)
@@ -107,6 +116,18 @@ class BasicContact:
             previous = None if before is None else _moved(before, area.grid, friction)
             problem = problem.replace(friction=friction, previous=previous, temperature=thermal_bodies(case))
         return cls(case, area, pair, unit, chi, dq, ics, problem)
+
+
+def _ics(case: Case, grid: Grid, pair: Pair, coefficients: Coefficients | None) -> AnalyticIcs | TableIcs:
+    kind = case.values["INFLCF"]
+    if kind != _OF_FILE:
+        return AnalyticIcs(load_shape="bilinear") if kind == _BILINEAR else AnalyticIcs()
+    if coefficients is None:
+        raise Missing("coefficients from a file (C = 9), which nobody reads here")
+    table = coefficients(case, pair.G)
+    beyond = [max(0, there - here) for here, there in zip(table.shape, grid.shape)]
+    # The program takes offsets beyond those of the file for zero.
+    return TableIcs(np.pad(table.array, [(0, 0), (0, 0), *((0, more) for more in beyond)]), table.dx, table.dy, table.G)
 
 
 def goes_on(case: Case) -> bool:

@@ -1,16 +1,16 @@
-"""The undeformed distance of a case on its elements (IBASE), and which elements may touch (IPLAN)."""
+"""The undeformed distance of a case on its elements (IBASE), which may touch, and what these share (IPLAN)."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from ...values.grid import Grid
+from ...values.grid import ContactRegions, Grid, RegionLimits
 
-__all__ = ["EXCLUDED", "distance", "excluded", "quadratic_of"]
+__all__ = ["EXCLUDED", "distance", "excluded", "quadratic_of", "regions_of"]
 
 Floats = npt.NDArray[np.float64]
 Values = Mapping[str, Any]
@@ -41,13 +41,35 @@ def excluded(values: Values, grid: Grid) -> npt.NDArray[np.bool_] | None:
         case 2:
             return np.asarray(_quadratic([values[f"P{i}"] for i in range(1, 7)], x, y) >= 0)
         case 3:
-            inside = np.zeros(grid.shape, dtype=bool)
-            for k in (1, 2):
-                within_x = (x >= values[f"XL{k}"]) & (x <= values[f"XH{k}"])
-                inside |= within_x & (y >= values[f"YL{k}"]) & (y <= values[f"YH{k}"])
-            return ~inside
+            return _outside(((values[f"XL{k}"], values[f"XH{k}"], values[f"YL{k}"], values[f"YH{k}"]) for k in (1, 2)), x, y)
+        case 4:
+            return _outside(_limits_of_patches(values), x, y)
         case _:
             return None
+
+
+def regions_of(values: Values) -> ContactRegions | None:
+    """The patches of IPLAN = 4 and what they share of their displacements."""
+    if values["IPOTCN"] <= 0 or values["IPLAN"] != 4:
+        return None
+    limits = tuple(RegionLimits((xl, xh), (yl, yh)) for xl, xh, yl, yh in _limits_of_patches(values))
+    above = np.zeros((len(limits), len(limits)))
+    above[np.triu_indices(len(limits), 1)] = values["PATCH_FACTORS"]
+    shares = np.eye(len(limits)) + above + above.T
+    return ContactRegions(limits, tuple(float(share) for share in shares.ravel()))
+
+
+def _limits_of_patches(values: Values) -> list[list[float]]:
+    """XL XH YL YH of each patch of IPLAN = 4."""
+    return [[float(end) for end in limits] for limits in np.reshape(values["PATCH_LIMITS"], (-1, 4))]
+
+
+def _outside(limits: Iterable[Sequence[float]], x: Floats, y: Floats) -> npt.NDArray[np.bool_]:
+    """Elements that lie in none of the rectangles."""
+    inside = np.zeros((y.size, x.size), dtype=bool)
+    for xl, xh, yl, yh in limits:
+        inside |= (x >= xl) & (x <= xh) & (y >= yl) & (y <= yh)
+    return ~inside
 
 
 def quadratic_of(values: Values) -> list[float]:

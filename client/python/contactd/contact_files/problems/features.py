@@ -89,9 +89,8 @@ _BASIC = (
     _Feature("pressures of two half ellipses but prescribed ones (IPOTCN = -6, B = 0)",
              lambda case: case.values.get("IPOTCN") == -6 and case.digits["B"] != 4),
     _Feature("half-spaces that turn (C = 4)", lambda case: case.values.get("INFLCF") == 4),
-    _Feature("coefficients from a file (C = 9)", lambda case: case.values.get("INFLCF") == 9),
-    _Feature("patches that share their displacements (IPLAN = 4)",
-             lambda case: case.values.get("IPOTCN", 0) > 0 and case.values.get("IPLAN") == 4),
+    _Feature("patches that share their displacements but with pressures of the full theory (IPLAN = 4, B > 1)",
+             lambda case: case.values.get("IPOTCN", 0) > 0 and case.values.get("IPLAN") == 4 and case.digits["B"] > 1),
 )  # fmt: skip
 
 _ON_RAILS = (
