@@ -12,6 +12,7 @@ from contactd import Client, ContactProblem, TableFileError
 from contactd.contact_files.case import Case
 from contactd.contact_files.problems.basic import BasicContact, goes_on
 from contactd.contact_files.problems.features import Missing
+from contactd.contact_files.problems.mistakes import mistakes
 from contactd.contact_files.problems.rails import RailContact
 from contactd.contact_files.profile_files import ProfileFiles
 from contactd.contact_files.python_text import python_text
@@ -54,6 +55,8 @@ def _made(case: Case, client: Client, profiles: ProfileFiles) -> BasicContact | 
     where = f"Case {case.number} in line {case.line}"
     if case.errors:
         return f"{where} cannot be read: {' '.join(case.errors)}"
+    if found := mistakes(case):
+        return f"{where} is wrong: {'; '.join(found)}."
 
     def normal_force(problem: ContactProblem) -> float:
         return client.solve(problem, fields=[]).Fn

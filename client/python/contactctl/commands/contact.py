@@ -13,7 +13,7 @@ import typer
 
 from contactd import Client
 from contactd.contact_files import read
-from contactd.contact_files.case import Case
+from contactd.contact_files.case import Case, ContactFile
 from contactd.contact_files.out_file import out_text
 from contactd.contact_files.out_reader import printed_cases
 from contactd.contact_files.profile_files import ProfileFiles
@@ -52,8 +52,8 @@ def check(file: File) -> None:
     Ends with 4 when cases need what contactd does not have, and with 2 when the file has errors.
     """
     with connected(local_unless_named=True) as client:
-        cases = _read(file, client)
-    found = checked(cases)
+        read_file = _read(file, client)
+    found = checked(read_file.cases)
     rows = [
         {"case": one.case.number, "line": one.case.line, "module": one.case.module, "status": _status_text(one.status), "why": one.sentence}
         for one in found
@@ -61,7 +61,7 @@ def check(file: File) -> None:
     counts = Counter(str(row["status"]) for row in rows)
     remarks = [row for row in rows if row["why"]]
     emit(setting().json, {"cases": rows}, *_listed(remarks, f"{_cases(len(rows))}: {_counted(counts)}"))
-    _end([str(one.status) for one in found])
+    _end([str(one.status) for one in found], read_file)
 
 
 def run(
@@ -89,14 +89,16 @@ def run(
         raise click.UsageError(f"--compare {compare}: no case is printed there; it must be an .out file of CONTACT.")
     options = {"wheel": wheel}
     with connected(workers=workers, local_unless_named=True) as client:
-        cases = _read(file, client)
+        read_file = _read(file, client)
+        cases = read_file.cases
         chains = chains_of(cases)
         runner = Runner(client, ProfileFiles(file.parent, client), surface)
         rows = _computed(runner, chains, options, Path(f"{place}.rows"), workers, fresh, CaseFiles(place))
     ordered = [rows[id(case)] for case in cases]
     write_text(place, out_text(row["answers"]["lines"] for row in ordered))
     Path(f"{place}.rows").unlink(missing_ok=True)
-    _show(ordered, place, None if printed is None else compared_rows(ordered, printed))
+    statuses = _show(ordered, place, None if printed is None else compared_rows(ordered, printed))
+    _end(statuses, read_file)
 
 
 def convert(
@@ -104,12 +106,17 @@ def convert(
     output: Annotated[Path, typer.Argument(help="FILE.yaml for one case, FILE.py for all.")],
     case: Annotated[int | None, typer.Option("--case", metavar="N", help="The N-th case of the file.")] = None,
 ) -> None:
-    """Write cases in the words of contactd: YAML for contactctl solve, or a program of Python."""
+    """Write cases in the words of contactd: YAML for contactctl solve, or a program of Python.
+
+    A program names the cases that are not in it. It ends then with 4 when contactd does not have what they need, and
+    with 2 when the file has errors.
+    """
     if output.suffix not in (".yaml", ".py"):
         raise click.UsageError(f"{output}: the name must end in .yaml or .py.")
     place = writable("convert", output)
     with connected(local_unless_named=True) as client:
-        cases = _read(file, client)
+        read_file = _read(file, client)
+        cases = read_file.cases
         if case is not None and not 1 <= case <= len(cases):
             raise click.UsageError(f"--case {case}: {file} has {_cases(len(cases))}.")
         chosen = cases if case is None else cases[case - 1 : case]
@@ -121,17 +128,18 @@ def convert(
         else:
             text = as_yaml(chosen[0], client, profiles)
     write_text(place, text)
+    _end([str(one.status) for one in checked(chosen)], read_file)
 
 
-def _read(file: Path, client: Client) -> Sequence[Case]:
-    """The cases of a file; what is wrong between them is said."""
+def _read(file: Path, client: Client) -> ContactFile:
+    """A file that has cases; what is wrong between them is said."""
     found = read(file, client)
     warn([*found.warnings, *(sentence for case in found for sentence in case.warnings)])
     for sentence in found.errors:
         note(f"{file}: {sentence}")
     if not found.cases:
         raise Ended(Code.USAGE, f"{file} has no cases.")
-    return found.cases
+    return found
 
 
 def _computed(
@@ -159,7 +167,8 @@ def _computed(
         return {case: journal.rows[key] for case, key in keys.items()}
 
 
-def _show(rows: Sequence[dict[str, Any]], place: Path, differences: Sequence[list[str]] | None) -> None:
+def _show(rows: Sequence[dict[str, Any]], place: Path, differences: Sequence[list[str]] | None) -> list[str]:
+    """Tells what became of the cases; returns their statuses."""
     shown = []
     for index, row in enumerate(rows):
         values, answers = row["values"], row["answers"]
@@ -171,7 +180,7 @@ def _show(rows: Sequence[dict[str, Any]], place: Path, differences: Sequence[lis
     remarks = [row for row in shown if row["why"]]
     answer = {"cases": [{**row, "numbers": full["answers"].get("numbers")} for row, full in zip(shown, rows)], "output": str(place)}
     emit(setting().json, answer, *_listed(remarks, f"{_cases(len(rows))}: {_counted(counts)}. {place} has them."))
-    _end([row["status"] for row in shown])
+    return [row["status"] for row in shown]
 
 
 def _status_text(status: str) -> str:
@@ -193,8 +202,9 @@ def _listed(remarks: Sequence[dict[str, Any]], last: str) -> list[Any]:
     return [*([listing(None, columns, lines)] if lines else []), *more, last]
 
 
-def _end(statuses: Sequence[str]) -> None:
-    """With the code of what is worst."""
+def _end(statuses: Sequence[str], read_file: ContactFile) -> None:
+    """With the code of what is worst, in the cases or between them."""
+    statuses = [*statuses, *("wrong" for _ in read_file.errors)]
     bad = Counter(status for status in statuses if status not in ("solved", "read"))
     if not bad:
         return

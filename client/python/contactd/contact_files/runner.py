@@ -19,6 +19,7 @@ from .answers.rail_results import RailResult
 from .answers.subsurface import Body, Stresses
 from .problems.basic import BasicContact, State, goes_on
 from .problems.features import Missing, missing
+from .problems.mistakes import mistakes
 from .problems.rails import Profiles, RailContact
 from .profile_files import ProfileFiles
 
@@ -79,6 +80,8 @@ def checked(cases: Iterable[Case]) -> list[Outcome]:
 def _refusal(case: Case, broken: Case | None) -> Outcome | None:
     if case.errors:
         return Outcome(case, "wrong", "; ".join(case.errors))
+    if found := mistakes(case):
+        return Outcome(case, "wrong", f"{'; '.join(found)}.")
     if names := missing(case):
         return Outcome(case, "refused", f"contactd does not have: {', '.join(names)}.")
     if broken is not None and goes_on(case):
@@ -117,7 +120,7 @@ class Runner:
             if outcome is None and case.digits["R"] in (2, 3):
                 yield Outcome(case, "read", "It is read and not computed (R = 2, 3).")
                 continue
-            start = before if case.digits["P"] == 3 else last
+            start = before if case.digits.get("P") == 3 else last
             if outcome is None:
                 outcome = self._outcome(case, start if goes_on(case) else None, steps, began)
             if outcome.result is None:

@@ -203,3 +203,12 @@ def test_a_file_without_printed_cases_is_nothing_to_compare_with(ctl):
     ctl.write("other.out", "Fn 5\n")
     ended = ctl("contact", "run", "two.inp", "--compare", "other.out")
     assert ended.code == Code.USAGE and "no case is printed there" in ended.err
+
+
+@pytest.mark.parametrize("command", [("check",), ("run",), ("convert", "cases.py")])
+@pytest.mark.parametrize("text", [TWO.replace("203100", "2o3100", 1), FIRST + " 7  MODULE\n" + END, TWO.replace("6.0  4.0  1.1", "0.0  4.0  1.1")])
+def test_files_with_mistakes_end_with_a_code_of_their_own(ctl, command, text):
+    ctl.write("wrong.inp", text)
+    ended = ctl("contact", command[0], "wrong.inp", *command[1:])
+    assert ended.code == Code.USAGE
+    assert "Traceback" not in ended.err

@@ -79,7 +79,7 @@ class BasicContact:
     @property
     def phi(self) -> float:
         """The spin of the whole plane (rad, rad/mm); where it acts in one direction alone, that is slip of the elements."""
-        is_split = self.case.digits["E"] != 0 and self.case.values["EXRHS"] in (2, 3)
+        is_split = self.case.digits["E"] != 0 and self.case.values.get("EXRHS") in (2, 3)
         return 0.0 if is_split else float(self.case.values["CPHI"])
 
     @classmethod
@@ -131,8 +131,8 @@ def _ics(case: Case, grid: Grid, pair: Pair, coefficients: Coefficients | None) 
 
 
 def goes_on(case: Case) -> bool:
-    """Tells whether a case starts from what one before it ended with."""
-    return case.digits["P"] != 2 and case.digits["T"] in (_SHIFT, _TRANSIENT)
+    """Tells whether a case starts from what one before it ended with. One without digits, which could not be read, does not."""
+    return case.digits.get("P") != 2 and case.digits.get("T") in (_SHIFT, _TRANSIENT)
 
 
 def _rolling_step(case: Case, grid: Grid) -> tuple[float, float]:
@@ -200,7 +200,7 @@ def _friction(case: Case, grid: Grid, chi: float, dq: float, force: Any) -> Fric
 def _extra_slip(values: Any, digit: int, grid: Grid, ahead_x: float, ahead_y: float) -> tuple[Any, Any] | None:
     """Slip of the elements beside that of the motion. Spin in one direction alone is slip of the elements, too, evaluated
     `ahead` of their centres."""
-    if digit == 0 or values["EXRHS"] == 0:
+    if digit == 0 or values.get("EXRHS", 0) == 0:  # a first case with E = 1 keeps none
         return None
     if values["EXRHS"] == 9:
         return np.reshape(values["SLIP_X"], grid.shape), np.reshape(values["SLIP_Y"], grid.shape)

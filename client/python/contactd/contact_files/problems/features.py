@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 __all__ = ["Missing", "missing", "prescribes_pressures"]
 
 _NEAR = 1e-6
+_MOST_ELEMENTS = 4_000_000  #: the most that a service may be configured to take
 
 
 class Missing(Exception):
@@ -80,6 +81,8 @@ _BOTH = (
 )
 
 _BASIC = (
+    _Feature(f"areas of more than {_MOST_ELEMENTS} elements (MX, MY; max_grid_elements)",
+             lambda case: case.values["MX"] * case.values["MY"] > _MOST_ELEMENTS),
     _Feature("shares of a normal force of viscoelastic bodies that is not known before the solve (M = 1, N = 0, F > 0)",
              lambda case: case.digits["M"] == 1 and case.digits["N"] == 0 and case.digits["F"] > 0),
     _Feature("parabolic traction bound with FaStrip (B = 3, M = 5)",

@@ -1,0 +1,68 @@
+"""Values that no problem has."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from contactd.contact_files.problems.basic import BasicContact, goes_on
+from contactd.contact_files.problems.mistakes import mistakes
+from contactd.contact_files.runner import chains_of, checked
+from support.contact_cases import basic_case, rail_case
+
+
+@pytest.mark.parametrize(
+    ("changes", "sentence"),
+    [
+        ({"AA": 0.0}, "AA is 0; it must be positive"),
+        ({"BB": -1.0}, "BB is -1; it must be positive"),
+        ({"AA": 1e200}, "AA is 1e\\+200; it must be positive, from 1e-30 to 1e\\+30"),
+        ({"AA": 1e8, "BB": 1.0}, "AA/BB is 1e\\+08; it must be from 1e-06 to 1e\\+06"),
+        ({"SCALE": 0.0}, "SCALE is 0"),
+        ({"M": 4, "GG3": 1000.0, "LAYTHK": 0.0}, "LAYTHK is 0; it must be positive"),
+        ({"GG1": 0.0}, "GG1 is 0; it must be positive"),
+        ({"IPOTCN": -1, "A1": 0.001, "B1": 0.0}, "B1 is 0"),
+        ({"IPOTCN": -1, "A1": 1e-12, "B1": 1e12}, "A1/B1 is 1e-24"),
+        ({"IPOTCN": -2, "A1": 0.001, "AOB": 1e7}, "AOB is 1e\\+07"),
+        ({"IPOTCN": -4, "A1": 0.001, "BB": 0.0}, "BB is 0"),
+        ({"IPOTCN": 1, "IBASE": 9, "GAP": [0.0] * 35}, "IBASE = 9.* of 35 elements, and MX, MY are 12, 10; it must be read anew"),
+        ({"E": 1, "EXRHS": 9, "SLIP_X": [0.0] * 35}, "extra rigid slip .E = 9. is kept of 35 elements"),
+    ],
+)
+def test_values_that_are_none_are_told_by_name(changes: dict[str, object], sentence: str) -> None:
+    (outcome,) = checked([basic_case(**changes)])
+    assert outcome.status == "wrong"
+    assert re.search(sentence, outcome.sentence)
+
+
+def test_cases_that_can_be_have_none() -> None:
+    assert mistakes(basic_case()) == mistakes(rail_case()) == []
+    assert mistakes(basic_case(IPOTCN=-4, A1=0.001, BB=500.0)) == []
+
+
+def test_an_approach_is_positive_where_hertz_finds_the_contact() -> None:
+    case = basic_case(N=0, PEN=0.0)
+    case.values.pop("FN", None)
+    assert mistakes(case) == ["PEN is 0; it must be positive, from 1e-30 to 1e+30"]
+
+
+def test_an_area_of_too_many_elements_is_refused_before_it_takes_memory() -> None:
+    (outcome,) = checked([basic_case(MX=2_000_000_000, MY=2_000_000_000)])
+    assert outcome.status == "refused"
+    assert "MX, MY" in outcome.sentence
+
+
+def test_a_first_case_that_keeps_extra_slip_has_none() -> None:
+    case = basic_case(E=1)
+    del case.values["EXRHS"]
+    contact = BasicContact.of(case, lambda problem: 0.0)
+    assert contact.problem.friction.rigid_slip is None
+    assert contact.phi == case.values["CPHI"]
+
+
+def test_a_case_without_digits_goes_on_from_none() -> None:
+    case = basic_case(errors=("line 2, column 1: no digits",))
+    case.digits.clear()
+    assert not goes_on(case)
+    assert [len(chain) for chain in chains_of([case, case, basic_case(T=1, P=0)])] == [1, 2]
