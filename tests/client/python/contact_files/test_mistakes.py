@@ -20,7 +20,7 @@ from support.contact_cases import basic_case, rail_case
         ({"AA": 1e200}, "AA is 1e\\+200; it must be positive, from 1e-30 to 1e\\+30"),
         ({"AA": 1e8, "BB": 1.0}, "AA/BB is 1e\\+08; it must be from 1e-06 to 1e\\+06"),
         ({"SCALE": 0.0}, "SCALE is 0"),
-        ({"M": 4, "GG3": 1000.0, "LAYTHK": 0.0}, "LAYTHK is 0; it must be positive"),
+        ({"M": 4, "GG3": 1000.0, "LAYTHK": -0.1}, "LAYTHK is -0.1; it must be zero or positive"),
         ({"GG1": 0.0}, "GG1 is 0; it must be positive"),
         ({"IPOTCN": -1, "A1": 0.001, "B1": 0.0}, "B1 is 0"),
         ({"IPOTCN": -1, "A1": 1e-12, "B1": 1e12}, "A1/B1 is 1e-24"),

@@ -13,6 +13,7 @@ __all__ = ["mistakes"]
 _HERTZ = {-1: ("A1", "B1"), -2: ("A1", "AOB"), -3: ("AA", "BB"), -4: ("A1", "BB"), -5: ("AA", "BB"),
           -6: ("AA", "BNEG", "BPOS")}  # fmt: skip
 _LINES = (-4, -5)
+_LAYERED = 4  #: M
 _LEAST, _LARGEST = 1e-30, 1e30  #: whose cubes are numbers, too
 _SLENDEREST = 1e6  #: ratio of semi-axes
 _STEEPEST = 1e10  #: ratio of curvatures, of semi-axes that are a little less slender
@@ -21,8 +22,11 @@ _OF_ELEMENTS = (("GAP", "the undeformed distance (IBASE = 9)"), ("SLIP_X", "the 
 
 def mistakes(case: Case) -> list[str]:
     """Sentences, without full stops, of a case that was read without errors."""
-    names = ("GG1", "GG2", "GG3", "LAYTHK") if case.digits["M"] == 4 else ("GG1", "GG2")
-    found = _out_of_range(case, names)
+    found = _out_of_range(case, ("GG1", "GG2"))
+    if case.digits["M"] == _LAYERED:
+        found += _out_of_range(case, ("GG3",))
+        if not 0 <= case.values["LAYTHK"] <= _LARGEST:  # 0 is a layer that yields only
+            found.append(f"LAYTHK is {case.values['LAYTHK']:g}; it must be zero or positive, up to {_LARGEST:g}")
     return found if case.module != 3 else [*found, *_of_hertz(case), *_of_elements(case)]
 
 
