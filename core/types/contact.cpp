@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "contact_columns_check.hpp"
+#include "area/contact_columns_check.hpp"
 #include "contactd/error.hpp"
 #include "contactd/fields/contact_setup.hpp"
 #include "fatigue/contact_fatigue_check.hpp"

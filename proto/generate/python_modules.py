@@ -36,8 +36,6 @@ MODULES = [
             "contact.solve.params.json#/properties/gap/properties/paraboloid",
             "contact.solve.params.json#/properties/gap/properties/semi_axes",
             "contact.solve.params.json#/properties/gap/properties/half_ellipses",
-            "definitions.json#/definitions/region_limits",
-            "definitions.json#/definitions/contact_regions",
         ),
         is_asked=True,
     ),
@@ -112,6 +110,12 @@ MODULES = [
         "thermal",
         "What bodies have to do with heat.",
         ("definitions.json#/definitions/thermal_bodies",),
+        is_asked=True,
+    ),
+    Module(
+        "regions",
+        "Regions of the potential contact area.",
+        ("definitions.json#/definitions/region_limits", "definitions.json#/definitions/contact_regions"),
         is_asked=True,
     ),
     Module(

@@ -68,7 +68,7 @@ from .values.fatigue import DamageFunction, FatigueRequest, FatigueStrength, Pas
 from .values.fem_ics import FemIcs
 from .values.fit import Fit, FittedCurve, FittedParameter
 from .values.friction import Friction, InterfacialLayer
-from .values.grid import ContactRegions, Grid, HalfEllipses, Paraboloid, RegionLimits, SemiAxes
+from .values.grid import Grid, HalfEllipses, Paraboloid, SemiAxes
 from .values.ics import AnalyticIcs, LineContact
 from .values.materials import Layer, LayeredBody, Material, RigidBody, ViscoelasticBody
 from .values.motion import FrictionMemory, KineticFriction, Rolling, SecondTerm, Shift, TemperatureFriction
@@ -77,6 +77,7 @@ from .values.problem import ContactColumns, ContactProblem, Estimate
 from .values.profile_shapes import ProfileFile
 from .values.records import ImportedIc, QuarantinedIc, RecentPatch, RecentSolve, StoredIc
 from .values.registry import register
+from .values.regions import ContactRegions, RegionLimits
 from .values.result import ContactFatigue, ContactTemperature, ContactWear, RollingResistance
 from .values.service import Job, Limits, Progress, ServerInfo, SessionSummary
 from .values.solution import ContactSolution

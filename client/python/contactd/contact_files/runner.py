@@ -17,11 +17,10 @@ from ..values.wheel_rail.setup import WheelSurface
 from .answers.basic_results import BasicResult
 from .answers.rail_results import RailResult
 from .answers.subsurface import Body, Stresses
-from .problems.basic import BasicContact, State, goes_on
+from .problems.basic import BasicContact, ReadsCoefficients, State, goes_on
 from .problems.features import Missing, missing
 from .problems.mistakes import mistakes
 from .problems.rails import Profiles, RailContact
-from .profile_files import ProfileFiles
 
 if TYPE_CHECKING:
     from ..client import Client
@@ -95,7 +94,7 @@ class Runner:
     def __init__(self, client: Client, profiles: Profiles, wheel_surface: WheelSurface = "exact") -> None:
         self._client = client
         self._profiles, self._wheel_surface = profiles, wheel_surface
-        self._coefficients = profiles.coefficients if isinstance(profiles, ProfileFiles) else None
+        self._coefficients = profiles.coefficients if isinstance(profiles, ReadsCoefficients) else None
 
     def run(self, chain: Iterable[Case]) -> Iterator[Outcome]:
         """The outcomes of cases that go on from each other.

@@ -17,11 +17,12 @@ from .dictionaries import Saved
 from .evidence import Model, NormalModel, SimplifiedSettings, SolverSettings
 from .fatigue import FatigueRequest
 from .friction import Friction
-from .grid import ContactRegions, Grid, HalfEllipses, Paraboloid, SemiAxes
+from .grid import Grid, HalfEllipses, Paraboloid, SemiAxes
 from .ics import Ics
 from .materials import LayeredBody, Material, RigidBody, ViscoelasticBody
 from .params import HasParams, instead
 from .problem_methods import CLOSED_FORMS, REQUIRED, ProblemMethods
+from .regions import ContactRegions
 from .solution import ContactSolution
 from .tables import TableIcs
 from .thermal import ThermalBodies

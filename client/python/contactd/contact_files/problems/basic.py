@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
 import numpy as np
 import numpy.typing as npt
@@ -28,11 +28,21 @@ from .models import models_of, without_memory
 if TYPE_CHECKING:
     from ...values.contact_files import ContactCase as Case
 
-__all__ = ["BasicContact", "State", "goes_on"]
+__all__ = ["BasicContact", "ReadsCoefficients", "State", "goes_on"]
 
 NormalForce = Callable[[ContactProblem], float]
 #: The table that a case names, with the combined modulus of its bodies (N/mm^2), by which the file's values are over it.
 Coefficients = Callable[["Case", float], TableIcs]
+
+
+@runtime_checkable
+class ReadsCoefficients(Protocol):
+    """What reads the files that cases name."""
+
+    def coefficients(self, case: Case, modulus: float) -> TableIcs:
+        """The table that a case names, as Coefficients."""
+        ...
+
 
 _BILINEAR, _OF_FILE = 3, 9  #: C
 _NONE, _SHIFT, _TRANSIENT, _STEADY = range(4)

@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ...values.grid import ContactRegions, Grid, RegionLimits
+from ...values.grid import Grid
+from ...values.regions import ContactRegions, RegionLimits
 
 __all__ = ["EXCLUDED", "distance", "excluded", "quadratic_of", "regions_of"]
 

@@ -1,4 +1,4 @@
-#include "contact_regions.hpp"
+#include "problem_of_regions.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -32,9 +32,9 @@ WheelRailState rolling() {
     return state;
 }
 
-bool says(const WheelRailSolution& solution, const std::string& words) {
+bool says(const WheelRailSolution& solution, const std::string& part) {
     return std::ranges::any_of(solution.warnings,
-                               [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
+                               [&](const std::string& warning) { return warning.find(part) != std::string::npos; });
 }
 
 }  // namespace

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <string>
 
-#include "contact_columns_check.hpp"
 #include "contactd/error.hpp"
-#include "number_text.hpp"
+#include "types/area/contact_columns_check.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "contactd/error.hpp"
-#include "number_text.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd {
 namespace {

@@ -1,0 +1,51 @@
+"""Regions of the potential contact area.
+
+Written by ./dev generate from proto/schema: edit it there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .params import HasParams
+
+__all__ = ["ContactRegions", "RegionLimits"]
+
+
+@dataclass(frozen=True)
+class RegionLimits(HasParams):
+    """A rectangle of the potential contact area, in coordinates of the grid.
+
+    ::
+
+        RegionLimits(x=(-3, -1), y=(-2, 2))
+
+    Attributes:
+        x: Its ends along x (mm).
+        y: Its ends along y (mm).
+    """
+
+    x: tuple[float, float]
+    y: tuple[float, float]
+
+
+@dataclass(frozen=True)
+class ContactRegions(HasParams):
+    """Where bodies may touch, and how much the pressures of each region act on the others.
+
+    An element belongs to the first region that its centre lies in; those of none cannot touch. Displacements by
+    tractions, and along the surface, act everywhere as they are.
+
+    ::
+
+        ContactRegions([RegionLimits((-3, -1), (-2, 2)), RegionLimits((1, 3), (-2, 2))], [1, 0.4, 0.4, 1])
+
+    Attributes:
+        limits: The regions; an element belongs to the first one that its centre lies in, and those of none cannot
+            touch.
+        shares: Row by row, of the normal displacements by the pressures of the column's region the share that acts on
+            the row's; symmetric, 1 on the diagonal.
+    """
+
+    limits: tuple[RegionLimits, ...]
+    shares: tuple[float, ...]
