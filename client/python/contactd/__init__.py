@@ -76,8 +76,8 @@ from .values.partial_solution import PartialSolution, SavedState, StepSolution
 from .values.problem import ContactColumns, ContactProblem, Estimate
 from .values.profile_shapes import ProfileFile
 from .values.records import ImportedIc, QuarantinedIc, RecentPatch, RecentSolve, StoredIc
-from .values.registry import register
 from .values.regions import ContactRegions, RegionLimits
+from .values.registry import register
 from .values.result import ContactFatigue, ContactTemperature, ContactWear, RollingResistance
 from .values.service import Job, Limits, Progress, ServerInfo, SessionSummary
 from .values.solution import ContactSolution
