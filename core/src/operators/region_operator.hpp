@@ -11,10 +11,10 @@
 
 namespace contactd {
 
-/// Which region each element belongs to (-1: none), and the shares, see ContactRegions.
+/// Regions of elements, as ContactRegions has them by their limits.
 struct RegionShares {
-    std::vector<int> region;
-    std::vector<double> shares;  ///< [count, count]
+    std::vector<int> region;     ///< of each element; -1: none
+    std::vector<double> shares;  ///< of ContactRegions, [count, count]
     int count = 0;
 };
 

@@ -101,8 +101,9 @@ Extent rows_between(const ContactPlace& place, double from, double to) {
     return rows;
 }
 
-/// The regions of overlap with what lies around them, on the grid of their patch; without those that have no element.
-ContactRegions contact_regions(const ContactPlace& place, const PatchRules& rules) {
+/// The regions of overlap with what lies around them, on the grid of their patch, without those that have no element;
+/// absent where none has one.
+std::optional<ContactRegions> contact_regions(const ContactPlace& place, const PatchRules& rules) {
     const double wider = 0.4 * rules.distance_combine, wider_across = wider * std::cos(place.reference.angle);
     const std::size_t count = place.regions.size();
     ContactRegions result;
@@ -116,7 +117,9 @@ ContactRegions contact_regions(const ContactPlace& place, const PatchRules& rule
         result.limits.push_back({{region.x.from - wider - origin, region.x.to + wider - origin}, y});
     }
     for (const std::size_t i : kept)
-        for (const std::size_t j : kept) result.shares.push_back(place.shares[j * count + i]);
+        for (const std::size_t j : kept)  // those of a pair may differ by rounding
+            result.shares.push_back(place.shares[std::min(i, j) * count + std::max(i, j)]);
+    if (kept.empty()) return std::nullopt;
     return result;
 }
 

@@ -59,7 +59,7 @@ def _too_slender(case: Case) -> list[str]:
 
 
 def _of_elements(case: Case) -> list[str]:
-    """Of lists that were kept while MX and MY changed."""
+    """Names lists that were kept while MX and MY changed."""
     values = case.values
     acts = {"GAP": values["IPOTCN"] > 0 and values.get("IBASE") == 9, "SLIP_X": case.digits["E"] != 0 and values.get("EXRHS") == 9}
     columns, rows = values["MX"], values["MY"]
