@@ -26,10 +26,6 @@ void mirror(OverlapRegion& region) {
     std::swap(region.z.from, region.z.to);
 }
 
-void mirror(Grid& grid) {
-    grid.y0 = 0 - (grid.y0 + grid.ny * grid.dy);
-}
-
 /// Rows in the opposite order.
 template <class Value>
 void mirror_rows(std::vector<Value>& values, const Grid& grid) {
@@ -52,6 +48,18 @@ void mirror(Motion& motion) {
     }
 }
 
+void mirror(WheelRailPatch& patch) {
+    mirror(patch.place);
+    mirror_rows(patch.gap, patch.place.grid);
+    mirror(patch.solution, patch.place.grid);
+}
+
+}  // namespace
+
+void mirror(Grid& grid) {
+    grid.y0 = 0 - (grid.y0 + grid.ny * grid.dy);
+}
+
 void mirror(ContactPlace& place) {
     mirror(place.grid);
     std::reverse(place.rows.begin(), place.rows.end());
@@ -60,13 +68,9 @@ void mirror(ContactPlace& place) {
     std::reverse(place.shares.begin(), place.shares.end());
 }
 
-void mirror(WheelRailPatch& patch) {
-    mirror(patch.place);
-    mirror_rows(patch.gap, patch.place.grid);
-    mirror(patch.solution, patch.place.grid);
+void mirror(ContactRegions& regions) {
+    for (RegionLimits& limits : regions.limits) mirror(limits.y);
 }
-
-}  // namespace
 
 void mirror(ContactSolution& solution, const Grid& grid) {
     mirror_rows(solution.element_division, grid);

@@ -26,9 +26,11 @@ std::size_t at(int out, int in) {
     return static_cast<std::size_t>(4 * in + out);
 }
 
-/// The first of the published positions, where most of the contact adheres.
-const contactd::test::ManchesterCase& in_the_middle(contactd::Side side) {
-    return *std::ranges::find(contactd::test::manchester_cases, side, &contactd::test::ManchesterCase::side);
+/// One of the published positions, from 1; in the first most of the contact adheres.
+const contactd::test::ManchesterCase& published(contactd::Side side, int number) {
+    return *std::ranges::find_if(contactd::test::manchester_cases, [&](const contactd::test::ManchesterCase& known) {
+        return known.side == side && known.number == number;
+    });
 }
 
 }  // namespace
@@ -131,12 +133,13 @@ TEST_CASE("sensitivities that were not asked for are no numbers") {
 
 TEST_CASE("sensitivities of a patch on a rail are how its forces change with its creepages") {
     const auto side = GENERATE(contactd::Side::left, contactd::Side::right);
-    CAPTURE(side);
+    const int number = GENERATE(1, 11);  // where regions share their displacements in part, too
+    CAPTURE(side, number);
     RailCase rail(1);
     const auto solved = [&](double more_pitch, int sensitivities, double Fz = 10000) {
         rail = manchester_wheel(1, side);
         rail.whole.flag(1988, sensitivities);
-        contactd::test::ManchesterCase known = in_the_middle(side);
+        contactd::test::ManchesterCase known = published(side, number);
         known.pitch_rate *= 1 + more_pitch;
         place(rail, known);
         rail.vertical_force(Fz);
@@ -148,8 +151,9 @@ TEST_CASE("sensitivities of a patch on a rail are how its forces change with its
     const ContactForces forces = patch.forces();
     const double penetration = patch.found_penetration();
     Case heavier = solved(0, 0, 10100);
-    CHECK_THAT(found[0],
-               WithinRel((heavier.forces().fn - forces.fn) / (heavier.found_penetration() - penetration), 0.02));
+    if (number == 1)  // with regions, the shares change with the load, and the reference moves
+        CHECK_THAT(found[0],
+                   WithinRel((heavier.forces().fn - forces.fn) / (heavier.found_penetration() - penetration), 0.02));
 
     Case ahead = solved(1e-5, 0);
     const ContactForces more = ahead.forces();
@@ -171,7 +175,7 @@ TEST_CASE("sensitivities of a patch on a rail are how its forces change with its
 TEST_CASE("a patch on a rail that is more than its contact problem says so when sensitivities are read") {
     RailCase rail = manchester_wheel(1, contactd::Side::right);
     rail.whole.flag(1988, 3);
-    place(rail, in_the_middle(contactd::Side::right));
+    place(rail, published(contactd::Side::right, 1));
     SECTION("curved") {
         rail.whole.flag(1977, 4);
     }

@@ -1,10 +1,12 @@
 #include "contact_solver.hpp"
 
 #include "contact/displacements.hpp"
+#include "contact/problem_of_regions.hpp"
 #include "contactd/half_space.hpp"
 #include "contactd/ic_record.hpp"
 #include "contactd/observer.hpp"
 #include "contactd/solve_contact.hpp"
+#include "operators/region_operator.hpp"
 #include "wheel_rail/mirror.hpp"
 
 namespace contactd::cntc {
@@ -27,6 +29,17 @@ ContactSolution tractions_of(const ContactSolution& solution) {
     part.traction_x = solution.traction_x;
     part.traction_y = solution.traction_y;
     return part;
+}
+
+/// Those of each element, as the solve of the wheel has them.
+RegionShares regions_on_rail(const ContactProblem& problem, bool is_left) {
+    ContactRegions regions = *problem.regions;
+    Grid grid = problem.grid;
+    if (is_left) {
+        mirror(regions);
+        mirror(grid);
+    }
+    return region_shares(regions, grid);
 }
 
 }  // namespace
@@ -66,7 +79,9 @@ Displacements ContactSolver::displacements_on_rail(const ContactProblem& problem
     }
     ContactSolution u = tractions_of(solution);
     if (is_left) mirror(u, problem.grid);
-    find_displacements(problem.grid, *on_rail_->of(problem).current, u);
+    std::shared_ptr<const InfluenceOperator> bodies = on_rail_->of(problem).current;
+    if (problem.regions) bodies = std::make_shared<const RegionOperator>(bodies, regions_on_rail(problem, is_left));
+    find_displacements(problem.grid, *bodies, u);
     if (is_left) mirror(u, problem.grid);
     return {u.displacement_x, u.displacement_y, u.displacement_z};
 }

@@ -4,6 +4,7 @@
 #include "edge/codes.hpp"
 #include "problem/problem.hpp"
 #include "problem/rail_case.hpp"
+#include "wheel_rail/mirror.hpp"
 #include "wheel_rail/patches/patch_solver.hpp"
 
 namespace contactd::cntc {
@@ -41,6 +42,13 @@ RailPlace counted_from(const ContactPlace& place, const WheelRailState& state) {
     return {place.on_rail.along - (moves ? state.position.x : 0), place.rows.empty() ? place.on_rail.across : 0};
 }
 
+void move(ContactRegions& regions, const RailPlace& by) {
+    for (auto& [x, y] : regions.limits) {
+        x = {x.from + by.along, x.to + by.along};
+        y = {y.from + by.across, y.to + by.across};
+    }
+}
+
 /// The motion of the reference as that of the place where elements are counted from.
 Motion seen_from(Motion motion, const RailPlace& counted) {
     if (auto* rolling = std::get_if<Rolling>(&motion)) {
@@ -54,13 +62,21 @@ Motion seen_from(Motion motion, const RailPlace& counted) {
     return motion;
 }
 
+/// The regions of its contact problem, which are those of a right wheel.
+std::optional<ContactRegions> regions_of(const WheelRailSetup& setup, ContactPlace place) {
+    if (setup.normal_model != NormalModel::of_model) return std::nullopt;
+    if (setup.side == Side::left) mirror(place);
+    std::optional<ContactRegions> regions = contact_regions(place, setup.patches);
+    if (regions && setup.side == Side::left) mirror(*regions);
+    return regions;
+}
+
 /// Names what the contact problem of a patch leaves out; null: nothing.
 const char* left_out(const WheelRailSetup& setup, const WheelRailState& state, const ContactPlace& place) {
     if (setup.model != Model::full) return "a simplified model";
     if (setup.normal_model != NormalModel::of_model) return "virtual penetration";
     if (state.motion != WheelRailMotion::steady_rolling) return "a motion that is not steady";
     if (!place.rows.empty()) return "a curved contact";
-    if (place.regions.size() > 1) return "regions that share their displacements in part";
     if (setup.rigid_slip != RigidSlipKind::plane) return "slip of the surfaces";
     if (setup.friction && setup.friction->layer) return "an interfacial layer";
     return nullptr;
@@ -87,6 +103,7 @@ void show(const WheelRailPatch& patch, const RailCase& rail, const Settings& com
     solved.beyond = left_out(setup, *rail.state, place);
     solved.problem.grid = place.grid;
     solved.problem.gap = patch.gap;
+    solved.problem.regions = regions_of(setup, place);
     solved.problem.bodies = setup.bodies;
     solved.problem.settings = setup.settings;
     solved.problem.friction = friction_of(setup, place);
@@ -99,6 +116,7 @@ void show(const WheelRailPatch& patch, const RailCase& rail, const Settings& com
     forces.Mz += counted.along * forces.Fy - counted.across * forces.Fx;
     solved.problem.grid.x0 += counted.along;
     solved.problem.grid.y0 += counted.across;
+    if (solved.problem.regions) move(*solved.problem.regions, counted);
     std::map<int, GivenBlock> blocks = std::move(problem.settings.blocks);
     problem.settings = common;
     problem.settings.blocks = std::move(blocks);

@@ -101,28 +101,6 @@ Extent rows_between(const ContactPlace& place, double from, double to) {
     return rows;
 }
 
-/// The regions of overlap with what lies around them, on the grid of their patch, without those that have no element;
-/// absent where none has one.
-std::optional<ContactRegions> contact_regions(const ContactPlace& place, const PatchRules& rules) {
-    const double wider = 0.4 * rules.distance_combine, wider_across = wider * std::cos(place.reference.angle);
-    const std::size_t count = place.regions.size();
-    ContactRegions result;
-    std::vector<std::size_t> kept;
-    for (std::size_t i = 0; i < count; ++i) {
-        const OverlapRegion& region = place.regions[i];
-        const Extent y = rows_between(place, region.y.from - wider_across, region.y.to + wider_across);
-        if (y.to < y.from) continue;
-        kept.push_back(i);
-        const double origin = place.reference.x;
-        result.limits.push_back({{region.x.from - wider - origin, region.x.to + wider - origin}, y});
-    }
-    for (const std::size_t i : kept)
-        for (const std::size_t j : kept)  // those of a pair may differ by rounding
-            result.shares.push_back(place.shares[std::min(i, j) * count + std::max(i, j)]);
-    if (kept.empty()) return std::nullopt;
-    return result;
-}
-
 /// A spin that moves no element by more than a rounding error of creepages.
 bool is_next_to_nothing(double phi, const Grid& grid) {
     constexpr double least_creepage = 1e-9;
@@ -186,12 +164,32 @@ ContactSolution solve_on(ContactProblem& problem, const ContactPlace& place, con
                          const PatchRules& rules, const InfluenceSource& influences, Observer& observer) {
     if (problem.model != Model::full) return solve_contact(problem, {}, observer);
     const ContactInfluence influence = influences(problem, strips, observer);
-    if (place.regions.size() > 1 && problem.normal_model == NormalModel::of_model)
-        problem.regions = contact_regions(place, rules);
+    if (problem.normal_model == NormalModel::of_model) problem.regions = contact_regions(place, rules);
     return solve_contact(problem, influence, observer);
 }
 
 }  // namespace
+
+std::optional<ContactRegions> contact_regions(const ContactPlace& place, const PatchRules& rules) {
+    const double wider = 0.4 * rules.distance_combine, wider_across = wider * std::cos(place.reference.angle);
+    const std::size_t count = place.regions.size();
+    if (count < 2) return std::nullopt;
+    ContactRegions result;
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < count; ++i) {
+        const OverlapRegion& region = place.regions[i];
+        const Extent y = rows_between(place, region.y.from - wider_across, region.y.to + wider_across);
+        if (y.to < y.from) continue;
+        kept.push_back(i);
+        const double origin = place.reference.x;
+        result.limits.push_back({{region.x.from - wider - origin, region.x.to + wider - origin}, y});
+    }
+    for (const std::size_t i : kept)
+        for (const std::size_t j : kept)  // those of a pair may differ by rounding
+            result.shares.push_back(place.shares[std::min(i, j) * count + std::max(i, j)]);
+    if (kept.empty()) return std::nullopt;
+    return result;
+}
 
 Motion motion_of(const Creepages& creepages, double dx, const WheelRailSetup& setup, const WheelRailState& state) {
     if (state.motion == WheelRailMotion::shift || !(creepages.velocity > 0))

@@ -16,6 +16,10 @@ Motion motion_of(const Creepages& creepages, double dx, const WheelRailSetup& se
 ContactProblem problem_of(const WheelRailSetup& setup, const WheelRailState& state,
                           const geometry::CandidatePatch& found, const geometry::RailSurface& rail);
 
+/// Returns the regions of overlap with what lies around them, on the grid of a right wheel's patch, without those that
+/// have no element; absent where fewer than two overlap or none has an element.
+std::optional<ContactRegions> contact_regions(const ContactPlace& place, const PatchRules& rules);
+
 /// Solves it, on the strips of its patch; regions of it with a weighted interaction are those of a ContactProblem.
 ContactSolution solve_patch(ContactProblem problem, const ContactPlace& place, const PatchStrips& strips,
                             const PatchRules& rules, const InfluenceSource& influences, Observer& observer);
