@@ -81,13 +81,13 @@ def by_dealer(socket: zmq.Socket[bytes], batch: list[Message], outcome: Outcome)
     """All at once; as many replies as messages, and every readable id as often as it was sent."""
     for message in batch:
         socket.send_multipart([message.text, *message.frames])
+    names = [readable_id(message) for message in batch]
     ids: collections.Counter[str | None] = collections.Counter()
     for _ in batch:
-        missing = [str(message) for message in batch if not ids[readable_id(message)]]
+        missing = [str(message) for name, message in zip(names, batch, strict=True) if not ids[name]]
         ids[take(reply(socket, "\n".join(missing)), outcome)] += 1
-    sent = collections.Counter(map(readable_id, batch))  # damage may give two messages the same
-    for message in batch:
-        name = readable_id(message)
+    sent = collections.Counter(names)  # damage may give two messages the same
+    for name, message in zip(names, batch, strict=True):
         if name is not None and ids[name] != sent[name]:
             raise Wrong(f"{ids[name]} replies to {message}")
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import json
 import math
 import struct
@@ -25,6 +24,15 @@ def templates(program: str | Path) -> dict[str, list[dict[str, Any]]]:
         if "params" in example:
             found.setdefault(example["method"], []).append(example["params"])
     return found
+
+
+def copied(value: Any) -> Any:
+    """A deep copy, in a hundredth of copy's time where there are millions of numbers."""
+    if isinstance(value, dict):
+        return {key: copied(item) for key, item in value.items()}
+    if isinstance(value, list):
+        return [copied(item) for item in value] if value and isinstance(value[0], dict | list) else value[:]
+    return value
 
 
 class LargeMessages(Messages):
@@ -51,7 +59,7 @@ class LargeMessages(Messages):
     def _params(self, method: str) -> Any:
         if method not in self._templates or self._random.random() < 0.3:
             return super()._params(method)
-        params = copy.deepcopy(self._random.choice(self._templates[method]))
+        params = copied(self._random.choice(self._templates[method]))
         if "problems" in params:
             del params["problems"][self._random.randint(1, len(params["problems"])) :]
         for problem in params.get("problems", [params]):

@@ -6,6 +6,7 @@ import copy
 import json
 import random
 import struct
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -17,6 +18,8 @@ ODD_VALUES: list[Any] = [
 ]  # fmt: skip
 ODD_FRAMES = [b"", b"\0", b"x" * 7, struct.pack("<d", float("nan")), struct.pack("<d", float("inf")), b"\xff" * 800, bytes(5000)]
 MAX_DEPTH = 8
+#: Damage reaches so many places of a list.
+LONG_LIST = 50
 SESSION_GRID = (3, 2)
 #: What a session is opened with so that steps and states have one to go to.
 SESSION: dict[str, Any] = {
@@ -206,11 +209,14 @@ class Messages:
         return copy.deepcopy(self._random.choice(ODD_VALUES))
 
     def _collect(self, node: Any, places: list[tuple[Any, Any]]) -> None:
-        keys = list(node) if isinstance(node, dict) else range(len(node))
-        for key in keys:
+        for key in list(node) if isinstance(node, dict) else self._some(len(node)):
             places.append((node, key))
             if isinstance(node[key], dict | list):
                 self._collect(node[key], places)
+
+    def _some(self, count: int) -> Iterable[int]:
+        """Places of a list, some of one so long that its numbers would be nearly all places of a message."""
+        return range(count) if count <= LONG_LIST else self._random.sample(range(count), LONG_LIST)
 
     def _damage_frames(self, frames: list[bytes]) -> None:
         choose = self._random
