@@ -68,6 +68,14 @@ class WordsOfGroup {
     }
     /// The next one on this line; null where there is none.
     const Word* next_here() { return at_ == count_ ? nullptr : &reading_.lines.words()[at_++]; }
+    /// Says so where a number follows, of which CONTACT knows nothing: there may be one too many in front of it.
+    void end() const {
+        if (at_ == count_) return;
+        const Word& word = reading_.lines.words()[at_];
+        if (!word.is_quoted && real_in(word.text))
+            reading_.warn("has the number " + geometry::quoted(word.text) + " in column " +
+                          std::to_string(word.column) + " behind the values that are read; it is not read");
+    }
 
    private:
     void warn_of_cut() const {
@@ -96,6 +104,7 @@ void read_optional(Reading& reading, WordsOfGroup& words, std::vector<Item> item
         }
         values[std::string(items[taken].name)] = *value;
     }
+    if (taken == items.size()) words.end();
     if (together && taken > 0 && taken < items.size()) {
         reading.warn("has " + std::string(items[0].name) + " without " + std::string(items[taken].name) +
                      "; both stand there or none counts");
@@ -165,7 +174,10 @@ ByName<ContactValue> read_values(Reading& reading, std::string_view group) {
                                          " should stand" + (word.is_open ? "; a quotation mark is missing" : ""));
         values[name] = std::move(*value);
     }
-    if (brace == group.npos) return values;
+    if (brace == group.npos) {
+        words.end();
+        return values;
+    }
     std::string_view optional = group.substr(brace + 1, group.find('}') - brace - 1);
     const bool together = optional.starts_with('+');
     if (together) optional.remove_prefix(1);
@@ -194,6 +206,7 @@ std::vector<double> read_array(Reading& reading, std::string_view what, std::siz
                 word, "has " + geometry::quoted(word.text) + " where " + which + kind_of(item) + " should stand");
         values.push_back(std::holds_alternative<int>(*value) ? std::get<int>(*value) : std::get<double>(*value));
     }
+    words.end();
     return values;
 }
 

@@ -146,6 +146,16 @@ TEST_CASE("a file without its end, and one with more behind it, are warned of", 
     CHECK_THAT(read_all("% nothing\n\n").errors.at(0), ContainsSubstring("there is no case"));
 }
 
+TEST_CASE("a number too many on a line is warned of by its column", "[contact_files]") {
+    BasicCase text;
+    text.grid = "1\n4 3 7.5 -1. -.75 .5 .5  MX, MY, XL, YL, DX, DY\n";
+    const ContactCase one = read_all(text.text()).cases.at(0);
+    CHECK(one.errors.empty());
+    CHECK_THAT(one.warnings.at(0), ContainsSubstring("has the number \".5\" in column 21 behind the values"));
+    text.grid = "1\n4 3 -1. -.75 .5 .5 (6 values) % 5 6\n";
+    CHECK(read_all(text.text()).cases.at(0).warnings.empty());
+}
+
 TEST_CASE("values beyond the end of a line are warned of", "[contact_files]") {
     BasicCase text;
     std::string row;
