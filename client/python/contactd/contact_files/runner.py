@@ -21,6 +21,7 @@ from .problems.basic import BasicContact, ReadsCoefficients, State, goes_on
 from .problems.features import Missing, missing
 from .problems.mistakes import mistakes
 from .problems.rails import Profiles, RailContact
+from .problems.refusals import in_words_of
 
 if TYPE_CHECKING:
     from ..client import Client
@@ -134,7 +135,7 @@ class Runner:
         except Missing as error:
             return Outcome(case, "refused", f"contactd does not have: {error}.")
         except InvalidArgument as error:
-            return Outcome(case, "refused", str(error))
+            return Outcome(case, "refused", in_words_of(case, error))
         except (StatusError, TimeoutExpired) as error:
             return Outcome(case, "failed", str(error))
         except TableFileError as error:

@@ -8,7 +8,9 @@ import pytest
 
 from contactd.contact_files.problems.basic import BasicContact, goes_on
 from contactd.contact_files.problems.mistakes import mistakes
+from contactd.contact_files.problems.refusals import in_words_of
 from contactd.contact_files.runner import chains_of, checked
+from contactd.errors import InvalidArgument, Violation
 from support.contact_cases import basic_case, rail_case
 
 
@@ -22,6 +24,8 @@ from support.contact_cases import basic_case, rail_case
         ({"SCALE": 0.0}, "SCALE is 0"),
         ({"M": 4, "GG3": 1000.0, "LAYTHK": -0.1}, "LAYTHK is -0.1; it must be zero or positive"),
         ({"GG1": 0.0}, "GG1 is 0; it must be positive"),
+        ({"POISS1": 0.6, "POISS2": 0.2}, "POISS1 is 0.6; it must be from 0 to 0.5"),
+        ({"EPS": 0.0}, "EPS is 0; it must be positive"),
         ({"IPOTCN": -1, "A1": 0.001, "B1": 0.0}, "B1 is 0"),
         ({"IPOTCN": -1, "A1": 1e-12, "B1": 1e12}, "A1/B1 is 1e-24"),
         ({"IPOTCN": -2, "A1": 0.001, "AOB": 1e7}, "AOB is 1e\\+07"),
@@ -34,6 +38,16 @@ def test_values_that_are_none_are_told_by_name(changes: dict[str, object], sente
     (outcome,) = checked([basic_case(**changes)])
     assert outcome.status == "wrong"
     assert re.search(sentence, outcome.sentence)
+
+
+def test_a_refusal_has_the_names_of_the_file() -> None:
+    error = InvalidArgument(
+        "", violations=[Violation("setup.track.gauge", "is 0.0; it must be positive"), Violation("setup.wheel.file.unit", "is 0.0")]
+    )
+    assert in_words_of(rail_case(), error) == (
+        "GAUGWD (setup.track.gauge) is 0.0; it must be positive; WFNAME, MIRRORY, SCALE, SMOOTH (setup.wheel.file.unit) is 0.0."
+    )
+    assert in_words_of(basic_case(), InvalidArgument("the whole is wrong")).startswith("the whole is wrong")
 
 
 def test_cases_that_can_be_have_none() -> None:

@@ -22,7 +22,12 @@ _OF_ELEMENTS = (("GAP", "the undeformed distance (IBASE = 9)"), ("SLIP_X", "the 
 
 def mistakes(case: Case) -> list[str]:
     """Sentences, without full stops, of a case that was read without errors."""
-    found = _out_of_range(case, ("GG1", "GG2"))
+    found = _out_of_range(case, ("GG1", "GG2", "EPS"))
+    found += [
+        f"{name} is {case.values[name]:g}; it must be from 0 to 0.5"
+        for name in ("POISS1", "POISS2")
+        if not 0 <= case.values[name] <= 0.5
+    ]
     if case.digits["M"] == _LAYERED:
         found += _out_of_range(case, ("GG3",))
         if not 0 <= case.values["LAYTHK"] <= _LARGEST:  # 0 is a layer that yields only

@@ -1,0 +1,49 @@
+"""Refusals of a set-up in the words of the file that it was made from."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from ...errors import InvalidArgument
+    from ...values.contact_files import ContactCase as Case
+
+__all__ = ["in_words_of"]
+
+_BOTH = {
+    "bodies.upper.nu": "POISS1", "bodies.lower.nu": "POISS2", "bodies.upper.G": "GG1", "bodies.lower.G": "GG2",
+    "friction.mu": "FSTAT, FKIN",
+}  # fmt: skip
+_ON_RAILS = {
+    "dx": "DX", "dy": "DS", "dq": "DQREL", "patches.angle_separate": "A_SEP", "patches.distance_separate": "D_SEP",
+    "patches.distance_combine": "D_COMB", "patches.distance_turn": "D_TURN", "track.gauge": "GAUGWD", "track.gauge_height": "GAUGHT",
+    "track.cant": "CANT", "track.roller_radius": "NOMRADR", "track.springs.y": "KYRAIL", "track.springs.z": "KZRAIL",
+    "wheelset.nominal_radius": "NOMRADW", "wheelset.flange_back_distance": "FBDIST", "wheelset.flange_back_position": "FBPOS",
+    "rail.file": "RFNAME, MIRRORY, SCALE, SMOOTH", "wheel.file": "WFNAME, MIRRORY, SCALE, SMOOTH",
+    "rail_slices": "RFNAME", "wheel_slices": "WFNAME", "Fz": "FZ", "position.x": "S", "position.y": "Y", "position.z": "Z",
+    "position.roll": "ROLL", "position.yaw": "YAW", "position.pitch": "PITCH", "velocity.x": "VS", "velocity.y": "VY",
+    "velocity.z": "VZ", "velocity.roll": "VROLL", "velocity.yaw": "VYAW", "velocity.pitch": "VPITCH",
+    "rail_deviation.y": "DYRAIL", "rail_deviation.z": "DZRAIL", "rail_deviation.roll": "DROLLR",
+}  # fmt: skip
+_ALONE = {
+    "grid.nx": "MX", "grid.ny": "MY", "grid.dx": "DX", "grid.dy": "DY", "Fn": "FN", "approach": "PEN",
+    "friction.rolling.chi": "CHI", "friction.rolling.dq": "DQ", "friction.rolling.velocity": "VELOC", "friction.rolling.xi": "CKSI",
+    "friction.rolling.eta": "CETA", "friction.rolling.phi": "CPHI",
+}  # fmt: skip
+
+
+def in_words_of(case: Case, error: InvalidArgument) -> str:
+    """The sentence of an outcome: each field by its name in the file, too, where it has one."""
+    names = {**_BOTH, **(_ON_RAILS if case.module == 1 else _ALONE)}
+    sentences = []
+    for violation in error.violations:
+        field = violation.field.removeprefix("setup.").removeprefix("state.")
+        name = next((names[start] for start in _starts_of(field) if start in names), "")
+        sentences.append(f"{name} ({violation.field}) {violation.description}" if name else f"{violation.field} {violation.description}")
+    return "; ".join(sentences) + "." if sentences else str(error)
+
+
+def _starts_of(field: str) -> list[str]:
+    """The path itself, that of what it is a part of, and so on."""
+    parts = field.split(".")
+    return [".".join(parts[:count]) for count in range(len(parts), 0, -1)]
