@@ -87,12 +87,13 @@ def run(
     printed = None if compare is None else printed_cases(read_printed(compare))
     if printed is not None and not printed:
         raise click.UsageError(f"--compare {compare}: no case is printed there; it must be an .out file of CONTACT.")
-    options = {"wheel": wheel}
     with connected(workers=workers, local_unless_named=True) as client:
         read_file = _read(file, client)
         cases = read_file.cases
         chains = chains_of(cases)
-        runner = Runner(client, ProfileFiles(file.parent, client), surface)
+        profiles = ProfileFiles(file.parent, client)
+        options = {"wheel": wheel, "files": profiles.digests(cases)}
+        runner = Runner(client, profiles, surface)
         rows = _computed(runner, chains, options, Path(f"{place}.rows"), workers, fresh, CaseFiles(place))
     ordered = [rows[id(case)] for case in cases]
     write_text(place, out_text(row["answers"]["lines"] for row in ordered))

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from threading import Lock
 from typing import TYPE_CHECKING, Any
@@ -14,6 +15,7 @@ import numpy as np
 from ..errors import InvalidArgument
 from ..files.case_text import text_of
 from ..files.profile_text import read_profile_text
+from ..files.whole import read_whole
 from ..values.profile_shapes import KinkRule, Profile, ProfileFile
 from ..values.tables import TableIcs
 from ..values.wheel_rail.setup import Track, WheelRailSetup
@@ -30,6 +32,9 @@ __all__ = ["ProfileFiles"]
 _DRIVE = re.compile(r"[A-Za-z]:")
 _LISTS = (".slcs", ".slcw")
 _SIMPACK = (".prr", ".prw")
+_NAMES = ("RFNAME", "WFNAME", "CFNAME")
+_QUOTED = re.compile(rb"'([^'\n]+)'")
+_MOST_BYTES = 1 << 29
 _LENGTHS = re.compile(rb"^\s*units\.len\.f\s*=\s*([-+.\deE]+)", re.MULTILINE)
 _MIRRORED = re.compile(rb"^\s*mirror\.y\s*=\s*\+?1(?:\.0*)?\s*(?:[!%].*)?$", re.MULTILINE)
 _ORIENTED = (*_SIMPACK, ".ban", ".whl")  #: whose formats say which way z points
@@ -64,6 +69,22 @@ class ProfileFiles:
         """The influence coefficients that a case names (C = 9). Raises OSError where they cannot be read, and TableFileError
         where they are none."""
         return TableIcs.from_contact_text(self.place(str(case.values["CFNAME"])), modulus)
+
+    def digests(self, cases: Iterable[Case]) -> dict[str, str]:
+        """What the files have in them that cases name, those of slices too: a digest each, none of one that cannot be read."""
+        named = {self.place(str(case.values[name])) for case in cases for name in _NAMES if name in case.values}
+        found: dict[str, str] = {}
+        while named:
+            path = named.pop()
+            try:
+                content = read_whole(path, _MOST_BYTES)
+            except OSError:
+                content = b""
+            found[os.fspath(path)] = hashlib.sha256(content).hexdigest() if content else ""
+            if path.suffix.lower() in _LISTS:
+                profiles = (name.decode("latin-1").replace("\\", "/") for name in _QUOTED.findall(content))
+                named |= {path.parent / name for name in profiles} - {Path(known) for known in found}
+        return found
 
     def _profile(self, path: Path, options: Mapping[str, Any], which: str) -> ProfileFile:
         profile = _profile(path, options)

@@ -1,11 +1,15 @@
 """contact: cases of input files of the CONTACT program, checked, computed, compared and converted."""
 
 import signal
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from contactctl.cases.rows import keys_of
 from contactctl.codes import Code
+from contactd.contact_files.profile_files import ProfileFiles
+from support.contact_cases import rail_case
 
 FIRST = """\
  3  MODULE
@@ -148,6 +152,19 @@ def test_a_run_that_was_killed_goes_on(ctl):
     assert ended.code == Code.DONE
     assert f"{kept} of 61 cases are in many.out.rows." in ended.err
     assert not rows.exists()
+
+
+def test_rows_of_other_files_are_not_taken_up(tmp_path):
+    (tmp_path / "list.slcs").write_text("'a.prr'\n'../b.prr'\n'list.slcs'\n")
+    (tmp_path / "a.prr").write_text("first")
+    files = ProfileFiles(tmp_path, None)
+    cases = [rail_case(RFNAME="list.slcs", WFNAME="nothere.prw")]
+    before = files.digests(cases)
+    (tmp_path / "a.prr").write_text("second")
+    after = files.digests(cases)
+    assert {Path(name).name for name in after if after[name] != before[name]} == {"a.prr"}
+    assert {Path(name).name for name in after} == {"list.slcs", "a.prr", "b.prr", "nothere.prw"}
+    assert keys_of(cases, {"files": before}) != keys_of(cases, {"files": after})
 
 
 def test_the_number_of_workers_changes_no_answer(ctl):
