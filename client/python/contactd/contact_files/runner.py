@@ -17,7 +17,7 @@ from ..values.wheel_rail.setup import WheelSurface
 from .answers.basic_results import BasicResult
 from .answers.rail_results import RailResult
 from .answers.subsurface import Body, Stresses
-from .problems.basic import BasicContact, ReadsCoefficients, State, goes_on
+from .problems.basic import BasicContact, ReadCoefficients, State, goes_on
 from .problems.features import Missing, missing
 from .problems.mistakes import mistakes
 from .problems.rails import Profiles, RailContact
@@ -95,7 +95,7 @@ class Runner:
     def __init__(self, client: Client, profiles: Profiles, wheel_surface: WheelSurface = "exact") -> None:
         self._client = client
         self._profiles, self._wheel_surface = profiles, wheel_surface
-        self._coefficients = profiles.coefficients if isinstance(profiles, ReadsCoefficients) else None
+        self._coefficients: ReadCoefficients | None = getattr(profiles, "coefficients", None)
 
     def run(self, chain: Iterable[Case]) -> Iterator[Outcome]:
         """The outcomes of cases that go on from each other.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -28,21 +28,11 @@ from .models import models_of, without_memory
 if TYPE_CHECKING:
     from ...values.contact_files import ContactCase as Case
 
-__all__ = ["BasicContact", "ReadsCoefficients", "State", "goes_on"]
+__all__ = ["BasicContact", "ReadCoefficients", "State", "goes_on"]
 
 NormalForce = Callable[[ContactProblem], float]
-#: The table that a case names, with the combined modulus of its bodies (N/mm^2), by which the file's values are over it.
-Coefficients = Callable[["Case", float], TableIcs]
-
-
-@runtime_checkable
-class ReadsCoefficients(Protocol):
-    """What reads the files that cases name."""
-
-    def coefficients(self, case: Case, modulus: float) -> TableIcs:
-        """The table that a case names, as Coefficients."""
-        ...
-
+#: Reads the table that a case names, with the combined modulus of its bodies (N/mm^2), by which the file's values are over it.
+ReadCoefficients = Callable[["Case", float], TableIcs]
 
 _BILINEAR, _OF_FILE = 3, 9  #: C
 _NONE, _SHIFT, _TRANSIENT, _STEADY = range(4)
@@ -94,7 +84,7 @@ class BasicContact:
 
     @classmethod
     def of(
-        cls, case: Case, normal_force: NormalForce, before: State | None = None, coefficients: Coefficients | None = None
+        cls, case: Case, normal_force: NormalForce, before: State | None = None, coefficients: ReadCoefficients | None = None
     ) -> BasicContact:
         """`normal_force` solves a problem without friction; `before` is the state at the start of a step that goes on;
         `coefficients` reads those of a file.
@@ -128,7 +118,7 @@ class BasicContact:
         return cls(case, area, pair, unit, chi, dq, ics, problem)
 
 
-def _ics(case: Case, grid: Grid, pair: Pair, coefficients: Coefficients | None) -> AnalyticIcs | TableIcs:
+def _ics(case: Case, grid: Grid, pair: Pair, coefficients: ReadCoefficients | None) -> AnalyticIcs | TableIcs:
     kind = case.values["INFLCF"]
     if kind != _OF_FILE:
         return AnalyticIcs(load_shape="bilinear") if kind == _BILINEAR else AnalyticIcs()
