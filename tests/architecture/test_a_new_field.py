@@ -28,7 +28,7 @@ PROGRAM = """
 #include "contactd/field_path.hpp"
 #include "contactd/fields/wheel_rail_setup.hpp"
 #include "contactd/fields/wheel_rail_solution.hpp"
-#include "field_codec.hpp"
+#include "contactd/proto/field_codec.hpp"
 
 using namespace contactd;
 
@@ -190,7 +190,7 @@ def test_a_new_field_follows_from_its_struct_and_its_schema(tree: Path) -> None:
     (tree / "probe.cpp").write_text(PROGRAM)
     sources = ["probe.cpp", "proto/src/codec/field_codec.cpp", "core/types/field_path.cpp", "core/types/fields.cpp"]
     sources += [str(path.relative_to(tree)) for path in (tree / "core" / "types" / "fields").glob("*.cpp")]
-    include = [f"-I{folder}" for folder in ("core/include", "core/types", "proto/include", "proto/src/codec")]
+    include = [f"-I{folder}" for folder in ("core/include", "core/types", "proto/include")]
     # One by one, so that ccache has them from the last time.
     compiler = ["ccache", "c++"] if shutil.which("ccache") else ["c++"]
     environment = {**os.environ, "CCACHE_BASEDIR": str(tree), "CCACHE_NOHASHDIR": "1"}

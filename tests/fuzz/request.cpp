@@ -1,7 +1,10 @@
 // A request as the daemon reads it, up to the problem to be solved: it is read, or refused with a status in words.
 #include "contactd/contact.hpp"
 #include "contactd/error.hpp"
+#include "contactd/fields/conicity.hpp"
+#include "contactd/fields/wheel_rail_state.hpp"
 #include "contactd/proto/codec.hpp"
+#include "contactd/proto/field_codec.hpp"
 #include "contactd/proto/schema.hpp"
 #include "contactd/proto/wheel_rail.hpp"
 #include "input.hpp"
@@ -49,12 +52,12 @@ void decode(const Request& request) {
         decode_temperature_request(params, request.frames);
     } else if (request.method == "wheelrail.wheelset") {
         decode_wheelset_setup(params, request.frames);
-        decode_wheelset_state(params["state"]);
+        read_value<WheelsetState>(params["state"], "state");
     } else if (request.method.starts_with("wheelrail.")) {
         decode_wheelset_setup(params, request.frames);
-        if (params.contains("state")) decode_wheel_rail_state(params["state"]);
-        if (params.contains("conicity")) decode_conicity(params["conicity"]);
-        if (params.contains("contacts")) decode_contacts_request(params["contacts"]);
+        if (params.contains("state")) read_value<WheelRailState>(params["state"], "state");
+        if (params.contains("conicity")) read_value<ConicityRequest>(params["conicity"], "conicity");
+        if (params.contains("contacts")) read_value<ContactsRequest>(params["contacts"], "contacts");
     }
 }
 

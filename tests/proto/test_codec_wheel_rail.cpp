@@ -7,6 +7,9 @@
 #include <limits>
 
 #include "contactd/error.hpp"
+#include "contactd/fields/conicity.hpp"
+#include "contactd/fields/wheel_rail_state.hpp"
+#include "contactd/proto/field_codec.hpp"
 #include "contactd/proto/schema.hpp"
 #include "contactd/proto/wheel_rail.hpp"
 #include "wire.hpp"
@@ -134,7 +137,7 @@ TEST_CASE("A wheel on a rail arrives as it was sent", "[codec]") {
     CHECK_NOTHROW(check_frames_used(params, frames));
 
     CHECK(decode_wheel_rail_setup(params, frames) == setup);
-    CHECK(decode_wheel_rail_state(params["state"]) == state);
+    CHECK(read_value<WheelRailState>(params["state"], "state") == state);
     CHECK(decode_patch_fields(params).solution == fields.solution);
     CHECK(decode_patch_fields(params).gap);
 }
@@ -159,7 +162,7 @@ TEST_CASE("A wheelset arrives as it was sent", "[codec]") {
     CHECK_NOTHROW(check_params("wheelrail.wheelset", params));
     CHECK_NOTHROW(check_frames_used(params, frames));
     CHECK(decode_wheelset_setup(params, frames) == setup);
-    CHECK(decode_wheelset_state(params["state"]) == state);
+    CHECK(read_value<WheelsetState>(params["state"], "state") == state);
     CHECK(decode_patch_fields(params).gap);
 }
 
@@ -225,8 +228,8 @@ TEST_CASE("The states of a search arrive as they were sent", "[codec]") {
     const json params = sent(encode_geometry_request(unusual_setup(), states, arrays));
     CHECK_NOTHROW(check_params("wheelrail.geometry", params));
     REQUIRE(params["states"].size() == 2);
-    CHECK(decode_wheel_rail_state(params["states"][0]) == states[0]);
-    CHECK(decode_wheel_rail_state(params["states"][1]) == states[1]);
+    CHECK(read_value<WheelRailState>(params["states"][0], "state") == states[0]);
+    CHECK(read_value<WheelRailState>(params["states"][1], "state") == states[1]);
 }
 
 TEST_CASE("The solution of a wheel on a rail comes back exactly", "[codec]") {
@@ -322,8 +325,8 @@ TEST_CASE("Conicities are asked for and come back", "[codec]") {
     ArrayWriter arrays(ArrayEncoding::frame);
     const json params = sent(encode_conicity_request({unusual_setup()}, expected, arrays));
     CHECK_NOTHROW(check_params("wheelrail.geometry", params));
-    CHECK(decode_conicity(params["conicity"]) == expected);
-    CHECK(decode_conicity({{"amplitudes", {3}}}) == ConicityRequest{{3}});
+    CHECK(read_value<ConicityRequest>(params["conicity"], "conicity") == expected);
+    CHECK(read_value<ConicityRequest>({{"amplitudes", {3}}}, "conicity") == ConicityRequest{{3}});
 
     const double none = std::numeric_limits<double>::quiet_NaN();
     const std::vector<EquivalentConicity> conicities{{1, 0.2, 0.21, 30e3}, {2, none, 0.3, infinite}};
@@ -415,8 +418,8 @@ TEST_CASE("Contacts of a wheelset are asked for and come back exactly", "[codec]
     const json params = sent(encode_contacts_request(setup, expected, asked));
     CHECK_NOTHROW(check_params("wheelrail.geometry", params));
     CHECK(decode_wheelset_setup(params, asked.take_frames()) == setup);
-    CHECK(decode_contacts_request(params["contacts"]) == expected);
-    CHECK(decode_contacts_request({{"shifts", {3}}}) == ContactsRequest{{3}});
+    CHECK(read_value<ContactsRequest>(params["contacts"], "contacts") == expected);
+    CHECK(read_value<ContactsRequest>({{"shifts", {3}}}, "contacts") == ContactsRequest{{3}});
 
     const std::vector<WheelsetContacts> contacts{
         {1, -0.1, {-750, 0.1, 0.02, 459, 0.2, 1, -1, true}, {751, 0.3, -0.05, 461.5, 0.4, 2, -2, false}}};

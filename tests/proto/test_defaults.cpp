@@ -4,7 +4,10 @@
 
 #include <string>
 
+#include "contactd/fields/conicity.hpp"
+#include "contactd/fields/wheel_rail_state.hpp"
 #include "contactd/proto/codec.hpp"
+#include "contactd/proto/field_codec.hpp"
 #include "contactd/proto/schema.hpp"
 #include "contactd/proto/session.hpp"
 #include "contactd/proto/wheel_rail.hpp"
@@ -59,8 +62,8 @@ TEST_CASE("A wheel on its rail starts with the defaults of its schema", "[defaul
     CHECK(decode_wheel_rail_setup(all, {}) == WheelRailSetup{});
     CHECK(decode_wheel_rail_setup(nothing, {}) == WheelRailSetup{});
     CHECK(decode_wheel_rail_setup(json::object(), {}) == WheelRailSetup{});
-    CHECK(decode_wheel_rail_state(all["state"]) == WheelRailState{});
-    CHECK(decode_wheel_rail_state(json::object()) == WheelRailState{});
+    CHECK(read_value<WheelRailState>(all["state"], "state") == WheelRailState{});
+    CHECK(read_value<WheelRailState>(json::object(), "state") == WheelRailState{});
     CHECK(decode_patch_fields(all).gap == PatchFields{}.gap);
 }
 
@@ -92,8 +95,8 @@ TEST_CASE("A wheelset starts with the defaults of its schema", "[defaults]") {
     CHECK(decode_wheelset_setup(all, {}) == setup);
     WheelsetState state;
     state.Fz_left = state.Fz_right = 1;
-    CHECK(decode_wheelset_state(nothing["state"]) == state);
-    CHECK(decode_wheelset_state(all["state"]) == state);
+    CHECK(read_value<WheelsetState>(nothing["state"], "state") == state);
+    CHECK(read_value<WheelsetState>(all["state"], "state") == state);
 }
 
 TEST_CASE("A contact starts with the defaults of its schema", "[defaults]") {
@@ -141,7 +144,9 @@ TEST_CASE("Sessions, stresses and conicities start with the defaults of their sc
 
     const json conicity{{"amplitudes", {3}}}, contacts{{"shifts", {0}}};
     const json& geometry = schema("wheelrail.geometry.params")["properties"];
-    CHECK(decode_conicity(filled(geometry["conicity"], conicity)) == decode_conicity(conicity));
-    CHECK(decode_conicity(conicity).settings == ConicityRequest{}.settings);
-    CHECK(decode_contacts_request(filled(geometry["contacts"], contacts)).roll == ContactsRequest{}.roll);
+    CHECK(read_value<ConicityRequest>(filled(geometry["conicity"], conicity), "conicity") ==
+          read_value<ConicityRequest>(conicity, "conicity"));
+    CHECK(read_value<ConicityRequest>(conicity, "conicity").settings == ConicityRequest{}.settings);
+    CHECK(read_value<ContactsRequest>(filled(geometry["contacts"], contacts), "contacts").roll ==
+          ContactsRequest{}.roll);
 }

@@ -4,7 +4,6 @@
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/generators/catch_generators_range.hpp>
 
-#include "codec/field_codec.hpp"
 #include "contactd/error.hpp"
 #include "contactd/fields/conicity.hpp"
 #include "contactd/fields/contact_setup.hpp"
@@ -19,6 +18,7 @@
 #include "contactd/fields/wheel_rail_setup.hpp"
 #include "contactd/fields/wheel_rail_solution.hpp"
 #include "contactd/fields/wheel_rail_state.hpp"
+#include "contactd/proto/field_codec.hpp"
 #include "contactd/proto/schema.hpp"
 #include "support/random_fields.hpp"
 

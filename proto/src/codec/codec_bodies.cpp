@@ -3,9 +3,9 @@
 #include "codec_section.hpp"
 #include "contactd/fields/body.hpp"
 #include "contactd/fields/ic_spec.hpp"
+#include "contactd/proto/field_codec.hpp"
 #include "contactd/proto/object.hpp"
 #include "contactd/proto/status.hpp"
-#include "field_codec.hpp"
 
 namespace contactd::proto {
 namespace {

@@ -3,25 +3,13 @@
 #include <limits>
 
 #include "contactd/fields/conicity.hpp"
+#include "contactd/proto/field_codec.hpp"
 #include "contactd/proto/object.hpp"
 #include "contactd/proto/wheel_rail.hpp"
-#include "field_codec.hpp"
 
 namespace contactd::proto {
 
 using nlohmann::json;
-
-ConicityRequest decode_conicity(const json& source) {
-    ConicityRequest requested;
-    read_fields(source, requested, MemberPath("conicity"));
-    return requested;
-}
-
-ContactsRequest decode_contacts_request(const json& source) {
-    ContactsRequest requested;
-    read_fields(source, requested, MemberPath("contacts"));
-    return requested;
-}
 
 // A number that is not finite is left out: why follows from what is there.
 json encode_conicities(std::span<const EquivalentConicity> conicities) {

@@ -3,7 +3,7 @@
 #include "contactd/error.hpp"
 #include "contactd/fields/contact.hpp"
 #include "contactd/proto/codec.hpp"
-#include "field_codec.hpp"
+#include "contactd/proto/field_codec.hpp"
 
 namespace contactd::proto {
 

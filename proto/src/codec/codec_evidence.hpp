@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contactd/ic_table.hpp"
-#include "field_codec.hpp"
+#include "contactd/proto/field_codec.hpp"
 
 namespace contactd::proto {
 

@@ -2,9 +2,9 @@
 #include "codec_parts.hpp"
 #include "contactd/fields/ic_reply.hpp"
 #include "contactd/proto/codec.hpp"
+#include "contactd/proto/field_codec.hpp"
 #include "contactd/proto/import_codec.hpp"
 #include "contactd/proto/status.hpp"
-#include "field_codec.hpp"
 
 namespace contactd::proto {
 namespace {

@@ -4,7 +4,7 @@
 #include "codec_parts.hpp"
 #include "contactd/fields/contact.hpp"
 #include "contactd/proto/codec.hpp"
-#include "field_codec.hpp"
+#include "contactd/proto/field_codec.hpp"
 
 namespace contactd::proto {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "codec_parts.hpp"
 #include "contactd/fields/session.hpp"
-#include "field_codec.hpp"
+#include "contactd/proto/field_codec.hpp"
 
 namespace contactd::proto {
 

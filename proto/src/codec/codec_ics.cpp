@@ -5,8 +5,8 @@
 #include "codec_parts.hpp"
 #include "codec_section.hpp"
 #include "contactd/fields/ic_spec.hpp"
+#include "contactd/proto/field_codec.hpp"
 #include "contactd/proto/status.hpp"
-#include "field_codec.hpp"
 
 namespace contactd::proto {
 namespace {

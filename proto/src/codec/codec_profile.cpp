@@ -5,7 +5,7 @@
 
 #include "codec_parts.hpp"
 #include "contactd/fields/profile_spec.hpp"
-#include "field_codec.hpp"
+#include "contactd/proto/field_codec.hpp"
 
 namespace contactd::proto {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "codec_parts.hpp"
 #include "contactd/fields/session.hpp"
+#include "contactd/proto/field_codec.hpp"
 #include "contactd/proto/status.hpp"
-#include "field_codec.hpp"
 
 namespace contactd::proto {
 namespace {

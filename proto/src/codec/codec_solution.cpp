@@ -4,9 +4,9 @@
 #include "contactd/fields/ic_reply.hpp"
 #include "contactd/fields/solve_reply.hpp"
 #include "contactd/proto/codec.hpp"
+#include "contactd/proto/field_codec.hpp"
 #include "contactd/proto/object.hpp"
 #include "contactd/proto/status.hpp"
-#include "field_codec.hpp"
 
 namespace contactd::proto {
 namespace {

@@ -6,7 +6,7 @@
 #include "codec_section.hpp"
 #include "contactd/fields/subsurface_stress.hpp"
 #include "contactd/proto/codec.hpp"
-#include "field_codec.hpp"
+#include "contactd/proto/field_codec.hpp"
 
 namespace contactd::proto {
 namespace {

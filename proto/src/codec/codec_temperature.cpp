@@ -2,8 +2,8 @@
 #include "codec_parts.hpp"
 #include "contactd/fields/temperature.hpp"
 #include "contactd/proto/codec.hpp"
+#include "contactd/proto/field_codec.hpp"
 #include "contactd/proto/object.hpp"
-#include "field_codec.hpp"
 
 namespace contactd::proto {
 namespace {

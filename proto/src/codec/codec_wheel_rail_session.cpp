@@ -2,7 +2,9 @@
 #include <utility>
 
 #include "codec_parts.hpp"
+#include "contactd/fields/wheel_rail_state.hpp"
 #include "contactd/proto/codec.hpp"
+#include "contactd/proto/field_codec.hpp"
 #include "contactd/proto/object.hpp"
 #include "contactd/proto/session.hpp"
 #include "contactd/proto/status.hpp"
@@ -45,7 +47,7 @@ WheelRailSessionSpec decode_wheel_rail_session_spec(const json& params, const Fr
 }
 
 json encode_step(const std::string& session, long long step, const WheelRailStepInput& input) {
-    json inputs = object({{"state", encode_wheel_rail_state(input.state)}});
+    json inputs = object({{"state", write_fields(input.state, MemberPath("state"))}});
     if (input.friction) inputs["friction"] = encode_wheel_rail_friction(*input.friction);
     if (input.gap) inputs["gap"] = true;
     if (!input.patches) inputs["patches"] = false;
@@ -58,7 +60,7 @@ json encode_step(const std::string& session, long long step, const WheelRailStep
 WheelRailStepInput decode_wheel_rail_step(const json& params) {
     const json& inputs = params["wheelrail"];
     WheelRailStepInput input;
-    input.state = decode_wheel_rail_state(inputs["state"]);
+    input.state = read_value<WheelRailState>(inputs["state"], "state");
     if (inputs.contains("friction")) input.friction = decode_wheel_rail_friction(inputs["friction"]);
     input.again = params.value("again", false);
     input.fields = decode_fields(params, {});

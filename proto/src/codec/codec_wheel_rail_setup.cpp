@@ -4,9 +4,10 @@
 #include "codec_parts.hpp"
 #include "contactd/fields/conicity.hpp"
 #include "contactd/fields/wheel_rail_setup.hpp"
+#include "contactd/fields/wheel_rail_state.hpp"
+#include "contactd/proto/field_codec.hpp"
 #include "contactd/proto/object.hpp"
 #include "contactd/proto/wheel_rail.hpp"
-#include "field_codec.hpp"
 
 namespace contactd::proto {
 namespace {
@@ -52,7 +53,7 @@ WheelRailFriction decode_wheel_rail_friction(const json& source) {
 
 json encode_wheel_rail_request(const WheelRailSetup& setup, const WheelRailState& state, const PatchFields& fields,
                                ArrayWriter& arrays) {
-    json params = object({{"setup", encode_setup(setup, arrays)}, {"state", encode_wheel_rail_state(state)}});
+    json params = object({{"setup", encode_setup(setup, arrays)}, {"state", write_fields(state, MemberPath("state"))}});
     add_fields(fields, params);
     return params;
 }
@@ -60,14 +61,14 @@ json encode_wheel_rail_request(const WheelRailSetup& setup, const WheelRailState
 json encode_wheelset_request(const WheelsetSetup& setup, const WheelsetState& state, const PatchFields& fields,
                              ArrayWriter& arrays) {
     json params = encode_setups(setup, arrays);
-    params["state"] = encode_wheelset_state(state);
+    params["state"] = write_fields(state, MemberPath("state"));
     add_fields(fields, params);
     return params;
 }
 
 json encode_geometry_request(const WheelRailSetup& setup, std::span<const WheelRailState> states, ArrayWriter& arrays) {
     json params = object({{"setup", encode_setup(setup, arrays)}, {"states", json::array()}});
-    for (const WheelRailState& state : states) params["states"].push_back(encode_wheel_rail_state(state));
+    for (const WheelRailState& state : states) params["states"].push_back(write_fields(state, MemberPath("state")));
     return params;
 }
 

@@ -4,10 +4,10 @@
 
 #include "codec_parts.hpp"
 #include "contactd/fields/wheel_rail_solution.hpp"
+#include "contactd/proto/field_codec.hpp"
 #include "contactd/proto/object.hpp"
 #include "contactd/proto/status.hpp"
 #include "contactd/proto/wheel_rail.hpp"
-#include "field_codec.hpp"
 
 namespace contactd::proto {
 namespace {

@@ -1,4 +1,4 @@
-#include "field_codec.hpp"
+#include "contactd/proto/field_codec.hpp"
 
 #include <algorithm>
 #include <utility>

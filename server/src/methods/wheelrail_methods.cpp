@@ -6,6 +6,9 @@
 
 #include "all_methods.hpp"
 #include "contactd/error.hpp"
+#include "contactd/fields/conicity.hpp"
+#include "contactd/fields/wheel_rail_state.hpp"
+#include "contactd/proto/field_codec.hpp"
 #include "contactd/proto/wheel_rail.hpp"
 #include "engine/wheel_rail/wheelset_conicity.hpp"
 #include "jobs/job_reports.hpp"
@@ -56,7 +59,7 @@ WheelsetSetup wheelset_setup_of(const CallPtr& call) {
 void solve_wheel(const CallPtr& call, const DaemonParts& parts) {
     const nlohmann::json& params = call->request.params;
     const WheelRailSetup setup = setup_of(call);
-    const WheelRailState state = proto::decode_wheel_rail_state(params.at("state"));
+    const WheelRailState state = proto::read_value<WheelRailState>(params.at("state"), "state");
     ++parts.counters.solves;
     WorkOnCall work(call, parts);
     const auto begun = RecentSolves::Clock::now();
@@ -71,7 +74,7 @@ void solve_wheel(const CallPtr& call, const DaemonParts& parts) {
 void solve_wheelset(const CallPtr& call, const DaemonParts& parts) {
     const proto::Request& request = call->request;
     const WheelsetSetup setup = wheelset_setup_of(call);
-    const WheelsetState state = proto::decode_wheelset_state(request.params.at("state"));
+    const WheelsetState state = proto::read_value<WheelsetState>(request.params.at("state"), "state");
     ++parts.counters.solves;
     WorkOnCall work(call, parts);
     const auto begun = RecentSolves::Clock::now();
@@ -105,17 +108,17 @@ void locate(const CallPtr& call, const DaemonParts& parts) {
                               "ask for contacts, conicity or profiles");
     std::vector<WheelRailState> states;
     for (const nlohmann::json& state : params.value("states", nlohmann::json::array()))
-        states.push_back(proto::decode_wheel_rail_state(state));
+        states.push_back(proto::read_value<WheelRailState>(state, "state"));
     WorkOnCall work(call, parts);
     proto::ArrayWriter arrays(call->request.arrays);
     nlohmann::json result =
         proto::encode_wheel_rail_geometries(parts.engine.locate(wheelset.setup, states, work.observer()));
     if (params.contains("contacts"))
-        result["contacts"] = proto::encode_contacts(
-            engine::wheelset_contacts(wheelset, proto::decode_contacts_request(params["contacts"]), work.observer()));
+        result["contacts"] = proto::encode_contacts(engine::wheelset_contacts(
+            wheelset, proto::read_value<ContactsRequest>(params["contacts"], "contacts"), work.observer()));
     if (params.contains("conicity"))
-        result["conicities"] = proto::encode_conicities(
-            engine::wheelset_conicities(wheelset, proto::decode_conicity(params["conicity"]), work.observer()));
+        result["conicities"] = proto::encode_conicities(engine::wheelset_conicities(
+            wheelset, proto::read_value<ConicityRequest>(params["conicity"], "conicity"), work.observer()));
     if (params.value("profiles", false))
         result["profiles"] = proto::encode_profiles(engine::placed_profiles(wheelset), arrays);
     work.succeed(result, arrays.take_frames());

@@ -7,6 +7,9 @@
 
 #include "contactd/client/client.hpp"
 #include "contactd/client/session.hpp"
+#include "contactd/fields/conicity.hpp"
+#include "contactd/fields/wheel_rail_state.hpp"
+#include "contactd/proto/field_codec.hpp"
 #include "contactd/proto/session.hpp"
 #include "contactd/proto/wheel_rail.hpp"
 #include "fake_solver.hpp"
@@ -71,7 +74,7 @@ TEST_CASE("A wheel on a rail is asked for and read", "[client]") {
         CHECK(request["method"] == "wheelrail.solve");
         CHECK(proto::decode_wheel_rail_setup(request["params"], frames) == setup);
         WheelRailSolution solution;
-        solution.z = *proto::decode_wheel_rail_state(request["params"]["state"]).Fz;
+        solution.z = *proto::read_value<WheelRailState>(request["params"]["state"], "state").Fz;
         solution.patches = {patch_with(pressures)};
         proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
         const json result = proto::encode_wheel_rail_solution(
@@ -111,7 +114,7 @@ TEST_CASE("A wheelset is asked for and read", "[client]") {
     fake::Daemon daemon([&](const json& request, const Frames& frames) -> std::vector<Frames> {
         CHECK(request["method"] == "wheelrail.wheelset");
         CHECK(proto::decode_wheelset_setup(request["params"], frames) == setup);
-        CHECK(proto::decode_wheelset_state(request["params"]["state"]) == state);
+        CHECK(proto::read_value<WheelsetState>(request["params"]["state"], "state") == state);
         WheelsetSolution solution;
         solution.roll = -0.01;
         solution.right.patches = {patch_with(pressures)};
@@ -173,7 +176,7 @@ TEST_CASE("Geometries are asked for and read", "[client]") {
 TEST_CASE("Conicities are asked for and read", "[client]") {
     const ConicityRequest wanted{{1, 3}, {WheelsetRoll::demanded, 1510, 1e-2}};
     fake::Daemon daemon([&](const json& request, const Frames&) -> std::vector<Frames> {
-        CHECK(proto::decode_conicity(request["params"]["conicity"]) == wanted);
+        CHECK(proto::read_value<ConicityRequest>(request["params"]["conicity"], "conicity") == wanted);
         const std::vector<EquivalentConicity> conicities{{1, 0.2, 0.21, 30e3}};
         return {{fake::reply(request,
                              {{"geometries", json::array()}, {"conicities", proto::encode_conicities(conicities)}})}};

@@ -34,9 +34,6 @@ nlohmann::json encode_wheel_rail_setup(const WheelRailSetup& setup, ArrayWriter&
 WheelRailSetup decode_wheel_rail_setup(const nlohmann::json& params, const Frames& frames);
 nlohmann::json encode_wheel_rail_friction(const WheelRailFriction& friction);
 WheelRailFriction decode_wheel_rail_friction(const nlohmann::json& friction);
-nlohmann::json encode_wheel_rail_state(const WheelRailState& state);
-WheelRailState decode_wheel_rail_state(const nlohmann::json& state);
-nlohmann::json encode_wheelset_state(const WheelsetState& state);
 PatchFields decode_patch_fields(const nlohmann::json& params);
 
 /// Throws Error for numbers that are not finite.
@@ -49,7 +46,6 @@ nlohmann::json encode_wheelset_request(const WheelsetSetup& setup, const Wheelse
                                        const PatchFields& fields, ArrayWriter& arrays);
 /// `setup` and `left` of params that have passed their schema. Throws as decode_wheel_rail_setup.
 WheelsetSetup decode_wheelset_setup(const nlohmann::json& params, const Frames& frames);
-WheelsetState decode_wheelset_state(const nlohmann::json& state);
 nlohmann::json encode_wheelset_solution(const WheelsetSolution& solution, const PatchFields& fields,
                                         ArrayWriter& arrays);
 WheelsetSolution decode_wheelset_solution(const nlohmann::json& result, const Frames& frames);
@@ -65,13 +61,10 @@ nlohmann::json encode_conicity_request(const WheelsetSetup& setup, const Conicit
 nlohmann::json encode_contacts_request(const WheelsetSetup& setup, const ContactsRequest& requested,
                                        ArrayWriter& arrays);
 nlohmann::json encode_profiles_request(const WheelsetSetup& setup, ArrayWriter& arrays);
-/// `conicity` of params that have passed their schema.
-ConicityRequest decode_conicity(const nlohmann::json& conicity);
 /// `conicities` of a result. What is not finite is left out, and not a number on the other side.
 nlohmann::json encode_conicities(std::span<const EquivalentConicity> conicities);
 std::vector<EquivalentConicity> decode_conicities(const nlohmann::json& conicities);
-/// `contacts` of params that have passed their schema, and of a result.
-ContactsRequest decode_contacts_request(const nlohmann::json& contacts);
+/// `contacts` of a result.
 nlohmann::json encode_contacts(std::span<const WheelsetContacts> contacts);
 std::vector<WheelsetContacts> decode_contacts(const nlohmann::json& contacts);
 /// `profiles` of a result.

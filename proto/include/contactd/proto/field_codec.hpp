@@ -75,6 +75,14 @@ void read_fields(const nlohmann::json& source, T& value, const MemberPath& path,
     read_fields(source, type_of<T>(), &value, path, with);
 }
 
+/// The value that `source` holds, with the defaults of its type; `name` is that of its field.
+template <class T>
+T read_value(const nlohmann::json& source, std::string_view name, const Reading& with = {{}}) {
+    T value;
+    read_fields(source, value, MemberPath(name), with);
+    return value;
+}
+
 /// write_fields of what was computed: a number that is not finite is an Error, not a refusal of what was asked.
 template <class T>
 nlohmann::json write_answer(const T& answer, const MemberPath& path) {
