@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
 import re
 from collections.abc import Iterable, Mapping
@@ -15,7 +14,7 @@ import numpy as np
 from ..errors import InvalidArgument
 from ..files.case_text import text_of
 from ..files.profile_text import read_profile_text
-from ..files.whole import read_whole
+from ..files.whole import digest_of
 from ..values.profile_shapes import KinkRule, Profile, ProfileFile
 from ..values.tables import TableIcs
 from ..values.wheel_rail.setup import Track, WheelRailSetup
@@ -33,8 +32,7 @@ _DRIVE = re.compile(r"[A-Za-z]:")
 _LISTS = (".slcs", ".slcw")
 _SIMPACK = (".prr", ".prw")
 _NAMES = ("RFNAME", "WFNAME", "CFNAME")
-_QUOTED = re.compile(rb"'([^'\n]+)'")
-_MOST_BYTES = 1 << 29
+_QUOTED = re.compile(r"'([^'\n]+)'")
 _LENGTHS = re.compile(rb"^\s*units\.len\.f\s*=\s*([-+.\deE]+)", re.MULTILINE)
 _MIRRORED = re.compile(rb"^\s*mirror\.y\s*=\s*\+?1(?:\.0*)?\s*(?:[!%].*)?$", re.MULTILINE)
 _ORIENTED = (*_SIMPACK, ".ban", ".whl")  #: whose formats say which way z points
@@ -71,20 +69,16 @@ class ProfileFiles:
         return TableIcs.from_contact_text(self.place(str(case.values["CFNAME"])), modulus)
 
     def digests(self, cases: Iterable[Case]) -> dict[str, str]:
-        """What the files have in them that cases name, those of slices too: a digest each, none of one that cannot be read."""
+        """What the files have in them that cases name, those of slices too: a digest each, empty of one that cannot be read."""
         named = {self.place(str(case.values[name])) for case in cases for name in _NAMES if name in case.values}
-        found: dict[str, str] = {}
+        found: dict[Path, str] = {}
         while named:
             path = named.pop()
-            try:
-                content = read_whole(path, _MOST_BYTES)
-            except OSError:
-                content = b""
-            found[os.fspath(path)] = hashlib.sha256(content).hexdigest() if content else ""
-            if path.suffix.lower() in _LISTS:
-                profiles = (name.decode("latin-1").replace("\\", "/") for name in _QUOTED.findall(content))
-                named |= {path.parent / name for name in profiles} - {Path(known) for known in found}
-        return found
+            found[path] = digest_of(path)
+            if found[path] and path.suffix.lower() in _LISTS:
+                slices = _QUOTED.findall(text_of(path))
+                named |= {path.parent / name.replace("\\", "/") for name in slices} - found.keys()
+        return {os.fspath(path): digest for path, digest in found.items()}
 
     def _profile(self, path: Path, options: Mapping[str, Any], which: str) -> ProfileFile:
         profile = _profile(path, options)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import hashlib
 import math
 import os
 import secrets
@@ -13,7 +14,7 @@ from typing import IO, Any
 
 import numpy as np
 
-__all__ = ["MOST_BYTES", "arrays_of", "check_npy", "read_whole", "write_whole"]
+__all__ = ["MOST_BYTES", "arrays_of", "check_npy", "digest_of", "read_whole", "write_whole"]
 
 MOST_BYTES = 1 << 34  #: of tables and solutions
 _KINDS = ((stat.S_ISCHR, "a device"), (stat.S_ISBLK, "a device"), (stat.S_ISSOCK, "a socket"),
@@ -61,6 +62,14 @@ def read_whole(path: str | os.PathLike[str], most: int) -> bytes:
         return b"".join(pieces)
     except MemoryError:
         raise OSError(errno.ENOMEM, f"it has {size} bytes or more, and memory has no room for them", name) from None
+
+
+def digest_of(path: str | os.PathLike[str], most: int = 1 << 29) -> str:
+    """The digest of what a file has in it; empty where it cannot be read whole."""
+    try:
+        return hashlib.sha256(read_whole(path, most)).hexdigest()
+    except OSError:
+        return ""
 
 
 def check_npy(file: IO[bytes], size: int, kinds: str = "fiub") -> None:
