@@ -5,9 +5,12 @@ Written by ./dev generate from proto/schema: edit it there.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+
+import numpy.typing as npt
 
 from .params import HasParams
+from .region_methods import RegionMethods
 
 __all__ = ["ContactRegions", "RegionLimits"]
 
@@ -29,8 +32,8 @@ class RegionLimits(HasParams):
     y: tuple[float, float]
 
 
-@dataclass(frozen=True)
-class ContactRegions(HasParams):
+@dataclass(frozen=True, eq=False)
+class ContactRegions(RegionMethods):
     """Where bodies may touch, and how much the pressures of each region act on the others.
 
     An element belongs to the first region that its centre lies in; those of none cannot touch. Displacements by
@@ -38,14 +41,14 @@ class ContactRegions(HasParams):
 
     ::
 
-        ContactRegions([RegionLimits((-3, -1), (-2, 2)), RegionLimits((1, 3), (-2, 2))], [1, 0.4, 0.4, 1])
+        ContactRegions([RegionLimits((-3, -1), (-2, 2)), RegionLimits((1, 3), (-2, 2))], [[1, 0.4], [0.4, 1]])
 
     Attributes:
         limits: The regions; an element belongs to the first one that its centre lies in, and those of none cannot
             touch.
-        shares: Row by row, of the normal displacements by the pressures of the column's region the share that acts on
-            the row's; symmetric, 1 on the diagonal.
+        shares: Of the normal displacements by the pressures of the column's region the share that acts on the row's,
+            [regions, regions], or row by row; symmetric, 1 on the diagonal.
     """
 
     limits: tuple[RegionLimits, ...]
-    shares: tuple[float, ...]
+    shares: npt.ArrayLike = field(metadata={"array": ""})
