@@ -350,11 +350,11 @@ HeightFound RightWheel::carry_by_simplified_model(HeightTask& task, WheelRailSol
 }
 
 HeightFound RightWheel::carry(double Fz, HeightTask& task, WheelRailSolution& solution, Observer& observer) {
-    constexpr int most_rounds = 5;
+    constexpr int most_rounds = 5, most_lost = 2;
     constexpr double finer = 0.5;  // answers from other starts then agree within the tolerance
     std::optional<Placement> placement;
     std::optional<double> share = estimates_->vertical_share.expected();
-    int solves = 0;
+    int solves = 0, lost = 0;
     bool held = true;  // the last solve was at a height where its patches are as they were found
     const auto may_solve = [&] { return solves < setup_.force.max_iterations; };
     const auto place = [&](double z) {
@@ -369,8 +369,10 @@ HeightFound RightWheel::carry(double Fz, HeightTask& task, WheelRailSolution& so
         share = placement->is_single() ? share_of(solution.patches.front()) : std::nullopt;
     };
     // The only patch of a wheel, of one region, carries the normal force that brings Fz by the direction that the whole
-    // force had last. Its approach tells the height, which is off as friction's part of Fz is.
+    // force had last. Its approach tells the height, which is off as friction's part of Fz is. Of contacts of an
+    // element or two places may go on moving with heights: then these are searched for.
     const auto carries_alone = [&](double& z) {
+        if (lost == most_lost) return false;
         double at = z;
         for (int round = 0; round < most_rounds && may_solve(); ++round) {
             if (position_.clearance(at) < -deepest_penetration) return false;
@@ -383,6 +385,7 @@ HeightFound RightWheel::carry(double Fz, HeightTask& task, WheelRailSolution& so
             z = at;
             return true;
         }
+        ++lost;
         return false;
     };
     task.force = [&](double& z) {

@@ -60,6 +60,23 @@ TEST_CASE("On a rail that is the same all along both searches find the same cont
     CHECK_THAT(mesh.patches[0].solution.pmax, WithinRel(locus.patches[0].solution.pmax, 5e-3));
 }
 
+TEST_CASE("A small wheel in a sharp yaw touches where its middle has gone to") {
+    WheelRailSetup setup = manchester_setup(GENERATE(Side::left, Side::right));
+    setup.wheelset.nominal_radius = 100;
+    WheelRailState state;
+    state.position.yaw = GENERATE(-0.12, -0.035, 0.035, 0.12);
+    state.position.y = GENERATE(-6.0, 0.0, 6.0);
+    state.Fz = 20000;
+    CAPTURE(setup.side, state.position.yaw, state.position.y);
+    const WheelRailSolution locus = solve(setup, state);
+    setup.patches.search = ContactSearch::mesh;
+    const WheelRailSolution mesh = solve(setup, state);
+    REQUIRE(mesh.converged());
+    CHECK_THAT(mesh.z, WithinAbs(locus.z, 1e-3));
+    REQUIRE(mesh.patches.size() == 1);
+    CHECK_THAT(mesh.patches[0].place.reference.x, WithinAbs(locus.patches.at(0).place.reference.x, 0.2));
+}
+
 TEST_CASE("A rail that curves along the track is a body with two radii") {
     const double radius = GENERATE(300.0, 1000.0, -2000.0);
     WheelRailSetup setup =

@@ -238,3 +238,20 @@ TEST_CASE("The search alone finds the contacts that a solve has, near the height
         CHECK_THAT(found.creepages.eta, WithinAbs(solved.creepages.eta, 1e-5));
     }
 }
+
+TEST_CASE("A contact of a few elements, which moves by one with each height, carries its force at a height",
+          "[wheel_rail]") {
+    WheelRailSetup setup = cylinder_on_arc(30);
+    setup.rail.shape = ArcProfile{30, 0, -15, 15};
+    setup.wheel.shape = ConeProfile{0.025, -40, 40};
+    setup.friction = WheelRailFriction{{{0, 0.3}}, false, {}};
+    setup.dx = setup.dy = 0.2;
+    WheelRailState state;
+    state.velocity = {.x = 1000, .pitch = -1000.0 / 450};
+    state.Fz = 0.01;
+    const WheelRailSolution solution = solve(setup, state);
+    CHECK(solution.converged());
+    state.position.z = solution.z;
+    state.Fz.reset();
+    CHECK_THAT(solve(setup, state).forces.track.Fz, WithinRel(0.01, 1e-3));  // which 1e-9 mm change as much
+}

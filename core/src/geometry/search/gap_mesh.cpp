@@ -15,7 +15,8 @@ namespace {
 using Node = GapMesh::Node;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double part_of_radius = 0.125;  // how far to both sides
+constexpr double part_of_radius = 0.125;  // how far to both sides of the wheel's middle
+constexpr double steepest_flange = 4;     // slope, over which contacts lead and trail by yaw
 constexpr std::size_t side = 8;           // of a square, in steps
 constexpr double least_dent = 0.02;       // mm: by how much a gap within a square may be less than those at its corners
 constexpr double coarsely_settled = 1e-3;  // mm: those at corners may be off by this, which is little of that
@@ -44,10 +45,15 @@ GapMesh::GapMesh(const WheelSurface& wheel, const RailSurface& rail, NodeMesh no
 
 GapMesh::Lines GapMesh::lines_around(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y) {
     const Span& seen = rail.visible();
-    const double beside = std::ceil(part_of_radius * wheel.nominal_radius() / step_x);
+    // A yawed wheel's middle lies ahead of the axle's or behind it, and its flange touches ahead of that or behind.
+    const Frame& axes = wheel.frame();
+    const double yawed = std::abs(axes.outside({0, 1, 0}).x - axes.outside({0, 0, 0}).x);
+    const double part = part_of_radius + std::max(0.0, steepest_flange * yawed - 0.5 * part_of_radius);
+    const double beside = std::ceil(part * wheel.nominal_radius() / step_x);
+    const double middle = step_x * std::round(wheel.profile_origin().x / step_x);
     check_nodes((2 * beside + 1) * ((seen.high - seen.low) / step_y + 1), step_x, step_y);
     const auto half = static_cast<std::size_t>(beside);
-    return {-static_cast<double>(half) * step_x, step_x, 2 * half + 1, seen.low, seen.high, step_y};
+    return {middle - static_cast<double>(half) * step_x, step_x, 2 * half + 1, seen.low, seen.high, step_y};
 }
 
 GapMesh::Lines GapMesh::lines_of(const NodeMesh& nodes, const RailSurface& rail, double step_y) {

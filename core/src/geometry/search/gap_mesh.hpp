@@ -14,9 +14,9 @@
 
 namespace contactd::geometry {
 
-/// Nodes lie on lines of equal x, an eighth of the wheel's radius to both sides, and of equal y, from the first point
-/// of the rail on. Gaps are vertical distances of a wheelset at z = 0 (mm): one lower by z has gap - z. They are looked
-/// at where they may count only, in squares of nodes: the first pass takes the corners.
+/// Nodes lie on lines of equal x, an eighth of the wheel's radius and more to both sides of it, and of equal y, from
+/// the first point of the rail on. Gaps are vertical distances of a wheelset at z = 0 (mm): one lower by z has gap - z.
+/// They are looked at where they may count only, in squares of nodes: the first pass takes the corners.
 class GapMesh {
    public:
     /// A line of equal y: where it is, and the rail's profile at x = 0 there.
