@@ -4,8 +4,10 @@
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
+#include <variant>
 
 #include "contact/contact_cases.hpp"
+#include "contact/rolling/rolling.hpp"
 #include "contactd/error.hpp"
 #include "contactd/solve_contact.hpp"
 #include "contactd/solve_wheel_rail.hpp"
@@ -158,6 +160,42 @@ TEST_CASE("A shift and its reverse leave tractions behind") {
     CHECK_THAT(forces[4], WithinAbs(forces[0], 0.05 * std::abs(forces[0] - forces[2])));
     CHECK(std::abs(forces[3] - forces[1]) > 0.05 * std::abs(forces[0] - forces[2]));
     CHECK(work > 0);
+}
+
+TEST_CASE("Each step of a shift stores or rubs away what its motion brings") {
+    const WheelRailContact contact(coarse_setup());
+    Observer observer;
+    WheelRailEstimates left;
+    WheelRailState state = shift_by(0, 0);
+    state.position.z = contact.solve(state, observer).z;
+    state.Fz.reset();
+    state.displacements = true;
+    WheelRailSolution before = contact.solve(state, left, observer);
+    double most = 0;
+    for (const double y : {0.01, 0.02, 0.01, -0.02, -0.02, 0.015}) {
+        state.velocity.y = y;
+        state.velocity.x = -y / 3;
+        const WheelRailSolution after = contact.solve(state, left, observer);
+        REQUIRE(after.converged());
+        REQUIRE(after.patches.size() == 1);
+        const ContactSolution &was = before.patches.at(0).solution, &is = after.patches[0].solution;
+        const Grid& grid = after.patches[0].place.grid;
+        REQUIRE(was.pressure.size() == is.pressure.size());
+        const RigidSlip shift = rigid_slip(grid, std::get<Shift>(*is.motion));
+        double work = 0, of_changes = 0;
+        for (std::size_t i = 0; i < grid.size(); ++i) {
+            work -= is.traction_x[i] * shift.x[i] + is.traction_y[i] * shift.y[i];
+            of_changes += (is.traction_x[i] - was.traction_x[i]) * (is.displacement_x[i] - was.displacement_x[i]) +
+                          (is.traction_y[i] - was.traction_y[i]) * (is.displacement_y[i] - was.displacement_y[i]);
+        }
+        work *= grid.element_area();
+        most = std::max(most, std::abs(work));
+        // Tractions of a step are those at its end: of what they change by, half is brought too much.
+        const double stored = *is.elastic_energy - *was.elastic_energy + 0.5 * of_changes * grid.element_area();
+        CHECK_THAT(stored + *is.frictional_work, WithinAbs(work, 1e-6 * most));
+        before = after;
+    }
+    CHECK(most > 1);
 }
 
 TEST_CASE("Elements of a shift are fixed to the rail") {
