@@ -119,11 +119,15 @@ TEST_CASE("a file sets a wheel on a rail as the functions set it, with profiles 
     };
     write("rail.txt", rail_60e1());
     write("wheel.txt", s1002());
-    std::ofstream(folder / "case.inp")
-        << "1 MODULE\n1203100\n0022035\n0000001\n999 100 30 1 1e-6\n.3 .3\n.28 .28 82000. 82000.\n"
-           ".2 .2 1. 1.5707963267948966 8. 4.\n-1. 760.532353 -0.000023 0.\n'profiles\\rail.txt' 0 1. 0.\n"
-           "0.1 0 0 0 0 0\n1360. -70. 460.\n'profiles\\wheel.txt' 0 1. 0.\n0 2. 10000. -1.128e-4 4.8e-3 0\n"
-           "2000. 0 0 0 0 -4.3459197\n0 0.2 0 1e-3 0 0\n0 0 0 0 0 0\n0 MODULE\n";
+    const auto write_case = [&](const std::string& most_elements) {
+        std::ofstream(folder / "case.inp")
+            << "1 MODULE\n1203100\n0022035\n0000001\n999 100 30 1 1e-6" << most_elements
+            << "\n.3 .3\n.28 .28 82000. 82000.\n"
+               ".2 .2 1. 1.5707963267948966 8. 4.\n-1. 760.532353 -0.000023 0.\n'profiles\\rail.txt' 0 1. 0.\n"
+               "0.1 0 0 0 0 0\n1360. -70. 460.\n'profiles\\wheel.txt' 0 1. 0.\n0 2. 10000. -1.128e-4 4.8e-3 0\n"
+               "2000. 0 0 0 0 -4.3459197\n0 0.2 0 1e-3 0 0\n0 0 0 0 0 0\n0 MODULE\n";
+    };
+    write_case("");
 
     RailCase by_calls(77), by_file(78);
     by_calls.whole.flag(1967, 1);
@@ -148,6 +152,13 @@ TEST_CASE("a file sets a wheel on a rail as the functions set it, with profiles 
     CHECK(by_file.whole.calculate() == 0);
     CHECK(by_file.patch(1).forces().fn > 9000);
     CHECK(by_file.patch(1).forces() == by_calls.patch(1).forces());
+
+    write_case(" 1000");
+    cntc_readinpfile(&ire, &type, name.c_str(), &length, &error);
+    CHECK(by_file.whole.calculate() == 0);
+    const Values coarse = by_file.patch(1).potential_back();
+    CHECK(coarse[0] * coarse[1] < 1000);
+    CHECK(coarse[4] == 0.4);
 
     std::filesystem::remove_all(folder / "profiles");
     cntc_readinpfile(&ire, &type, name.c_str(), &length, &error);

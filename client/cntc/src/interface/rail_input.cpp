@@ -48,6 +48,9 @@ class RailSetting : private FileSetting {
         int count = static_cast<int>(values.size());
         cntc_setpotcontact(&ire_, &icp_, &option, &count, values.data());
         pass_on();
+        set_rail("cntc_readinpfile", &ire_, "elements of a patch",
+                 [&](RailSettings& rail, const Units&) { rail.elements->most = integer("NPOT_MAX"); });
+        pass_on();
         double chi = 0, dq = real("DQREL");
         cntc_setrollingstepsize(&ire_, &icp_, &chi, &dq);
         pass_on();

@@ -80,7 +80,7 @@ PatchRules patches_of(const GivenElements& given, int surfaces) {
     rules.distance_turn = std::max(given.turn, rules.distance_separate + near);
     if (surfaces == mesh) rules.search = ContactSearch::mesh;
     rules.history = PatchHistory::whole;
-    rules.max_elements = 20'000;
+    rules.max_elements = given.most;
     return rules;
 }
 
