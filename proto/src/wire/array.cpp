@@ -108,13 +108,12 @@ class ArrayReader {
    private:
     void append(const json& node) {
         const std::size_t depth = index_.size();
-        const std::string where = depth == 0 ? "" : " at " + text_of(index_);
-        if (depth == shape_.size()) return append_number(node, where);
+        if (depth == shape_.size()) return append_number(node);
         if (!node.is_array())
-            invalid(field_, "holds " + shown(node) + where + "; it must be a list of " + std::to_string(shape_[depth]) +
-                                ", as the shape is " + text_of(shape_));
+            invalid(field_, "holds " + shown(node) + where() + "; it must be a list of " +
+                                std::to_string(shape_[depth]) + ", as the shape is " + text_of(shape_));
         if (node.size() != shape_[depth])
-            invalid(field_, "has " + std::to_string(node.size()) + " values" + where + "; it must have " +
+            invalid(field_, "has " + std::to_string(node.size()) + " values" + where() + "; it must have " +
                                 std::to_string(shape_[depth]) + " there, as the shape is " + text_of(shape_));
         index_.push_back(0);
         for (const json& entry : node) {
@@ -124,13 +123,16 @@ class ArrayReader {
         index_.pop_back();
     }
 
-    void append_number(const json& node, const std::string& where) {
+    /// For sentences: texts of millions of places would take longer than their numbers.
+    std::string where() const { return index_.empty() ? "" : " at " + text_of(index_); }
+
+    void append_number(const json& node) {
         if constexpr (std::is_same_v<T, double>) {
-            if (!node.is_number()) invalid(field_, "holds " + shown(node) + where + "; it must be a number");
+            if (!node.is_number()) invalid(field_, "holds " + shown(node) + where() + "; it must be a number");
             values_.push_back(node.get<double>());
         } else {
             if (!node.is_number_integer() || node < 0 || node > 255)
-                invalid(field_, "holds " + shown(node) + where + "; it must be an integer from 0 to 255");
+                invalid(field_, "holds " + shown(node) + where() + "; it must be an integer from 0 to 255");
             values_.push_back(node.get<T>());
         }
     }
