@@ -71,14 +71,9 @@ class ProfileFiles:
     def digests(self, cases: Iterable[Case]) -> dict[str, str]:
         """What the files have in them that cases name, those of slices too: a digest each, empty of one that cannot be read."""
         named = {self.place(str(case.values[name])) for case in cases for name in _NAMES if name in case.values}
-        found: dict[Path, str] = {}
-        while named:
-            path = named.pop()
-            found[path] = digest_of(path)
-            if found[path] and path.suffix.lower() in _LISTS:
-                slices = _QUOTED.findall(text_of(path))
-                named |= {path.parent / name.replace("\\", "/") for name in slices} - found.keys()
-        return {os.fspath(path): digest for path, digest in found.items()}
+        lists = [path for path in named if path.suffix.lower() in _LISTS]
+        slices = {path.parent / name.replace("\\", "/") for path in lists for name in _names_in(path)}
+        return {os.fspath(path): digest_of(path) for path in named | slices}
 
     def _profile(self, path: Path, options: Mapping[str, Any], which: str) -> ProfileFile:
         profile = _profile(path, options)
@@ -110,6 +105,14 @@ class ProfileFiles:
         path = Path(name.replace("\\", "/"))
         is_absolute = path.is_absolute() or _DRIVE.match(name) is not None
         return path if is_absolute else self._folder / path
+
+
+def _names_in(path: Path) -> list[str]:
+    """The profiles that a list of slices names; none where it cannot be read."""
+    try:
+        return _QUOTED.findall(text_of(path))
+    except OSError:
+        return []
 
 
 def _profile(path: Path, options: Mapping[str, Any]) -> ProfileFile:

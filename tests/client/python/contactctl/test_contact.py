@@ -155,7 +155,7 @@ def test_a_run_that_was_killed_goes_on(ctl):
 
 
 def test_rows_of_other_files_are_not_taken_up(tmp_path):
-    (tmp_path / "list.slcs").write_text("'a.prr'\n'../b.prr'\n'list.slcs'\n")
+    (tmp_path / "list.slcs").write_text("'a.prr'\n'../b.prr'\n'sub/../list.slcs'\n")
     (tmp_path / "a.prr").write_text("first")
     files = ProfileFiles(tmp_path, None)
     cases = [rail_case(RFNAME="list.slcs", WFNAME="nothere.prw")]
