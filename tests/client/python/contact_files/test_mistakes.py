@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import json
 import re
+from pathlib import Path
+from typing import Any
 
 import pytest
 
+from contactd.contact_files.problems import refusals
 from contactd.contact_files.problems.basic import BasicContact, goes_on
 from contactd.contact_files.problems.mistakes import mistakes
 from contactd.contact_files.problems.refusals import in_words_of
 from contactd.contact_files.runner import chains_of, checked
 from contactd.errors import InvalidArgument, Violation
 from support.contact_cases import basic_case, rail_case
+
+SCHEMAS = Path(__file__).parents[4] / "proto" / "schema"
 
 
 @pytest.mark.parametrize(
@@ -48,6 +54,33 @@ def test_a_refusal_has_the_names_of_the_file() -> None:
         "GAUGWD (setup.track.gauge) is 0.0; it must be positive; WFNAME, MIRRORY, SCALE, SMOOTH (setup.wheel.file.unit) is 0.0."
     )
     assert in_words_of(basic_case(), InvalidArgument("the whole is wrong")).startswith("the whole is wrong")
+
+
+def has_field(schema: dict[str, Any], document: str, parts: list[str]) -> bool:
+    """Tells whether a path leads to a field of a schema, by references and through alternatives."""
+    while "$ref" in schema:
+        file, _, place = schema["$ref"].partition("#")
+        document = file or document
+        schema = json.loads((SCHEMAS / document).read_text())
+        for name in place.strip("/").split("/"):
+            schema = schema[name]
+    if not parts:
+        return True
+    first = schema.get("properties", {}).get(parts[0])
+    if first is not None and has_field(first, document, parts[1:]):
+        return True
+    return any(has_field(one, document, parts) for key in ("oneOf", "anyOf") for one in schema.get(key, []))
+
+
+@pytest.mark.parametrize(
+    ("names", "method", "objects"),
+    [({**refusals._BOTH, **refusals._ALONE}, "contact.solve", ("",)),
+     ({**refusals._BOTH, **refusals._ON_RAILS}, "wheelrail.solve", ("setup.", "state."))],
+)  # fmt: skip
+def test_names_of_refusals_are_of_fields_that_there_are(names: dict[str, str], method: str, objects: tuple[str, ...]) -> None:
+    document = f"{method}.params.json"
+    schema = json.loads((SCHEMAS / document).read_text())
+    assert [name for name in names if not any(has_field(schema, document, (first + name).split(".")) for first in objects)] == []
 
 
 def test_cases_that_can_be_have_none() -> None:

@@ -23,7 +23,7 @@ _ON_RAILS = {
     "rail_slices": "RFNAME", "wheel_slices": "WFNAME", "Fz": "FZ", "position.x": "S", "position.y": "Y", "position.z": "Z",
     "position.roll": "ROLL", "position.yaw": "YAW", "position.pitch": "PITCH", "velocity.x": "VS", "velocity.y": "VY",
     "velocity.z": "VZ", "velocity.roll": "VROLL", "velocity.yaw": "VYAW", "velocity.pitch": "VPITCH",
-    "rail_deviation.y": "DYRAIL", "rail_deviation.z": "DZRAIL", "rail_deviation.roll": "DROLLR",
+    "rail.y": "DYRAIL", "rail.z": "DZRAIL", "rail.roll": "DROLLR",
 }  # fmt: skip
 _ALONE = {
     "grid.nx": "MX", "grid.ny": "MY", "grid.dx": "DX", "grid.dy": "DY", "Fn": "FN", "approach": "PEN",
