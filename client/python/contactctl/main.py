@@ -21,8 +21,10 @@ def main(arguments: Sequence[str] | None = None) -> NoReturn:
     with _killed_by_interrupts():
         try:
             from .app import run
+            from .ending import end_soon_after_signals
         except ModuleNotFoundError as error:
             _end_without(error)
+    end_soon_after_signals()
     sys.exit(run(arguments))
 
 

@@ -16,6 +16,7 @@ __all__ = ["parse_yaml"]
 _MOST_VALUES = 200_000
 #: This is the most with those that aliases and merges repeat. A few lines can stand for thousands of millions.
 _MOST_REPEATED = 500_000
+_MOST_DIGITS = 1000  #: of a whole number
 _WORDS = (
     ("null", r"~|null|Null|NULL|", ["~", "n", "N", ""]),
     ("bool", r"true|True|TRUE|false|False|FALSE", list("tTfF")),
@@ -75,9 +76,15 @@ def _loader_kind(yaml: Any, check_names: Callable[[Iterable[tuple[Hashable, Any]
 
     for tag, pattern, first in _WORDS:
         Loader.add_implicit_resolver(f"tag:yaml.org,2002:{tag}", re.compile(f"^(?:{pattern})$"), first)
-    Loader.add_constructor("tag:yaml.org,2002:int", lambda loader, node: int(loader.construct_scalar(node)))
+    Loader.add_constructor("tag:yaml.org,2002:int", lambda loader, node: _whole(loader.construct_scalar(node)))
     Loader.add_constructor("tag:yaml.org,2002:map", pairs)
     return Loader
+
+
+def _whole(digits: str) -> int:
+    if len(digits) > _MOST_DIGITS:
+        raise ValueError(f"it has a whole number of {len(digits)} digits; at most {_MOST_DIGITS} are read")
+    return int(digits)
 
 
 class _Repeated:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import select
-import shutil
 import subprocess
 import tempfile
 import time
@@ -22,6 +21,7 @@ from .transport.connections import ConnectionPool
 from .transport.in_process import Engine, can_solve_here
 from .transport.lifeline import Lifeline
 from .transport.programs import checked, laid_over, program_of
+from .transport.temporary import TemporaryFolder
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -103,9 +103,9 @@ def _needs_daemon(program: str | Path | None, config: Mapping[str, Any]) -> str:
     return f"config has {own[0]}, which only a daemon has" if own else ""
 
 
-def _short_temporary_folder() -> str:
+def _short_temporary_folder() -> TemporaryFolder:
     # The path of a Unix socket holds 107 characters at most, and $TMPDIR may be long.
-    return tempfile.mkdtemp(prefix="contactd-", dir="/tmp" if len(tempfile.gettempdir()) > 70 else None)
+    return TemporaryFolder("/tmp" if len(tempfile.gettempdir()) > 70 else None)
 
 
 class LocalDaemon:
@@ -130,8 +130,8 @@ class LocalDaemon:
         start_timeout: float = 30.0,
     ) -> None:
         config = checked(config)
-        self._temporary = folder is None
-        self.folder = Path(_short_temporary_folder() if folder is None else folder).absolute()
+        self._temporary = _short_temporary_folder() if folder is None else None
+        self.folder = Path(self._temporary or folder or "").absolute()
         own = {"endpoint": f"ipc://{self.folder}/socket", "store": {"folder": str(self.folder / "store")}}
         self.config = laid_over(own, config)
         self.log_path = self.folder / "contactd.log"
@@ -140,7 +140,7 @@ class LocalDaemon:
         self._lifeline: Lifeline | None = None
         self.process = self._start(program_of("contactd") if program is None else str(program))
         try:
-            self._lifeline = Lifeline(self.pid, self._configuration, self.folder if self._temporary else None)
+            self._lifeline = Lifeline(self.pid, self._configuration, self.folder if self._temporary is not None else None)
             self._wait_until_ready(start_timeout)
         except BaseException:
             self.close()
@@ -208,8 +208,8 @@ class LocalDaemon:
         try:
             self.stop()
         finally:
-            if self._temporary:
-                shutil.rmtree(self.folder, ignore_errors=True)
+            if self._temporary is not None:
+                self._temporary.remove()
 
     def _start(self, program: str) -> subprocess.Popen[bytes]:
         self.folder.mkdir(parents=True, exist_ok=True)
@@ -221,8 +221,8 @@ class LocalDaemon:
                     stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=log, start_new_session=True,
                 )  # fmt: skip
         except OSError as error:
-            if self._temporary:
-                shutil.rmtree(self.folder, ignore_errors=True)
+            if self._temporary is not None:
+                self._temporary.remove()
             advice = "" if os.sep in program else _ADVICE
             raise DaemonFailed(f"{program} cannot be started: {error.strerror}.{advice}") from None
 

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Mapping
+import warnings
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 from threading import Lock
 from typing import TYPE_CHECKING, Any
@@ -25,6 +27,7 @@ from .slice_list import SPLINES, placed_slices
 if TYPE_CHECKING:
     from ..client import Client
     from ..values.arrays import Array
+    from ..values.wheel_rail.rigid_wheelset import ProfileEvidence
 
 __all__ = ["ProfileFiles"]
 
@@ -32,9 +35,6 @@ _DRIVE = re.compile(r"[A-Za-z]:")
 _LISTS = (".slcs", ".slcw")
 _SIMPACK = (".prr", ".prw")
 _NAMES = ("RFNAME", "WFNAME", "CFNAME")
-_QUOTED = re.compile(r"'([^'\n]+)'")
-_LENGTHS = re.compile(rb"^\s*units\.len\.f\s*=\s*([-+.\deE]+)", re.MULTILINE)
-_MIRRORED = re.compile(rb"^\s*mirror\.y\s*=\s*\+?1(?:\.0*)?\s*(?:[!%].*)?$", re.MULTILINE)
 _ORIENTED = (*_SIMPACK, ".ban", ".whl")  #: whose formats say which way z points
 _FACE = 0.05  #: part of a wheel's width at an end
 _METRE = 1000.0  # mm
@@ -76,22 +76,40 @@ class ProfileFiles:
         return {os.fspath(path): digest_of(path) for path in named | slices}
 
     def _profile(self, path: Path, options: Mapping[str, Any], which: str) -> ProfileFile:
-        profile = _profile(path, options)
-        if profile.mirror_z is not None or path.suffix.lower() in _ORIENTED or self._points(profile, which) is not None:
+        file = ProfileFile(path, read_profile_text(path))
+        said = self._said(file, options, which) if path.suffix.lower() in _SIMPACK else _Said(options["SCALE"])
+        profile = _with_options(file, options, said)
+        if profile.mirror_z is not None or path.suffix.lower() in _ORIENTED or self._placed(profile, which) is not None:
             return profile
-        points = self._points(_profile(path, {**options, "MIRRORZ": -1}), which)
-        upwards = points is not None and _runs_upwards(points, which)
-        return profile if points is None else _profile(path, {**options, "MIRRORZ": 1 if upwards else -1})
+        placed = self._placed(_with_options(file, {**options, "MIRRORZ": -1}, said), which)
+        upwards = placed is not None and _runs_upwards(placed[0], which)
+        return profile if placed is None else _with_options(file, {**options, "MIRRORZ": 1 if upwards else -1}, said)
 
-    def _points(self, profile: ProfileFile, which: str) -> Array | None:
-        """Its points as the service reads them, y and z; None where it cannot."""
+    def _said(self, file: ProfileFile, options: Mapping[str, Any], which: str) -> _Said:
+        """By the service, which reads a file of Simpack without the options of the case, where these change what it says. A
+        file whose unit is wrong, so that its points have no size of a profile, is in metres or in mm by what the scale makes
+        of it."""
+        scale = options["SCALE"]
+        if scale == 1 and options["MIRRORY"] != -1:
+            return _Said(None)
+        for unit in (None, _METRE * scale, scale):
+            with warnings.catch_warnings():  # the case is warned of the file as it is used
+                warnings.simplefilter("ignore", UserWarning)
+                placed = self._placed(replace(file, unit=unit), which)
+            if placed is not None and (reading := placed[1].file) is not None:
+                in_unit = scale * reading.unit if unit is None else unit
+                return _Said(None if scale == 1 else in_unit, reading.mirror_y)
+        return _Said(None if scale == 1 else _METRE * scale)
+
+    def _placed(self, profile: ProfileFile, which: str) -> tuple[Array, ProfileEvidence] | None:
+        """Its points as the service reads them, y and z, with the evidence; None where it cannot."""
         track = Track(rail_origin=(750.0, 0.0))  # needs no gauge face, which not every rail has
         setup = WheelRailSetup(wheel=profile, track=track) if which == "WHEEL" else WheelRailSetup(rail=profile, track=track)
         try:
             placed = self._client.placed_profiles(setup).right
         except InvalidArgument:
             return None
-        return placed.wheel if which == "WHEEL" else placed.rail
+        return (placed.wheel, placed.wheel_evidence) if which == "WHEEL" else (placed.rail, placed.rail_evidence)
 
     def _slices(self, path: Path, options: Mapping[str, Any]) -> tuple[Slices, str]:
         read = self._client.read_contact_slices(text_of(path), name=path.name)
@@ -107,27 +125,36 @@ class ProfileFiles:
         return path if is_absolute else self._folder / path
 
 
-def _names_in(path: Path) -> list[str]:
-    """The profiles that a list of slices names; none where it cannot be read."""
+def _names_in(path: Path) -> Iterator[str]:
+    """The profiles that a list of slices names, between quotation marks in its lines; none where it cannot be read."""
     try:
-        return _QUOTED.findall(text_of(path))
+        lines = text_of(path).splitlines()
     except OSError:
-        return []
+        return
+    for line in lines:
+        yield from (name for name in line.split("'")[1:-1:2] if name)
 
 
-def _profile(path: Path, options: Mapping[str, Any]) -> ProfileFile:
-    text = read_profile_text(path)
-    is_simpack = path.suffix.lower() in _SIMPACK
+@dataclass(frozen=True)
+class _Said:
+    """Millimetres of a unit of a file's points, None where the file says it, and whether the file turns y."""
+
+    unit: float | None
+    mirror_y: bool = False
+
+
+def _with_options(file: ProfileFile, options: Mapping[str, Any], said: _Said) -> ProfileFile:
+    """Adds the options of a case to a file."""
     # MIRRORY = -1 takes back what a file of Simpack says itself.
-    mirrored_back = options["MIRRORY"] == -1 and is_simpack and _MIRRORED.search(text) is not None
+    mirrored_back = options["MIRRORY"] == -1 and said.mirror_y
     smooth = options["SMOOTH"]
     smoothing: dict[str, Any] = {}
     if smooth > 0:
         smoothing = {"smoothing_lambda": smooth} if options["ISMOOTH"] == 0 else {"smoothing_length": smooth}
     if smooth > 0 and options["ISMOOTH"] == 2:
         smoothing["smoothing_order"] = 3
-    return ProfileFile(
-        path, text, unit=_unit(text, options["SCALE"], is_simpack), mirror_y=options["MIRRORY"] == 1 or mirrored_back,
+    return replace(
+        file, unit=said.unit, mirror_y=options["MIRRORY"] == 1 or mirrored_back,
         mirror_z=None if options["MIRRORZ"] == 0 else options["MIRRORZ"] == 1,
         kinks=KinkRule(options["KINKHIGH"], options["KINKLOW"], options["KINKWID"]), **smoothing,
     )  # fmt: skip
@@ -149,13 +176,3 @@ def _runs_upwards(points: Array, which: str) -> bool:
         return not is_at_an_end(highest)
     middle, share = (highest + lowest) // 2, (y[(highest + lowest) // 2] - y[highest]) / (y[lowest] - y[highest])
     return bool(z[middle] < z[highest] + share * (z[lowest] - z[highest]))
-
-
-def _unit(text: bytes, scale: float, is_simpack: bool) -> float | None:
-    """Millimetres of a unit of the points. Files of Simpack say their own; all others are in mm."""
-    if not is_simpack:
-        return scale
-    if scale == 1:
-        return None
-    given = _LENGTHS.search(text)
-    return _METRE * scale / float(given[1] if given else 1)

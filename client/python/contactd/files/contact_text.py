@@ -83,7 +83,7 @@ def _plain(word: str) -> str:
 def _number(word: str) -> float | None:
     """The finite number that `word` is, as Python or Fortran writes it."""
     text = _plain(word)
-    if not re.fullmatch(r"[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?", text, re.ASCII):
+    if not re.fullmatch(r"[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?", text, re.ASCII):
         return None
     value = float(text)
     return value if math.isfinite(value) else None

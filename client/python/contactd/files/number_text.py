@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator
 
 __all__ = ["number_in", "rows_of", "table_of"]
 
@@ -12,7 +13,7 @@ _COMMENTS = re.compile("[#%!]")
 _BLANKS_AND_SEMICOLONS = re.compile(r"\s*;\s*|\s+")
 _ALL = re.compile(r"\s*[;,]\s*|\s+")
 _TEXT_AND_QUOTES = re.compile('(?:"[^"]*"|[^"#%!])*')
-_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eEdD][+-]?\d+)?", re.ASCII)
+_NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eEdD][+-]?\d+)?", re.ASCII)
 
 
 def number_in(word: str) -> float | None:
@@ -61,8 +62,8 @@ def table_of(text: str) -> tuple[list[str], list[tuple[int, list[str]]]]:
             between = next((sign for sign in ";\t" if sign in line), ",")
         try:
             (cells,) = csv.reader([line], delimiter=between, skipinitialspace=True, strict=True)
-        except csv.Error as error:
-            raise ValueError(f"line {number}: {error}") from None
+        except csv.Error:
+            raise ValueError(f"line {number} {_problem_of(line, between)}") from None
         if not names:
             names = [cell.strip() for cell in cells]
             _check(names, number)
@@ -76,8 +77,15 @@ def table_of(text: str) -> tuple[list[str], list[tuple[int, list[str]]]]:
 def _check(names: list[str], line: int) -> None:
     if "" in names:
         raise ValueError(f"line {line} has no name for column {names.index('') + 1}")
-    if doubled := next((name for i, name in enumerate(names) if name in names[:i]), None):
-        raise ValueError(f"line {line} names {doubled} twice")
+    if doubled := next((name for name, count in Counter(names).items() if count > 1), None):
+        raise ValueError(f"line {line} names {doubled:.60} twice")
+
+
+def _problem_of(line: str, between: str) -> str:
+    longest = max(map(len, line.split(between)))
+    if longest > csv.field_size_limit():
+        return f"has a cell of {longest} characters; a cell has a number or a short text"
+    return "has quotation marks that do not enclose a cell as a whole"
 
 
 class _Style:
@@ -89,14 +97,24 @@ class _Style:
     def numbers(self, line: str) -> list[float] | None:
         """Those of a line; None where one of its words is none."""
         words = _BLANKS_AND_SEMICOLONS.split(line)
-        with_points = [number_in(word.replace(",", ".", 1)) for word in words]
         any_comma = any("," in word[1:-1] for word in words)
-        found = [value for value in with_points if value is not None]
-        if len(found) == len(words) and (len(words) > 1 or self._has_decimal_commas or not any_comma):
-            self._has_decimal_commas = self._has_decimal_commas or any_comma
-            return found
-        found = [value for value in map(number_in, _ALL.split(line)) if value is not None]
-        return found if len(found) == len(_ALL.split(line)) else None
+        if len(words) > 1 or self._has_decimal_commas or not any_comma:
+            found = _numbers_in(word.replace(",", ".", 1) for word in words)
+            if found is not None:
+                self._has_decimal_commas = self._has_decimal_commas or any_comma
+                return found
+        return _numbers_in(_ALL.split(line))
+
+
+def _numbers_in(words: Iterable[str]) -> list[float] | None:
+    """The numbers that words are; None where one is none, which the others are not read behind."""
+    found: list[float] = []
+    for word in words:
+        value = number_in(word)
+        if value is None:
+            return None
+        found.append(value)
+    return found
 
 
 def _lines(text: str, *, keeps_quotes: bool = False) -> Iterator[tuple[int, str]]:

@@ -7,7 +7,6 @@ import json
 import logging
 import os
 import shutil
-import tempfile
 import weakref
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -16,8 +15,9 @@ from typing import Any
 from ..errors import ConnectionFailed, DaemonFailed
 from .messages import Reply, Request, parsed, reply_of
 from .programs import laid_over, program_of
+from .temporary import TemporaryFolder
 
-__all__ = ["Engine", "can_solve_here"]
+__all__ = ["Engine", "can_solve_here", "remove_temporary_folders"]
 
 _LOG = logging.getLogger("contactd.local")
 _LOG.addHandler(logging.NullHandler())  # silent unless the program says where to
@@ -52,8 +52,8 @@ class Engine:
 
         self._owner = os.getpid()
         self.is_closed = False
-        self._temporary = tempfile.mkdtemp(prefix="contactd-") if folder is None else None
-        store = str(folder.absolute() / "store") if folder is not None else self._temporary
+        self._temporary = TemporaryFolder() if folder is None else None
+        store = str(Path(self._temporary or folder or "").absolute() / "store")
         builder = {"program": os.environ.get("CONTACTD_IC") or _builder()}
         # Ctrl-C at a terminal is for this process, not for what it builds meanwhile.
         launcher = {"launcher": ["setsid"]} if shutil.which("setsid") else {}
@@ -135,10 +135,17 @@ class Engine:
 
     def _remove_temporary(self) -> None:
         if self._temporary is not None:
-            shutil.rmtree(self._temporary, ignore_errors=True)
+            self._temporary.remove()
 
 
 _ALL: weakref.WeakSet[Engine] = weakref.WeakSet()
+
+
+def remove_temporary_folders() -> None:
+    """Those of this process, which is about to end without closing its engines."""
+    for engine in list(_ALL):
+        if engine.is_of_this_process:
+            engine._remove_temporary()
 
 
 @atexit.register

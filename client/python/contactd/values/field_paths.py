@@ -9,6 +9,8 @@ __all__ = ["copied", "get", "parts", "put"]
 
 _PART = re.compile(r"([A-Za-z_$][\w$]*)((?:\[[0-9]{1,9}\])*)")
 
+_MOST_SHOWN = 100  #: characters of a path in a message
+
 
 def parts(path: str) -> list[str | int]:
     """Names and indices. Raises ValueError."""
@@ -16,7 +18,8 @@ def parts(path: str) -> list[str | int]:
     for piece in path.strip().split("."):
         matched = _PART.fullmatch(piece)
         if matched is None:
-            raise ValueError(f"{path!r} is no path of a field; one is like friction.rolling.xi or ics.layers[0].G.")
+            shown = path if len(path) < _MOST_SHOWN else f"{path[:_MOST_SHOWN]}..."
+            raise ValueError(f"{shown!r} is no path of a field; one is like friction.rolling.xi or ics.layers[0].G.")
         found.append(matched[1])
         found.extend(int(index) for index in re.findall(r"\d+", matched[2]))
     return found
