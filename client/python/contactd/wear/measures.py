@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from ..errors import invalid
 from .placed import StudyPlace, WheelRailClient
+from .points import check_gauge_side, check_run, crossing, ordered
 from .steps import WornStep
 from .study import WearStudy
 
@@ -53,28 +54,36 @@ class RailWear:
 
 
 def wheel_gauge(points: npt.ArrayLike, back: float = _BACK) -> WheelGauge:
-    """By (y, z) of a profile whose tape circle is at y = 0, z down (mm); `back` is y of the flange's back."""
-    y, z = np.asarray(points, dtype=np.float64).T
+    """By (y, z) of a profile from either end to the other, whose tape circle is at y = 0, the flange at negative y, z down (mm);
+    `back` is y of the flange's back. Raises InvalidArgument for points in no order, or with the flange at positive y."""
+    y, z = ordered(points, "points").T
     if not y.min() < 0 < y.max():
         raise invalid("points", f"reach from y = {y.min():.4g} to {y.max():.4g} mm; the tape circle, y = 0, must be among them")
     tread, tip = float(np.interp(0.0, y, z)), int(z.argmax())
+    if y[tip] > 0 and z[tip] - tread > _BELOW_TREAD:
+        raise invalid("points", f"have the flange at y = {y[tip]:.4g} mm; y grows to the field side: give y with the other sign")
+    check_run(np.column_stack([y, z])[tip:], "points")
     below, above = tread + _BELOW_TREAD, float(z[tip]) - _BELOW_TIP
     if not above > below:
         raise invalid("points", f"have a flange of {z[tip] - tread:.4g} mm; its thickness is measured {_BELOW_TREAD:g} mm below the tape circle")
-    face = _crossing(y[tip:], z[tip:], below, "points")
-    return WheelGauge(float(z[tip]) - tread, face - back, face - _crossing(y[tip:], z[tip:], above, "points"))
+    face = crossing(y[tip:], z[tip:], below, "points")
+    return WheelGauge(float(z[tip]) - tread, face - back, face - crossing(y[tip:], z[tip:], above, "points"))
 
 
 def rail_wear(new: npt.ArrayLike, worn: npt.ArrayLike) -> RailWear:
-    """By (y, z) of both profiles, the gauge side at negative y, z down (mm)."""
-    before, after = np.asarray(new, dtype=np.float64), np.asarray(worn, dtype=np.float64)
+    """By (y, z) of both profiles, each from either end to the other, the gauge side at negative y, z down (mm). Raises
+    InvalidArgument for points in no order, and for rails that lean, or have worn, as if their gauge side were at positive y."""
+    before, after = ordered(new, "new"), ordered(worn, "worn")
+    for name, points in (("new", before), ("worn", after)):
+        check_run(points[points[:, 1] <= points[:, 1].min() + _GAUGE], name)
+    check_gauge_side(before, after, _GAUGE)
     top = float(before[:, 1].min())
     middle = float(before[before[:, 1] <= top + 0.01, 0].mean())
     W1 = float(np.interp(middle, *after.T) - np.interp(middle, *before.T))
     sides = []
     for points in (before, after):
         gauge = points[points[:, 0] <= middle][::-1]  # from the top down
-        sides.append(_crossing(gauge[:, 0], 0 - gauge[:, 1], 0 - (points[:, 1].min() + _GAUGE), "points"))
+        sides.append(crossing(gauge[:, 0], 0 - gauge[:, 1], 0 - (points[:, 1].min() + _GAUGE), "points"))
     # Where its normal is at 45 degrees the gauge corner is farthest out, y + z least.
     gauge = before[before[:, 0] <= middle]
     corner = gauge[gauge.sum(axis=1).argmin()]
@@ -90,15 +99,6 @@ def conicities(
     setup = {**study.setup_params(), **place.profiles({part: step.of(part).points for part in study.parts})}
     found = client.equivalent_conicity(setup, amplitudes)
     return tuple(float("nan") if one.integrated is None else one.integrated for one in found)
-
-
-def _crossing(y: Array, z: Array, level: float, name: str) -> float:
-    """y of the first place where z falls through a level."""
-    falls = np.flatnonzero((z[:-1] >= level) & (z[1:] < level))
-    if not len(falls):
-        raise invalid(name, f"never pass z = {level:.4g} mm on the side that is measured; give a longer profile")
-    i = int(falls[0])
-    return float(y[i] + (level - z[i]) / (z[i + 1] - z[i]) * (y[i + 1] - y[i]))
 
 
 def _outwards(points: Array, across: float) -> float:

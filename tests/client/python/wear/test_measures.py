@@ -52,3 +52,66 @@ def test_a_rail_that_is_worn_from_its_side_has_lost_that_there():
 def test_equal_rails_have_lost_nothing():
     wear = rail_wear(RAIL, RAIL)
     assert (wear.W1, wear.W2, wear.W3) == (0, 0, 0)
+
+
+def test_points_run_from_either_end():
+    assert wheel_gauge(WHEEL[::-1]) == wheel_gauge(WHEEL)
+    worn = RAIL + np.array([2, 1])
+    assert rail_wear(RAIL[::-1], worn) == rail_wear(RAIL, worn[::-1]) == rail_wear(RAIL, worn)
+
+
+def test_a_measured_wheel_has_its_gauges_by_either_order():
+    """Of a wheel near the S1002: flange height 28 mm, thickness 32.7, qR 12.2."""
+    flange = [(-70, 9.5), (-64, 24.5), (-58, 27.7), (-55, 28), (-52, 27.6), (-49.5, 26), (-46, 20), (-38.5, 12), (-37.3, 10)]
+    wheel = np.array([*flange, (-34, 7), (-26, 2.74), (0, 0), (60, -3.5)])
+    for points in (wheel, wheel[::-1]):
+        gauge = wheel_gauge(points)
+        assert (gauge.Sh, gauge.Sd, gauge.qR) == pytest.approx((28, 32.7, 12.2), abs=0.05)
+
+
+def test_points_in_no_order_are_refused():
+    shuffled = np.random.default_rng(1).permutation(len(RAIL))
+    with pytest.raises(InvalidArgument, match="new go back from y"):
+        rail_wear(RAIL[shuffled], RAIL)
+    with pytest.raises(InvalidArgument, match="worn go back from y"):
+        rail_wear(RAIL, RAIL[shuffled])
+    with pytest.raises(InvalidArgument, match="points go back from y"):
+        wheel_gauge(WHEEL[[0, 1, 2, 4, 3, 5]])
+
+
+def test_points_that_are_no_pairs_or_not_finite_are_refused():
+    with pytest.raises(InvalidArgument, match="points have the shape"):
+        wheel_gauge(WHEEL.T)
+    with pytest.raises(InvalidArgument, match="worn are not all finite"):
+        rail_wear(RAIL, np.where(RAIL == RAIL[5], np.nan, RAIL))
+
+
+def test_a_flange_at_positive_y_is_refused():
+    for points in (WHEEL * (-1, 1), (WHEEL * (-1, 1))[::-1]):
+        with pytest.raises(InvalidArgument, match=r"flange at y = 5.* mm; y grows to the field side"):
+            wheel_gauge(points)
+
+
+def head(lean: float = 0.0) -> np.ndarray:
+    """A head of both sides, R 300 on top and corners of 13 mm, leaning to y < 0 by an angle."""
+    y = np.linspace(-36, 36, 145)
+    z = np.where(abs(y) < 23, y**2 / 600, 0.88 + 13 - np.sqrt(np.maximum(169 - (abs(y) - 23) ** 2, 0)))
+    points = np.vstack([(-36, 30), np.column_stack([y, z]), (36, 30)])
+    return points @ np.array([[np.cos(lean), -np.sin(lean)], [np.sin(lean), np.cos(lean)]])
+
+
+def test_a_rail_that_has_worn_at_positive_y_is_refused():
+    new = head()
+    for depth in (0.5, 2.0):
+        worn = new - np.outer(depth * (new[:, 0] > 25), (1, 0))
+        assert rail_wear((new * (-1, 1))[::-1], (worn * (-1, 1))[::-1]).W2 == pytest.approx(depth)
+        with pytest.raises(InvalidArgument, match=f"lost {depth:g} mm at y > 0 and .* mm at y < 0, where the gauge side lies"):
+            rail_wear(new, worn)
+
+
+def test_a_rail_that_leans_to_positive_y_is_refused():
+    for lean in (1 / 40, 1 / 20):
+        right = head(lean)
+        assert rail_wear(right, right + np.array([0, 1])).W1 == pytest.approx(1)
+        with pytest.raises(InvalidArgument, match="leans to y > 0"):
+            rail_wear(right * (-1, 1), right * (-1, 1) + np.array([0, 1]))

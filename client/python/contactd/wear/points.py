@@ -1,0 +1,79 @@
+"""Points of profiles as gauges need them: in order, on their side."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from ..errors import InvalidArgument, invalid
+
+__all__ = ["check_gauge_side", "check_run", "crossing", "ordered"]
+
+Array = npt.NDArray[np.float64]
+
+_BACKWARDS = 0.1  #: of the width that y may go back
+_LEAN = 2.5  #: mm from the top to the middle of the head: rails that lean by 1/40 have 3.6 to 5.4 on their field side
+_WORN = 0.2  #: mm by which the field side may seem worn, by the errors of two measurements
+
+
+def ordered(points: npt.ArrayLike, name: str) -> Array:
+    """The points as an array [n, 2] from the end of lesser y to the other."""
+    array = np.asarray(points, dtype=np.float64)
+    if array.ndim != 2 or array.shape[1] != 2 or len(array) < 3:
+        raise invalid(name, f"have the shape {array.shape}; they are (y, z) of three points at least")
+    if not np.isfinite(array).all():
+        raise invalid(name, "are not all finite; leave out points that were not measured")
+    return array[::-1] if array[0, 0] > array[-1, 0] else array
+
+
+def check_run(points: Array, name: str) -> None:
+    """Raises InvalidArgument where y goes back, all in all by more than measured upright faces and seams of scans do."""
+    across = np.diff(points[:, 0])
+    if -across[across < 0].sum() > _BACKWARDS * np.ptp(points[:, 0]):
+        i = int(across.argmin())
+        raise invalid(name, f"go back from y = {points[i, 0]:.4g} to {points[i + 1, 0]:.4g} mm; order them along the profile, from one end to the other")
+
+
+def check_gauge_side(new: Array, worn: Array, depth: float) -> None:
+    """Raises InvalidArgument for a rail whose gauge side is at positive y: its top is beside the middle of its head towards
+    negative y, or it has worn at its other side, `depth` below its top (mm)."""
+    beside = _top_beside_middle(new)
+    if beside is not None and beside < -_LEAN:
+        raise invalid("new", f"leans to y > 0, its top {-beside:.3g} mm from the middle; the gauge side lies at y < 0: give y with the other sign")
+    lost = [_side(worn, depth, sign) - _side(new, depth, sign) for sign in (1, -1)]
+    if lost[1] > max(lost[0], 0.0) + _WORN:
+        raise invalid(
+            "worn", f"has lost {lost[1]:.3g} mm at y > 0 and {lost[0]:.3g} mm at y < 0, where the gauge side lies; give y with the other sign"
+        )
+
+
+def crossing(y: Array, z: Array, level: float, name: str) -> float:
+    """y of the first place where z falls through a level."""
+    falls = np.flatnonzero((z[:-1] >= level) & (z[1:] < level))
+    if not len(falls):
+        raise invalid(name, f"never pass z = {level:.4g} mm on the side that is measured; give a longer profile")
+    i = int(falls[0])
+    return float(y[i] + (level - z[i]) / (z[i + 1] - z[i]) * (y[i + 1] - y[i]))
+
+
+def _side(points: Array, depth: float, sign: int) -> float:
+    """y of a side, below the top, times the sign: inwards is more. NaN where that side is too short."""
+    turned = points if sign > 0 else (points * (-1.0, 1.0))[::-1]
+    outwards = turned[: int(turned[:, 1].argmin()) + 1][::-1]
+    try:
+        return crossing(outwards[:, 0], 0 - outwards[:, 1], 0 - (points[:, 1].min() + depth), "points")
+    except InvalidArgument:
+        return float("nan")
+
+
+def _top_beside_middle(rail: Array) -> float | None:
+    """How far the top lies beside the middle of the head (mm); None for a head of less than 2 mm on either side."""
+    top, least = int(rail[:, 1].argmin()), float(rail[:, 1].min())
+    depth = min(10.0, float(rail[: top + 1, 1].max()) - least, float(rail[top:, 1].max()) - least)
+    if depth < 2:
+        return None
+
+    def middle(level: float) -> float:
+        return 0.5 * (_side(rail, level, 1) - _side(rail, level, -1))
+
+    return middle(0.2) - middle(depth * (1 - 1e-9))
