@@ -16,7 +16,7 @@ from contactd.contact_files.runner import Outcome
 from ..codes import Code
 from ..output import plain_json
 
-__all__ = ["code_of_status", "keys_of", "row_of"]
+__all__ = ["code_of_status", "keys_of", "row_of", "row_values"]
 
 _CODES = {"solved": Code.DONE, "read": Code.DONE, "not converged": Code.NOT_CONVERGED, "wrong": Code.USAGE, "failed": Code.FAILED}
 
@@ -38,10 +38,13 @@ def code_of_status(status: str) -> Code:
 
 def row_of(key: str, outcome: Outcome) -> dict[str, Any]:
     """Makes the row of a case that was computed, or was not."""
-    case = outcome.case
     answers: dict[str, Any] = {"status": outcome.status, "sentence": outcome.sentence, "lines": lines_of(outcome)}
     if outcome.result is not None:
         answers["numbers"] = plain_json(outcome.result.compared)
-    values = {"number": case.number, "line": case.line, "module": case.module, "reid": case.reid}
     code = int(code_of_status(outcome.status))
-    return {"key": key, "code": code, "values": values, "answers": answers, "seconds": outcome.seconds}
+    return {"key": key, "code": code, "values": row_values(outcome.case), "answers": answers, "seconds": outcome.seconds}
+
+
+def row_values(case: Case) -> dict[str, Any]:
+    """Returns what names a case: its number counts those of one contact problem of one result element."""
+    return {"number": case.number, "line": case.line, "module": case.module, "reid": case.reid, "cpid": case.cpid}

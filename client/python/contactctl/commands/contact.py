@@ -22,7 +22,7 @@ from contactd.contact_files.runner import Runner, chains_of, checked
 from ..cases.comparing import compared_rows
 from ..cases.converting import as_python, as_yaml
 from ..cases.files import CaseFiles, check_own, read_printed
-from ..cases.rows import code_of_status, keys_of
+from ..cases.rows import code_of_status, keys_of, row_values
 from ..cases.running import run_chains
 from ..codes import Code, Ended
 from ..common import Command, Group, connected, setting
@@ -35,6 +35,7 @@ __all__ = ["add_to"]
 
 File = Annotated[Path, typer.Argument(help="An input file of the CONTACT program (.inp).")]
 _MOST_SHOWN = 40  #: cases with something to be said
+_ELEMENTS = {"reid": "result element", "cpid": "contact problem"}  #: what may stand beside the number of a case
 
 
 def add_to(app: typer.Typer) -> None:
@@ -54,10 +55,7 @@ def check(file: File) -> None:
     with connected(local_unless_named=True) as client:
         read_file = _read(file, client)
     found = checked(read_file.cases)
-    rows = [
-        {"case": one.case.number, "line": one.case.line, "module": one.case.module, "status": _status_text(one.status), "why": one.sentence}
-        for one in found
-    ]
+    rows = [{**_named(row_values(one.case)), "status": _status_text(one.status), "why": one.sentence} for one in found]
     counts = Counter(str(row["status"]) for row in rows)
     remarks = [row for row in rows if row["why"]]
     emit(setting().json, {"cases": rows}, *_listed(remarks, f"{_cases(len(rows))}: {_counted(counts)}"))
@@ -176,12 +174,17 @@ def _show(rows: Sequence[dict[str, Any]], place: Path, differences: Sequence[lis
         apart = [] if differences is None else differences[index]
         why = " ".join([answers["sentence"], *(f"{sentence}." for sentence in apart)]).strip()
         status = "differs" if apart and answers["status"] == "solved" else answers["status"]
-        shown.append({"case": values["number"], "line": values["line"], "module": values["module"], "status": status, "why": why})
+        shown.append({**_named(values), "status": status, "why": why})
     counts = Counter(row["status"] for row in shown)
     remarks = [row for row in shown if row["why"]]
     answer = {"cases": [{**row, "numbers": full["answers"].get("numbers")} for row, full in zip(shown, rows)], "output": str(place)}
     emit(setting().json, answer, *_listed(remarks, f"{_cases(len(rows))}: {_counted(counts)}. {place} has them."))
     return [row["status"] for row in shown]
+
+
+def _named(values: dict[str, Any]) -> dict[str, Any]:
+    """The columns that name a case; a journal of before has no contact problems."""
+    return {"case": values["number"], **{name: values.get(name) for name in _ELEMENTS}, "line": values["line"], "module": values["module"]}
 
 
 def _status_text(status: str) -> str:
@@ -197,10 +200,12 @@ def _counted(counts: Counter[str]) -> str:
 
 
 def _listed(remarks: Sequence[dict[str, Any]], last: str) -> list[Any]:
-    columns = ["case", "line", "module", "status", "why"]
+    named = [name for name in _ELEMENTS if any(row[name] is not None for row in remarks)]
+    columns = ["case", *named, "line", "module", "status", "why"]
     lines = [[row[name] for name in columns] for row in remarks[:_MOST_SHOWN]]
+    heading = [_ELEMENTS.get(name, name) for name in columns]
     more = [f"... {len(remarks) - _MOST_SHOWN} more: --json has them all"] if len(remarks) > _MOST_SHOWN else []
-    return [*([listing(None, columns, lines)] if lines else []), *more, last]
+    return [*([listing(None, heading, lines)] if lines else []), *more, last]
 
 
 def _end(statuses: Sequence[str], read_file: ContactFile) -> None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 __all__ = ["PrintedCase", "printed_cases"]
 
-_CASE = re.compile(r" Case +(\d+)(?:, result element +(\d+)| for contact problem +\d+ on result element +(\d+))?\s*$")
+_CASE = re.compile(r" Case +(\d+)(?:, result element +(\d+)| for contact problem +(\d+) on result element +(\d+))?\s*$")
 _PATCH = re.compile(r" -+ DATA FOR CONTACT PATCH +(\d+)")
 _LABEL = re.compile(r"(?:CREEP|SHIFT) [XYS]|\S+")
 #: Rows of labels whose numbers are read, by how they begin.
@@ -24,6 +24,7 @@ class PrintedCase:
         number: Of its memory.
         reid: Result element; None: there is none.
         line: Where it begins in the file, from 1.
+        cpid: Its contact problem; None: none is named.
         numbers: Those of the whole case, by their labels; of module 3 all.
         patches: Those of each patch, by their labels.
     """
@@ -31,6 +32,7 @@ class PrintedCase:
     number: int
     reid: int | None
     line: int
+    cpid: int | None = None
     numbers: dict[str, float] = field(default_factory=dict)
     patches: list[dict[str, float]] = field(default_factory=list)
 
@@ -41,14 +43,18 @@ def printed_cases(text: str) -> list[PrintedCase]:
     lines = [line[:_LONGEST_LINE].rstrip() for line in text.splitlines()]
     for index, line in enumerate(lines):
         if begins := _CASE.match(line):
-            reid = begins[2] or begins[3]
-            cases.append(PrintedCase(int(begins[1]), None if reid is None else int(reid), index + 1))
+            reid, cpid = begins[2] or begins[4], begins[3]
+            cases.append(PrintedCase(int(begins[1]), _whole(reid), index + 1, _whole(cpid)))
         elif cases and _PATCH.match(line):
             cases[-1].patches.append({})
         elif cases and index + 1 < len(lines):
             rows = cases[-1].patches
             (rows[-1] if rows else cases[-1].numbers).update(_row(line, lines[index + 1]))
     return cases
+
+
+def _whole(text: str | None) -> int | None:
+    return None if text is None else int(text)
 
 
 def _row(labels: str, numbers: str) -> Iterator[tuple[str, float]]:

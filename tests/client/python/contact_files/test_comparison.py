@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from contactctl.cases.comparing import compared_rows
 from contactd.contact_files.answers.compared import Compared
 from contactd.contact_files.comparison import case_differences
 from contactd.contact_files.out_reader import printed_cases
@@ -43,7 +44,8 @@ def test_cases_and_patches_are_read_by_their_labels() -> None:
         "CREEP X": 4e-4, "FY/FSTAT/FN": 0.0, "APPROACH": 7.651e-2, "PMAX": 640.7, "NPOT": 2112, "NCON": 1384, "NADH": 1182,
         "NSLIP": 202, "INORM": 1, "ITANG": 1,
     }  # fmt: skip
-    assert (second.number, second.reid) == (8, 4)
+    assert (second.number, second.reid, second.cpid) == (8, 4, 2)
+    assert first.cpid is None
     assert second.numbers["FZ(WS)"] == 10000
     assert [patch["FN"] for patch in second.patches] == [9997, 1000]
     assert second.patches[0]["DELTCP(TR)"] == 0.029
@@ -77,3 +79,16 @@ def test_another_number_of_patches_is_told() -> None:
 def test_a_number_that_is_none_is_out_of_tolerance() -> None:
     printed, _ = printed_cases(PRINTED)
     assert len(case_differences(Compared({**printed.numbers, "FX": float("nan")}, 1.0), printed)) == 1
+
+
+def test_cases_of_contact_problems_that_number_alike_are_compared_with_their_own() -> None:
+    printed = printed_cases(
+        " Case     1 for contact problem  1 on result element  4\n     FN\n     100.\n"
+        " Case     1 for contact problem  2 on result element  4\n     FN\n     200.\n"
+    )
+
+    def row(cpid: int, force: float) -> dict[str, object]:
+        return {"values": {"number": 1, "reid": 4, "cpid": cpid}, "answers": {"numbers": {"numbers": {"FN": force}, "bound": 0.0}}}
+
+    assert compared_rows([row(2, 200.0), row(1, 100.0)], printed) == [[], []]
+    assert compared_rows([row(3, 200.0)], printed) == [["the file to compare with does not have it"]]

@@ -126,6 +126,43 @@ def test_numbers_are_compared_with_printed_ones(ctl):
     assert "does not have it" in ctl("contact", "run", "two.inp", "--compare", "short.ref").out
 
 
+def test_a_mat_file_of_a_layer_has_its_yield_stress_and_accumulated_plastic_slip(ctl):
+    layered = FIRST.replace("022020", "022420").replace("0.28  0.28  82000.  82000.", "0.  0.  82000.  82000.\n 8200. .164 120. 9000.")
+    ctl.write("layer.inp", layered.replace("0.0005  0.0  0.0001", "0.0020  0.0  0.0") + END)
+    assert ctl("contact", "run", "layer.inp").code == Code.DONE
+    path = ctl.folder / "layer.0001.mat"
+    table = np.loadtxt(path, comments="%")  # which needs as many columns in all lines
+    assert path.read_text().splitlines()[12].split()[-4:] == ["SREL", "TAUCRT", "UPLSX", "UPLSY"]
+    assert table.shape[1] == 14
+    elements = table[6:]
+    plastic = elements[:, 1] == 3
+    assert plastic.sum() > 5
+    slip = np.hypot(elements[:, 12], elements[:, 13])
+    assert elements[:, 11] == pytest.approx(120 + 9000 * slip, rel=1e-4)  # all of it goes one way
+    assert np.hypot(elements[plastic, 5], elements[plastic, 6]) == pytest.approx(elements[plastic, 11], rel=1e-4)
+
+
+def test_cases_of_result_elements_that_number_alike_are_told_apart(ctl):
+    first, second = (FIRST.replace(" 3  MODULE", f" 3 {reid} {cpid}") for reid, cpid in ((4, 1), (7, 2)))
+    ctl.write("two.inp", first + second.replace("50000.", "60000.") + END)
+    assert ctl("contact", "run", "two.inp").code == Code.DONE
+    text = (ctl.folder / "two.out").read_text()
+    assert [line for line in text.splitlines() if line.startswith(" Case")] == [
+        " Case     1, result element   4", " Case     1, result element   7",
+    ]  # fmt: skip
+    ctl.write("other.ref", text.replace("5.000E+04", "5.100E+04").replace("6.000E+04", "6.100E+04"))
+    ended = ctl("contact", "run", "two.inp", "--compare", "other.ref")
+    assert ended.code == Code.NOT_CONVERGED
+    heading, *rows = (line.split("  ") for line in ended.out.splitlines() if "differs" in line or "why" in line)
+    words = [word.strip() for word in heading if word.strip()]
+    assert words[:3] == ["case", "result element", "contact problem"]
+    assert [[word.strip() for word in row if word.strip()][:3] for row in rows[:2]] == [["1", "4", "1"], ["1", "7", "2"]]
+    answer = ctl("contact", "run", "two.inp", "--compare", "other.ref", "--json").json
+    assert [(case["case"], case["reid"], case["cpid"]) for case in answer["cases"]] == [(1, 4, 1), (1, 7, 2)]
+    checked = ctl("contact", "check", "two.inp", "--json").json
+    assert [(case["case"], case["reid"], case["cpid"]) for case in checked["cases"]] == [(1, 4, 1), (1, 7, 2)]
+
+
 def test_a_file_of_another_program_is_never_written_over(ctl):
     ctl.write("two.inp", TWO)
     ctl.write("two.out", "   --------\n   |  CONTACT - detailed investigation of 3D frictional contact problems  |\n")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -27,6 +28,7 @@ __all__ = ["BasicResult"]
 
 Floats = npt.NDArray[np.float64]
 
+_SHIFT, _STEADY = 1, 3  #: T
 _PER_THOUSAND = 1e-3  #: from N mm to J, and from N mm/s to W
 
 
@@ -122,7 +124,17 @@ class BasicResult:
             return None
         assert friction is not None and friction.layer is not None
         first = np.full(solution.flow_x.shape, friction.layer.yield_stress or 0.0)
-        return _or(solution.yield_stress, first), solution.flow_x, solution.flow_y
+        return _or(solution.yield_stress, first), self._plastic_slip(solution.flow_x), self._plastic_slip(solution.flow_y)
+
+    def _plastic_slip(self, flow: Floats) -> Floats:
+        """From the flow of a step: of rolling per distance, and of steady rolling behind what flowed upstream."""
+        contact, tangential = self.contact, self.contact.case.digits["T"]
+        if tangential == _SHIFT:
+            return flow
+        if tangential != _STEADY:
+            return flow * contact.dq
+        upstream = -1 if math.cos(contact.chi) > 0 else 1
+        return np.asarray(np.cumsum(flow[:, ::upstream], axis=1)[:, ::upstream] * contact.area.grid.dx)
 
     def _rigid_slip(self) -> tuple[Floats, Floats]:
         contact, values = self.contact, self.contact.case.values

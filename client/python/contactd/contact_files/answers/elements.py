@@ -39,7 +39,8 @@ class Elements:
         slip: Slip along x and y: of a shift its distance (mm), of rolling relative.
         rigid_slip: The same before bodies deform.
         displacement: Of body 1 less those of body 2, shape [3, ny, nx] (mm).
-        layer: Of a layer that yields its yield stress (N/mm^2) and flow along x and y, as slip.
+        layer: Of a layer that yields its yield stress (N/mm^2) and plastic slip along x and y (mm): in steady rolling what
+            its particles have accumulated since they entered, else that of the step.
         temperature: Of the surfaces of body 1 and of body 2 (degrees Celsius); None: not asked for.
     """
 

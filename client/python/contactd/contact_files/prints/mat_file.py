@@ -46,7 +46,7 @@ def _text(case: Any, places: PatchPlaces, motion: tuple[float, float, float], el
     friction = [case.friction[0][name] for name in NAMES_OF_LAWS[law]] if case.friction else []
     if law != 0:
         friction += [values.get("MEMDST", 0.0), values.get("MEM_S0", 0.0)]
-    width = _COLUMNS if elements.temperature is None else _COLUMNS + len(elements.temperature)
+    width = _COLUMNS + len(elements.layer or ()) + len(elements.temperature or ())
 
     def header(cells: Sequence[Cell]) -> str:
         return _header(cells, width)
@@ -66,7 +66,8 @@ def _text(case: Any, places: PatchPlaces, motion: tuple[float, float, float], el
         "% frclaw, heat, veloc, friction",
         header([law, digits["H"], velocity, *friction]),
         "%    I    IGS    H             MU            PN            PX            PY            UN            UX            UY"
-        "            SREL" + ("" if elements.temperature is None else "          TEMP1         TEMP2"),
+        "            SREL" + ("" if elements.layer is None else "          TAUCRT        UPLSX         UPLSY")
+        + ("" if elements.temperature is None else "          TEMP1         TEMP2"),
         *_elements(elements, digits["A"] == 1),
     ]  # fmt: skip
     return "\n".join([*lines, ""])
