@@ -6,6 +6,7 @@ Machines are noisy and differ: compare the ratios, not the times.
     ./dev bench --service what the daemon adds to a solve and to the steps of many sessions, and solves per second with one
                           worker and two
     ./dev bench --plot    cost against grid size instead: docs/performance.csv and docs/performance.png (some minutes)
+    ./dev bench --transforms [--quick]  times with FFTW's transforms over those with ducc0's, both programs in turns
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from typing import Any
 
 import scaling
 import service
+import transforms
 from contactd import LocalDaemon
 
 PROGRAMS = [
@@ -118,6 +120,7 @@ def main() -> int:
     parser.add_argument("--only", nargs="+", choices=PROGRAMS, metavar="PROGRAM", help=f"of {', '.join(PROGRAMS)}")
     parser.add_argument("--service", action="store_true", help="latency and throughput of the daemon instead")
     parser.add_argument("--plot", action="store_true", help="cost against grid size, for docs/performance.md")
+    parser.add_argument("--transforms", action="store_true", help="FFTW's transforms beside the default's, of two builds")
     parser.add_argument("--json", type=Path, help="write the rows to this file, too")
     arguments = parser.parse_args()
 
@@ -127,6 +130,9 @@ def main() -> int:
     environment = dict(os.environ)
     if arguments.plot:
         scaling.write(run(arguments.bin / "bench_scaling", arguments.quick, environment))
+        return 0
+    if arguments.transforms:
+        transforms.report(arguments.bin, arguments.bin.parents[1] / "production-fftw" / "bin", arguments.quick, run)
         return 0
     rows = []
     for name in arguments.only or PROGRAMS:

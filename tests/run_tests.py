@@ -4,7 +4,8 @@
             where there is none, the files that have it in the name of a test
   --all     slow tests, too, and without a NAME also builds what no test needs, fuzz targets, benchmarks and random problems,
             and fuzzes what reads messages, under sanitizers
-  --long    the same and long tests: what a release is tested with
+  --long    the same and long tests, and core and daemon once more with FFTW's transforms. Without a NAME, ./dev then runs
+            each command of tests/documented_commands.txt, so that a release is tested with all of them
   OPTIONS   are handed to pytest
 """
 
@@ -23,10 +24,13 @@ from pathlib import Path
 TESTS = Path(__file__).resolve().parent
 ROOT = TESTS.parent
 BUILD = ROOT / "build" / "development"
+FFTW = ROOT / "build" / "fftw"
 #: What the Python tests run.
 PROGRAMS = ("contactd", "contactd-ic", "contactd_local", "contactd-cpp-example", "contactd-c-examples", "contactd-fmus", "congruence-drivers")
 #: What reads bytes of others, under AddressSanitizer and UBSan, ten seconds each.
 FUZZING = ["./dev", "fuzz", "10", "request", "session", "reply", "array"]
+#: What a build with FFTW's transforms is tested with, beside core: the daemon, contacts and wheels on rails.
+WITH_FFTW = ("test_check_config", "test_solve", "test_sessions", "test_wheel_rail", "test_conformal")
 #: No test needs them.
 EXTRAS = ("fuzz", "benchmarks", "random_problems")
 PROCESSORS = len(os.sched_getaffinity(0))
@@ -134,14 +138,21 @@ class Run:
         self.took: list[str] = []
         self.failed: list[str] = []
 
-    def part(self, name: str, command: Sequence[str], fine: Iterable[int] = (0,)) -> bool:
+    def part(self, name: str, command: Sequence[str], fine: Iterable[int] = (0,), build: Path = BUILD) -> bool:
         print(f"\033[1m==>\033[0m {name}", file=sys.stderr, flush=True)
         start = time.monotonic()
-        status = subprocess.run(command, cwd=ROOT, env={**os.environ, "CONTACTD_BIN": str(BUILD / "bin")}).returncode
+        status = subprocess.run(command, cwd=ROOT, env={**os.environ, "CONTACTD_BIN": str(build / "bin")}).returncode
         self.took.append(f"{name} {time.monotonic() - start:.0f} s")
         if status not in fine:
             self.failed.append(name)
         return status in fine
+
+
+def run_with_fftw(run: Run) -> None:
+    """Runs the tests of core and daemon with the programs that have FFTW's transforms."""
+    files = [str(TESTS / "integration" / f"{name}.py") for name in WITH_FFTW]
+    run.part("C++ tests with FFTW", ["ctest", "--preset", "fftw", "-j", str(PROCESSORS), "-R", "^(core|engine|verification|server)/", "-LE", "^(slow|long|fuzz)$"])
+    run.part("Python tests with FFTW", [sys.executable, "-m", "pytest", "-m", "not slow and not long", *files], build=FFTW)
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -160,6 +171,8 @@ def main(arguments: Sequence[str]) -> int:
         print(f"dev: {error}", file=sys.stderr)
         return 2
     run = Run()
+    # Long tests compare the answers of both builds.
+    with_fftw = chosen is None and effort is Effort.LONG and run.part("build with FFTW", ["./dev", "build", "fftw"])
     if run.part("build", build_command(chosen, effort)):
         if chosen is None or any(test.target for test in chosen):
             run.part("C++ tests", cpp_command(chosen, effort))
@@ -168,6 +181,8 @@ def main(arguments: Sequence[str]) -> int:
             run.part("Python tests", python_command(chosen, effort, options), fine)
         if chosen is None and effort:
             run.part("fuzzing", FUZZING)
+        if with_fftw:
+            run_with_fftw(run)
     print(f"\033[1m==>\033[0m {', '.join(run.took)}", file=sys.stderr)
     if run.failed:
         print(f"dev: failed: {', '.join(run.failed)}", file=sys.stderr)

@@ -97,7 +97,9 @@ void Runtime::abort(int exit_code) const {
 }
 
 std::string fem_version() {
-    return "contactd " + version() + ", MFEM " MFEM_VERSION_STRING ", hypre " HYPRE_RELEASE_VERSION;
+    const auto [transforms, their_version] = fft_library();
+    return "contactd " + version() + ", MFEM " MFEM_VERSION_STRING ", hypre " HYPRE_RELEASE_VERSION ", " + transforms +
+           " " + their_version;
 }
 
 }  // namespace contactd::fem

@@ -256,3 +256,31 @@ def test_the_readme_names_the_clients_that_there_are():
     assert folders == set(names)
     assert [folder for folder in folders if names[folder] not in clients] == []
     assert not re.search(r"client \(.*shell\)", (ROOT / "docs" / "architecture.md").read_text())
+
+
+#: Words behind these name a part that has a line of its own; behind other commands options do.
+OF_PARTS = {"demo", "load", "paper", "sanitize"}
+#: Options that choose less, or say more, of the same command.
+OF_DETAIL = {"--all", "--bin", "--cases", "--fresh", "--help", "--key", "--last", "--long", "--only", "--preset"}
+
+
+def named_commands(text: str) -> set[tuple[str, ...]]:
+    """Each command of ./dev in the text, with the part or the option behind it that makes it another one."""
+    found = set()
+    for line in re.findall(r"(?m)(?:^ +|`|& )\./dev ((?:[a-z0-9]+)(?: (?:--)?[a-z]+)*)", text):
+        first, *rest = line.split()
+        own = [word for word in rest[:1] if first in OF_PARTS or word.startswith("--")]
+        found.add((first, *(word for word in own if word not in OF_DETAIL)))
+    return found
+
+
+def test_each_command_that_a_page_or_the_help_names_is_run_before_a_release(machine):
+    lines = (ROOT / "tests" / "documented_commands.txt").read_text().splitlines()
+    listed = [line.removeprefix("- ").partition(":")[0].split() for line in lines if line and not line.startswith("#")]
+    pages = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "tests" / "README.md", *(ROOT / "docs").glob("*.md")]
+    code = [re.findall(r"`\./dev [^`]*`|^ {4}.*$", page.read_text(), re.MULTILINE) for page in pages]
+    text = machine.dev("help").stdout + "\n".join("\n".join(parts) for parts in code)
+    commands = named_commands(text)
+    assert len(commands) > 25
+    missing = [words for words in commands if not any(words[0] == line[0] and set(words) <= set(line) for line in listed)]
+    assert missing == []

@@ -7,8 +7,6 @@
 
 #include <Eigen/Core>
 
-#include "fft/lane_fft.hpp"
-
 namespace contactd {
 
 std::string version() {

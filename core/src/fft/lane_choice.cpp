@@ -3,6 +3,7 @@
 #include <string>
 
 #include "contactd/error.hpp"
+#include "contactd/version.hpp"
 #include "lane_makers.hpp"
 
 namespace contactd {

@@ -1,0 +1,48 @@
+"""The same benchmarks with the transforms of ducc0 and of FFTW, both programs in turns: ./dev bench --transforms.
+
+Prints the table of docs/performance.md.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import statistics
+from collections import defaultdict
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+Runner = Callable[[Path, bool, dict[str, str]], list[dict[str, Any]]]
+
+#: The rows of each program, and what the table calls them; {} are the groups of the pattern.
+ROWS = {
+    "bench_core": [(r"A_p/n:(\d+)", "product, n = {}"), (r"NORM/n:(\d+)", "normal contact, n = {}")],
+    "bench_rolling": [(r"steady_cold/n:(\d+)", "steady rolling, n = {}")],
+    "bench_contact": [(r"(shift_problem|transient_step)/n:(\d+)", "{}, n = {}")],
+    "bench_wheel_rail": [(r"full/y:(\d+)", "wheel on rail, y = {} mm")],
+}
+ROUNDS = 3
+
+
+def named(program: str, row: str) -> str | None:
+    """The row's name in the table; None for a row that it leaves out."""
+    for pattern, name in ROWS[program]:
+        if match := re.fullmatch(rf"{program}\.{pattern}", row):
+            return name.format(*(group.replace("_", " ") for group in match.groups()))
+    return None
+
+
+def report(of_ducc0: Path, of_fftw: Path, quick: bool, run: Runner) -> None:
+    """Runs the programs of both folders in turns, and prints medians of their times and of the ratios."""
+    taken: dict[str, dict[str, list[float]]] = defaultdict(lambda: defaultdict(list))
+    for program in ROWS:
+        for _ in range(1 if quick else ROUNDS):
+            for name, folder in (("ducc0", of_ducc0), ("fftw", of_fftw)):
+                for row in run(folder / program, quick, dict(os.environ)):
+                    if not row.get("error_occurred") and (label := named(program, row["name"])):
+                        taken[label][name].append(row["seconds"])
+    print("| row | ducc0, us | FFTW / ducc0 |\n|---|---|---|")
+    for label, of in taken.items():
+        ratio = statistics.median(b / a for a, b in zip(of["ducc0"], of["fftw"], strict=True))
+        print(f"| {label} | {statistics.median(of['ducc0']) * 1e6:.3g} | {ratio:.2f} |")
