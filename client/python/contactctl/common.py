@@ -40,6 +40,8 @@ class Setting:
     own_key: str | None = field(default_factory=lambda: _of_environment("CONTACTD_OWN_KEY"))
     timeout: float | None = None
     json: bool = False
+    overwrite: bool = False
+    allow_folder: tuple[str, ...] = ()
 
 
 def setting() -> Setting:
@@ -69,6 +71,9 @@ def _options() -> list[click.Parameter]:
         option("--own-key", metavar="FILE", help="The own secret key; else CONTACTD_OWN_KEY."),
         option("--timeout", type=seconds, metavar="SECONDS", help="Of each request; else 60, and an hour for builds."),
         option("--json", is_flag=True, help="JSON on standard output, for scripts."),
+        option("--allow-folder", metavar="FOLDER", multiple=True,
+               help="Files may name others that lie there; else only those in their own folder and below it."),
+        option("--overwrite", is_flag=True, help="Write also over files that contactd has not written."),
     ]  # fmt: skip
 
 

@@ -46,18 +46,18 @@ def end_soon_after_signals() -> None:
         return
     finally:
         os.close(reading)
-    watch.returncode = 0  # it outlives this process, and nobody waits for it
+    watch.returncode = 0  # it outlives this process
     signal.set_wakeup_fd(writing, warn_on_full_buffer=False)
     threading.Thread(target=_end_after_signal, args=(watch,), daemon=True, name="ending").start()
 
 
 def _end_after_signal(watch: subprocess.Popen[bytes]) -> None:
     assert watch.stdout is not None
-    told = watch.stdout.readline().strip()
-    if not told.isdigit():
+    number = watch.stdout.readline().strip()
+    if not number.isdigit():
         return
     time.sleep(_IN_ORDER)
     in_process = sys.modules.get("contactd.transport.in_process")
     if in_process is not None:
         in_process.remove_temporary_folders()
-    os._exit(_CODES.get(int(told), Code.DEFECT))
+    os._exit(_CODES.get(int(number), Code.DEFECT))

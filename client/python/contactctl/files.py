@@ -5,19 +5,24 @@ from __future__ import annotations
 import json
 import os
 import sys
-from collections.abc import Hashable, Iterable
+from collections.abc import Hashable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
 import click
 
+from contactd.files.marks import can_be_written_over
+from contactd.files.reach import check_within
 from contactd.files.whole import read_whole, write_whole
 from contactd.wheel_rail import ProfileFile
 
 from .array_files import read_array
 from .yaml_files import parse_yaml
 
-__all__ = ["read_document", "read_named", "read_object", "with_arrays", "writable", "writable_folder", "write_text"]
+__all__ = [
+    "allowed_folders", "check_own", "may_overwrite", "named_file", "read_document", "read_named", "read_object", "with_arrays",
+    "writable", "writable_folder", "write_text",
+]  # fmt: skip
 
 _DEEPEST = 50  #: levels of fields; no request has a quarter of them
 _MOST_BYTES = 1 << 25  #: of a document; what is larger is arrays, which have files of their own
@@ -45,7 +50,7 @@ def read_named(path: str) -> dict[str, Any]:
 
 def with_arrays(document: Any, path: str) -> Any:
     """Returns what `path` holds, with the arrays and the profiles of the files that it names."""
-    return _with_arrays(document, Path() if path == "-" else Path(path).parent, path)
+    return _with_arrays(document, path)
 
 
 def read_document(path: str) -> Any:
@@ -61,8 +66,9 @@ def read_document(path: str) -> Any:
         raise click.UsageError(f"{path} is no {'JSON' if is_json else 'YAML'}: {error}") from None
 
 
-def writable(option: str, path: str | Path) -> Path:
-    """Asked before anything is solved: whether there can be such a file. Raises click.UsageError."""
+def writable(option: str, path: str | Path, heading: Sequence[str] | None = None) -> Path:
+    """Asked before anything is solved: whether there can be such a file, in the place of none or of one that contactd has
+    written. `heading` has the names of the columns of a table without comments. Raises click.UsageError."""
     place = Path(path)
     folder = place.absolute().parent
     if not folder.is_dir():
@@ -73,6 +79,47 @@ def writable(option: str, path: str | Path) -> Path:
     needed = [place] if is_written_to else [folder, place] if place.exists() else [folder]
     if not all(os.access(path, os.W_OK) for path in needed):
         raise click.UsageError(f"{option} {path} cannot be written: permission is denied.")
+    check_own(option, place, heading)
+    return place
+
+
+def check_own(option: str, place: Path, heading: Sequence[str] | None = None) -> None:
+    """Raises click.UsageError for a file that another program has written, unless the command has --overwrite."""
+    if may_overwrite():
+        return
+    try:
+        if can_be_written_over(place, heading):
+            return
+    except OSError as error:
+        raise click.UsageError(f"{option} {place} cannot be read, to see who has written it: {error.strerror}.") from None
+    what = "is a link to nothing" if place.is_symlink() and not place.exists() else "is there, and contactd has not written it"
+    raise click.UsageError(f"{option} {place} {what}. Name another file, or give --overwrite.")
+
+
+def may_overwrite() -> bool:
+    """Whether the command that runs has --overwrite."""
+    return bool(_option("overwrite", False))
+
+
+def allowed_folders(folder: Path) -> list[Path]:
+    """Where files lie that a file in `folder` may name: there, and in those of --allow-folder."""
+    return [folder, *map(Path, _option("allow_folder", ()))]
+
+
+def _option(name: str, otherwise: Any) -> Any:
+    context = click.get_current_context(silent=True)
+    return otherwise if context is None else getattr(context.find_root().obj, name, otherwise)
+
+
+def named_file(name: str | Path, named_by: str) -> Path:
+    """The place of a file that another one names, beside itself. Raises click.UsageError for one that lies elsewhere, unless
+    --allow-folder allows it."""
+    folder = Path() if named_by == "-" else Path(named_by).parent
+    place = folder / name
+    try:
+        check_within(place, allowed_folders(folder))
+    except OSError as error:
+        raise click.UsageError(f"{named_by} names {place}, which cannot be read: {error.strerror}.") from None
     return place
 
 
@@ -131,30 +178,31 @@ def _object(pairs: Iterable[tuple[Hashable, Any]]) -> dict[str, Any]:
     return found
 
 
-def _with_arrays(value: Any, folder: Path, path: str, depth: int = 0) -> Any:
+def _with_arrays(value: Any, path: str, depth: int = 0) -> Any:
     if depth > _DEEPEST:
         raise click.UsageError(f"{path} is nested too deeply.")
     if isinstance(value, dict):
         if value.keys() == {"$file"}:
             if not isinstance(name := value["$file"], str):
                 raise click.UsageError(f"{path}: $file is {name!r:.60}; it must be the name of a file.")
-            return read_array(folder / name, path)
+            return read_array(named_file(name, path), path)
         return {
-            name: _profile(member, folder, path) if name == "file" else _with_arrays(member, folder, path, depth + 1)
+            name: _profile(member, path) if name == "file" else _with_arrays(member, path, depth + 1)
             for name, member in value.items()
         }
     if isinstance(value, list):
-        return [_with_arrays(member, folder, path, depth + 1) for member in value]
+        return [_with_arrays(member, path, depth + 1) for member in value]
     return value
 
 
-def _profile(named: Any, folder: Path, path: str) -> Any:
+def _profile(named: Any, path: str) -> Any:
     """The file of a profile with its text; what is no name of a file, or has its text, as it is."""
     given = {"name": named} if isinstance(named, str) else named
     if not isinstance(given, dict) or not isinstance(name := given.get("name"), str) or "text" in given:
         return named
+    place = named_file(name, path)
     try:
-        read = ProfileFile(folder / name)
+        read = ProfileFile(place)
     except OSError as error:
-        raise click.UsageError(f"{path} names {folder / name}, which cannot be read: {error.strerror or error}.") from None
+        raise click.UsageError(f"{path} names {place}, which cannot be read: {error.strerror or error}.") from None
     return {**given, "name": Path(name).name, "text": read.text}

@@ -10,12 +10,12 @@ from typing import Any, get_args
 import click
 
 from contactd import ContactSolution, MissingExtra, PartialSolution
-from contactd.files.whole import write_whole
 from contactd.values.result import Field
 from contactd.wheel_rail import WheelRailSolution
 
 from .files import writable, write_text
 from .output import plain_json
+from .writing.drawing import save_picture
 
 __all__ = ["ARRAYS", "check_outputs", "check_picture", "need", "save"]
 
@@ -75,4 +75,4 @@ def save(path: Path, answer: dict[str, Any], read: Callable[[], ContactSolution 
         else:
             figure = Figure(figsize=(6.8, 5.4), layout="constrained")
             solution.plot(figure.subplots())
-        write_whole(path, lambda file: figure.savefig(file, format=path.suffix[1:], dpi=150, bbox_inches="tight"))
+        save_picture(path, figure, dpi=150, bbox_inches="tight")

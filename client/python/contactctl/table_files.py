@@ -18,7 +18,7 @@ from contactd.values.answers import read
 from contactd.values.tables import IcSpec
 
 from .asking import ask
-from .files import writable
+from .files import check_own, writable
 from .output import facts, size
 
 __all__ = ["check_suffix", "import_files", "send_files", "shown_file", "write_export"]
@@ -122,6 +122,7 @@ def import_files(files: list[str], store: str) -> list[dict[str, Any]]:
         target = folder / file.name
         is_new = not target.exists()
         if is_new:
+            check_own("--store", target)
             content = file_of(imported_contents(file))
             write_whole(target, lambda opened, content=content: opened.write(content))
         done.append({"key": key, "nx": nx, "ny": ny, "new": is_new})

@@ -16,6 +16,7 @@ from contactd.contact_files.problems.mistakes import mistakes
 from contactd.contact_files.problems.rails import RailContact
 from contactd.contact_files.profile_files import ProfileFiles
 from contactd.contact_files.python_text import python_text
+from contactd.files.marks import written_by
 from contactd.values.contact_params import problem_params
 from contactd.values.wheel_rail.params import setup_params, state_params
 
@@ -42,7 +43,7 @@ def as_yaml(case: Case, client: Client, profiles: ProfileFiles) -> str:
 
     params = case_params(case, client, profiles)
     text: str = yaml.safe_dump(plain_json(params), sort_keys=False, default_flow_style=None, width=120)
-    return f"# Case {case.number}, line {case.line}.\n{text}"
+    return f"# Case {case.number}, line {case.line}, {written_by()}.\n{text}"
 
 
 def as_python(file: Path, cases: Sequence[Case], client: Client, profiles: ProfileFiles) -> str:

@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 
 import click
 
 from contactd.contact_files.case import Case
 from contactd.contact_files.prints.mat_file import mat_texts
-from contactd.contact_files.prints.out_text import IS_OURS
 from contactd.contact_files.prints.subs_file import subs_texts
 from contactd.contact_files.runner import Outcome
 from contactd.files.whole import read_whole
 
-from ..files import write_text
+from ..files import check_own, write_text
 
-__all__ = ["CaseFiles", "check_own", "read_printed"]
+__all__ = ["CaseFiles", "read_printed"]
 
 _MOST_BYTES = 1 << 29  #: of an .out file
-_HEAD = 1000
 
 
 def read_printed(path: Path) -> str:
@@ -29,21 +28,25 @@ def read_printed(path: Path) -> str:
         raise click.UsageError(f"--compare {path} cannot be read: {error.strerror}.") from None
 
 
-def check_own(path: Path) -> None:
-    """Raises click.UsageError for a file that another program has written: it may be what to compare with."""
-    if not path.is_file():
-        return
-    with path.open("rb") as file:
-        head = file.read(_HEAD).decode("utf-8", errors="replace")
-    if IS_OURS not in head:
-        raise click.UsageError(f"{path} is there, and contactd has not written it: name another file by --output.")
-
-
 class CaseFiles:
     """Files beside the .out file, each written whole when its case is there."""
 
     def __init__(self, place: Path) -> None:
         self._place = place
+
+    def check(self, cases: Iterable[Case]) -> None:
+        """Raises click.UsageError for a file of theirs that another program has written; which letters of contacts there will
+        be, no case says."""
+        stems: dict[str, set[str]] = {".mat": set(), ".subs": set()}
+        for case in cases:
+            stem = self._named(case, f"{case.number:04d}").name
+            if case.digits.get("A"):
+                stems[".mat"].add(stem)
+            if case.digits.get("S") and case.values.get("SUBS_A"):
+                stems[".subs"].add(stem)
+        for path in sorted(self._place.absolute().parent.iterdir()):
+            if path.suffix in stems and not stems[path.suffix].isdisjoint({path.stem, path.stem[:-1]}):
+                check_own("--output", path)
 
     def keep(self, outcome: Outcome) -> None:
         """Writes what a case asks for."""

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -13,7 +11,6 @@ import typer
 from contactd import Client, ComparedModel, ModelComparison
 from contactd.contact_files import read
 from contactd.contact_files.profile_files import ProfileFiles
-from contactd.files.whole import write_whole
 from contactd.values.wheel_rail.comparison import FULL, combinations
 from contactd.wheel_rail import WheelRailSolution
 
@@ -21,15 +18,18 @@ from ..asking import reports_of_rounds
 from ..cases.converting import case_params
 from ..codes import Code, Ended
 from ..common import Command, connected, setting
-from ..files import read_object, writable, write_text
+from ..files import allowed_folders, read_object, writable, write_text
 from ..output import above_rounding, emit, listing, note, span, warn
 from ..paths import changed
 from ..progress import Bar
 from ..saving import check_picture
+from ..writing.csv_files import csv_text
+from ..writing.drawing import save_picture
 from .solve import Set
 
 __all__ = ["add_to"]
 
+_FIRST_COLUMNS = ("name", "model", "normal_model")
 _ERRORS = ("Fn", "Fx", "Fy", "Mz", "pmax", "area", "patch", "approach", "creepage")
 
 
@@ -90,7 +90,7 @@ def _check_outputs(plot: str | None, table: Path | None) -> None:
     if plot is not None:
         check_picture("--plot", plot)
     if table is not None:
-        writable("--csv", table)
+        writable("--csv", table, _FIRST_COLUMNS)
 
 
 def _case_of(file: Path, number: int | None, client: Client) -> dict[str, Any]:
@@ -102,7 +102,7 @@ def _case_of(file: Path, number: int | None, client: Client) -> dict[str, Any]:
         raise click.UsageError(f"{file} has {len(cases)} cases: say which by --case.")
     if not 1 <= (number or 1) <= len(cases):
         raise click.UsageError(f"--case {number}: {file} has {len(cases)} cases.")
-    return case_params(cases[(number or 1) - 1], client, ProfileFiles(file.parent, client))
+    return case_params(cases[(number or 1) - 1], client, ProfileFiles(file.parent, client, allowed_folders(file.parent)))
 
 
 def _row(one: ComparedModel) -> dict[str, Any]:
@@ -137,9 +137,7 @@ def _write_table(path: Path, rows: list[dict[str, Any]]) -> None:
         errors = {f"error of {name}": value for name, value in row.get("errors", {}).items()}
         flat.append({**{name: value for name, value in row.items() if name not in ("errors", "motion", "left_out", "contacts")}, **errors})
     columns = [*dict.fromkeys(name for row in flat for name in row if name != "refusal"), "refusal"]
-    written = io.StringIO()
-    csv.writer(written, lineterminator="\n").writerows([columns, *([row.get(name, "") for name in columns] for row in flat)])
-    write_text(path, written.getvalue())
+    write_text(path, csv_text([columns, *([row.get(name, "") for name in columns] for row in flat)]))
 
 
 def _shown(found: ModelComparison, rows: list[dict[str, Any]]) -> list[Any]:
@@ -174,4 +172,4 @@ def _digits(value: Any, count: int = 5) -> Any:
 
 def _draw(path: Path, found: ModelComparison) -> None:
     figure = found.plot()
-    write_whole(path, lambda file: figure.savefig(file, format=path.suffix[1:], dpi=130))
+    save_picture(path, figure, dpi=130)

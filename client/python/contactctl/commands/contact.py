@@ -21,12 +21,12 @@ from contactd.contact_files.runner import Runner, chains_of, checked
 
 from ..cases.comparing import compared_rows
 from ..cases.converting import as_python, as_yaml
-from ..cases.files import CaseFiles, check_own, read_printed
+from ..cases.files import CaseFiles, read_printed
 from ..cases.rows import code_of_status, keys_of, row_values
 from ..cases.running import run_chains
 from ..codes import Code, Ended
 from ..common import Command, Group, connected, setting
-from ..files import writable, write_text
+from ..files import allowed_folders, writable, write_text
 from ..output import emit, listing, note, warn
 from ..progress import Bar
 from ..study.journal import Journal
@@ -81,7 +81,6 @@ def run(
     if not file.name:  # as of a folder, which has no other ending
         raise click.UsageError(f"{file} is a folder; it must be an input file of CONTACT.")
     place = writable("--output", output or file.with_suffix(".out"))
-    check_own(place)
     printed = None if compare is None else printed_cases(read_printed(compare))
     if printed is not None and not printed:
         raise click.UsageError(f"--compare {compare}: no case is printed there; it must be an .out file of CONTACT.")
@@ -89,10 +88,12 @@ def run(
         read_file = _read(file, client)
         cases = read_file.cases
         chains = chains_of(cases)
-        profiles = ProfileFiles(file.parent, client)
+        profiles = ProfileFiles(file.parent, client, allowed_folders(file.parent))
         options = {"wheel": wheel, "files": profiles.digests(cases)}
         runner = Runner(client, profiles, surface)
-        rows = _computed(runner, chains, options, Path(f"{place}.rows"), workers, fresh, CaseFiles(place))
+        files = CaseFiles(place)
+        files.check(cases)
+        rows = _computed(runner, chains, options, Path(f"{place}.rows"), workers, fresh, files)
     ordered = [rows[id(case)] for case in cases]
     write_text(place, out_text(row["answers"]["lines"] for row in ordered))
     Path(f"{place}.rows").unlink(missing_ok=True)
@@ -119,7 +120,7 @@ def convert(
         if case is not None and not 1 <= case <= len(cases):
             raise click.UsageError(f"--case {case}: {file} has {_cases(len(cases))}.")
         chosen = cases if case is None else cases[case - 1 : case]
-        profiles = ProfileFiles(file.parent, client)
+        profiles = ProfileFiles(file.parent, client, allowed_folders(file.parent))
         if output.suffix == ".py":
             text = as_python(file, chosen, client, profiles)
         elif len(chosen) != 1:
@@ -146,9 +147,9 @@ def _computed(
 ) -> dict[int, dict[str, Any]]:
     """The rows of all cases."""
     total = sum(map(len, chains))
-    if fresh:
-        path.unlink(missing_ok=True)
     with Journal(path) as journal:
+        if fresh:
+            journal.forget(set(journal.rows))
         keys = {id(case): key for chain in chains for case, key in zip(chain, keys_of(chain, options))}
         if known := len(set(keys.values()) & journal.rows.keys()):
             note(f"{known} of {total} cases are in {path}.")

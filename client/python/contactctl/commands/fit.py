@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import math
 from pathlib import Path
@@ -15,8 +13,9 @@ import typer
 
 import contactd
 from contactd import Fit, FitFailed, MissingExtra
+from contactd.files.marks import written_by
 from contactd.files.number_text import number_in, rows_of
-from contactd.files.whole import read_whole, write_whole
+from contactd.files.whole import read_whole
 
 from ..asking import reports_of_rounds
 from ..codes import Code, Ended, code_of
@@ -26,11 +25,14 @@ from ..output import emit, facts, listing, number, plain_json, warn
 from ..paths import changed
 from ..progress import Bar
 from ..saving import check_picture
+from ..writing.csv_files import csv_text
+from ..writing.drawing import save_picture
 from .solve import Set
 
 __all__ = ["add_to"]
 
 _MOST_BYTES = 1 << 24  #: of a file with a curve
+_COLUMNS = ("creepage", "measured", "computed", "residual")
 _BETWEEN = 61  #: creepages of the curve that is drawn
 
 
@@ -98,7 +100,7 @@ def _check_outputs(plot: str | None, table: Path | None, output: str | None) -> 
     if plot is not None:
         check_picture("--plot", plot)
     if table is not None:
-        writable("--csv", table)
+        writable("--csv", table, _COLUMNS)
     if output is not None:
         if Path(output).suffix not in (".json", ".yaml", ".yml"):
             raise click.UsageError(f"--output {output}: the name must end in .json, .yaml or .yml.")
@@ -162,12 +164,8 @@ def _write(found: Fit, plot: str | None, table: Path | None, output: str | None)
     if plot is not None:
         _draw(Path(plot), found)
     if table is not None:
-        written = io.StringIO()
-        table_writer = csv.writer(written, lineterminator="\n")
-        table_writer.writerow(["creepage", "measured", "computed", "residual"])
-        for row in np.stack([found.creepage, found.measured, found.computed, found.residuals], axis=1):
-            table_writer.writerow([float(value) for value in row])
-        write_text(table, written.getvalue())
+        columns = [found.creepage, found.measured, found.computed, found.residuals]
+        write_text(table, csv_text([_COLUMNS, *zip(*(map(float, column) for column in columns))]))
     if output is not None:
         write_text(output, _case_text(Path(output), plain_json(found.params)))
 
@@ -177,7 +175,7 @@ def _case_text(path: Path, params: Any) -> str:
         return json.dumps(params, allow_nan=False) + "\n"
     import yaml
 
-    return str(yaml.safe_dump(params, sort_keys=False, default_flow_style=None, width=120))
+    return f"# {written_by().capitalize()}.\n{yaml.safe_dump(params, sort_keys=False, default_flow_style=None, width=120)}"
 
 
 def _draw(path: Path, found: Fit) -> None:
@@ -185,7 +183,7 @@ def _draw(path: Path, found: Fit) -> None:
 
     figure = Figure(figsize=(6.4, 4.8), layout="constrained")
     found.plot(figure.subplots())
-    write_whole(path, lambda file: figure.savefig(file, format=path.suffix[1:], dpi=150))
+    save_picture(path, figure, dpi=150)
 
 
 def _as_json(found: Fit) -> dict[str, Any]:

@@ -14,7 +14,6 @@ import typer
 
 from contactd import Client, ContactWarning, InvalidArgument, __version__
 from contactd.files.profile_text import ENDINGS, format_profile
-from contactd.files.whole import write_whole
 from contactd.pictures.canvas import plain
 from contactd.wheel_rail import ProfileEvidence, ProfileFile, Track, WheelRailSetup
 from contactd.wheel_rail_pictures import curvature_of, draw_curvature, draw_profile
@@ -23,6 +22,7 @@ from ..common import Command, Group, connected, setting
 from ..files import writable, write_text
 from ..output import emit, facts, number, plain_json, warn
 from ..saving import check_picture
+from ..writing.drawing import save_picture
 
 __all__ = ["add_to"]
 
@@ -182,4 +182,4 @@ def _draw(path: Path, title: str, found: _Found, measured: Any) -> None:
     draw_profile(above, found.points, found.evidence, measured)
     draw_curvature(below, found.points, measured)
     above.set_title(plain(title, 80), fontsize="medium")
-    write_whole(path, lambda file: figure.savefig(file, format=path.suffix[1:], dpi=150))
+    save_picture(path, figure, dpi=150)

@@ -19,7 +19,7 @@ from contactd.files.whole import read_whole
 
 from ..asking import ask
 from ..common import Command, connected, setting
-from ..files import read_object
+from ..files import named_file, read_object
 from ..output import emit, listing, warn
 from ..paths import changed, put
 from ..progress import Bar
@@ -101,7 +101,7 @@ def _opening(file: str, history: dict[str, Any]) -> dict[str, Any]:
 def _steps(file: str, history: dict[str, Any]) -> list[dict[str, Any]]:
     steps = history.get("steps")
     if isinstance(steps, str):
-        steps = _steps_of_csv((Path() if file == "-" else Path(file).parent) / steps)
+        steps = _steps_of_csv(named_file(steps, file))
     if not isinstance(steps, list) or not steps:
         raise click.UsageError(f"{file} lacks steps, a list of what each step says, or the name of a CSV file.")
     for number, step in enumerate(steps, 1):

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import os
 from collections import Counter
 from collections.abc import Sequence
@@ -25,6 +23,7 @@ from ..study.here import run_here
 from ..study.journal import Journal
 from ..study.plan import Case, Plan, read_plan
 from ..study.shares import Rows, Share, best, check_ended, rows_beside, share_of
+from ..writing.csv_files import csv_text
 
 __all__ = ["add_to"]
 
@@ -59,7 +58,7 @@ def study(
             raise click.UsageError("A study from standard input needs --rows, where its rows are kept.")
         rows = Path(f"{file}.rows")
     part = None if share is None else share_of(share)
-    _check_output(part, table, arrays)
+    _check_output(part, table, arrays, plan)
     cases = plan.cases if part is None else part.cases(plan.cases)
     with Journal(rows if part is None else part.file(rows)) as journal:
         if part is None:
@@ -70,14 +69,18 @@ def study(
     _show(plan, found, table)
 
 
-def _check_output(part: Share | None, table: Path | None, arrays: Path | None) -> None:
+def _columns(plan: Plan) -> list[str]:
+    return [*plan.names, *(name for name in plan.answers if name not in plan.names)]
+
+
+def _check_output(part: Share | None, table: Path | None, arrays: Path | None, plan: Plan) -> None:
     """Before anything is solved."""
     for option, path in (("--csv", table), ("--hdf5", arrays)):
         if path is None:
             continue
         if part is not None:
             raise click.UsageError(f"{option} takes all rows: leave it to the command without --share, when all shares are done.")
-        writable(option, path)
+        writable(option, path, [*_columns(plan), "error"] if option == "--csv" else None)
     if arrays is not None:
         need("h5py", "HDF5 files", "hdf5")
 
@@ -128,13 +131,11 @@ def _solve(plan: Plan, todo: Sequence[Case], there: int, journal: Journal, worke
 
 def _show(plan: Plan, rows: list[dict[str, Any]], table: Path | None) -> None:
     answers = [name for name in plan.answers if name not in plan.names]
-    columns = [*plan.names, *answers]
+    columns = _columns(plan)
     cells = [[*row["values"].values(), *(row.get("answers", {}).get(name) for name in answers)] for row in rows]
     shown = [_shown(columns, line) for line in cells[:_SHOWN]]
     if table is not None:
-        written = io.StringIO()
-        csv.writer(written, lineterminator="\n").writerows([[*columns, "error"], *([*line, row.get("error", "")] for line, row in zip(cells, rows))])
-        write_text(table, written.getvalue())
+        write_text(table, csv_text([[*columns, "error"], *([*line, row.get("error", "")] for line, row in zip(cells, rows))]))
     codes = Counter(row["code"] for row in rows)
     given = f"{len(rows)} rows: {codes.pop(Code.DONE, 0)} done"
     unconverged = codes.pop(Code.NOT_CONVERGED, 0)

@@ -13,6 +13,7 @@ import click
 import typer
 
 from contactd import Client, InvalidArgument
+from contactd.files.marks import written_by
 from contactd.wear import WearStudy, WeightedState, WornStep, evolve, read_record, write_record
 from contactd.wear.dynamics import Dynamics, evolve_with, states_of_stage
 from contactd.wear.evolution import Solve, by_threads, place_of
@@ -28,7 +29,7 @@ from ..study.shares import Share, share_of
 from ..wearing.along import is_along, wear_along
 from ..wearing.by_dask import solving_by_dask
 from ..wearing.convergence import settled
-from ..wearing.outputs import Measures, measured, write_pictures, write_profiles
+from ..wearing.outputs import Measures, check_folders, measured, write_pictures, write_profiles
 from ..wearing.reading import read_dynamics, read_study
 from ..wearing.shares import ShareFiles, work
 
@@ -53,6 +54,7 @@ def wear(
     longest_wait: Annotated[float, typer.Option("--longest-wait", metavar="SECONDS", min=1, help="How long shares wait for each other.")] = 3600,
     dask: Annotated[str | None, typer.Option("--dask", metavar="SCHEDULER", help="By the workers of a Dask cluster, such as tcp://host:8786.")] = None,
     convergence: Annotated[bool, typer.Option("--convergence", help="Wear nothing, but tell how far results have settled: other states, elements and steps.")] = False,
+    allow_program: Annotated[bool, typer.Option("--allow-program", help="Run the program that the study names in dynamics.")] = False,
     fresh: Annotated[bool, typer.Option("--fresh", help="Begin with the new profile, also where there are steps.")] = False,
 ) -> None:
     """Wear a wheel or a rail, or both, under a collective of states, step by step.
@@ -78,7 +80,7 @@ def wear(
             raise click.UsageError("A study along the track has a map, and neither profiles nor pictures, shares nor Dask.")
         wear_along(file, output)
         return
-    dynamics = read_dynamics(file, Path(f"{output}.stages"))
+    dynamics = read_dynamics(file, Path(f"{output}.stages"), allow_program)
     if dynamics is not None and part is not None:
         raise click.UsageError("--share shares states that a file has; dynamics tell them anew.")
     study = read_study(file) if dynamics is None else _study_of(file, dynamics, fresh)
@@ -87,6 +89,7 @@ def wear(
     for option, folder in (("--profiles", profiles), ("--pictures", pictures)):
         if folder is not None:
             writable_folder(option, folder)
+    check_folders(profiles, pictures)
     if part is not None and part.index > 0:
         _help(study, output, part, workers, longest_wait)
         return
@@ -98,7 +101,7 @@ def wear(
             note(f"{steps[-1].distance:g} of {study.until:g} {study.unit} are in {output}; the same command goes on.")
         raise
     if profile is not None:
-        write_text(profile, "".join(f"{y:.9g} {z:.9g}\n" for y, z in steps[-1].points))
+        write_text(profile, "".join([f"# {written_by()}\n", *(f"{y:.9g} {z:.9g}\n" for y, z in steps[-1].points)]))
     written = [] if profiles is None else write_profiles(profiles, study, steps)
     if pictures is not None:
         if len(steps) < 2:
@@ -120,12 +123,22 @@ def _tell_convergence(study: WearStudy, workers: int) -> None:
 
 def _study_of(file: str, dynamics: Dynamics, fresh: bool) -> WearStudy:
     """The study whose states are those that dynamics tell on the new profiles."""
-    if fresh and dynamics.folder.is_dir():
-        shutil.rmtree(dynamics.folder)
+    if fresh:
+        _forget_stages(dynamics.folder)
     anyone = read_study(file, [WeightedState(WheelRailState(), 1.0)])
     with connected(local_unless_named=True) as client:
         new = next(evolve(client, anyone))
     return read_study(file, states_of_stage(dynamics, 0, {part: new.of(part).points for part in anyone.parts}, 0.0))
+
+
+def _forget_stages(folder: Path) -> None:
+    """Removes the folders of stages. Raises Ended for a folder that has anything else."""
+    if not folder.is_dir():
+        return
+    for path in folder.iterdir():
+        if path.is_symlink() or not (path / "distance.txt").is_file():
+            raise Ended(Code.USAGE, f"{path} is no stage that contactd has written; move it away, or name another file by --output.")
+    shutil.rmtree(folder)
 
 
 def _help(study: WearStudy, output: Path, share: Share, workers: int, longest_wait: float) -> None:

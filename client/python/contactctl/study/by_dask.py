@@ -68,7 +68,7 @@ def _solved(
 
 def client_of_worker(given: dict[str, Any]) -> Client:
     """Returns the client of this worker: it has an endpoint of its own where the command names none, and CONTACTD_ENDPOINT there does."""
-    there = Setting(**{name: value for name, value in given.items() if value not in (None, False)})
+    there = Setting(**{name: value for name, value in given.items() if value not in (None, False, ())})
     identity = (there.local, there.folder, there.endpoint or DEFAULT_ENDPOINT)
     if identity not in _CLIENTS:
         here = contactd.local(folder=there.folder) if there.local else None

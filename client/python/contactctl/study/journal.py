@@ -9,6 +9,7 @@ from __future__ import annotations
 import fcntl
 import json
 import os
+import secrets
 import time
 import zlib
 from pathlib import Path
@@ -23,6 +24,7 @@ from ..output import note
 __all__ = ["MOST_BYTES", "Journal", "rows_in"]
 
 MOST_BYTES = 1 << 32  #: of a file with rows
+_CHECKSUM = 8  #: digits
 _SYNC = 1.0  # seconds of work that a loss of power may cost
 
 
@@ -35,6 +37,8 @@ class Journal:
 
     def __init__(self, path: Path) -> None:
         self.path = path
+        if path.is_symlink() and not path.exists():
+            raise Ended(Code.USAGE, f"{path} is a link to nothing; name another file by --rows.")
         self.rows: dict[str, dict[str, Any]] = {}
         self._file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC, 0o644)
         try:
@@ -75,28 +79,28 @@ class Journal:
     def forget(self, keys: set[str]) -> None:
         """Lets rows be solved again: writes the file anew without them, and puts it in place of the old one."""
         kept = [row for key, row in self.rows.items() if key not in keys]
-        part = Path(f"{self.path}.part")
-        with part.open("wb") as file:
+        part = Path(f"{os.path.realpath(self.path)}.{secrets.token_hex(4)}.part")
+        with part.open("xb") as file:
             file.writelines(_line(row) for row in kept)
             file.flush()
             os.fsync(file.fileno())
         renewed = os.open(part, os.O_RDWR | os.O_APPEND | os.O_CLOEXEC)
         fcntl.flock(renewed, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        part.replace(self.path)
+        part.replace(os.path.realpath(self.path))
         os.close(self._file)
         self._file = renewed
         self.rows = {row["key"]: row for row in kept}
 
     def _read(self) -> None:
-        content = read_whole(self.path, MOST_BYTES)
-        whole = content.rfind(b"\n") + 1
-        if whole < len(content):  # killed within a line
-            os.ftruncate(self._file, whole)
         try:
+            content = read_whole(self.path, MOST_BYTES)
             self.rows = rows_in(self.path, content)
         except BaseException:
             os.close(self._file)
             raise
+        whole = content.rfind(b"\n") + 1
+        if whole < len(content):  # killed within a line
+            os.ftruncate(self._file, whole)
 
 
 def rows_in(path: Path, content: bytes) -> dict[str, dict[str, Any]]:
@@ -109,11 +113,19 @@ def rows_in(path: Path, content: bytes) -> dict[str, dict[str, Any]]:
             damaged += 1
         else:
             rows.setdefault(row["key"], row)
-    if damaged and not rows:
+    rest = content[content.rfind(b"\n") + 1 :]
+    if not rows and (damaged or not _can_begin_a_line(rest)):
         raise Ended(Code.USAGE, f"{path} is no file with rows of a study; name another one by --rows.")
     if damaged:
         note(f"warning: {damaged} damaged lines of {path} are left out, and their rows solved again.")
     return rows
+
+
+def _can_begin_a_line(content: bytes) -> bool:
+    """Whether a line of a row begins so, or nothing is there yet."""
+    checksum, blank, text = content[:_CHECKSUM], content[_CHECKSUM : _CHECKSUM + 1], content[_CHECKSUM + 1 :]
+    is_hexadecimal = all(sign in b"0123456789abcdef" for sign in checksum)
+    return is_hexadecimal and blank in (b"", b" ") and text[:1] in (b"", b"{")
 
 
 def _line(row: dict[str, Any]) -> bytes:

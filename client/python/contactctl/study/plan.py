@@ -8,12 +8,11 @@ import json
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import click
 
-from ..files import read_named, read_object, with_arrays
+from ..files import named_file, read_named, read_object, with_arrays
 from ..output import plain_json
 from ..paths import copied, parts, put, with_shear_moduli
 from .values import MOST, values_of
@@ -105,7 +104,7 @@ def read_plan(path: str) -> Plan:
 
 def _problem(path: str, given: Any) -> dict[str, Any]:
     if isinstance(given, str):
-        return read_object(str(Path(path).parent / given) if path != "-" else given)
+        return read_object(str(named_file(given, path)))
     if not isinstance(given, dict):
         raise click.UsageError(f"{path} lacks problem, the parameters that all rows share, or the name of a file with them.")
     found: dict[str, Any] = copied(given)

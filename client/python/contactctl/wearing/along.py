@@ -15,7 +15,7 @@ from contactd.files.whole import write_whole
 from contactd.wear.slices import DepthMap, depths_along
 
 from ..common import connected, setting
-from ..files import read_object
+from ..files import named_file, read_object
 from ..output import emit, listing
 from .reading import states_of
 
@@ -51,7 +51,7 @@ def wear_along(file: str, output: Path) -> None:
         raise click.UsageError(f"{file}: setup is {given['setup']!r}; it must be an object, fields with their values.")
     if (len(x) - 1) * (len(y) - 1) > _MOST_CELLS:
         raise click.UsageError(f"{file}: along has {len(x) - 1} times {len(y) - 1} cells; it may have {_MOST_CELLS}.")
-    states = states_of(Path(file).parent / str(given["states"]))
+    states = states_of(named_file(str(given["states"]), file))
     with connected() as client:
         found = depths_along(client, given["setup"], states, law, x, y, energy=given.get("energy", "scaled"))
     _write(output, given, found, float(until))

@@ -3,26 +3,42 @@
 from __future__ import annotations
 
 import json
+import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from contactd import Client, InvalidArgument, __version__
+from contactd import Client, InvalidArgument
+from contactd.files.marks import written_by
 from contactd.files.profile_text import format_miniprof, format_profile
 from contactd.pictures.wear import draw_competition, draw_depths, draw_groups, draw_measures, draw_shakedown, draw_worn
 from contactd.wear import WearStudy, WornStep, conicities, rail_wear, wheel_gauge
 from contactd.wear.evolution import place_of
 
-from ..files import write_text
+from ..files import check_own, write_text
+from ..writing.drawing import save_animation, save_picture
 
-__all__ = ["Measures", "measured", "write_pictures", "write_profiles"]
+__all__ = ["Measures", "check_folders", "measured", "write_pictures", "write_profiles"]
 
 Measures = dict[str, list[float]]  #: a list a measure, with a number a step
 
+_GROUPS = {"conicity": ("conicity at 3 mm", "conicity at 5 mm"), "flange": ("Sh", "Sd", "qR"), "head": ("W1", "W2", "W3")}
 _MOST = 25  #: steps that conicities are found for
 _FRAMES = 40  #: of an animation
+
+
+def check_folders(profiles: Path | None, pictures: Path | None) -> None:
+    """Before anything is solved. Raises click.UsageError for files there that would be written over and that contactd has not
+    written."""
+    for option, folder, stems, endings in (
+        ("--profiles", profiles, ("wheel", "rail"), (".prw", ".prr", ".whl", ".ban")),
+        ("--pictures", pictures, ("wheel-", "rail-", *_GROUPS, "measures"), (".png", ".gif", ".json")),
+    ):
+        for path in sorted(folder.iterdir()) if folder is not None and folder.is_dir() else ():
+            if path.suffix in endings and path.name.startswith(stems):
+                check_own(option, path)
 
 
 def write_profiles(folder: Path, study: WearStudy, steps: Sequence[WornStep]) -> list[Path]:
@@ -33,7 +49,7 @@ def write_profiles(folder: Path, study: WearStudy, steps: Sequence[WornStep]) ->
     for part in study.parts:
         points = last.of(part).points
         laws = ", ".join(f"{law['name']} ({law['source']})" for law in study.law_params())
-        remarks = [f"contactd {__version__}: {part} after {last.distance:.9g} {study.unit}, by {laws}"]
+        remarks = [f"{written_by()}: {part} after {last.distance:.9g} {study.unit}, by {laws}"]
         simpack, miniprof = (".prw", ".whl") if part == "wheel" else (".prr", ".ban")
         for ending, text in (
             (simpack, format_profile(points, part, simpack, remarks)),
@@ -87,7 +103,7 @@ def write_pictures(folder: Path, study: WearStudy, steps: Sequence[WornStep], me
     def picture(name: str, draw: Any, width: float = 7.0, height: float = 4.2) -> None:
         figure = Figure(figsize=(width, height), layout="constrained")
         draw(figure.subplots())
-        figure.savefig(folder / name, dpi=120)
+        save_picture(folder / name, figure, dpi=120)
         written.append(folder / name)
 
     for part in study.parts:
@@ -104,9 +120,8 @@ def write_pictures(folder: Path, study: WearStudy, steps: Sequence[WornStep], me
             picture(f"{part}-damage-{name}.png", lambda axes, own=own, function=function: draw_competition(axes, own, function))
         if not np.isnan(own[1].fatigue.contacts[:, 1:3]).all():
             picture(f"{part}-shakedown.png", lambda axes, own=own: draw_shakedown(axes, own))
-    groups = {"conicity": ("conicity at 3 mm", "conicity at 5 mm"), "flange": ("Sh", "Sd", "qR"), "head": ("W1", "W2", "W3")}
     labels = {"conicity": "equivalent conicity", "flange": "change (mm)", "head": "mm"}
-    for name, members in groups.items():
+    for name, members in _GROUPS.items():
         values = {member: measures[member] for member in members if member in measures}
         if name == "flange":  # which hardly changes, beside what it is
             values = {f"{member}, {numbers[0]:.2f} new": [number - numbers[0] for number in numbers] for member, numbers in values.items()}
@@ -137,4 +152,7 @@ def _animate(path: Path, steps: Sequence[WornStep], unit: str) -> None:
         draw_worn(axes, steps[: last + 1], magnified, unit)
         return []
 
-    FuncAnimation(figure, frame, frames=[int(i) for i in frames], init_func=list).save(path, writer=PillowWriter(fps=8))
+    with tempfile.TemporaryDirectory() as folder:
+        made = Path(folder) / "wear.gif"
+        FuncAnimation(figure, frame, frames=[int(i) for i in frames], init_func=list).save(made, writer=PillowWriter(fps=8))
+        save_animation(path, made.read_bytes())

@@ -14,7 +14,7 @@ from contactd import InvalidArgument
 from contactd.wear import WearStudy, WeightedState, read_states
 from contactd.wear.dynamics import Dynamics
 
-from ..files import read_object
+from ..files import named_file, read_object
 
 __all__ = ["FIELDS", "read_dynamics", "read_study", "states_of"]
 
@@ -51,12 +51,11 @@ def read_study(file: str, states: Sequence[WeightedState] | None = None) -> Wear
     path = given.get("states")
     if states is None and not isinstance(path, str):
         raise click.UsageError(f"{file}: states is the name of a file: CSV, HDF5 or Parquet.")
-    place = Path(str(path)) if file == "-" else Path(file).parent / str(path)
     for name in ("until", "spacing", "passages_per_km"):
         _number(file, name, given.get(name))
     for name in ("depth", "distance"):
         _number(file, f"step.{name}", step.get(name))
-    states = states or states_of(place)
+    states = states or states_of(named_file(str(path), file))
     try:
         return WearStudy(_object(file, given, "setup"), states, given["wears"], given["law"], given["until"], **step, **named)
     except InvalidArgument as error:
@@ -73,13 +72,16 @@ def states_of(place: Path) -> Sequence[WeightedState]:
         raise click.UsageError(f"{place}: {error.strerror or error}") from None
 
 
-def read_dynamics(file: str, folder: Path) -> Dynamics | None:
-    """What tells the states of a study, whose stages lie in a folder; None where a file has them."""
+def read_dynamics(file: str, folder: Path, allow_program: bool) -> Dynamics | None:
+    """What tells the states of a study, whose stages lie in a folder; None where a file has them. A study may come from
+    somebody else: raises click.UsageError where the command line does not allow its program."""
     given = read_object(file)
     if "dynamics" not in given:
         return None
     dynamics = _dynamics_object(file, given)
     program = dynamics["program"]
+    if not allow_program:
+        raise click.UsageError(f"{file}: dynamics.program = {program!r:.300}: a study runs no program by itself. Look at it, and give --allow-program.")
     others = {name: dynamics[name] for name in ("depth", "conicity", "distance") if name in dynamics}
     try:
         words = shlex.split(program) if isinstance(program, str) else [str(word) for word in program]

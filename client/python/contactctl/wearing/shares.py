@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from contactd.files.marks import can_be_written_over
 from contactd.files.whole import read_whole, write_whole
 from contactd.wear import WearStudy, read_record
 from contactd.wear.evolution import Solve
@@ -53,7 +54,10 @@ class ShareFiles:
     def write(self, step: int, answers: Answers) -> None:
         """Leaves the answers of this share."""
         content = json.dumps({"study": self._study, "answers": answers}).encode()
-        write_whole(self.path(step, self._share.index), lambda into: into.write(content))
+        path = self.path(step, self._share.index)
+        if not can_be_written_over(path):
+            raise Ended(Code.USAGE, f"{path} is there, and contactd has not written it; name another file by --output.")
+        write_whole(path, lambda into: into.write(content))
 
     def wait(self, step: int, index: int) -> Answers:
         """The answers of another share, when they are there. Raises Ended when they do not come."""
@@ -67,7 +71,8 @@ class ShareFiles:
     def forget(self, step: int) -> None:
         """Removes what all have answered."""
         for index in range(self._share.count):
-            self.path(step, index).unlink(missing_ok=True)
+            if can_be_written_over(path := self.path(step, index)):
+                path.unlink(missing_ok=True)
 
     def solving(self, own: Solve, number: Callable[[], int]) -> Solve:
         """All states, by this share and the others; `number` is that of the step whose section it is."""

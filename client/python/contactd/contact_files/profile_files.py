@@ -16,6 +16,7 @@ import numpy as np
 from ..errors import InvalidArgument
 from ..files.case_text import text_of
 from ..files.profile_text import read_profile_text
+from ..files.reach import check_within
 from ..files.whole import digest_of
 from ..values.profile_shapes import KinkRule, Profile, ProfileFile
 from ..values.tables import TableIcs
@@ -43,10 +44,11 @@ _OPTIONS = ("MIRRORY", "SCALE", "SMOOTH", "MIRRORZ", "ISMOOTH", "KINKHIGH", "KIN
 
 class ProfileFiles:
     """Reads each file once. Names are relative to `folder`; both kinds of separators serve. The `client` reads the text of
-    lists of slices."""
+    lists of slices. Files outside of the folders that are `allowed` are refused; None: none is."""
 
-    def __init__(self, folder: str | os.PathLike[str], client: Client) -> None:
+    def __init__(self, folder: str | os.PathLike[str], client: Client, allowed: Iterable[Path] | None = None) -> None:
         self._folder, self._client = Path(folder), client
+        self._allowed = None if allowed is None else tuple(allowed)
         self._read: dict[tuple[Any, ...], Profile | tuple[Slices, str]] = {}
         self._lock = Lock()
 
@@ -66,40 +68,54 @@ class ProfileFiles:
     def coefficients(self, case: Case, modulus: float) -> TableIcs:
         """The influence coefficients that a case names (C = 9). Raises OSError where they cannot be read, and TableFileError
         where they are none."""
-        return TableIcs.from_contact_text(self.place(str(case.values["CFNAME"])), modulus)
+        path = self.place(str(case.values["CFNAME"]))
+        self._check(path)
+        return TableIcs.from_contact_text(path, modulus)
 
     def digests(self, cases: Iterable[Case]) -> dict[str, str]:
         """What the files have in them that cases name, those of slices too: a digest each, empty of one that cannot be read."""
         named = {self.place(str(case.values[name])) for case in cases for name in _NAMES if name in case.values}
-        lists = [path for path in named if path.suffix.lower() in _LISTS]
+        lists = [path for path in named if path.suffix.lower() in _LISTS and self._is_allowed(path)]
         slices = {path.parent / name.replace("\\", "/") for path in lists for name in _names_in(path)}
-        return {os.fspath(path): digest_of(path) for path in named | slices}
+        return {os.fspath(path): digest_of(path) if self._is_allowed(path) else "" for path in named | slices}
+
+    def _check(self, path: Path) -> None:
+        if self._allowed is not None:
+            check_within(path, self._allowed)
+
+    def _is_allowed(self, path: Path) -> bool:
+        try:
+            self._check(path)
+        except OSError:
+            return False
+        return True
 
     def _profile(self, path: Path, options: Mapping[str, Any], which: str) -> ProfileFile:
+        self._check(path)
         file = ProfileFile(path, read_profile_text(path))
-        said = self._said(file, options, which) if path.suffix.lower() in _SIMPACK else _Said(options["SCALE"])
-        profile = _with_options(file, options, said)
+        reported = self._reading(file, options, which) if path.suffix.lower() in _SIMPACK else _FileReading(options["SCALE"])
+        profile = _with_options(file, options, reported)
         if profile.mirror_z is not None or path.suffix.lower() in _ORIENTED or self._placed(profile, which) is not None:
             return profile
-        placed = self._placed(_with_options(file, {**options, "MIRRORZ": -1}, said), which)
+        placed = self._placed(_with_options(file, {**options, "MIRRORZ": -1}, reported), which)
         upwards = placed is not None and _runs_upwards(placed[0], which)
-        return profile if placed is None else _with_options(file, {**options, "MIRRORZ": 1 if upwards else -1}, said)
+        return profile if placed is None else _with_options(file, {**options, "MIRRORZ": 1 if upwards else -1}, reported)
 
-    def _said(self, file: ProfileFile, options: Mapping[str, Any], which: str) -> _Said:
+    def _reading(self, file: ProfileFile, options: Mapping[str, Any], which: str) -> _FileReading:
         """By the service, which reads a file of Simpack without the options of the case, where these change what it says. A
         file whose unit is wrong, so that its points have no size of a profile, is in metres or in mm by what the scale makes
         of it."""
         scale = options["SCALE"]
         if scale == 1 and options["MIRRORY"] != -1:
-            return _Said(None)
+            return _FileReading(None)
         for unit in (None, _METRE * scale, scale):
             with warnings.catch_warnings():  # the case is warned of the file as it is used
                 warnings.simplefilter("ignore", UserWarning)
                 placed = self._placed(replace(file, unit=unit), which)
             if placed is not None and (reading := placed[1].file) is not None:
                 in_unit = scale * reading.unit if unit is None else unit
-                return _Said(None if scale == 1 else in_unit, reading.mirror_y)
-        return _Said(None if scale == 1 else _METRE * scale)
+                return _FileReading(None if scale == 1 else in_unit, reading.mirror_y)
+        return _FileReading(None if scale == 1 else _METRE * scale)
 
     def _placed(self, profile: ProfileFile, which: str) -> tuple[Array, ProfileEvidence] | None:
         """Its points as the service reads them, y and z, with the evidence; None where it cannot."""
@@ -112,6 +128,7 @@ class ProfileFiles:
         return (placed.wheel, placed.wheel_evidence) if which == "WHEEL" else (placed.rail, placed.rail_evidence)
 
     def _slices(self, path: Path, options: Mapping[str, Any]) -> tuple[Slices, str]:
+        self._check(path)
         read = self._client.read_contact_slices(text_of(path), name=path.name)
         is_wheel = path.suffix.lower() == ".slcw"
         which = "WHEEL" if is_wheel else "RAIL"
@@ -136,17 +153,17 @@ def _names_in(path: Path) -> Iterator[str]:
 
 
 @dataclass(frozen=True)
-class _Said:
+class _FileReading:
     """Millimetres of a unit of a file's points, None where the file says it, and whether the file turns y."""
 
     unit: float | None
     mirror_y: bool = False
 
 
-def _with_options(file: ProfileFile, options: Mapping[str, Any], said: _Said) -> ProfileFile:
+def _with_options(file: ProfileFile, options: Mapping[str, Any], reported: _FileReading) -> ProfileFile:
     """Adds the options of a case to a file."""
     # MIRRORY = -1 takes back what a file of Simpack says itself.
-    mirrored_back = options["MIRRORY"] == -1 and said.mirror_y
+    mirrored_back = options["MIRRORY"] == -1 and reported.mirror_y
     smooth = options["SMOOTH"]
     smoothing: dict[str, Any] = {}
     if smooth > 0:
@@ -154,7 +171,7 @@ def _with_options(file: ProfileFile, options: Mapping[str, Any], said: _Said) ->
     if smooth > 0 and options["ISMOOTH"] == 2:
         smoothing["smoothing_order"] = 3
     return replace(
-        file, unit=said.unit, mirror_y=options["MIRRORY"] == 1 or mirrored_back,
+        file, unit=reported.unit, mirror_y=options["MIRRORY"] == 1 or mirrored_back,
         mirror_z=None if options["MIRRORZ"] == 0 else options["MIRRORZ"] == 1,
         kinks=KinkRule(options["KINKHIGH"], options["KINKLOW"], options["KINKWID"]), **smoothing,
     )  # fmt: skip

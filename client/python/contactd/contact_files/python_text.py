@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
+import math
+import os
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import MISSING, fields, is_dataclass
 from typing import Any
 
 import numpy as np
 
+from ..files.marks import written_by
+from ..files.text_lines import one_line
 from .problems.basic import BasicContact
 from .problems.rails import RailContact
 
 __all__ = ["python_text"]
 
 _HEAD = '''\
-"""{title}"""
+{title}
+# {mark}
 
 import numpy as np
 
@@ -29,7 +34,7 @@ _OF_ROW = 8  #: numbers of an array in a line
 def python_text(title: str, contacts: Iterable[BasicContact | RailContact | str], goes_on: Iterable[bool]) -> str:
     """`contacts` are cases made ready, or sentences that say why they are not; `goes_on` says which start from the case
     before."""
-    lines = [_HEAD.format(title=title), "with contactd.local() as client:\n    last = None"]
+    lines = [_HEAD.format(title=ascii(title), mark=written_by().capitalize()), "with contactd.local() as client:\n    last = None"]
     for contact, follows in zip(contacts, goes_on):
         lines += ["", *_case(contact, follows)]
     return "\n".join([*lines, ""])
@@ -37,7 +42,7 @@ def python_text(title: str, contacts: Iterable[BasicContact | RailContact | str]
 
 def _case(contact: BasicContact | RailContact | str, follows: bool) -> Iterator[str]:
     if isinstance(contact, str):
-        yield f"    # {contact}"
+        yield f"    # {one_line(contact)}"
         yield "    last = None"
         return
     case = contact.case
@@ -65,7 +70,20 @@ def _written(value: Any, indent: int) -> str:
     if isinstance(value, (list, tuple)):
         inside = ", ".join(_written(member, indent) for member in value)
         return f"[{inside}]" if isinstance(value, list) else f"({inside}{',' if len(value) == 1 else ''})"
-    return repr(value.item() if isinstance(value, np.generic) else value)
+    return _plain(value.item() if isinstance(value, np.generic) else value)
+
+
+def _plain(value: Any) -> str:
+    """A number, a text or a truth value as an expression of Python: names of files, too, whatever they hold."""
+    if isinstance(value, float) and not math.isfinite(value):
+        return f'float("{value!r}")'
+    if isinstance(value, os.PathLike):
+        value = os.fspath(value)
+    if isinstance(value, (str, bytes)):
+        return ascii(value)
+    if value is None or isinstance(value, (bool, int, float)):
+        return repr(value)
+    raise TypeError(f"a {type(value).__name__} is no value of a case")
 
 
 def _call(value: Any, indent: int) -> str:
@@ -85,7 +103,7 @@ def _is_default(value: Any, one: Any) -> bool:
 
 
 def _array(array: np.ndarray[Any, Any], indent: int) -> str:
-    numbers = [repr(number) for number in array.ravel().tolist()]
+    numbers = [_plain(number) for number in array.ravel().tolist()]
     blank = " " * (indent + 4)
     rows = [f"{blank}{', '.join(numbers[start : start + _OF_ROW])}," for start in range(0, len(numbers), _OF_ROW)]
     return "\n".join(["np.array([", *rows, f"{' ' * indent}]).reshape({array.shape})"])

@@ -7,6 +7,7 @@ import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
+from .text_lines import one_line
 from .whole import read_whole
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ def format_profile(points: Array, kind: Literal["wheel", "rail"], ending: str, r
 
     `points` are (y, z), shape [n, 2], in mm, y to the field side and z downwards; they are written with all their digits.
     """
-    comments = [f"{'!' if ending in ('.prr', '.prw') else '#'} {' '.join(remark.split())}" for remark in remarks]
+    comments = [f"{'!' if ending in ('.prr', '.prw') else '#'} {one_line(' '.join(remark.split()))}" for remark in remarks]
     if ending in (".csv", ".txt"):
         between = "," if ending == ".csv" else " "
         return "\n".join([*comments, between.join("yz"), *_rows(points, between), ""])
@@ -44,7 +45,7 @@ def format_profile(points: Array, kind: Literal["wheel", "rail"], ending: str, r
 
 def format_miniprof(points: Array, remarks: Sequence[str] = ()) -> str:
     """The text of a file of MiniProf, .whl or .ban: y to the field side, and z upwards there."""
-    head = [f"Remark={' '.join(remark.split())}" for remark in remarks]
+    head = [f"Remark={one_line(' '.join(remark.split()))}" for remark in remarks]
     return "\n".join([*head, "ColumnDef=X,Y", "", *(f"{float(y)!r} {0.0 - float(z)!r}" for y, z in points), ""])
 
 

@@ -16,6 +16,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ..errors import InvalidArgument, invalid
+from ..files.marks import can_be_written_over, written_by
+from ..files.number_text import number_in
 from ..files.profile_text import format_profile
 from ..files.whole import write_whole
 from .evolution import evolve, place_of
@@ -31,6 +33,7 @@ Array = npt.NDArray[np.float64]
 #: Profiles (y, z) by "wheel" and "rail", those that wear, and the distance so far; answers states.
 StatesOf = Callable[[Mapping[str, Array], float], Sequence[WeightedState]]
 
+_LONGEST_NUMBER = 40  #: characters
 _LINES = 5  #: of what a program wrote last
 
 
@@ -99,8 +102,8 @@ def states_of_stage(dynamics: Dynamics, stage: int, points: Mapping[str, Array],
     for part in ("wheel", "rail"):
         if part in points:
             ending = ".prw" if part == "wheel" else ".prr"
-            (folder / f"{part}{ending}").write_text(format_profile(points[part], part, ending, [f"after {distance!r}"]))
-    (folder / "distance.txt").write_text(f"{distance!r}\n")
+            _write(folder / f"{part}{ending}", format_profile(points[part], part, ending, [f"{written_by()}: after {distance!r}"]))
+    _write(folder / "distance.txt", f"{distance!r}\n")
     if callable(dynamics.states):
         write_states(path, dynamics.states(points, distance))
         return read_states(path)
@@ -138,6 +141,14 @@ def write_states(path: Path, states: Sequence[WeightedState]) -> None:
         numbers = [float(row[name]) for name in names]
         table.writerow([*numbers, float(one.weight), " ".join(one.group.splitlines()), "" if one.mu is None else float(one.mu)])
     write_whole(path, lambda into: into.write(written.getvalue().encode()))
+
+
+def _write(path: Path, text: str) -> None:
+    """Raises InvalidArgument for a file in its place that is not of such a stage."""
+    is_number = path.name == "distance.txt" and path.is_file() and number_in(path.read_text(errors="replace")[:_LONGEST_NUMBER].strip()) is not None
+    if path.is_symlink() or not (is_number or can_be_written_over(path)):
+        raise invalid("dynamics", f"would write {path}, which is there, and which contactd has not written; move it away")
+    write_whole(path, lambda into: into.write(text.encode()))
 
 
 def _flat(value: Any, path: str = "") -> dict[str, Any]:

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from ..._version import MARK
 from ...values.grid import Grid
 from ..answers.basic_results import BasicResult
 from ..answers.elements import Elements
@@ -52,7 +53,7 @@ def _text(case: Any, places: PatchPlaces, motion: tuple[float, float, float], el
         return _header(cells, width)
 
     lines = [
-        "% tim, s_ws, th_ws, y_r, z_r, roll_r, rnom_r, format",
+        f"% tim, s_ws, th_ws, y_r, z_r, roll_r, rnom_r, format; {MARK}",
         header([*places.rail, *[0.0] * (width - 1 - len(places.rail)), _FORMAT]),
         "% x_w, y_w, z_w, roll_w, yaw_w, rnom_w",
         header(places.wheel),

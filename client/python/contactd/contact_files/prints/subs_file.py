@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from ..._version import MARK
 from ..answers.basic_results import BasicResult
 from ..answers.rail_results import LETTERS, RailResult
 from ..answers.subsurface import COMPONENTS, StressField
@@ -39,7 +40,7 @@ def subs_text(fields: Sequence[StressField], all_components: bool) -> str:
 def _block(field: StressField, all_components: bool) -> Iterator[str]:
     nz, ny, nx = field.hydrostatic.shape
     columns = _LONG if all_components else _SHORT
-    yield "% nx, ny, nz"
+    yield f"% nx, ny, nz; {MARK}"
     yield f"{nx:6d}{ny:12d}{nz:12d}      " + fortran_g(0.0) * (columns - 3)
     names = ["X", "Y", "Z", "UX", "UY", "UZ", "SIGHYD", "SIGVM"]
     names += [f"SIG{name.upper()}" for name in COMPONENTS] if all_components else []
