@@ -21,9 +21,11 @@ ARROWS = {
     "transport": ["values", "files"],
     "calls": ["values", "values/wheel_rail", "files", "transport"],
     "fits": ["", "values", "calls", "transport"],
-    "wear": ["", "values", "values/wheel_rail", "files"],
+    "wear": ["", "values", "values/wheel_rail", "files", "calls"],
     "demo": ["", "values", "pictures"],
-    "contact_files": ["", "values", "values/wheel_rail", "files", "contact_files/problems", "contact_files/answers", "contact_files/prints"],
+    "contact_files": [
+        "", "values", "values/wheel_rail", "files", "calls", "contact_files/problems", "contact_files/answers", "contact_files/prints",
+    ],
     "contact_files/problems": ["values", "values/wheel_rail"],
     "contact_files/answers": ["values", "values/wheel_rail", "contact_files/problems"],
     "contact_files/prints": ["values", "values/wheel_rail", "contact_files/problems", "contact_files/answers"],

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import re
+import warnings
 from dataclasses import replace
 
 import numpy as np
@@ -108,6 +110,46 @@ def test_a_run_that_was_killed_goes_on_to_the_same_end(shared, tmp_path):
 def test_explicit_smoothing_below_what_steps_ask_for_warns(shared):
     steps = run(shared, replace(STUDY, smoothing=1.0, depth=0.05), most=2)
     assert any("grooves grow that smoothing" in warning for warning in steps[1].warnings)
+
+
+def test_what_answers_warn_of_names_step_and_states(shared):
+    coarse = replace(STUDY, setup=WheelRailSetup(dx=2, dy=2), until=20)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        steps = run(shared, coarse)
+    given = [sentence for one in caught for sentence in one.message.sentences]
+    assert given == [f"step {step.number}: {sentence}" for step in steps for sentence in step.warnings]
+    few = [sentence for sentence in given if "elements across, fewer than" in sentence]
+    assert few and all(re.match(r"step 1: states\[[0-8]\](, states\[[0-8]\])*( and [0-9]+ more)?: The contact at y", one) for one in few)
+    # A mirror image is the same state.
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        both = run(shared, replace(coarse, symmetric=True))
+    assert not any(f"states[{i}]" in sentence for sentence in both[1].warnings for i in range(9, 18))
+
+
+def test_a_step_tells_what_ended_it(shared, tmp_path):
+    pytest.importorskip("h5py")
+    for asked, ended in (({"depth": 0.001}, "depth"), ({"depth": 1.0}, "stability"), ({"distance": 2.0}, "distance")):
+        study = replace(STUDY, until=100, **asked)
+        steps = run(shared, study, most=2)
+        assert [step.ended_by for step in steps] == ["", ended]
+        assert (steps[1].depths.max() == pytest.approx(study.depth, rel=1e-9)) == (ended == "depth")
+        write_record(tmp_path / f"{ended}.h5", study, steps)
+        assert [step.ended_by for step in read_record(tmp_path / f"{ended}.h5", study)] == ["", ended]
+    assert run(shared, replace(STUDY, until=1.0))[-1].ended_by == "until"
+    # Rails that are passed much wear first, and those that are passed little wait for the wheel.
+    for passages, part in ((1e4, "rail"), (1.0, "wheel")):
+        made = run(shared, replace(BOTH, depth=0.001, until=100, passages_per_km=passages), most=2)
+        assert made[1].ended_by == f"depth of the {part}" == made[1].rail.ended_by
+
+
+def test_warnings_of_the_rail_alone_are_among_those_of_a_step(shared):
+    deep = replace(BOTH, smoothing=0.5, depth=0.05, passages_per_km=5000.0)
+    step = run(shared, deep, most=2)[1]
+    grooves = [sentence for sentence in step.rail.warnings if "grooves grow" in sentence]
+    assert grooves and not set(grooves) & set(step.warnings)
+    assert set(step.all_warnings) == {*step.warnings, *step.rail.warnings}
 
 
 def test_a_state_that_cannot_be_solved_is_named(shared):

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from contactd import EnergyWear, InvalidArgument, WearLaw, WearRequest
+from contactd import ContactWarning, EnergyWear, InvalidArgument, WearLaw, WearRequest
 from contactd.wear import WeightedState
 from contactd.wear.slices import depths_along
 from contactd.wheel_rail import (
@@ -52,6 +52,14 @@ def test_a_nose_loses_in_each_piece_what_the_states_there_take_off(shared):
     area = sum(patch.solution.wear.laws[0].area for patch in shared.wheel_rail(setup, state(400).state, fields=[]).patches)
     assert (found.depths[3] * np.diff(Y)).sum() == pytest.approx(area, rel=1e-6)
     np.testing.assert_array_equal(found.after(1e6), found.depths * 1e6)
+
+
+def test_warnings_name_their_states(shared):
+    coarse = SETUP.replace(dx=4.0, dy=4.0)
+    with pytest.warns(ContactWarning) as caught:
+        depths_along(shared, coarse, [state(-100), state(400)], LAW, [-200, 0, 500], Y)
+    (only,) = caught
+    assert {sentence.partition(":")[0] for sentence in only.message.sentences} == {"states[0]", "states[1]"}
 
 
 def test_what_makes_no_sense_is_refused(shared):

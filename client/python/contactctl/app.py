@@ -62,9 +62,10 @@ def contactctl(
         bool, typer.Option("--version", callback=_say_version, is_eager=True, help="Print the version, and end.")
     ] = False,
 ) -> None:
-    """Elastic contact from a terminal: asks the daemon contactd, or solves in this process (--local).
+    """Elastic contact from a terminal: solves in this process, or asks the daemon contactd.
 
-    Files are JSON or YAML in the words of the wire (docs/protocol.md).
+    Commands that solve ask a daemon only where --endpoint or CONTACTD_ENDPOINT names one; all others show or change what a daemon
+    has. Files are JSON or YAML in the words of the wire (docs/protocol.md).
     """
 
 

@@ -14,13 +14,14 @@ from click.core import ParameterSource
 from typer.core import TyperCommand, TyperGroup
 
 import contactd
-from contactd import Client, LocalDaemon
+from contactd import Client, DaemonFailed, LocalDaemon
+from contactd.refusals import did_you_mean
 from contactd.transport.in_process import can_solve_here
 
 from .output import warned
 from .reporting import reported
 
-__all__ = ["Command", "Group", "Setting", "connected", "setting"]
+__all__ = ["Command", "Group", "Setting", "client_of", "connected", "is_local", "setting"]
 
 DEFAULT_ENDPOINT = "tcp://127.0.0.1:5555"
 
@@ -64,9 +65,10 @@ def _options() -> list[click.Parameter]:
     seconds = click.FloatRange(min=0, min_open=True, max=86400)
     return [
         option("--endpoint", "-e", metavar="ENDPOINT",
-               help=f"The daemon's, such as tcp://host:5555 or ipc:///path; else CONTACTD_ENDPOINT, else {DEFAULT_ENDPOINT}."),
-        option("--local", is_flag=True, help="No daemon: solve in this process, or with a private daemon."),
-        option("--folder", metavar="FOLDER", help="With --local: where tables are kept; else they go at the end."),
+               help="The daemon's, such as tcp://host:5555 or ipc:///path; else CONTACTD_ENDPOINT. Without either, commands that "
+               f"solve need no daemon; all others ask {DEFAULT_ENDPOINT}."),
+        option("--local", is_flag=True, help="No daemon, whatever CONTACTD_ENDPOINT says: solve in this process, or with a private daemon."),
+        option("--folder", metavar="FOLDER", help="Without a daemon: where tables are kept; else they go at the end."),
         option("--server-key", metavar="FILE", help="The daemon's public key; else CONTACTD_SERVER_KEY."),
         option("--own-key", metavar="FILE", help="The own secret key; else CONTACTD_OWN_KEY."),
         option("--timeout", type=seconds, metavar="SECONDS", help="Of each request; else 60, and an hour for builds."),
@@ -104,15 +106,26 @@ class Group(_Helpful, TyperGroup):
         super().__init__(*arguments, **options)
         self.params.extend(_options())
 
+    def resolve_command(self, ctx: click.Context, args: list[str]) -> tuple[str | None, click.Command | None, list[str]]:
+        """Names the command that was meant, where none has this name."""
+        try:
+            return super().resolve_command(ctx, args)
+        except click.UsageError as error:
+            if "did you mean" not in error.message.lower():
+                error.message += did_you_mean(args[0], self.list_commands(ctx))
+            raise
+
 
 @contextmanager
 def connected(*, workers: int | None = None, local_unless_named: bool = False) -> Iterator[Client]:
     """The client that the options stand for; `workers` of a local one.
 
-    Commands on files of one's own are `local_unless_named`: they ask a daemon where its endpoint was given.
+    Commands that solve are `local_unless_named`: they ask a daemon only where an endpoint was given. All others show or change
+    what a daemon has, and ask the one at DEFAULT_ENDPOINT then.
     """
     given = setting()
-    if given.local or (local_unless_named and given.endpoint is None):
+    if is_local(given, local_unless_named=local_unless_named):
+        _check_keys(given)
         with _local(given, workers) as client:
             if given.timeout is not None:
                 client.timeout = client.build_timeout = given.timeout
@@ -122,6 +135,18 @@ def connected(*, workers: int | None = None, local_unless_named: bool = False) -
         raise click.UsageError("--folder goes with --local: the tables of a daemon are where its configuration says.")
     with client_of(given) as client:
         yield client
+
+
+def is_local(given: Setting, *, local_unless_named: bool = True) -> bool:
+    """Whether these options need no daemon."""
+    return given.local or (local_unless_named and given.endpoint is None)
+
+
+def _check_keys(given: Setting) -> None:
+    """Raises click.UsageError for keys on the command line that no daemon would see."""
+    usual = Setting()
+    if not given.local and (given.server_key, given.own_key) != (usual.server_key, usual.own_key):
+        raise click.UsageError("--server-key and --own-key are those of a daemon: name it by --endpoint.")
 
 
 def client_of(given: Setting) -> Client:
@@ -143,5 +168,12 @@ def _local(given: Setting, workers: int | None) -> Iterator[Client]:
         return
     # Nothing that is left when the command ends is needed.
     config["shutdown"] = {"drain_seconds": 0}
-    with LocalDaemon(folder=folder, config=config) as daemon, daemon.client() as client:
+    with _private_daemon(folder, config) as daemon, daemon.client() as client:
         yield client
+
+
+def _private_daemon(folder: Path | None, config: dict[str, Any]) -> LocalDaemon:
+    try:
+        return LocalDaemon(folder=folder, config=config)
+    except DaemonFailed as error:
+        raise DaemonFailed(f"{error} To ask a daemon that runs, name it by --endpoint.") from None

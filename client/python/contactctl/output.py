@@ -23,10 +23,11 @@ from contactd import ContactWarning
 
 __all__ = [
     "above_rounding", "console", "counted", "emit", "facts", "listing", "note", "number", "on_terminal", "plain_json", "size",
-    "span", "warn", "warned",
+    "span", "warn", "warn_of", "warned",
 ]  # fmt: skip
 
 _MOST_WARNINGS = 20  # that are said of a command
+_MOST_NAMED = 5  # cases, rows or steps that a sentence is of
 _MOST_KEPT = 1000
 _OTHERS = "other sentences"
 _UNBOUNDED = 10_000  # columns where there is no terminal: nothing is cut off in a pipe
@@ -58,6 +59,25 @@ def warn(sentences: Iterable[str]) -> None:
     """Warnings, each once."""
     for sentence in dict.fromkeys(sentences):
         note(f"warning: {sentence}")
+
+
+def warn_of(noun: str, warnings: Iterable[tuple[str, str]]) -> None:
+    """Warnings of cases, rows or steps, as the `noun` says: names and sentences, each sentence once with the names it is of."""
+    found: dict[str, dict[str, None]] = {}
+    for name, sentence in warnings:
+        found.setdefault(sentence, {})[name] = None
+    given = [f"{_named(noun, list(names))}: {sentence}" for sentence, names in found.items()]
+    warn(given[:_MOST_WARNINGS])
+    if len(given) > _MOST_WARNINGS:
+        note(f"and {len(given) - _MOST_WARNINGS} other warnings.")
+
+
+def _named(noun: str, names: list[str]) -> str:
+    if len(names) == 1:
+        return f"{noun} {names[0]}"
+    if len(names) > _MOST_NAMED:
+        return f"{noun}s {', '.join(names[:_MOST_NAMED])} and {len(names) - _MOST_NAMED} more"
+    return f"{noun}s {', '.join(names[:-1])} and {names[-1]}"
 
 
 @contextmanager

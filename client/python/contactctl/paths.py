@@ -1,5 +1,5 @@
-"""Fields by their paths, as refusals name them: ``friction.rolling.xi``, ``ics.layers[0].G``; and Young's modulus, which the
-wire has not, in place of the shear modulus."""
+"""Fields by their paths, as refusals name them: ``friction.rolling.xi``, ``ics.layers[0].G``; and what files may have in other
+words than the wire: Young's modulus, and lists in place of the objects that laws are made of."""
 
 from __future__ import annotations
 
@@ -9,10 +9,15 @@ from typing import Any
 
 import click
 
+from contactd import FatigueRequest, InvalidArgument, WearRequest
 from contactd.values import field_paths
 from contactd.values.field_paths import copied
+from contactd.values.params import with_objects
 
-__all__ = ["changed", "copied", "get", "parts", "put", "with_shear_moduli"]
+__all__ = ["changed", "copied", "get", "parts", "put", "put_into_words"]
+
+
+_LAWS: dict[str, type] = {"wear": WearRequest, "fatigue": FatigueRequest}
 
 
 def parts(path: str) -> list[str | int]:
@@ -40,26 +45,45 @@ def get(document: Any, path: str) -> Any:
 
 
 def changed(document: dict[str, Any], settings: Iterable[str]) -> dict[str, Any]:
-    """A copy with each PATH=VALUE of the command line in place; a value is JSON, or else a text. Of materials it has shear
-    moduli, as with_shear_moduli makes them."""
+    """A copy with each PATH=VALUE of the command line in place; a value is JSON, or else a text. The copy is in the
+    words of the wire (put_into_words)."""
     found: dict[str, Any] = copied(document)
     for setting in settings:
         path, sign, text = setting.partition("=")
         if not sign:
             raise click.UsageError(f"--set {setting}: it must be PATH=VALUE, such as friction.mu=0.3.")
         put(found, path, _value(text))
-    with_shear_moduli(found)
+    put_into_words(found)
     return found
 
 
-def with_shear_moduli(document: Any, path: str = "") -> None:
-    """Puts G = E / (2 (1 + nu)) in the place of E where an object has both E and nu. Changes `document`.
+def put_into_words(document: dict[str, Any]) -> None:
+    """Changes `document` to the words of the wire: G = E / (2 (1 + nu)) in the place of E where an object has both E and nu; and
+    objects in the place of lists in laws of wear and in what fatigue is asked by, as Python takes them.
 
-    Raises click.UsageError for E that stands beside G, or is no positive number.
+    Raises click.UsageError for E that stands beside G, or is not a positive number, and for lists of another length.
     """
+    _with_shear_moduli(document)
+    _with_laws(document)
+
+
+def _with_laws(document: dict[str, Any], path: str = "") -> None:
+    """Wherever parameters of a contact or a set-up have them."""
+    for name, item in document.items():
+        place = f"{path}.{name}" if path else name
+        if (kind := _LAWS.get(name)) is not None:
+            try:
+                document[name] = with_objects(kind, item, place)
+            except InvalidArgument as error:
+                raise click.UsageError(str(error)) from None
+        elif isinstance(item, dict):
+            _with_laws(item, place)
+
+
+def _with_shear_moduli(document: Any, path: str = "") -> None:
     if isinstance(document, list):
         for i, item in enumerate(document):
-            with_shear_moduli(item, f"{path}[{i}]")
+            _with_shear_moduli(item, f"{path}[{i}]")
     if not isinstance(document, dict):
         return
     if "E" in document and isinstance(nu := document.get("nu"), (int, float)) and nu > -1:
@@ -71,7 +95,7 @@ def with_shear_moduli(document: Any, path: str = "") -> None:
             raise click.UsageError(f"{where} is {E!r:.60}; Young's modulus must be a positive number.")
         document["G"] = E / (2 * (1 + nu))
     for name, item in document.items():
-        with_shear_moduli(item, f"{path}.{name}" if path else name)
+        _with_shear_moduli(item, f"{path}.{name}" if path else name)
 
 
 def _value(text: str) -> Any:

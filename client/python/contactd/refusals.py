@@ -1,17 +1,18 @@
-"""How this package refuses what it is given: checks of types, and tracebacks that end where the caller's line is."""
+"""How this package refuses what it is given: checks of types, the name that was meant, and tracebacks that end where the caller's line is."""
 
 from __future__ import annotations
 
+import difflib
 import functools
 import inspect
 import os
 import reprlib
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from types import FrameType
 from typing import Any, TypeVar, cast
 
-__all__ = ["check_type", "package_of", "public"]
+__all__ = ["check_type", "did_you_mean", "package_of", "public"]
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -19,6 +20,8 @@ F = TypeVar("F", bound=Callable[..., Any])
 _REFUSALS = (TypeError, ValueError, OSError, ImportError, Warning)
 #: Packages whose frames tell a caller nothing: this one, and the library of Python that it calls.
 _INSIDE = {__name__.partition(".")[0], *sys.stdlib_module_names}
+_LONGEST_NAME = 100
+_LEAST_LIKENESS = 0.6
 _SWITCH = "CONTACTD_TRACEBACK"  #: "full" leaves tracebacks as they are
 
 
@@ -28,6 +31,14 @@ def check_type(name: str, value: object, *types: type, optional: bool = False) -
         return
     words = " or ".join(kind.__name__ for kind in types)
     raise TypeError(f"{name} is {reprlib.repr(value)}; it must be of type {words}")
+
+
+def did_you_mean(name: str, known: Iterable[str]) -> str:
+    """A question behind a refusal, with a blank before it; empty where no known name is like this one."""
+    names = list(known)
+    lowered = {one.lower(): one for one in names}
+    near = difflib.get_close_matches(name[:_LONGEST_NAME].lower(), lowered, 1, _LEAST_LIKENESS)
+    return f" Did you mean {lowered[near[0]]}?" if near else ""
 
 
 def public(call: F) -> F:

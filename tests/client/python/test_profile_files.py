@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 
 import contactd
+from contactd import InvalidArgument
 from contactd.files.profile_text import read_profile_text
 from contactd.values.profiles import profile_params
 from contactd.wheel_rail import ProfileFile
@@ -48,7 +49,9 @@ def test_what_cannot_be_read_is_an_error_of_the_system(tmp_path):
         ProfileFile(large)
 
 
-def test_an_empty_file_is_called_that(tmp_path):
+def test_an_empty_file_is_an_invalid_argument(tmp_path):
     (tmp_path / "head.csv").touch()
-    with pytest.raises(OSError, match="it is empty"):
+    with pytest.raises(InvalidArgument, match=r"^file = .*head\.csv: the file is empty\. Name a file"):
         read_profile_text(tmp_path / "head.csv")
+    with pytest.raises(InvalidArgument, match="the file is empty"):
+        ProfileFile(tmp_path / "head.csv")

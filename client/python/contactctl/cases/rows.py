@@ -16,7 +16,7 @@ from contactd.contact_files.runner import Outcome
 from ..codes import Code
 from ..output import plain_json
 
-__all__ = ["code_of_status", "keys_of", "row_of", "row_values"]
+__all__ = ["case_name", "code_of_status", "keys_of", "row_of", "row_values"]
 
 _CODES = {"solved": Code.DONE, "read": Code.DONE, "not converged": Code.NOT_CONVERGED, "wrong": Code.USAGE, "failed": Code.FAILED}
 
@@ -31,6 +31,11 @@ def keys_of(chain: Sequence[Case], options: Mapping[str, Any]) -> list[str]:
     return keys
 
 
+def case_name(values: Mapping[str, Any]) -> str:
+    """Names a case by its number and its line: files with several result elements have several cases of a number."""
+    return f"{values['number']} (line {values['line']})"
+
+
 def code_of_status(status: str) -> Code:
     """What a command ends with for a case."""
     return _CODES.get(status, Code.REFUSED)
@@ -39,6 +44,8 @@ def code_of_status(status: str) -> Code:
 def row_of(key: str, outcome: Outcome) -> dict[str, Any]:
     """Makes the row of a case that was computed, or was not."""
     answers: dict[str, Any] = {"status": outcome.status, "sentence": outcome.sentence, "lines": lines_of(outcome)}
+    if outcome.warnings:
+        answers["warnings"] = list(outcome.warnings)
     if outcome.result is not None:
         answers["numbers"] = plain_json(outcome.result.compared)
     code = int(code_of_status(outcome.status))

@@ -9,13 +9,14 @@ import click
 import typer
 
 from contactd import Client, ComparedModel, ModelComparison
-from contactd.contact_files import read
 from contactd.contact_files.profile_files import ProfileFiles
+from contactd.refusals import did_you_mean
 from contactd.values.wheel_rail.comparison import FULL, combinations
 from contactd.wheel_rail import WheelRailSolution
 
 from ..asking import reports_of_rounds
 from ..cases.converting import case_params
+from ..cases.reading import read_cases
 from ..codes import Code, Ended
 from ..common import Command, connected, setting
 from ..files import allowed_folders, read_object, writable, write_text
@@ -54,12 +55,12 @@ def compare(
     _check_outputs(plot, table)
     names = None if models is None else [name.strip() for name in models.split(",")]
     if unknown := [name for name in names or () if name not in combinations()]:
-        raise click.UsageError(f"--models {models}: {unknown[0]!r} is none of {', '.join(combinations())}.")
+        raise click.UsageError(f"--models {models}: {unknown[0]!r} is none of {', '.join(combinations())}.{did_you_mean(unknown[0], combinations())}")
     is_contact_file = file.endswith(".inp")
     if case is not None and not is_contact_file:
         raise click.UsageError(f"--case {case}: only input files of CONTACT (.inp) have several cases.")
     params = {} if is_contact_file else changed(read_object(file), sets or ())
-    with connected(local_unless_named=is_contact_file) as client, Bar("comparing") as bar:
+    with connected(local_unless_named=True) as client, Bar("comparing") as bar:
         if is_contact_file:
             params = changed(_case_of(Path(file), case, client), sets or ())
         with reports_of_rounds(client, params, bar) as report:
@@ -94,7 +95,7 @@ def _check_outputs(plot: str | None, table: Path | None) -> None:
 
 
 def _case_of(file: Path, number: int | None, client: Client) -> dict[str, Any]:
-    found = read(file, client)
+    found = read_cases(file, client)
     cases = found.cases
     for sentence in found.errors:
         note(f"{file}: {sentence}")

@@ -12,7 +12,6 @@ import click
 import typer
 
 from contactd import Client
-from contactd.contact_files import read
 from contactd.contact_files.case import Case, ContactFile
 from contactd.contact_files.out_file import out_text
 from contactd.contact_files.out_reader import printed_cases
@@ -22,12 +21,13 @@ from contactd.contact_files.runner import Runner, chains_of, checked
 from ..cases.comparing import compared_rows
 from ..cases.converting import as_python, as_yaml
 from ..cases.files import CaseFiles, read_printed
-from ..cases.rows import code_of_status, keys_of, row_values
+from ..cases.reading import read_cases
+from ..cases.rows import case_name, code_of_status, keys_of, row_values
 from ..cases.running import run_chains
 from ..codes import Code, Ended
 from ..common import Command, Group, connected, setting
 from ..files import allowed_folders, writable, write_text
-from ..output import emit, listing, note, warn
+from ..output import emit, listing, note, warn_of
 from ..progress import Bar
 from ..study.journal import Journal
 
@@ -133,8 +133,7 @@ def convert(
 
 def _read(file: Path, client: Client) -> ContactFile:
     """A file that has cases; what is wrong between them is said."""
-    found = read(file, client)
-    warn([*found.warnings, *(sentence for case in found for sentence in case.warnings)])
+    found = read_cases(file, client)
     for sentence in found.errors:
         note(f"{file}: {sentence}")
     if not found.cases:
@@ -175,11 +174,13 @@ def _show(rows: Sequence[dict[str, Any]], place: Path, differences: Sequence[lis
         apart = [] if differences is None else differences[index]
         why = " ".join([answers["sentence"], *(f"{sentence}." for sentence in apart)]).strip()
         status = "differs" if apart and answers["status"] == "solved" else answers["status"]
-        shown.append({**_named(values), "status": status, "why": why})
+        more = {"warnings": answers["warnings"]} if "warnings" in answers else {}
+        shown.append({**_named(values), "status": status, "why": why, **more})
     counts = Counter(row["status"] for row in shown)
     remarks = [row for row in shown if row["why"]]
     answer = {"cases": [{**row, "numbers": full["answers"].get("numbers")} for row, full in zip(shown, rows)], "output": str(place)}
     emit(setting().json, answer, *_listed(remarks, f"{_cases(len(rows))}: {_counted(counts)}. {place} has them."))
+    warn_of("case", ((case_name(row["values"]), sentence) for row in rows for sentence in row["answers"].get("warnings", ())))
     return [row["status"] for row in shown]
 
 

@@ -71,7 +71,7 @@ def fit(
     begin = dict(_start(text) for text in start or ())
     params = changed(read_object(case), sets or ())
     between = _between(points[0]) if plot else None
-    with connected() as client, Bar("fitting") as bar:
+    with connected(local_unless_named=True) as client, Bar("fitting") as bar:
         try:
             with reports_of_rounds(client, params, bar) as report:
                 found = contactd.fit(

@@ -69,7 +69,7 @@ def show(
 
 def convert(
     file: File,
-    target: Annotated[Path, typer.Argument(help="Simpack (.prr, .prw), or two columns (.csv, .txt), in mm, z downwards.")],
+    target: Annotated[Path, typer.Argument(help="Simpack (.prr, .prw), MiniProf (.ban, .whl), or two columns (.csv, .txt), in mm; z downwards, in MiniProf upwards.")],
     wheel: IsWheel = False, rail: IsRail = False, unit: Unit = None, mirror_y: MirrorY = False, mirror_z: MirrorZ = None,
     shift_y: ShiftY = 0, shift_z: ShiftZ = 0, smoothing: Smoothing = 0,
 ) -> None:  # fmt: skip
@@ -81,9 +81,9 @@ def convert(
     with connected(local_unless_named=True) as client:
         found = _Found(client, profile, _kind(wheel, rail))
     if target.suffix in _BY_ENDING and _BY_ENDING[target.suffix] != found.kind:
-        raise click.UsageError(f"{target}: {file.name} is a {found.kind}'s, whose name ends in {'.prw' if found.kind == 'wheel' else '.prr'}.")
+        raise click.UsageError(f"{target}: {file.name} is a {found.kind}'s, whose name ends in {'.prw or .whl' if found.kind == 'wheel' else '.prr or .ban'}.")
     smoothed = f", smoothed over {smoothing:g} mm" if smoothing else ""
-    remark = f"{found.kind}, made of {file.name} by contactctl {__version__}{smoothed}: y to the field side, z downwards, mm"
+    remark = f"{found.kind}, made of {file.name} by contactctl {__version__}{smoothed}: y to the field side, z {'upwards' if target.suffix in ('.ban', '.whl') else 'downwards'}, mm"
     write_text(target, format_profile(found.points, found.kind, target.suffix, [remark]))
     given = {"kind": found.kind, "target": str(target), "points": len(found.points)}
     emit(setting().json, given, f"{target}: {len(found.points)} points of a {found.kind}")

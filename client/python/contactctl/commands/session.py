@@ -16,6 +16,7 @@ from contactd import Client, ContactdError, ContactWarning
 from contactd.calls.answer_warnings import sentences_in
 from contactd.files.number_text import table_of
 from contactd.files.whole import read_whole
+from contactd.refusals import did_you_mean
 
 from ..asking import ask
 from ..common import Command, connected, setting
@@ -50,7 +51,7 @@ def session(
         opening["accept_unconverged"] = True
     answers: list[dict[str, Any]] = []
     # Steps that were solved are shown however the session ends.
-    with connected() as client, _opened(client, opening) as name, Bar("stepping") as bar:
+    with connected(local_unless_named=True) as client, _opened(client, opening) as name, Bar("stepping") as bar:
         try:
             for number, step in enumerate(steps, 1):
                 bar.show((number - 1) / len(steps), f"step {number} of {len(steps)}")
@@ -91,7 +92,7 @@ def _opened(client: Client, opening: dict[str, Any]) -> Iterator[str]:
 
 def _opening(file: str, history: dict[str, Any]) -> dict[str, Any]:
     if unknown := history.keys() - {"open", "steps"}:
-        raise click.UsageError(f"{file} has {min(unknown)!r}; a history has open and steps.")
+        raise click.UsageError(f"{file} has {min(unknown)!r}; a history has open and steps.{did_you_mean(min(unknown), ('open', 'steps'))}")
     opening = history.get("open")
     if not isinstance(opening, dict):
         raise click.UsageError(f"{file} lacks open, the parameters of session.open: grid, bodies, ics, gap, friction.")

@@ -9,6 +9,7 @@ import click
 import typer
 
 from contactd import ContactSolution, Grid, PartialSolution
+from contactd.refusals import did_you_mean
 from contactd.values.answers import read
 from contactd.values.partial_solution import read_solution
 
@@ -42,7 +43,7 @@ def solve(
     outputs = check_outputs(output or ())
     params = changed(read_object(file), sets or ())
     requested_fields(params, fields, outputs)
-    with connected() as client:
+    with connected(local_unless_named=True) as client:
         answer = ask(client, "contact.solve", params, "solving")
     for path in outputs:
         save(path, answer, lambda: _solution(params, answer))
@@ -56,7 +57,7 @@ def requested_fields(params: dict[str, Any], fields: str | None, outputs: list[P
     if fields is not None:
         names = [] if fields == "none" else list(ARRAYS) if fields == "all" else fields.split(",")
         if unknown := [name for name in names if name not in ARRAYS]:
-            raise click.UsageError(f"--fields {fields}: {unknown[0]!r} is none of {', '.join(ARRAYS)}; or say all or none.")
+            raise click.UsageError(f"--fields {fields}: {unknown[0]!r} is none of {', '.join(ARRAYS)}; or say all or none.{did_you_mean(unknown[0], ARRAYS)}")
         params["fields"] = names
     elif not outputs and not setting().json:
         params["fields"] = []

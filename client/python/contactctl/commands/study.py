@@ -14,7 +14,7 @@ import typer
 from ..codes import Code, Ended
 from ..common import Command, connected, setting
 from ..files import writable, write_text
-from ..output import above_rounding, emit, listing, note, warn
+from ..output import above_rounding, emit, listing, note, warn, warn_of
 from ..progress import Bar
 from ..saving import need
 from ..study.by_dask import run_by_dask
@@ -66,7 +66,7 @@ def study(
         found = _solved(plan, cases, journal, {} if fresh else rows_beside(rows, journal.path), workers, dask, fresh, retry)
     if arrays is not None:
         write_hdf5(arrays, plan, found)
-    _show(plan, found, table)
+    _show(plan, found, table, range(1, len(plan.cases) + 1) if part is None else part.numbers(len(plan.cases)))
 
 
 def _columns(plan: Plan) -> list[str]:
@@ -125,11 +125,12 @@ def _solve(plan: Plan, todo: Sequence[Case], there: int, journal: Journal, worke
         if dask is not None:
             run_by_dask(dask, setting(), plan, todo, journal, on_row)
             return
-        with connected(workers=workers if setting().local else None) as client:
+        with connected(workers=workers, local_unless_named=True) as client:
             run_here(client, plan, todo, journal, min(workers, len(todo)), on_row)
 
 
-def _show(plan: Plan, rows: list[dict[str, Any]], table: Path | None) -> None:
+def _show(plan: Plan, rows: list[dict[str, Any]], table: Path | None, numbers: Sequence[int]) -> None:
+    """Rows with their numbers among all of the study."""
     answers = [name for name in plan.answers if name not in plan.names]
     columns = _columns(plan)
     cells = [[*row["values"].values(), *(row.get("answers", {}).get(name) for name in answers)] for row in rows]
@@ -145,12 +146,18 @@ def _show(plan: Plan, rows: list[dict[str, Any]], table: Path | None) -> None:
     emit(setting().json, {"rows": rows}, listing(None, columns, shown), *more, "", given)
     solved = [row["answers"] for row in rows if "answers" in row]
     warn(f"no answer has {name}" for name in answers if solved and all(found[name] is None for found in solved))
+    warn_of("row", ((_named(number, row), str(sentence)) for number, row in zip(numbers, rows) for sentence in row.get("warnings", ())))
     for row in [row for row in rows if "error" in row][:5]:
         note(f"failed: {row['values']}: {row['error']}")
     if codes:
         raise Ended(Code(min(codes)), f"{codes.total()} rows failed; --retry solves them again.")
     if unconverged:
         raise Ended(Code.NOT_CONVERGED, f"{unconverged} rows did not converge.")
+
+
+def _named(number: int, row: dict[str, Any]) -> str:
+    values = ", ".join(f"{name} = {value}" for name, value in row["values"].items() if not isinstance(value, (dict, list)))
+    return f"{number} ({values})" if values else str(number)
 
 
 def _shown(columns: list[str], cells: list[Any]) -> list[Any]:

@@ -13,6 +13,7 @@ import click
 import typer
 
 from contactd import Client, InvalidArgument
+from contactd.calls.answer_warnings import collected
 from contactd.files.marks import written_by
 from contactd.wear import WearStudy, WeightedState, WornStep, evolve, read_record, write_record
 from contactd.wear.dynamics import Dynamics, evolve_with, states_of_stage
@@ -22,14 +23,14 @@ from contactd.wheel_rail import WheelRailState
 from ..codes import Code, Ended
 from ..common import Command, connected, setting
 from ..files import writable, writable_folder, write_text
-from ..output import emit, listing, note, span, warn
+from ..output import emit, listing, note, span, warn_of
 from ..progress import Bar
 from ..saving import need
 from ..study.shares import Share, share_of
 from ..wearing.along import is_along, wear_along
 from ..wearing.by_dask import solving_by_dask
 from ..wearing.convergence import settled
-from ..wearing.outputs import Measures, check_folders, measured, write_pictures, write_profiles
+from ..wearing.outputs import Measures, check_folders, measured, totals_of, write_pictures, write_profiles
 from ..wearing.reading import read_dynamics, read_study
 from ..wearing.shares import ShareFiles, work
 
@@ -109,12 +110,12 @@ def wear(
         written += write_pictures(pictures, study, steps, measures)
     for path in written:
         note(f"wrote {path}")
-    _show(steps, study.unit)
+    _show(steps, study)
 
 
 def _tell_convergence(study: WearStudy, workers: int) -> None:
     """A table of variants, each against the finest."""
-    with connected(workers=workers if setting().local else None) as client, Bar("convergence") as bar:
+    with connected(workers=workers, local_unless_named=True) as client, Bar("convergence") as bar:
         found = list(settled(client, study, workers, bar.show))
     columns = ["what differs", "L1 of depth", "area", "largest depth", "steps", "s"]
     rows = [[one.name, one.difference, one.area, one.largest, one.steps, one.seconds] for one in found]
@@ -143,7 +144,7 @@ def _forget_stages(folder: Path) -> None:
 
 def _help(study: WearStudy, output: Path, share: Share, workers: int, longest_wait: float) -> None:
     """What a share but the first does."""
-    with connected(workers=workers if setting().local else None) as client, Bar("wear") as bar:
+    with connected(workers=workers, local_unless_named=True) as client, Bar("wear") as bar:
         files = ShareFiles(output, study, share, longest_wait)
         work(
             files, output, study, place_of(client, study), share, by_threads(client, workers, study), longest_wait,
@@ -171,7 +172,8 @@ def _evolve(
     """Adds steps to the list as they end, and writes all to the file each time."""
     before, began = steps[-1].distance if steps else 0.0, time.monotonic()
     with ExitStack() as stack:
-        client = stack.enter_context(connected(workers=workers if setting().local else None))
+        stack.enter_context(collected())  # `_show` has the warnings of all steps, also of those before
+        client = stack.enter_context(connected(workers=workers, local_unless_named=True))
         bar = stack.enter_context(Bar("wear"))
 
         def show(part: float, sentence: str) -> None:
@@ -199,17 +201,32 @@ def _solving(
     return ShareFiles(output, study, share, longest_wait).solving(own, lambda: steps[-1].number)
 
 
-def _show(steps: list[WornStep], unit: str) -> None:
-    columns = ["step", unit, "largest depth, mm", "area, mm^2", "T gamma, N", "pmax, N/mm^2"]
-    rows = [[s.number, s.distance, float(s.depths.max()), s.area, s.T_gamma, s.pmax] for s in steps[1:]]
+def _show(steps: list[WornStep], study: WearStudy) -> None:
+    columns = ["step", study.unit, "largest depth, mm", "area, mm^2", "T gamma, N", "pmax, N/mm^2", "ended by"]
+    rows = [[s.number, s.distance, float(s.depths.max()), s.area, s.T_gamma, s.pmax, s.ended_by or None] for s in steps[1:]]
     more = [f"... {len(rows) - _SHOWN} steps before these are in the file"] if len(rows) > _SHOWN else []
-    emit(setting().json, {"steps": [_facts(step, unit) for step in steps]}, *more, listing(None, columns, rows[-_SHOWN:]))
-    warn(f"step {step.number}: {sentence}" for step in steps for sentence in step.warnings)
+    totals = totals_of(study, steps)
+    answer = {"steps": [_facts(step, study.unit) for step in steps], "total": totals}
+    emit(setting().json, answer, *more, listing(None, columns, rows[-_SHOWN:]), "", *_sentences(steps, study, totals))
+    warn_of("step", ((str(step.number), sentence) for step in steps for sentence in step.all_warnings))
+
+
+def _sentences(steps: list[WornStep], study: WearStudy, totals: dict[str, dict[str, float]]) -> list[str]:
+    """Sentences below the table: the depths after all steps, and why some of these are less deep than they might be."""
+    found = [
+        f"After {steps[-1].distance:g} {study.unit} the {part} is worn by {total['depth']:.4g} mm at most, at y = {total['y']:.2f} mm; "
+        f"the worn area is {total['area']:.4g} mm^2."
+        for part, total in totals.items()
+    ]
+    if bounded := [step.number for step in steps if step.ended_by.startswith("stability")]:
+        which = "All steps" if len(bounded) == len(steps) - 1 else f"{len(bounded)} of {len(steps) - 1} steps"
+        found.append(f"{which} ended by stability: they are less deep than step.depth = {study.depth:g} mm, at which grooves would grow.")
+    return found
 
 
 def _facts(step: WornStep, unit: str) -> dict[str, Any]:
     return {
         "number": step.number, unit: step.distance, "area": step.area, "removed": step.removed, "T_gamma": step.T_gamma,
         "T_gamma_with_spin": step.T_gamma_with_spin, "pmax": step.pmax, "smoothing": step.smoothing, "groups": step.groups,
-        "warnings": list(step.warnings),
+        "depth": float(step.depths.max()) if step.depths.size else 0.0, "ended_by": step.ended_by, "warnings": list(step.all_warnings),
     }  # fmt: skip

@@ -48,7 +48,7 @@ def solve(
     outputs = check_outputs(output or ())
     params = _params(file, {"y": y, "yaw": yaw, "roll": roll}, Fz, speed, side, mu, sets)
     requested_fields(params, fields, outputs)
-    with connected() as client:
+    with connected(local_unless_named=True) as client:
         answer = ask(client, "wheelrail.solve", params, "solving")
     for path in outputs:
         save(path, answer, lambda: read_wheel_rail(params.get("fields"), params.get("gap", False), answer))
@@ -65,7 +65,7 @@ def geometry(
     params = _params(file, {"y": y, "yaw": yaw, "roll": roll}, Fz, speed, side, mu, sets)
     if "state" in params:
         params["states"] = [params.pop("state")]
-    with connected() as client:
+    with connected(local_unless_named=True) as client:
         answer = ask(client, "wheelrail.geometry", params, "searching")
     shown = [part for found in answer.get("geometries", ()) for part in _shown_geometry(found)]
     if "conicities" in answer:

@@ -12,7 +12,7 @@ import click
 import contactd
 from contactd import Client
 
-from ..common import DEFAULT_ENDPOINT, Setting, client_of
+from ..common import Setting, client_of, is_local
 from .journal import Journal
 from .plan import Case, Plan
 from .solving import row_of
@@ -67,10 +67,11 @@ def _solved(
 
 
 def client_of_worker(given: dict[str, Any]) -> Client:
-    """Returns the client of this worker: it has an endpoint of its own where the command names none, and CONTACTD_ENDPOINT there does."""
+    """Returns the client of this worker: by the endpoint that the command names, or else CONTACTD_ENDPOINT there. Where neither
+    does, the worker solves by itself."""
     there = Setting(**{name: value for name, value in given.items() if value not in (None, False, ())})
-    identity = (there.local, there.folder, there.endpoint or DEFAULT_ENDPOINT)
+    identity = (there.local, there.folder, there.endpoint)
     if identity not in _CLIENTS:
-        here = contactd.local(folder=there.folder) if there.local else None
+        here = contactd.local(folder=there.folder) if is_local(there) else None
         _CLIENTS[identity] = client_of(there) if here is None else _OPEN.enter_context(here)
     return _CLIENTS[identity]

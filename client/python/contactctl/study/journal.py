@@ -145,4 +145,5 @@ def _row(line: bytes) -> dict[str, Any] | None:
     kinds = {"key": str, "code": int, "values": dict}
     if not isinstance(row, dict) or not all(isinstance(row.get(name), kind) for name, kind in kinds.items()):
         return None
-    return row if isinstance(row.get("answers", {}), dict) else None
+    is_whole = isinstance(row.get("answers", {}), dict) and isinstance(row.get("warnings", []), list)
+    return row if is_whole else None

@@ -12,9 +12,11 @@ from typing import Any
 
 import click
 
+from contactd.refusals import did_you_mean
+
 from ..files import named_file, read_named, read_object, with_arrays
 from ..output import plain_json
-from ..paths import copied, parts, put, with_shear_moduli
+from ..paths import copied, parts, put, put_into_words
 from .values import MOST, values_of
 
 __all__ = ["Case", "Plan", "read_plan"]
@@ -72,7 +74,7 @@ class Plan:
         found: dict[str, Any] = copied(self.problem)
         for path, value in case.asked.items():
             put(found, path, value)
-        with_shear_moduli(found)
+        put_into_words(found)
         return found
 
 
@@ -81,10 +83,12 @@ def read_plan(path: str) -> Plan:
     named = read_named(path)
     inputs = with_arrays(named, path)
     if unknown := inputs.keys() - _FIELDS:
-        raise click.UsageError(f"{path} has {min(unknown)!r}; a study has {', '.join(sorted(_FIELDS))}.")
+        meant = did_you_mean(min(unknown), _FIELDS)
+        raise click.UsageError(f"{path} has {min(unknown)!r}; a study has {', '.join(sorted(_FIELDS))}.{meant}")
     method = inputs.get("method", METHODS[0])
     if method not in METHODS:
-        raise click.UsageError(f"{path}: method is {method!r}; it must be {' or '.join(METHODS)}.")
+        meant = did_you_mean(str(method), METHODS)
+        raise click.UsageError(f"{path}: method is {method!r}; it must be {' or '.join(METHODS)}.{meant}")
     problem = _problem(path, inputs.get("problem"))
     if problem.get("fields"):
         raise click.UsageError(f"{path}: problem.fields asks for arrays, of which a row has none; leave it out.")

@@ -32,6 +32,10 @@ class Share:
     def cases(self, cases: Sequence[Case]) -> Sequence[Case]:
         return cases[self.index :: self.count]
 
+    def numbers(self, count: int) -> Sequence[int]:
+        """Returns the numbers of its cases among all of the study, which begin with 1."""
+        return range(1, count + 1)[self.index :: self.count]
+
     def file(self, rows: Path) -> Path:
         """Returns the file of its rows; `rows` is that of the study."""
         return Path(f"{rows}.{self.index}-of-{self.count}")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 from contactd import (
@@ -16,6 +16,8 @@ from contactd import (
     Unauthenticated,
     Unavailable,
 )
+from contactd.calls.answer_warnings import collected
+from contactd.refusals import did_you_mean
 
 from ..codes import Code, Ended, code_of
 from ..output import plain_json
@@ -33,14 +35,15 @@ def row_of(
     client: Client, method: str, params: dict[str, Any], varying: Sequence[str], answers: Sequence[str],
     on_progress: ProgressCallback | None = None,
 ) -> dict[str, Any]:
-    """The row without its key and values: `code`, of the exit codes, and `answers` or an `error`.
+    """The row without its key and values: `code`, of the exit codes, `answers` or an `error`, and `warnings` if there are any.
 
     Raises Cancelled, and what says that there is no daemon to ask: these are no property of the case. Neither is that a field
     that varies, or an answer, is of no row: Ended says so.
     """
     began = time.monotonic()
     try:
-        answer = _asked(client, method, params, on_progress)
+        with collected() as sentences:
+            answer = _asked(client, method, params, on_progress)
     except (Cancelled, Unauthenticated, Unavailable):
         raise
     except (StatusError, TimeoutExpired) as error:
@@ -49,8 +52,17 @@ def row_of(
     code = Code.DONE if answer["converged"] else Code.NOT_CONVERGED
     found = {path: plain_json(get(answer, path)) for path in answers}
     if unknown := [path for path, value in found.items() if value is None and not may_answer(method, path)]:
-        raise Ended(Code.USAGE, f"answers has {', '.join(unknown)}, which no answer has; it has {', '.join(sorted(answer))}.")
-    return {"code": int(code), "answers": found, "seconds": time.monotonic() - began}
+        meant = did_you_mean(unknown[0], _paths_in(answer))
+        raise Ended(Code.USAGE, f"answers has {', '.join(unknown)}, which no answer has; it has {', '.join(sorted(answer))}.{meant}")
+    row = {"code": int(code), "answers": found, "seconds": time.monotonic() - began}
+    return {**row, "warnings": sentences} if sentences else row
+
+
+def _paths_in(answer: dict[str, Any], path: str = "") -> Iterator[str]:
+    for name, value in answer.items():
+        yield f"{path}{name}"
+        if isinstance(value, dict):
+            yield from _paths_in(value, f"{path}{name}.")
 
 
 def _check_names(error: StatusError | TimeoutExpired, varying: Sequence[str]) -> None:

@@ -12,11 +12,13 @@ import numpy as np
 
 from contactd import __version__
 from contactd.files.whole import write_whole
+from contactd.refusals import did_you_mean
 from contactd.wear.slices import DepthMap, depths_along
 
 from ..common import connected, setting
 from ..files import named_file, read_object
 from ..output import emit, listing
+from ..paths import copied, put_into_words
 from .reading import states_of
 
 __all__ = ["is_along", "wear_along"]
@@ -35,7 +37,8 @@ def wear_along(file: str, output: Path) -> None:
     """Solves all states, writes the map to an HDF5 file, and shows the pieces. Raises click.UsageError."""
     given = read_object(file)
     if unknown := given.keys() - _FIELDS:
-        raise click.UsageError(f"{file}: a study along the track has no {', '.join(sorted(unknown))}; it has {', '.join(sorted(_FIELDS))}.")
+        meant = did_you_mean(min(unknown), _FIELDS)
+        raise click.UsageError(f"{file}: a study along the track has no {', '.join(sorted(unknown))}; it has {', '.join(sorted(_FIELDS))}.{meant}")
     if missing := [name for name in ("setup", "states", "law", "until") if name not in given]:
         raise click.UsageError(f"{file}: {', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing.")
     if given.get("wears", "rail") != "rail":
@@ -51,9 +54,11 @@ def wear_along(file: str, output: Path) -> None:
         raise click.UsageError(f"{file}: setup is {given['setup']!r}; it must be an object, fields with their values.")
     if (len(x) - 1) * (len(y) - 1) > _MOST_CELLS:
         raise click.UsageError(f"{file}: along has {len(x) - 1} times {len(y) - 1} cells; it may have {_MOST_CELLS}.")
+    setup = copied({"setup": given["setup"]})
+    put_into_words(setup)
     states = states_of(named_file(str(given["states"]), file))
-    with connected() as client:
-        found = depths_along(client, given["setup"], states, law, x, y, energy=given.get("energy", "scaled"))
+    with connected(local_unless_named=True) as client:
+        found = depths_along(client, setup["setup"], states, law, x, y, energy=given.get("energy", "scaled"))
     _write(output, given, found, float(until))
     depths = found.after(float(until))
     columns = ["x from, mm", "to", "largest depth, mm", "at y, mm", "area, mm^2", "pmax, N/mm^2"]

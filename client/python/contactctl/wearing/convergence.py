@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from contactd import Client
+from contactd.calls.answer_warnings import collected, give
 from contactd.wear import Section, WearStudy, WeightedState, WornStep, evolve
 
 __all__ = ["Settled", "settled", "variants"]
@@ -90,7 +91,9 @@ def settled(
             on_progress((i + share) / len(studies), name)
 
         began = time.monotonic()
-        steps = list(evolve(client, one, workers=workers, on_progress=tell))
+        with collected() as sentences:
+            steps = list(evolve(client, one, workers=workers, on_progress=tell))
+        give(f"{name}: {sentence}" for sentence in sentences)
         seconds = time.monotonic() - began
         if finest is None or first is None:
             first, finest = steps[0], steps[-1]

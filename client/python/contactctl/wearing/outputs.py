@@ -12,15 +12,15 @@ import numpy as np
 
 from contactd import Client, InvalidArgument
 from contactd.files.marks import written_by
-from contactd.files.profile_text import format_miniprof, format_profile
+from contactd.files.profile_text import format_profile
 from contactd.pictures.wear import draw_competition, draw_depths, draw_groups, draw_measures, draw_shakedown, draw_worn
-from contactd.wear import WearStudy, WornStep, conicities, rail_wear, wheel_gauge
+from contactd.wear import Section, WearStudy, WornStep, conicities, rail_wear, wheel_gauge
 from contactd.wear.evolution import place_of
 
 from ..files import check_own, write_text
 from ..writing.drawing import save_animation, save_picture
 
-__all__ = ["Measures", "check_folders", "measured", "write_pictures", "write_profiles"]
+__all__ = ["Measures", "check_folders", "measured", "totals_of", "write_pictures", "write_profiles"]
 
 Measures = dict[str, list[float]]  #: a list a measure, with a number a step
 
@@ -50,13 +50,9 @@ def write_profiles(folder: Path, study: WearStudy, steps: Sequence[WornStep]) ->
         points = last.of(part).points
         laws = ", ".join(f"{law['name']} ({law['source']})" for law in study.law_params())
         remarks = [f"{written_by()}: {part} after {last.distance:.9g} {study.unit}, by {laws}"]
-        simpack, miniprof = (".prw", ".whl") if part == "wheel" else (".prr", ".ban")
-        for ending, text in (
-            (simpack, format_profile(points, part, simpack, remarks)),
-            (miniprof, format_miniprof(points, remarks)),
-        ):
+        for ending in (".prw", ".whl") if part == "wheel" else (".prr", ".ban"):
             written.append(folder / f"{part}{ending}")
-            write_text(written[-1], text)
+            write_text(written[-1], format_profile(points, part, ending, remarks))
     return written
 
 
@@ -78,6 +74,18 @@ def measured(client: Client, study: WearStudy, steps: Sequence[WornStep]) -> Mea
             numbers.update(zip(("W1", "W2", "W3"), worn))
         for name, number in numbers.items():
             found.setdefault(name, []).append(float(number))
+    return found
+
+
+def totals_of(study: WearStudy, steps: Sequence[WornStep]) -> dict[str, dict[str, float]]:
+    """What all steps together took off, by parts: the largest depth (mm), where on the new profile it is (y, mm), and the area
+    (mm^2). The depth is the distance from the new profile to the worn one."""
+    found: dict[str, dict[str, float]] = {}
+    for part in study.parts:
+        new, last = steps[0].of(part), steps[-1].of(part)
+        depths = Section(new.points, part).depths_to(Section(last.points, part))
+        deepest = int(depths.argmax())
+        found[part] = {"depth": float(depths[deepest]), "y": float(new.points[deepest, 0]), "area": last.area}
     return found
 
 

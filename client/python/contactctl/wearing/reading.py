@@ -11,10 +11,12 @@ from typing import Any
 import click
 
 from contactd import InvalidArgument
+from contactd.refusals import did_you_mean
 from contactd.wear import WearStudy, WeightedState, read_states
 from contactd.wear.dynamics import Dynamics
 
 from ..files import named_file, read_object
+from ..paths import copied, put_into_words
 
 __all__ = ["FIELDS", "read_dynamics", "read_study", "states_of"]
 
@@ -29,7 +31,8 @@ def read_study(file: str, states: Sequence[WeightedState] | None = None) -> Wear
     """The study that a file of JSON or YAML describes, with other states than its own. Raises click.UsageError naming the file and what is wrong."""
     given = read_object(file)
     if unknown := given.keys() - FIELDS:
-        raise click.UsageError(f"{file}: a study of wear has no {', '.join(sorted(unknown))}; it has {', '.join(sorted(FIELDS))}.")
+        meant = did_you_mean(min(unknown), FIELDS)
+        raise click.UsageError(f"{file}: a study of wear has no {', '.join(sorted(unknown))}; it has {', '.join(sorted(FIELDS))}.{meant}")
     if "dynamics" in given:
         if "states" in given:
             raise click.UsageError(f"{file}: states and dynamics are given; dynamics tell the states.")
@@ -38,7 +41,8 @@ def read_study(file: str, states: Sequence[WeightedState] | None = None) -> Wear
         raise click.UsageError(f"{file}: {', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing.")
     step = _object(file, given, "step")
     if unknown := step.keys() - {"depth", "distance"}:
-        raise click.UsageError(f"{file}: step has no {', '.join(sorted(unknown))}; it has depth and distance.")
+        meant = did_you_mean(min(unknown), ("depth", "distance"))
+        raise click.UsageError(f"{file}: step has no {', '.join(sorted(unknown))}; it has depth and distance.{meant}")
     for name in ("law", "rail_law"):
         law = _object(file, given, name) if name in given else None
         if law is not None and not (law.get("source") and law.get("name")):
@@ -56,8 +60,10 @@ def read_study(file: str, states: Sequence[WeightedState] | None = None) -> Wear
     for name in ("depth", "distance"):
         _number(file, f"step.{name}", step.get(name))
     states = states or states_of(named_file(str(path), file))
+    setup = copied({"setup": _object(file, given, "setup")})
+    put_into_words(setup)
     try:
-        return WearStudy(_object(file, given, "setup"), states, given["wears"], given["law"], given["until"], **step, **named)
+        return WearStudy(setup["setup"], states, given["wears"], given["law"], given["until"], **step, **named)
     except InvalidArgument as error:
         raise click.UsageError(f"{file}: {error}") from None
 
@@ -95,7 +101,8 @@ def read_dynamics(file: str, folder: Path, allow_program: bool) -> Dynamics | No
 def _dynamics_object(file: str, given: dict[str, Any]) -> dict[str, Any]:
     dynamics = _object(file, given, "dynamics")
     if unknown := dynamics.keys() - {"program", "depth", "conicity", "distance"}:
-        raise click.UsageError(f"{file}: dynamics has no {', '.join(sorted(unknown))}; it has program, depth, conicity and distance.")
+        meant = did_you_mean(min(unknown), ("program", "depth", "conicity", "distance"))
+        raise click.UsageError(f"{file}: dynamics has no {', '.join(sorted(unknown))}; it has program, depth, conicity and distance.{meant}")
     if not dynamics.get("program") or not isinstance(dynamics["program"], (str, list)):
         raise click.UsageError(f"{file}: dynamics.program is missing; it is a command, which is called with the name of a folder.")
     for name in ("depth", "conicity", "distance"):

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import sys
 import warnings
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from typing import Any
 
 from ..refusals import package_of
 
-__all__ = ["ContactWarning", "give", "sentences_in"]
+__all__ = ["ContactWarning", "collected", "give", "sentences_in"]
 
 #: Methods that tell what lies in the store, and use none of it.
 _LISTS = ("ic.list", "ic.import")
@@ -19,6 +21,7 @@ _PARTS = {"result": "", "evidence": "", "ics": "", "upper": "", "lower": "", "pa
           "patches": "patches", "profiles": "profiles", "wheel_evidence": "wheel", "rail_evidence": "rail",
           "cases": "cases"}  # fmt: skip
 _MOST_PARTS = 5  #: that are named of those that have the same sentence
+_COLLECTED: ContextVar[list[str] | None] = ContextVar("collected", default=None)
 
 
 class ContactWarning(UserWarning):
@@ -80,9 +83,24 @@ def _of_parts(parts: list[str], sentence: str) -> str:
     return f"{', '.join(parts[:_MOST_PARTS])}{more}: {sentence}"
 
 
+@contextmanager
+def collected() -> Iterator[list[str]]:
+    """Collects the sentences that answers in this thread warn of inside the block, each once. They are no warnings of Python then:
+    the caller names the case, row or state that they are of."""
+    found: list[str] = []
+    token = _COLLECTED.set(found)
+    try:
+        yield found
+    finally:
+        _COLLECTED.reset(token)
+
+
 def give(sentences: Iterable[str]) -> None:
-    """Warns of them, where the caller of this package is."""
-    if given := tuple(dict.fromkeys(sentences)):
+    """Warns of them, where the caller of this package is, unless they are collected."""
+    given = tuple(dict.fromkeys(sentences))
+    if (found := _COLLECTED.get()) is not None:
+        found.extend(sentence for sentence in given if sentence not in found)
+    elif given:
         warnings.warn(ContactWarning(*given), stacklevel=_level_of_caller())
 
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..calls.answer_warnings import collected
 from ..errors import InvalidArgument
 from ..files.case_text import text_of
 from ..files.profile_text import read_profile_text
@@ -122,7 +123,8 @@ class ProfileFiles:
         track = Track(rail_origin=(750.0, 0.0))  # needs no gauge face, which not every rail has
         setup = WheelRailSetup(wheel=profile, track=track) if which == "WHEEL" else WheelRailSetup(rail=profile, track=track)
         try:
-            placed = self._client.placed_profiles(setup).right
+            with collected():  # the case itself warns of its profiles, where they lie
+                placed = self._client.placed_profiles(setup).right
         except InvalidArgument:
             return None
         return (placed.wheel, placed.wheel_evidence) if which == "WHEEL" else (placed.rail, placed.rail_evidence)

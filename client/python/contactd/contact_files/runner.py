@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
+from ..calls.answer_warnings import collected
 from ..errors import InvalidArgument, StatusError, TableFileError, TimeoutExpired
 from ..values.problem import ContactProblem, Estimate
 from ..values.result import Field
@@ -37,13 +38,14 @@ it names, has wrong."""
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """What became of a case, with a sentence where that is not all that was wanted."""
+    """What became of a case, with a sentence where that is not all that was wanted, and with what its answers warn of."""
 
     case: Case
     status: Status
     sentence: str = ""
     result: BasicResult | RailResult | None = None
     seconds: float = 0.0
+    warnings: tuple[str, ...] = ()
 
     @property
     def is_solved(self) -> bool:
@@ -130,6 +132,11 @@ class Runner:
             yield outcome
 
     def _outcome(self, case: Case, start: State | None, steps: _RailSteps | None, began: float) -> Outcome:
+        with collected() as sentences:
+            outcome = self._computed(case, start, steps, began)
+        return replace(outcome, warnings=tuple(sentences))
+
+    def _computed(self, case: Case, start: State | None, steps: _RailSteps | None, began: float) -> Outcome:
         try:
             result = self._on_rails(case, steps) if case.module == 1 else self._basic(case, start)
         except Missing as error:

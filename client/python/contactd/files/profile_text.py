@@ -2,37 +2,40 @@
 
 from __future__ import annotations
 
-import errno
 import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
+from ..errors import invalid
 from .text_lines import one_line
 from .whole import read_whole
 
 if TYPE_CHECKING:
     from ..values.arrays import Array
 
-__all__ = ["ENDINGS", "format_miniprof", "format_profile", "read_profile_text"]
+__all__ = ["ENDINGS", "format_profile", "read_profile_text"]
 
 _MOST_BYTES = 1 << 21  #: as proto/schema has it
 #: The formats that are written, by the endings of files.
-ENDINGS = (".prr", ".prw", ".csv", ".txt")
+ENDINGS = (".prr", ".prw", ".ban", ".whl", ".csv", ".txt")
 
 
 def read_profile_text(path: str | os.PathLike[str]) -> bytes:
-    """The content of a file. Raises OSError where there is none, where it is empty, and for what is too large for a profile."""
+    """Returns the content of a file. Raises OSError where there is none and for a file that is too large for a profile, and
+    InvalidArgument for an empty one."""
     content = read_whole(path, _MOST_BYTES)
     if not content:
-        raise OSError(errno.EINVAL, "it is empty", os.fspath(path))
+        raise invalid("file", f"= {os.fspath(path)}: the file is empty. Name a file with the points of a profile, y and z")
     return content
 
 
 def format_profile(points: Array, kind: Literal["wheel", "rail"], ending: str, remarks: Sequence[str] = ()) -> str:
-    """The text of a file with this ending: of Simpack, or of two columns with commas (.csv) or blanks between.
+    """The text of a file with this ending: of Simpack, of MiniProf, or of two columns with commas (.csv) or blanks between.
 
     `points` are (y, z), shape [n, 2], in mm, y to the field side and z downwards; they are written with all their digits.
     """
+    if ending in (".ban", ".whl"):
+        return _miniprof(points, remarks)
     comments = [f"{'!' if ending in ('.prr', '.prw') else '#'} {one_line(' '.join(remark.split()))}" for remark in remarks]
     if ending in (".csv", ".txt"):
         between = "," if ending == ".csv" else " "
@@ -43,8 +46,8 @@ def format_profile(points: Array, kind: Literal["wheel", "rail"], ending: str, r
     return "\n".join([*comments, *head, *keys, *rows, "  point.end", "spline.end", ""])
 
 
-def format_miniprof(points: Array, remarks: Sequence[str] = ()) -> str:
-    """The text of a file of MiniProf, .whl or .ban: y to the field side, and z upwards there."""
+def _miniprof(points: Array, remarks: Sequence[str]) -> str:
+    """Returns the text of a file of MiniProf, in which z is upwards."""
     head = [f"Remark={one_line(' '.join(remark.split()))}" for remark in remarks]
     return "\n".join([*head, "ColumnDef=X,Y", "", *(f"{float(y)!r} {0.0 - float(z)!r}" for y, z in points), ""])
 

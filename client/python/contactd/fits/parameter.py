@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..errors import invalid
+from ..refusals import did_you_mean
 from ..values.field_paths import get, parts
 
 __all__ = ["VariedParameter", "varied"]
@@ -69,7 +70,7 @@ def varied(
     if not parameters:
         raise invalid("parameters", "has none; name at least one field with its bounds, such as friction.mu: (0.1, 0.6)")
     if unknown := [path for path in start if path not in parameters]:
-        raise invalid("start", f"has {unknown[0]}, which is none of the parameters {', '.join(parameters)}")
+        raise invalid("start", f"has {unknown[0]}, which is none of the parameters {', '.join(parameters)}.{did_you_mean(unknown[0], parameters)}")
     return [_varied(path, bounds, start.get(path), params) for path, bounds in parameters.items()]
 
 

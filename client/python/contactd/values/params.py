@@ -11,10 +11,12 @@ from typing import Any, NamedTuple, Union, get_args, get_origin, get_type_hints
 import numpy as np
 
 from ..errors import invalid
-from ..refusals import check_type
+from ..refusals import check_type, did_you_mean
 from .arrays import array_of
 
-__all__ = ["Checked", "HasParams", "array_of", "check_fields", "fields_of", "instead", "names_of_fields", "params_of", "whole"]
+__all__ = [
+    "Checked", "HasParams", "array_of", "check_fields", "fields_of", "instead", "names_of_fields", "params_of", "whole", "with_objects",
+]  # fmt: skip
 
 Convert = Callable[[Any, str], Any]
 
@@ -59,6 +61,40 @@ def fields_of(kind: type, given: Mapping[str, Any], field: str = "") -> dict[str
             item = convert(item, f"{field}.{name}" if field else name)
         (written if within is None else written.setdefault(within, {}))[name] = item
     return written
+
+
+def with_objects(kind: type, given: Any, field: str = "") -> Any:
+    """Parameters of a class as the wire has them, in which lists may stand for objects as in Python: [0, 0, 5.3] for the piece
+    of a function with from, value and slope. `field` is where they stand. What is no mapping is the daemon's to refuse.
+
+    Raises InvalidArgument for a list of another length.
+    """
+    if not isinstance(given, Mapping):
+        return given
+    found = dict(given)
+    hints = get_type_hints(kind)
+    for one in fields(kind):
+        if (value := given.get(one.name)) is None:
+            continue
+        place = f"{field}.{one.name}" if field else one.name
+        is_list = isinstance(value, (list, tuple, np.ndarray))
+        keys, kinds = one.metadata.get("keys"), _kinds(hints[one.name])
+        items: list[Any] = [kind for hint in _alternatives(hints[one.name]) for kind in get_args(hint)[:1] if is_dataclass(kind)]
+        if keys is not None and is_list:
+            found[one.name] = [_object_of(item, keys, f"{place}[{i}]") for i, item in enumerate(value)]
+        elif kinds:
+            found[one.name] = with_objects(kinds[0], value, place)
+        elif items and is_list:
+            found[one.name] = [with_objects(items[0], item, f"{place}[{i}]") for i, item in enumerate(value)]
+    return found
+
+
+def _object_of(item: Any, keys: tuple[str, ...], field: str) -> Any:
+    if not isinstance(item, (list, tuple, np.ndarray)):
+        return item
+    if len(item) != len(keys):
+        raise invalid(field, f"has {len(item)} numbers; it must have {len(keys)}: {', '.join(keys)}")
+    return dict(zip(keys, item.tolist() if isinstance(item, np.ndarray) else item))
 
 
 def names_of_fields(kind: type) -> frozenset[str]:
@@ -187,7 +223,8 @@ def check_fields(kind: type, given: Mapping[str, Any]) -> None:
     none of its name. What other than values of contactd and flags they are is the daemon's to refuse."""
     checked = _checked(kind)
     if unknown := given.keys() - names_of_fields(kind):
-        raise TypeError(f"{kind.__name__} has no field {', '.join(sorted(unknown))}")
+        meant = did_you_mean(min(unknown), names_of_fields(kind))
+        raise TypeError(f"{kind.__name__} has no field {', '.join(sorted(unknown))}{meant and '.' + meant}")
     for name, kinds, is_optional, is_list, default in checked:
         value = given.get(name, default)
         if not is_list:

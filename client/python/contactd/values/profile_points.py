@@ -33,7 +33,7 @@ class FileOfProfile:
     text: Any
 
     def __post_init__(self) -> None:
-        """Raises OSError where the file cannot be read."""
+        """Raises OSError where the file cannot be read, and InvalidArgument where it is empty."""
         text = extra("ProfileFile.text")(self.name) if self.text is None else self.text
         object.__setattr__(self, "name", os.fspath(self.name))
         object.__setattr__(self, "text", text if isinstance(text, str) else _text_of(text))

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from ..calls.answer_warnings import collected, give, sentences_in
 from ..errors import InvalidArgument, invalid
 from .contributions import Contributions, fatigue_of
 from .part_step import PartStep, common_distance
@@ -23,6 +24,7 @@ Requests = Sequence[dict[str, Any]]
 #: What solves all requests of wheelrail.solve and answers in their order; it tells how many are done.
 Solve = Callable[[Requests, Callable[[int], None]], list[dict[str, Any]]]
 
+_MOST_NAMED = 5  #: of the states that a sentence is of
 _FEW = 0.1  #: of the states
 _MOST_BY_FEW = 0.9  #: of the area that few states may carry without a warning
 
@@ -40,7 +42,7 @@ def evolve(
     as if it had never stopped; else the first one is the new section.
 
     `workers` requests are on their way at a time, or `solve` carries all of them out; `on_progress` hears what share is done,
-    and a sentence. Raises InvalidArgument naming the state, such as ``states[3]``, whose contact cannot be solved or lies
+    and a sentence. What a step warns of is in its `warnings`, and is a ContactWarning, too. Raises InvalidArgument naming the state, such as ``states[3]``, whose contact cannot be solved or lies
     beyond the section's end.
     """
     place = place_of(client, study)
@@ -59,6 +61,7 @@ def evolve(
 
         requests = study.params(place.profiles({part: last.of(part).points for part in study.parts}))
         last = next_step(first, last, study, place, carry_out(requests, tell))
+        give(f"step {last.number}: {sentence}" for sentence in last.all_warnings)
         yield last
 
 
@@ -81,7 +84,8 @@ def by_threads(client: WheelRailClient, workers: int, study: WearStudy) -> Solve
 
         def ask(i: int) -> dict[str, Any]:
             try:
-                return dict(client.call("wheelrail.solve", requests[i]))
+                with collected():  # the step warns of them, and names the state
+                    return dict(client.call("wheelrail.solve", requests[i]))
             except InvalidArgument as error:
                 raise invalid(f"states[{study.given_index(i)}]", f"cannot be solved: {error.message.removesuffix('.')}") from error
 
@@ -105,17 +109,15 @@ def next_step(first: WornStep, last: WornStep, study: WearStudy, place: StudyPla
     if not any(one.areas.sum() > 0 for one in wear.values()):
         raise invalid("states", "wear nothing off: no contact of them slips, or the law is zero there")
     parts = {part: PartStep(one.rates.sum(axis=0), one.size, one.contacts, place.modulus, study.depth, study.smoothing) for part, one in wear.items()}
-    distance = common_distance(list(parts.values()), study.until - last.distance, study.distance)
+    distance, ended_by = common_distance(parts, study.until - last.distance, study.distance)
     T_gamma = T_gamma_with_spin = pmax = 0.0
-    warnings: list[str] = []
-    for i, (share, answer) in enumerate(zip(study.shares, answers)):
+    warnings = _warnings_of(study, answers)
+    for share, answer in zip(study.shares, answers):
         for patch in answer.get("patches", ()):
             reported = patch["solution"].get("wear", {})
             T_gamma += share * reported.get("T_gamma", 0.0)
             T_gamma_with_spin += share * reported.get("T_gamma_with_spin", 0.0)
             pmax = max(pmax, patch["solution"]["pmax"])
-        if not answer["converged"]:
-            warnings.append(f"states[{study.given_index(i)}] did not converge.")
     reached = study.until if math.isclose(last.distance + distance, study.until, rel_tol=1e-12) else last.distance + distance
     made = []
     for part, step in parts.items():
@@ -128,7 +130,7 @@ def next_step(first: WornStep, last: WornStep, study: WearStudy, place: StudyPla
         made.append(
             WornStep(
                 last.number + 1, reached, worn.points, wear[part].edges, depths, before.area + area, new.area_above(worn), T_gamma,
-                T_gamma_with_spin, pmax, step.pressure, smoothing, wear[part].by_groups(study, distance), tuple(warnings + flags),
+                T_gamma_with_spin, pmax, step.pressure, smoothing, wear[part].by_groups(study, distance), tuple(warnings + flags), ended_by,
                 fatigue_of(answers, wear[part], study, distance),
             )
         )  # fmt: skip
@@ -136,6 +138,25 @@ def next_step(first: WornStep, last: WornStep, study: WearStudy, place: StudyPla
             sentence = f"A tenth of the states carry more than {_MOST_BY_FEW:.0%} of what the step takes off: take more of them."
             made[-1] = made[-1].warned(sentence)
     return made[0] if len(made) == 1 else made[0].beside(made[1])
+
+
+def _warnings_of(study: WearStudy, answers: Sequence[dict[str, Any]]) -> list[str]:
+    """What the answers warn of, each sentence once, with the states that it is of."""
+    found: dict[str, list[int]] = {}
+    for i, answer in enumerate(answers):
+        sentences = list(sentences_in("wheelrail.solve", answer))
+        if not answer["converged"]:
+            sentences.append("The solution did not converge.")
+        for sentence in sentences:
+            states = found.setdefault(sentence, [])
+            if study.given_index(i) not in states:  # its mirror image is the same state
+                states.append(study.given_index(i))
+    return [f"{_listed(states)}: {sentence}" for sentence, states in found.items()]
+
+
+def _listed(states: Sequence[int]) -> str:
+    more = f" and {len(states) - _MOST_NAMED} more" if len(states) > _MOST_NAMED else ""
+    return f"{', '.join(f'states[{i}]' for i in states[:_MOST_NAMED])}{more}"
 
 
 def _is_carried_by_few(areas: Any) -> bool:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import numpy.typing as npt
 
 from .filters import exponential_step, smoothed
+from .section import WornPart
 from .stability import LoadedRows, Stiffness
 
 __all__ = ["PartStep", "common_distance"]
@@ -30,6 +31,11 @@ class PartStep:
     def pressure(self) -> float:
         """The mean pressure that stability goes by (N/mm^2)."""
         return 0.0 if self._stiffness is None else self._stiffness.pressure
+
+    @property
+    def is_bounded_by_stability(self) -> bool:
+        """Whether a step of the depth that it may have would let grooves grow, so that it is less deep."""
+        return self._stiffness is not None and self._is_free and self._stiffness.deepest < self._depth
 
     @property
     def farthest(self) -> float:
@@ -77,6 +83,11 @@ class PartStep:
         return (smoothed(self._rate, self._size, length) if length > 0 else self._rate), length
 
 
-def common_distance(parts: Sequence[PartStep], left: float, most: float | None) -> float:
-    """The distance of a step of all parts together."""
-    return min(left, math.inf if most is None else most, *(part.farthest for part in parts))
+def common_distance(parts: Mapping[WornPart, PartStep], left: float, most: float | None) -> tuple[float, str]:
+    """The distance of a step of all parts together, and why it is no longer (WornStep.ended_by). `left` is the way to the
+    study's end, `most` the farthest that a step goes."""
+    bounds = [(left, "until"), (math.inf if most is None else most, "distance")]
+    for name, part in parts.items():
+        bound = "stability" if part.is_bounded_by_stability else "depth"
+        bounds.append((part.farthest, bound if len(parts) == 1 else f"{bound} of the {name}"))
+    return min(bounds, key=lambda bound: bound[0])

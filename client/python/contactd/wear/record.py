@@ -53,7 +53,7 @@ def _write(group: Any, steps: Sequence[WornStep]) -> None:
         one = group.create_group(f"steps/{step.number:06d}")
         for name in ("edges", "depths", "points"):
             one.create_dataset(name, data=getattr(step, name))
-        one.attrs.update(groups=json.dumps(step.groups), warnings=json.dumps(step.warnings))
+        one.attrs.update(groups=json.dumps(step.groups), warnings=json.dumps(step.warnings), ended_by=step.ended_by)
         if step.fatigue is not None:
             tired = one.create_group("fatigue")
             for name in _FATIGUE:
@@ -87,6 +87,7 @@ def _read(file: Any) -> list[WornStep]:
             WornStep(
                 number=int(name), points=group["points"][()] if "points" in group else file["points"][i], edges=group["edges"][()],
                 depths=group["depths"][()], groups=json.loads(group.attrs["groups"]), warnings=tuple(json.loads(group.attrs["warnings"])),
+                ended_by=str(group.attrs.get("ended_by", "")),
                 fatigue=None if tired is None else _read_fatigue(tired),
                 **_numbers_at(numbers, i),
             )

@@ -13,8 +13,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from ..calls.answer_warnings import collected, give
 from ..errors import invalid
-from ..values.params import params_of
+from ..values.params import params_of, with_objects
 from ..values.wear_laws import WearEnergy, WearLaw
 from ..values.wheel_rail.params import setup_params, state_params
 from ..values.wheel_rail.setup import WheelRailSetup
@@ -64,19 +65,21 @@ def depths_along(
     naming the state that cannot be solved.
     """
     along, across = (_edges(values, name) for values, name in ((x_edges, "x_edges"), (y_edges, "y_edges")))
-    given = params_of(law, "law") if isinstance(law, WearLaw) else dict(law)
+    given = params_of(law, "law") if isinstance(law, WearLaw) else with_objects(WearLaw, law, "law")
     if given.get("body") != "upper":
         raise invalid("law.body", f"is {given.get('body')}; the rail's law is one of upper")
     plain = setup_params(setup) if isinstance(setup, WheelRailSetup) else dict(setup)
     params: Mapping[str, Any] = {**plain, "wear": {"energy": energy, "laws": [given]}}
     depths, weights = np.zeros((len(along) - 1, len(across) - 1)), np.zeros(len(along) - 1)
-    pmax, worn = np.zeros(len(along) - 1), list[float]()
+    pmax, worn, warnings = np.zeros(len(along) - 1), list[float](), list[str]()
     for i, one in enumerate(states):
         piece = int(np.searchsorted(along, one.state.position.x, side="right")) - 1
         if not 0 <= piece < len(pmax):
             raise invalid(f"states[{i}].position.x", f"is {one.state.position.x:g}, beyond the pieces, {along[0]:g} to {along[-1]:g} mm")
         own = params if one.mu is None else {**params, "friction": {**(params.get("friction") or {}), "mu": one.mu}}
-        answer = client.call("wheelrail.solve", {"setup": own, "state": state_params(one.state, f"states[{i}]"), "fields": []})
+        with collected() as sentences:
+            answer = client.call("wheelrail.solve", {"setup": own, "state": state_params(one.state, f"states[{i}]"), "fields": []})
+        warnings += [f"states[{i}]: {sentence}" for sentence in sentences]
         weights[piece] += one.weight
         for patch in answer.get("patches", ()):
             pmax[piece] = max(pmax[piece], patch["solution"]["pmax"])
@@ -91,6 +94,7 @@ def depths_along(
                 depths[piece] += one.weight * row["depths"][0] * dy * share / np.diff(across)
     if worn and not depths.any():
         raise invalid("y_edges", f"reach from {across[0]:g} to {across[-1]:g} mm, and contacts wear from {min(worn):g} to {max(worn):g} mm: nothing is there")
+    give(warnings)
     return DepthMap(along, across, depths / np.where(weights > 0, weights, 1.0)[:, None], pmax)
 
 

@@ -11,6 +11,7 @@ from typing import Any
 from ..errors import invalid
 from ..files.number_text import table_of
 from ..files.whole import read_whole
+from ..refusals import did_you_mean
 from ..values.wheel_rail.state import WheelRailState
 
 __all__ = ["WeightedState", "mirrored", "read_states", "states_of_columns"]
@@ -107,7 +108,7 @@ def _turned(value: Any) -> Any:
 def _with(value: Any, name: str, path: list[str], number: float) -> Any:
     known = {field.name for field in fields(value)}
     if path[0] not in known:
-        raise invalid("states", f"have a column {name}; a state has no {path[0]} there, but {', '.join(sorted(known))}")
+        raise invalid("states", f"have a column {name}; a state has no {path[0]} there, but {', '.join(sorted(known))}.{did_you_mean(path[0], known)}")
     part = getattr(value, path[0])
     is_object = hasattr(part, "__dataclass_fields__")
     if is_object != (len(path) > 1):

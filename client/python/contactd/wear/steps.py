@@ -50,7 +50,10 @@ class WornStep:
         mean_pressure: The mean pressure that stability goes by (N/mm^2).
         smoothing: Wavelength that was smoothed (mm); 0: none, or by exponential steps.
         groups: What the step took off by groups of states (mm^2).
-        warnings: Sentences.
+        warnings: Sentences; one of a state begins with its name, such as ``states[3]:``.
+        ended_by: Why the step went no farther: "depth", it is as deep as a step may be; "stability", a deeper one would let
+            grooves grow; "distance", the farthest that a step goes; or "until", the end of the study. Where wheel and rail wear
+            together, the first two name the part, as in "depth of the rail". Empty of the new section.
         fatigue: What the step made the section bear; None where that was not asked for.
         stage: How often dynamics have told new states before.
         rail: The same of the rail, where wheel and rail wear together; the step itself is that of the wheel then.
@@ -70,6 +73,7 @@ class WornStep:
     smoothing: float = 0.0
     groups: dict[str, float] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
+    ended_by: str = ""
     fatigue: StepFatigue | None = None
     stage: int = 0
     rail: WornStep | None = None
@@ -81,6 +85,11 @@ class WornStep:
     def beside(self, rail: WornStep) -> WornStep:
         """The same step with that of the rail."""
         return replace(self, rail=rail)
+
+    @property
+    def all_warnings(self) -> tuple[str, ...]:
+        """Those of the step, and those that the rail alone has where wheel and rail wear together."""
+        return tuple(dict.fromkeys([*self.warnings, *(() if self.rail is None else self.rail.warnings)]))
 
     def warned(self, sentence: str) -> WornStep:
         """The same step with a sentence more."""

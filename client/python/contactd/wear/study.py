@@ -10,7 +10,7 @@ from typing import Any, Literal
 
 from ..errors import invalid
 from ..values.fatigue import FatigueRequest
-from ..values.params import params_of
+from ..values.params import params_of, with_objects
 from ..values.wear_laws import WearEnergy, WearLaw
 from ..values.wheel_rail.params import setup_params, state_params
 from ..values.wheel_rail.setup import WheelRailSetup
@@ -33,7 +33,8 @@ class WearStudy:
         setup: The wheel on its rail, or its parameters in the words of the wire; its friction holds for states without a `mu`.
         states: The collective; weights are shares of the distance (of a wheel) or of the passages (over a rail).
         wears: "wheel" or "rail", where the other one stays as it is, or "both".
-        law: The law, likewise; its `body` must be that which wears: lower of a wheel, upper of a rail. Of both: the wheel's.
+        law: The law, likewise; its `body` must be that which wears: lower of a wheel, upper of a rail. Of both: the wheel's. In
+            parameters, too, lists stand for the pieces and zones that a WearLaw has as tuples.
         until: Where it ends: km that the wheel runs, or passages of a wheel over the rail where it alone wears.
         depth: Largest depth of a step (mm).
         distance: Most that a step goes (km or passages); None: as far as the depth lets it.
@@ -164,11 +165,15 @@ class WearStudy:
 
     def _law(self, name: str) -> dict[str, Any]:
         law = getattr(self, name)
-        return params_of(law, name) if isinstance(law, WearLaw) else dict(law)
+        params: dict[str, Any] = params_of(law, name) if isinstance(law, WearLaw) else with_objects(WearLaw, law, name)
+        return params
 
     def _fatigue_params(self) -> dict[str, Any]:
         request = self.fatigue
-        return params_of(request, "fatigue") if isinstance(request, FatigueRequest) else dict(request or {})
+        params: dict[str, Any] = (
+            params_of(request, "fatigue") if isinstance(request, FatigueRequest) else with_objects(FatigueRequest, request or {}, "fatigue")
+        )
+        return params
 
     def params(self, profiles: Mapping[str, Any]) -> list[dict[str, Any]]:
         """The parameters of wheelrail.solve for each state; `profiles` are fields of the set-up in place of its own."""

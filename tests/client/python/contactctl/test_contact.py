@@ -78,6 +78,27 @@ def test_a_word_that_does_not_fit_has_its_line_and_column_and_others_are_compute
     assert " WRONG: line 16, column 18" in written
 
 
+def test_warnings_name_their_cases_once(ctl):
+    """Of the reader as of answers: half of a pair of values, and elements that are too large."""
+    coarse = FIRST.replace("15  15  6.0  4.0  1.1", " 5   5  6.0  4.0  1.1")
+    text = coarse + SECOND.replace("0.0001\n", "0.0001  7.0\n") + FIRST + END
+    ctl.write("three.inp", text)
+    behind = "SPINXO without SPINYO"
+    for command in ("check", "run"):
+        ended = ctl("contact", command, "three.inp")
+        assert ended.code == 0, ended.err
+        reader = [line for line in ended.err.splitlines() if behind in line]
+        assert len(reader) == 1 and reader[0].startswith("warning: case 2 (line 13): line 16 has SPINXO without SPINYO"), ended.err
+        assert "cases[" not in ended.err
+    few = [line for line in ended.err.splitlines() if "elements across, fewer than" in line]
+    assert len(few) == 1 and few[0].startswith("warning: cases 1 (line 2) and 2 (line 13): "), ended.err
+    assert "cases 1 (line 2) and 2 (line 13)" in ctl("contact", "run", "three.inp").err
+    (full, second, third) = ctl("contact", "run", "three.inp", "--json").json["cases"]
+    assert full["warnings"] == second["warnings"] and "warnings" not in third
+    compared = ctl("compare", "three.inp", "--case", "3", "--models", "full,hertz", "--repeats", "1")
+    assert compared.err.count(behind) == 1 and "cases[" not in compared.err
+
+
 def test_a_run_writes_what_contact_would(ctl):
     ctl.write("two.inp", TWO)
     ended = ctl("contact", "run", "two.inp")

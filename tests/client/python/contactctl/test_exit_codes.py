@@ -39,6 +39,11 @@ def test_without_a_package_of_its_extra_it_says_what_to_install(ctl, tmp_path, p
     ("words", "sentence"),
     [
         (["bogus"], "No such command 'bogus'"),
+        (["solv", "contact.yaml"], "No such command 'solv'. Did you mean solve?"),
+        (["profile", "shwo", "a.prr"], "No such command 'shwo'. Did you mean show?"),
+        (["solve", "contact.yaml", "--fodler", "a"], "Did you mean --folder?"),
+        (["solve", "contact.yaml", "--fields", "presure"], "Did you mean pressure?"),
+        (["compare", "contact.yaml", "--models", "fastism"], "Did you mean fastsim?"),
         (["ic"], "Missing command"),
         (["solve"], "Missing argument 'FILE'"),
         (["solve", "nowhere.yaml"], "nowhere.yaml cannot be read: No such file or directory"),

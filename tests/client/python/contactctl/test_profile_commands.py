@@ -66,25 +66,46 @@ def test_a_picture_is_drawn(ctl):
     assert ctl("profile", "show", "head.csv", "-o", "nowhere/head.png").code == 2
 
 
-@pytest.mark.parametrize("name", ["a.prw", "a.csv", "a.txt"])
+@pytest.mark.parametrize("name", ["a.prw", "a.csv", "a.txt", "a.whl"])
 def test_a_converted_file_is_the_same_profile(ctl, wheel, name):
     ctl.write("0815.whl", "\n" + rows(wheel * (1, -1)))
     made = ctl("profile", "convert", "0815.whl", name)
     assert (made.code, made.out) == (0, f"{name}: {len(wheel)} points of a wheel\n"), made.err
     before, after = (ctl("profile", "show", file, "--wheel", "--json").json for file in ("0815.whl", name))
     assert after["points"] == before["points"]
-    assert after["evidence"]["file"]["mirror_z"] is False
+    assert after["evidence"]["file"]["mirror_z"] is (name == "a.whl")  # in which z is upwards
+
+
+def test_a_rail_goes_to_a_file_of_miniprof(ctl):
+    ctl.write("head.prr", format_profile(np.array([(y, y * y / 600) for y in range(-36, 37)]), "rail", ".prr"))
+    assert ctl("profile", "convert", "head.prr", "head.ban").out == "head.ban: 73 points of a rail\n"
+    before, after = (ctl("profile", "show", file, "--json").json for file in ("head.prr", "head.ban"))
+    assert after["points"] == before["points"] and after["kind"] == "rail"
+    assert after["evidence"]["file"]["format"] == "miniprof" and after["evidence"]["file"]["mirror_z"]
+    assert "Remark=rail, made of head.prr by contactctl" in (ctl.folder / "head.ban").read_text()
 
 
 def test_what_cannot_be_converted_is_refused_before_it_is_written(ctl):
     ctl.write("head.csv", HEAD)
-    assert "name ends in .prr" in ctl("profile", "convert", "head.csv", "head.prw").err
-    assert "must end in" in ctl("profile", "convert", "head.csv", "head.whl").err
+    for wheel in ("head.prw", "head.whl"):
+        assert "name ends in .prr or .ban" in ctl("profile", "convert", "head.csv", wheel).err
+    assert "must end in" in ctl("profile", "convert", "head.csv", "head.doc").err
     assert ctl("profile", "convert", "none.csv", "head.prr").code == 2
     ctl.write("words.csv", "y z\n1 2\n3 four\n")
     ended = ctl("profile", "convert", "words.csv", "head.prr", "--rail")
     assert ended.code == 4 and 'words.csv, line 3, has "four"' in ended.err
     assert not (ctl.folder / "head.prr").exists() and not (ctl.folder / "head.prw").exists()
+
+
+def test_an_empty_profile_is_refused_as_any_other_one(ctl):
+    ctl.write("empty.csv", "")
+    ctl.write("blank.csv", " \n\n")
+    ctl.write("empty.yaml", "{setup: {rail: {file: empty.csv}}, state: {Fz: 80e3}}")
+    ended = ctl("profile", "show", "empty.csv")
+    assert ended.code == 4 and "file = empty.csv: the file is empty. Name a file with the points of a profile" in ended.err
+    assert ctl("profile", "show", "blank.csv", "--rail").code == 4
+    ended = ctl("wheelrail", "solve", "empty.yaml")
+    assert ended.code == 4 and "empty.csv: the file is empty" in ended.err and "INVALID_ARGUMENT" in ended.err
 
 
 def test_texts_that_are_written_say_what_they_are():

@@ -4,6 +4,7 @@ import json
 
 import pytest
 
+from contactctl.output import warn_of
 from support.fake_server import FakeServer
 
 SOLVED = {
@@ -58,9 +59,29 @@ def test_steps_say_them_with_their_numbers(warning):
     ]
 
 
-def test_a_study_counts_them(warning):
+def test_a_study_names_their_rows(warning):
     warning.write("study.json", {"problem": "contact.yaml", "vary": {"approach": [0.01, 0.02, 0.03]}})
     ended = warning("study", "study.json", "--workers", 2)
     assert ended.code == 0
-    assert "warning: It is wrong. (3 answers)" in ended.err
+    rows = "rows 1 (approach = 0.01), 2 (approach = 0.02) and 3 (approach = 0.03)"
+    assert [line for line in ended.err.splitlines() if "wrong" in line] == [f"warning: {rows}: It is wrong."]
     assert "Traceback" not in ended.err
+    # Rows that are there keep what they warn of.
+    again = warning("study", "study.json", "--json")
+    assert [row["warnings"] for row in again.json["rows"]] == 3 * [["It is wrong.", "The mesh is coarse."]]
+    assert f"warning: {rows}: It is wrong." in again.err
+
+
+def test_a_share_of_a_study_names_rows_of_the_whole(warning):
+    warning.write("study.json", {"problem": "contact.yaml", "vary": {"approach": [0.01, 0.02, 0.03]}})
+    assert "warning: row 2 (approach = 0.02): It is wrong." in warning("study", "study.json", "--share", "1/2").err
+
+
+def test_sentences_of_many_cases_name_the_first_five(capsys):
+    warn_of("case", [(str(number), "It is wrong.") for number in range(1, 9)] + [("3", "It is cold.")])
+    assert capsys.readouterr().err == "warning: cases 1, 2, 3, 4, 5 and 3 more: It is wrong.\nwarning: case 3: It is cold.\n"
+
+
+def test_more_sentences_than_anybody_reads_are_counted(capsys):
+    warn_of("step", [(str(number), f"It is wrong by {number} mm.") for number in range(25)])
+    assert capsys.readouterr().err.endswith("warning: step 19: It is wrong by 19 mm.\nand 5 other warnings.\n")

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import re
 import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
+
+from contactd.wear import read_record
 
 h5py = pytest.importorskip("h5py")
 
@@ -49,6 +53,79 @@ def test_steps_are_shown_and_kept(files):
     steps = files("wear", "wear.yaml", "--json").json["steps"]
     assert steps[-1]["km"] == 60 and steps[-1]["removed"] == pytest.approx(steps[-1]["area"], rel=1e-9)
     assert steps[1]["groups"].keys() == {"straight"}
+
+
+def test_a_step_says_why_it_ended_and_a_line_the_depth_of_all(files):
+    files.write("wear.yaml", STUDY.replace("0.8", "0.5").replace("0.005", "0.02").replace("until: 60", "until: 100"))
+    shown = files("wear", "wear.yaml")
+    assert (shown.code, shown.err) == (0, "")
+    told = files("wear", "wear.yaml", "--json").json
+    assert [step["ended_by"] for step in told["steps"]] == ["", *(len(told["steps"]) - 2) * ["stability"], "until"]
+    assert all(step["depth"] < 0.02 for step in told["steps"])
+    steps = read_record(files.folder / "wear.yaml.h5")
+    total = told["total"]["wheel"]
+    # Depths of steps along the normals: where each is largest no other one is deeper.
+    assert max(step.depths.max() for step in steps[1:]) < total["depth"] <= sum(step.depths.max() for step in steps[1:]) * (1 + 1e-6)
+    assert f"After 100 km the wheel is worn by {total['depth']:.4g} mm at most, at y = {total['y']:.2f} mm" in shown.out
+    assert f"{len(steps) - 2} of {len(steps) - 1} steps ended by stability: they are less deep than step.depth = 0.02 mm" in shown.out
+
+
+def test_steps_that_are_as_deep_as_asked_say_so(files):
+    for step, bound in (("{depth: 0.001}", "depth"), ("{depth: 0.5, distance: 2}", "distance")):
+        files.write("wear.yaml", STUDY.replace("step: {depth: 0.005}", f"step: {step}\nsmoothing: 0").replace("until: 60", "until: 5"))
+        _, *told, last = files("wear", "wear.yaml", "--fresh", "--json").json["steps"]
+        assert told and {one["ended_by"] for one in told} == {bound} and last["ended_by"] == "until"
+        if bound == "depth":
+            assert [one["depth"] for one in told] == pytest.approx([0.001] * len(told), rel=1e-9)
+        else:
+            assert [one["km"] for one in told] == [2, 4]
+        assert "ended by stability" not in files("wear", "wear.yaml").out
+
+
+def test_warnings_of_steps_name_states(files):
+    files.write("wear.yaml", STUDY.replace("dx: 0.8, dy: 0.8", "dx: 1.6, dy: 1.6").replace("until: 60", "until: 20"))
+    ended = files("wear", "wear.yaml")
+    lines = [line for line in ended.err.splitlines() if line.startswith("warning: ")]
+    assert lines and all(re.match(r"warning: steps? [0-9, and]+: states\[[01]\](, states\[1\])?: ", line) for line in lines), ended.err
+    assert len(lines) == len(set(lines))
+    # They are in the record, so that a run that goes on says them again.
+    assert files("wear", "wear.yaml").err == ended.err
+
+
+def test_laws_take_lists_as_python_has_them(files):
+    usfd = "usfd: {pieces: [%s], density: 7850}"
+    listed = STUDY.replace("energy: {coefficient: 0.000675}", usfd % "[0, 0, 5.3], [10.4, 55, 0]").replace("range: [0, 10]", "range: [0, 77], zones: [[-0.8, 0.1], [-0.7, 1]]")
+    spelled = listed.replace("[0, 0, 5.3], [10.4, 55, 0]", "{from: 0, value: 0, slope: 5.3}, {from: 10.4, value: 55, slope: 0}")
+    spelled = spelled.replace("[[-0.8, 0.1], [-0.7, 1]]", "[{angle: -0.8, factor: 0.1}, {angle: -0.7, factor: 1}]")
+    tired = "\nfatigue: {body: lower, damages: [{name: ours, source: a test, range: [0, 200], pieces: [%s]}], passage: {residual: [%s]}}\n"
+    files.write("lists.yaml", listed + tired % ("[0, 0, 0], [20, 0, 2.0e-7]", "[0, -200, -150], [5, 50, 0]"))
+    files.write("objects.yaml", spelled + tired % ("{from: 0, value: 0, slope: 0}, {from: 20, value: 0, slope: 2.0e-7}", "{depth: 0, xx: -200, yy: -150}, {depth: 5, xx: 50, yy: 0}"))
+    for name in ("lists", "objects"):
+        ended = files("wear", f"{name}.yaml", "--json")
+        assert ended.code == 0, ended.err
+    assert (files.folder / "lists.yaml.h5").read_bytes() == (files.folder / "objects.yaml.h5").read_bytes()
+
+
+def test_the_law_of_the_page_is_taken(files):
+    page = (Path(__file__).parents[4] / "docs" / "damage.md").read_text()
+    (law,) = re.findall(r"^```yaml\n# law.yaml\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
+    files.write("wear.yaml", re.sub("law: .*\n", law, STUDY).replace("until: 60", "until: 10"))
+    ended = files("wear", "wear.yaml", "--json")
+    assert ended.code == 0, ended.err
+    (damages,) = {tuple(step.fatigue.damages) for step in read_record(files.folder / "wear.yaml.h5")[1:]}
+    assert damages == ("ours",)
+
+
+def test_lists_of_laws_are_taken_wherever_a_problem_has_them(files):
+    laws = "{laws: [{name: usfd, source: a test, body: upper, range: [0, 77], usfd: {pieces: [%s], density: 7850}}]}"
+    problem = "{setup: {dx: 0.8, dy: 0.8, wear: %s, bodies: {upper: {E: 210000, nu: 0.28}}}, state: {Fz: 60e3, position: {y: 3}, velocity: {x: 20000, pitch: -43.478}}, fields: []}"
+    found = []
+    for pieces in ("[0, 0, 5.3]", "{from: 0, value: 0, slope: 5.3}"):
+        files.write("rail.yaml", problem % (laws % pieces))
+        found.append(files("wheelrail", "solve", "rail.yaml", "--json").json["patches"][0]["solution"]["wear"])
+    assert found[0] == found[1]
+    refused = files("wheelrail", "solve", "rail.yaml", "--set", 'setup.wear={"laws": [{"br": {"pieces": [[1]]}}]}')
+    assert refused.code == 2 and "setup.wear.laws[0].br.pieces[0] has 1 numbers; it must have 3" in refused.err
 
 
 def test_a_run_that_is_killed_ends_as_an_undisturbed_one(files):
@@ -92,7 +169,10 @@ def test_a_study_that_was_refused_is_in_no_ones_way(files):
         (STUDY.replace("body: lower", "body: upper"), "law.body is upper, and the wheel wears"),
         (STUDY.replace("states.csv", "nothing.csv"), "nothing.csv: No such file"),
         (STUDY + "rate: 1\n", "a study of wear has no rate"),
+        (STUDY + "smothing: auto\n", "Did you mean smoothing?"),
         (STUDY.replace("depth", "height"), "step has no height"),
+        (STUDY.replace("depth", "dept"), "Did you mean depth?"),
+        (STUDY.replace("energy: {coefficient: 0.000675}", "br: {pieces: [[0, 1]]}"), "law.br.pieces[0] has 2 numbers; it must have 3: from, value, slope"),
     ],
 )
 def test_a_study_that_cannot_be_meant_is_refused(files, text, sentence):
