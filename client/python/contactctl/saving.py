@@ -17,7 +17,7 @@ from .files import writable, write_text
 from .output import plain_json
 from .writing.drawing import save_picture
 
-__all__ = ["ARRAYS", "check_outputs", "check_picture", "need", "save"]
+__all__ = ["ARRAYS", "check_outputs", "check_picture", "is_picture", "need", "save"]
 
 #: Arrays over the grid that an answer may have.
 ARRAYS: tuple[str, ...] = get_args(Field)
@@ -46,6 +46,11 @@ def check_picture(option: str, name: str) -> Path:
     path = writable(option, name)
     _need_matplotlib()
     return path
+
+
+def is_picture(path: Path) -> bool:
+    """Whether what is written there is a picture."""
+    return path.suffix in _PICTURES
 
 
 def _need_matplotlib() -> None:

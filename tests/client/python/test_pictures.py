@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+import warnings
 
 import matplotlib
 import numpy as np
@@ -18,6 +19,7 @@ from contactd import (
     Paraboloid,
     Progress,
     Rolling,
+    SemiAxes,
     StressBlock,
 )
 from contactd.pictures import ConvergenceHistory, plot_creep_curves
@@ -58,6 +60,8 @@ def drawn(axes):
             inside, whole = shown.get_legend().get_window_extent(), axes.figure.bbox
             assert min(inside.x0, inside.y0) > -1, "no legend is cut off"
             assert (inside.x1, inside.y1) < (whole.x1 + 1, whole.y1 + 1), "no legend is cut off"
+            if inside.y0 < shown.bbox.y0:  # below the axes
+                assert inside.y1 <= shown.xaxis.get_tightbbox().y0, "no legend lies over the axis"
     legend = axes.get_legend()
     texts = [] if legend is None else [text.get_text() for text in legend.get_texts()]
     return [axes.get_title(), axes.get_xlabel(), axes.get_ylabel(), *texts]
@@ -85,6 +89,22 @@ def test_a_section_shows_the_row_that_was_asked_for(rolling):
     assert (pressure.get_ydata() == rolling.pressure[8]).all()
     with pytest.raises(ValueError, match=r"y is 9; the grid reaches from -6 to 6 mm"):
         rolling.plot_section(y=9)
+
+
+@pytest.mark.parametrize(("a", "b"), [(3, 3), (9, 3), (10.5, 2.8), (14, 2), (2.8, 10.5), (2, 14)])
+def test_long_patches_have_their_legends_and_arrows_in_place(client, a, b):
+    long = PROBLEM.replace(grid=Grid.centred(24, 22, 2.2 * a, 2.2 * b), gap=SemiAxes(a, b))
+    drawn(axes := long_picture(client, long))
+    (arrows,) = (one for one in axes.collections if type(one).__name__ == "Quiver")
+    x, y = (np.abs(reach / arrows.scale) for reach in (arrows.U, arrows.V))
+    # No arrow reaches across a quarter of the picture.
+    assert x.max() < 0.25 * np.ptp(axes.get_xlim()) and y.max() < 0.25 * np.ptp(axes.get_ylim())
+
+
+def long_picture(client, problem):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return client.solve(problem).plot()
 
 
 def test_without_friction_there_are_no_arrows(client):

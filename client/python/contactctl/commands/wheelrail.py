@@ -8,7 +8,14 @@ from typing import Annotated, Any
 import typer
 from rich.console import RenderableType
 
-from contactd.values.wheel_rail.solution import read_wheel_rail
+from contactd import Client, StatusError
+from contactd.calls.answer_warnings import collected
+from contactd.values.answers import read
+from contactd.values.wheel_rail.origins import RADIUS, Origin, remember
+from contactd.values.wheel_rail.rigid_wheelset import PlacedProfiles
+from contactd.values.wheel_rail.setup import Side as WheelSide
+from contactd.values.wheel_rail.solution import WheelRailSolution, read_wheel_rail
+from contactd.values.wheel_rail.state import RailDeviation, WheelsetPosition
 
 from ..asking import ask
 from ..codes import Code, Ended
@@ -16,7 +23,7 @@ from ..common import Command, Group, connected, setting
 from ..files import read_object, with_arrays
 from ..output import emit, facts, listing
 from ..paths import changed, get
-from ..saving import check_outputs, save
+from ..saving import check_outputs, is_picture, save
 from .solve import Fields, Outputs, Set, requested_fields
 
 __all__ = ["add_to"]
@@ -29,7 +36,6 @@ Fz = Annotated[float | None, typer.Option("--Fz", help="Vertical force of this w
 Speed = Annotated[float | None, typer.Option("--speed", help="Forwards (mm/s); the wheelset then rolls, unless the file says its pitch.")]
 Side = Annotated[str | None, typer.Option("--side", help="right or left.")]
 Mu = Annotated[float | None, typer.Option("--mu", help="Coefficient of friction; 0.3 without a file.")]
-RADIUS = 460.0  #: of the wheel, where the set-up names none (mm)
 
 
 def add_to(app: typer.Typer) -> None:
@@ -50,11 +56,33 @@ def solve(
     requested_fields(params, fields, outputs)
     with connected(local_unless_named=True) as client:
         answer = ask(client, "wheelrail.solve", params, "solving")
+        profiles = _profiles(client, params) if any(is_picture(path) for path in outputs) else None
     for path in outputs:
-        save(path, answer, lambda: read_wheel_rail(params.get("fields"), params.get("gap", False), answer))
+        save(path, answer, lambda: _solution(params, answer, profiles))
     emit(setting().json, answer, *_shown(answer))
     if not answer["converged"]:
         raise Ended(Code.NOT_CONVERGED, "a solver or a search missed its tolerance; evidence says which.")
+
+
+def _profiles(client: Client, params: dict[str, Any]) -> PlacedProfiles | None:
+    """Those of the side, for a picture; None where the set-up has no such profiles."""
+    try:
+        with collected():  # the solution warns of them
+            both = client.placed_profiles(params.get("setup", {}))
+    except StatusError:
+        return None
+    return both.left if get(params, "setup.side") == "left" else both.right
+
+
+def _solution(params: dict[str, Any], answer: dict[str, Any], profiles: PlacedProfiles | None) -> WheelRailSolution:
+    """The solution that Python has, which knows what it was solved for."""
+    solution = read_wheel_rail(params.get("fields"), params.get("gap", False), answer)
+    radius = get(params, "setup.wheelset.nominal_radius")
+    position = read(WheelsetPosition, get(params, "state.position") or {}, "state.position")
+    rail = read(RailDeviation, get(params, "state.rail") or {}, "state.rail")
+    side: WheelSide = "left" if get(params, "setup.side") == "left" else "right"
+    remember(solution, Origin(side, RADIUS if radius is None else float(radius), position, rail, lambda: profiles))
+    return solution
 
 
 def geometry(

@@ -53,7 +53,7 @@ class WheelRailCalls(Caller):
         params = {"setup": setup_params(setup), "state": state_params(state, "state"), **_of_patches(names, gap)}
         result = yield from self.asked("wheelrail.solve", params, timeout=timeout, on_progress=on_progress, progress=progress)
         solution = read_wheel_rail(names, gap, result)
-        remember(solution, Origin(setup, state, _profiles_by(self, setup)))
+        remember(solution, Origin.of(setup, state, _profiles_by(self, setup)))
         return solution
 
     @asks

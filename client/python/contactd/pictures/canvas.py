@@ -18,6 +18,7 @@ __all__ = ["ADHESION", "COLOURS", "INK", "aspect_of", "axes_or_new", "bare", "co
 
 INK = "#1d1d2b"
 ADHESION = "#1449b8"
+_LEGEND = (7, 38)  #: how far the upper left corner of a legend is left of the axes, and below (points)
 COLOURS = ("#1449b8", "#c8553d", "#0f8b8d", "#b8860b", "#6a4c93", "#5c5c66")
 
 
@@ -90,8 +91,14 @@ def colour_bar(axes: Axes, image: Any, label: str) -> None:
 
 
 def legend_below(axes: Axes, **options: Any) -> None:
-    """A legend that covers nothing."""
-    axes.legend(loc="upper left", bbox_to_anchor=(-0.02, -0.13), fontsize="small", frameon=False, **options)
+    """A legend that covers nothing: below the numbers and the name of the axis, however flat the axes are."""
+    from matplotlib.transforms import ScaledTranslation
+
+    (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
+    is_narrow = axes.get_aspect() != "auto" and abs(top - bottom) > 1.5 * abs(right - left)  # so that the legend is wider
+    place, at, shift = ("upper center", 0.5, 0.0) if is_narrow else ("upper left", 0.0, _LEGEND[0])
+    below = axes.transAxes + ScaledTranslation(-shift / 72, -_LEGEND[1] / 72, axes.figure.dpi_scale_trans)
+    axes.legend(loc=place, bbox_to_anchor=(at, 0), bbox_transform=below, fontsize="small", frameon=False, **options)
 
 
 def edges(mask: Any, grid: Grid, **style: Any) -> Any:

@@ -88,10 +88,14 @@ def _add_tractions(axes: Axes, grid: Grid, solution: Solution[Any, Any]) -> None
     pick = tuple(slice(first + (step - 1) // 2, None, step) for first, step in zip(touched.min(axis=0), steps))
     shown = size[pick] > 0.02 * size.max()
     x, y = np.meshgrid(grid.x, grid.y)
+    scale = size.max() / (1.4 * max(steps) * max(grid.dx, grid.dy))
+    if axes.get_aspect() == "auto":  # arrows are as long as there is room for in both directions
+        of_x, of_y = (np.abs(traction[pick]).max() for traction in (solution.traction_x, solution.traction_y))
+        scale = max(of_x / (1.4 * steps[1] * grid.dx), of_y / (1.4 * steps[0] * grid.dy)) or scale
     label = f"traction on the upper body, {size.max():.4g} N/mm$^2$ at most"
     axes.quiver(
         x[pick][shown], y[pick][shown], solution.traction_x[pick][shown], solution.traction_y[pick][shown],
-        color=INK, angles="xy", scale_units="xy", scale=size.max() / (1.4 * max(steps) * max(grid.dx, grid.dy)), pivot="middle",
+        color=INK, angles="xy", scale_units="xy", scale=scale, pivot="middle",
         width=0.0036, headwidth=3.8, headlength=4.2,
     )  # fmt: skip
     axes.plot([], [], color=INK, ls="", marker=r"$\rightarrow$", ms=11, label=label)

@@ -70,11 +70,10 @@ def _draw_profiles(axes: Axes, solution: WheelRailSolution) -> None:
     profiles = None if origin is None else origin.profiles()
     if origin is None or profiles is None:
         return
-    at, wheelset, side = origin.state.position, origin.setup.wheelset, origin.setup.side or "right"
-    radius = None if wheelset is None else wheelset.nominal_radius
-    position = WheelsetPosition(y=at.y, z=solution.z, roll=at.roll)
-    draw_body(axes, placed_wheel(profiles, position, side, 460.0 if radius is None else radius), upwards=True)
-    draw_body(axes, placed_rail(profiles, origin.state.rail, side), upwards=False)
+    position = WheelsetPosition(y=origin.position.y, z=solution.z, roll=origin.position.roll)
+    side = origin.side or "right"
+    draw_body(axes, placed_wheel(profiles, position, side, origin.nominal_radius), upwards=True)
+    draw_body(axes, placed_rail(profiles, origin.rail, side), upwards=False)
 
 
 def _across(patch: WheelRailPatch) -> float:

@@ -7,19 +7,29 @@ from typing import Any, NamedTuple
 from weakref import WeakKeyDictionary
 
 from .rigid_wheelset import PlacedProfiles
-from .setup import WheelRailSetup
-from .state import WheelRailState
+from .setup import Side, WheelRailSetup
+from .state import RailDeviation, WheelRailState, WheelsetPosition
 
-__all__ = ["Origin", "origin_of", "remember"]
+__all__ = ["RADIUS", "Origin", "origin_of", "remember"]
+
+RADIUS = 460.0  #: of the wheel, where the set-up names none (mm)
 
 
 class Origin(NamedTuple):
     """Where a solution comes from."""
 
-    setup: WheelRailSetup
-    state: WheelRailState
+    side: Side | None  #: None is that of the set-up by default
+    nominal_radius: float
+    position: WheelsetPosition
+    rail: RailDeviation
     #: Asks for the profiles of the side; None where nobody can be asked any more.
     profiles: Callable[[], PlacedProfiles | None]
+
+    @staticmethod
+    def of(setup: WheelRailSetup, state: WheelRailState, profiles: Callable[[], PlacedProfiles | None]) -> Origin:
+        """Returns that of a set-up and a state."""
+        radius = None if setup.wheelset is None else setup.wheelset.nominal_radius
+        return Origin(setup.side, RADIUS if radius is None else radius, state.position, state.rail, profiles)
 
 
 _ORIGINS: WeakKeyDictionary[Any, Origin] = WeakKeyDictionary()
