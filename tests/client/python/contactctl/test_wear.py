@@ -304,23 +304,23 @@ LOOP = STUDY.replace("states: states.csv", "dynamics: {program: [%s, told.py], d
 def test_a_program_tells_states_again_when_the_profile_has_changed(files):
     files.write("told.py", PROGRAM)
     files.write("loop.yaml", LOOP % sys.executable)
-    made = files("wear", "loop.yaml")
+    made = files("wear", "loop.yaml", "--allow-program")
     assert made.code == 0, made.err
     with h5py.File(files.folder / "loop.yaml.h5") as file:
         stages = file["stage"][()]
     assert stages[0] == 0 and stages[-1] >= 1
     assert sorted(path.name for path in (files.folder / "loop.yaml.h5.stages").iterdir())[:2] == ["stage-000", "stage-001"]
     before = points(files.folder / "loop.yaml.h5")[0]
-    assert files("wear", "loop.yaml").code == 0
+    assert files("wear", "loop.yaml", "--allow-program").code == 0
     np.testing.assert_array_equal(points(files.folder / "loop.yaml.h5")[0], before)
     files.write("told.py", "raise SystemExit('no track')")
-    ended = files("wear", "loop.yaml", "--fresh")
+    ended = files("wear", "loop.yaml", "--allow-program", "--fresh")
     assert ended.code != 0 and "no track" in ended.err
 
 
 def test_states_and_dynamics_do_not_go_together(files):
     files.write("loop.yaml", LOOP % sys.executable + "states: states.csv\n")
-    ended = files("wear", "loop.yaml")
+    ended = files("wear", "loop.yaml", "--allow-program")
     assert ended.code == 2 and "dynamics tell the states" in ended.err
 
 
