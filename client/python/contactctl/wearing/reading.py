@@ -34,8 +34,6 @@ def read_study(file: str, states: Sequence[WeightedState] | None = None) -> Wear
         meant = did_you_mean(min(unknown), FIELDS)
         raise click.UsageError(f"{file}: a study of wear has no {', '.join(sorted(unknown))}; it has {', '.join(sorted(FIELDS))}.{meant}")
     if "dynamics" in given:
-        if "states" in given:
-            raise click.UsageError(f"{file}: states and dynamics are given; dynamics tell the states.")
         _dynamics_object(file, given)
     if missing := [name for name in (*(() if "dynamics" in given else ("states",)), "wears", "law", "until") if name not in given]:
         raise click.UsageError(f"{file}: {', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing.")
@@ -99,6 +97,8 @@ def read_dynamics(file: str, folder: Path, allow_program: bool) -> Dynamics | No
 
 
 def _dynamics_object(file: str, given: dict[str, Any]) -> dict[str, Any]:
+    if "states" in given:
+        raise click.UsageError(f"{file}: states and dynamics are given; dynamics tell the states.")
     dynamics = _object(file, given, "dynamics")
     if unknown := dynamics.keys() - {"program", "depth", "conicity", "distance"}:
         meant = did_you_mean(min(unknown), ("program", "depth", "conicity", "distance"))
