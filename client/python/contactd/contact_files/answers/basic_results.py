@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -18,6 +17,7 @@ from .elements import (
     ahead,
     displacement_of,
     division_of,
+    layer_of,
     plastic_elements,
     rigid_slip_on,
     temperature_of,
@@ -28,7 +28,6 @@ __all__ = ["BasicResult"]
 
 Floats = npt.NDArray[np.float64]
 
-_SHIFT, _STEADY = 1, 3  #: T
 _PER_THOUSAND = 1e-3  #: from N mm to J, and from N mm/s to W
 
 
@@ -98,7 +97,7 @@ class BasicResult:
         none = np.zeros(grid.shape)
         return Elements(
             grid=grid, tangential=contact.case.digits["T"], is_frictionless=contact.case.digits["T"] == 0, chi=contact.chi,
-            division=division_of(solution, grid.shape), layer=self._layer(), h=contact.area.h, approach=solution.approach,
+            division=division_of(solution, grid.shape), layer=self._layer, h=contact.area.h, approach=solution.approach,
             mu=self._friction_coefficient(), pressure=self.pressure,
             traction=(solution.traction_x, solution.traction_y), slip=(_or(solution.slip_x, none), _or(solution.slip_y, none)),
             rigid_slip=self._rigid_slip(), displacement=self.displacement, temperature=temperature_of(solution),
@@ -118,23 +117,11 @@ class BasicResult:
             return self.solution.friction_coefficient
         return none if friction is None else none + np.asarray(friction.mu, dtype=float)
 
+    @property
     def _layer(self) -> tuple[Floats, Floats, Floats] | None:
-        solution, friction = self.solution, self.contact.problem.friction
-        if solution.flow_x is None or solution.flow_y is None:
-            return None
-        assert friction is not None and friction.layer is not None
-        first = np.full(solution.flow_x.shape, friction.layer.yield_stress or 0.0)
-        return _or(solution.yield_stress, first), self._plastic_slip(solution.flow_x), self._plastic_slip(solution.flow_y)
-
-    def _plastic_slip(self, flow: Floats) -> Floats:
-        """From the flow of a step: of rolling per distance, and of steady rolling behind what flowed upstream."""
-        contact, tangential = self.contact, self.contact.case.digits["T"]
-        if tangential == _SHIFT:
-            return flow
-        if tangential != _STEADY:
-            return flow * contact.dq
-        upstream = -1 if math.cos(contact.chi) > 0 else 1
-        return np.asarray(np.cumsum(flow[:, ::upstream], axis=1)[:, ::upstream] * contact.area.grid.dx)
+        contact, friction = self.contact, self.contact.problem.friction
+        layer = None if friction is None else friction.layer
+        return layer_of(self.solution, layer, contact.area.grid, contact.case.digits["T"], contact.chi, contact.dq)
 
     def _rigid_slip(self) -> tuple[Floats, Floats]:
         contact, values = self.contact, self.contact.case.values

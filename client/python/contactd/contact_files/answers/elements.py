@@ -10,15 +10,17 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from ...values.friction import InterfacialLayer
 from ...values.grid import Grid
 from ...values.solution import Solution
 
-__all__ = ["Elements", "ahead", "displacement_of", "division_of", "plastic_elements", "rigid_slip_on", "temperature_of"]
+__all__ = ["Elements", "ahead", "displacement_of", "division_of", "layer_of", "plastic_elements", "rigid_slip_on", "temperature_of"]
 
 Floats = npt.NDArray[np.float64]
 Pair = tuple[Floats, Floats]
 
 _SLIP, _PLASTIC = 2, 3
+_SHIFT, _STEADY = 1, 3  #: T
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,6 +82,25 @@ def division_of(solution: Solution[Any, Any], shape: tuple[int, int]) -> npt.NDA
         return division
     slips = np.hypot(solution.slip_x, solution.slip_y) > 0
     return np.where((division == _PLASTIC) & slips, _SLIP, division).astype(np.uint8)
+
+
+def layer_of(
+    solution: Solution[Any, Any], layer: InterfacialLayer | None, grid: Grid, tangential: int, chi: float, dq: float
+) -> tuple[Floats, Floats, Floats] | None:
+    """The yield stress and the plastic slip of a layer, as of Elements; None without one that yields."""
+    if layer is None or solution.flow_x is None or solution.flow_y is None:
+        return None
+    stress = solution.yield_stress
+    if stress is None:
+        stress = np.full(grid.shape, layer.yield_stress or 0.0)
+    upstream = -1 if math.cos(chi) > 0 else 1
+
+    def accumulated(flow: Floats) -> Floats:
+        if tangential != _STEADY:
+            return flow if tangential == _SHIFT else flow * dq
+        return np.asarray(np.cumsum(flow[:, ::upstream], axis=1)[:, ::upstream] * grid.dx)
+
+    return stress, accumulated(solution.flow_x), accumulated(solution.flow_y)
 
 
 def plastic_elements(solution: Solution[Any, Any]) -> tuple[int, int]:

@@ -19,6 +19,7 @@ from .elements import (
     ahead,
     displacement_of,
     division_of,
+    layer_of,
     plastic_elements,
     rigid_slip_on,
     temperature_of,
@@ -150,12 +151,15 @@ class RailResult:
         arrays = [none if array is None else array for array in (solution.slip_x, solution.slip_y, patch.gap)]
         slip_x, slip_y, gap = arrays
         traction_x, traction_y, pressure = _tractions(patch)
+        friction, step = self.contact.setup.friction, self.contact.step_on(place.grid)
+        layer = None if friction is None else friction.layer
         return Elements(
             grid=place.grid, tangential=self.contact.case.digits["T"], is_frictionless=not self._rolls(patch), chi=motion.chi,
             division=division_of(solution, place.grid.shape), h=gap,
             approach=solution.approach, mu=none + self.mu_of(patch), pressure=pressure, traction=(traction_x, traction_y),
             slip=(slip_x, slip_y), displacement=displacement_of(solution), temperature=temperature_of(solution),
             rigid_slip=rigid_slip_on(place.grid, (motion.xi, motion.eta), motion.phi, (-offset[0], -offset[1])),
+            layer=layer_of(solution, layer, place.grid, self.contact.case.digits["T"], motion.chi, step),
         )  # fmt: skip
 
     def _forces(self, patch: WheelRailPatch) -> dict[str, float]:

@@ -1,0 +1,45 @@
+"""Plastic slip of a layer that yields, from the flow of a step."""
+
+from __future__ import annotations
+
+import math
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from contactd.contact_files.answers.elements import layer_of
+from contactd.values.friction import InterfacialLayer
+from contactd.values.grid import Grid
+
+GRID = Grid(3, 1, 0.5, 1.0)
+LAYER = InterfacialLayer(1e-5, 120.0, 9000.0)
+FLOW = np.array([[0.1, 0.2, 0.4]])
+
+
+def layered(tangential: int, chi: float = 0.0, yield_stress: Any = None) -> Any:
+    solution: Any = SimpleNamespace(flow_x=FLOW, flow_y=-FLOW, yield_stress=yield_stress)
+    return layer_of(solution, LAYER, GRID, tangential, chi, 0.25)
+
+
+@pytest.mark.parametrize(
+    ("tangential", "chi", "slip"),
+    [
+        (3, 0.0, [0.35, 0.3, 0.2]), (3, math.pi, [0.05, 0.15, 0.35]),  # particles come from the leading edge
+        (2, 0.0, [0.025, 0.05, 0.1]), (1, 0.0, [0.1, 0.2, 0.4]),
+    ],
+)  # fmt: skip
+def test_plastic_slip_is_a_length_that_steady_rolling_accumulates(tangential: int, chi: float, slip: list[float]) -> None:
+    stress, x, y = layered(tangential, chi)
+    assert x[0] == pytest.approx(slip)
+    assert y[0] == pytest.approx([-value for value in slip])
+    assert stress.tolist() == [[120.0, 120.0, 120.0]]
+
+
+def test_the_yield_stress_is_that_of_the_solution_and_no_layer_has_none() -> None:
+    hardened = np.array([[130.0, 125.0, 121.0]])
+    assert layered(3, yield_stress=hardened)[0] is hardened
+    solution: Any = SimpleNamespace(flow_x=None, flow_y=None, yield_stress=None)
+    assert layer_of(solution, LAYER, GRID, 3, 0.0, 0.5) is None
+    assert layer_of(solution, None, GRID, 3, 0.0, 0.5) is None
