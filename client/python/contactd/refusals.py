@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable
 from types import FrameType
 from typing import Any, TypeVar, cast
 
-__all__ = ["check_type", "did_you_mean", "package_of", "public"]
+__all__ = ["check_either", "check_type", "did_you_mean", "package_of", "public"]
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -31,6 +31,14 @@ def check_type(name: str, value: object, *types: type, optional: bool = False) -
         return
     words = " or ".join(kind.__name__ for kind in types)
     raise TypeError(f"{name} is {reprlib.repr(value)}; it must be of type {words}")
+
+
+def check_either(call: str, words: str, **two: object) -> None:
+    """Raises TypeError unless just one of two arguments is given; `words` name both, as in "approach or Fn"."""
+    given = [name for name, value in two.items() if value is not None]
+    if len(given) != 1:
+        problem = f"has both {' and '.join(two)}" if given else f"lacks {' or '.join(two)}"
+        raise TypeError(f"{call}() {problem}; it takes either {words}")
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:

@@ -82,6 +82,9 @@ def test_a_row_of_another_length_is_refused():
 def test_a_table_names_each_column_once():
     with pytest.raises(ValueError, match="line 2 names Fn twice"):
         table_of("% steps\nFn, xi, Fn\n1, 2, 3\n")
+    for headless in ("1, 1, 0.3\n2, 1, 0.3\n", "0,5;1\n0,6;2\n", "Fn, 3\n1, 2\n"):
+        with pytest.raises(ValueError, match=r"line 1 has the number [0-9,.]+ in place of the name of a column; put a line with the names"):
+            table_of(headless)
     with pytest.raises(ValueError, match="line 1 has no name for column 2"):
         table_of("Fn;;xi\n1;2;3\n")
 

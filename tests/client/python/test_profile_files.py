@@ -49,6 +49,12 @@ def test_what_cannot_be_read_is_an_error_of_the_system(tmp_path):
         ProfileFile(large)
 
 
+def test_a_file_whose_reading_fails_is_named():
+    """Behind a hole of the address space, where a file of /proc can be opened and not read."""
+    with pytest.raises(OSError, match="Input/output error: '/proc/self/mem'"):
+        ProfileFile("/proc/self/mem")
+
+
 def test_an_empty_file_is_an_invalid_argument(tmp_path):
     (tmp_path / "head.csv").touch()
     with pytest.raises(InvalidArgument, match=r"^file = .*head\.csv: the file is empty\. Name a file"):

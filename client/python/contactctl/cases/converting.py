@@ -71,4 +71,4 @@ def _made(case: Case, client: Client, profiles: ProfileFiles) -> BasicContact | 
     except TableFileError as error:
         raise click.UsageError(f"{where}: {error}.") from None
     except OSError as error:
-        raise click.UsageError(f"{where}: {error.filename} cannot be read: {error.strerror}.") from None
+        raise click.UsageError(f"{where}: {error.filename or 'a file that it names'} cannot be read: {error.strerror or error}.") from None

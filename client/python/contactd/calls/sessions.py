@@ -135,7 +135,7 @@ def _opening(fields: dict[str, Any], lease: float | None, accept_unconverged: bo
     given = {name: value for name, value in fields.items() if value is not None}
     check_field_types(ContactProblem, given)
     if given.keys() >= {"approach", "Fn"}:
-        raise TypeError("session() takes either approach or Fn")
+        raise TypeError("session() has both approach and Fn; it takes either approach or Fn")
     return opening_params(given) | _lease_params(lease, accept_unconverged)
 
 

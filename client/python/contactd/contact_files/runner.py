@@ -19,7 +19,7 @@ from .answers.basic_results import BasicResult
 from .answers.rail_results import RailResult
 from .answers.subsurface import Body, Stresses
 from .problems.basic import BasicContact, ReadCoefficients, State, goes_on
-from .problems.features import Missing, missing
+from .problems.features import MOST_ELEMENTS, Missing, missing
 from .problems.mistakes import mistakes
 from .problems.rails import Profiles, RailContact
 from .problems.refusals import in_words_of
@@ -67,24 +67,25 @@ def chains_of(cases: Iterable[Case]) -> list[list[Case]]:
     return chains
 
 
-def checked(cases: Iterable[Case]) -> list[Outcome]:
-    """What can be computed, without computing it, in the order of the file."""
+def checked(cases: Iterable[Case], most_elements: int = MOST_ELEMENTS) -> list[Outcome]:
+    """What can be computed, without computing it, in the order of the file; `most_elements` are those that the service takes
+    (`client.info().limits.max_grid_elements`)."""
     found: dict[int, Outcome] = {}
     for chain in chains_of(cases):
         broken: Case | None = None
         for case in chain:
-            outcome = _refusal(case, broken) or Outcome(case, "read")
+            outcome = _refusal(case, broken, most_elements) or Outcome(case, "read")
             found[id(case)] = outcome
             broken = broken or (case if outcome.status != "read" else None)
     return [found[id(case)] for case in cases]
 
 
-def _refusal(case: Case, broken: Case | None) -> Outcome | None:
+def _refusal(case: Case, broken: Case | None, most_elements: int) -> Outcome | None:
     if case.errors:
         return Outcome(case, "wrong", "; ".join(case.errors))
     if found := mistakes(case):
         return Outcome(case, "wrong", f"{'; '.join(found)}.")
-    if names := missing(case):
+    if names := missing(case, most_elements):
         return Outcome(case, "refused", f"contactd does not have: {', '.join(names)}.")
     if broken is not None and goes_on(case):
         return Outcome(case, "follows", f"It goes on from case {broken.number} in line {broken.line}, which is not computed.")
@@ -97,6 +98,7 @@ class Runner:
     def __init__(self, client: Client, profiles: Profiles, wheel_surface: WheelSurface = "exact") -> None:
         self._client = client
         self._profiles, self._wheel_surface = profiles, wheel_surface
+        self._most_elements = client.info().limits.max_grid_elements
         self._coefficients: ReadCoefficients | None = getattr(profiles, "coefficients", None)
 
     def run(self, chain: Iterable[Case]) -> Iterator[Outcome]:
@@ -118,7 +120,7 @@ class Runner:
         before: State | None = None
         for case in chain:
             began = time.monotonic()
-            outcome = _refusal(case, broken)
+            outcome = _refusal(case, broken, self._most_elements)
             if outcome is None and case.digits["R"] in (2, 3):
                 yield Outcome(case, "read", "It is read and not computed (R = 2, 3).")
                 continue
@@ -148,7 +150,7 @@ class Runner:
         except TableFileError as error:
             return Outcome(case, "wrong", f"{error}.")
         except OSError as error:
-            return Outcome(case, "wrong", f"{error.filename}: {error.strerror}.")
+            return Outcome(case, "wrong", f"{error.filename or 'A file that it names'} cannot be read: {error.strerror or error}.")
         is_complete = result.is_converged
         status: Status = "solved" if is_complete else "not converged"
         sentence = "" if is_complete else "A solver or a search missed its tolerance."

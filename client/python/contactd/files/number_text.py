@@ -75,6 +75,8 @@ def table_of(text: str) -> tuple[list[str], list[tuple[int, list[str]]]]:
 
 
 def _check(names: list[str], line: int) -> None:
+    if number := next((name for name in names if number_in(name.replace(",", ".")) is not None), None):
+        raise ValueError(f"line {line} has the number {number:.40} in place of the name of a column; put a line with the names of all columns above")
     if "" in names:
         raise ValueError(f"line {line} has no name for column {names.index('') + 1}")
     if doubled := next((name for name, count in Counter(names).items() if count > 1), None):

@@ -54,7 +54,7 @@ def read_whole(path: str | os.PathLike[str], most: int) -> bytes:
         with open(opened, "rb") as file:
             pieces: list[bytes] = []
             requested = max(_PIECE, size + 1)
-            while size <= most and (piece := file.read(requested)):
+            while size <= most and (piece := _piece(file, requested, name)):
                 pieces.append(piece)
                 size, requested = sum(map(len, pieces)), _PIECE
         if size > most:
@@ -62,6 +62,15 @@ def read_whole(path: str | os.PathLike[str], most: int) -> bytes:
         return b"".join(pieces)
     except MemoryError:
         raise OSError(errno.ENOMEM, f"it has {size} bytes or more, and memory has no room for them", name) from None
+
+
+def _piece(file: IO[bytes], count: int, name: str) -> bytes:
+    """The next bytes; an error of reading names the file, as one of opening does."""
+    try:
+        return file.read(count)
+    except OSError as error:
+        error.filename = name
+        raise
 
 
 def digest_of(path: str | os.PathLike[str], most: int = 1 << 29) -> str:

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ..errors import invalid
-from ..refusals import check_type
+from ..refusals import check_either, check_type
 from .arrays import array_of
 from .fem_ics import FemIcs
 from .grid import Grid
@@ -173,8 +173,7 @@ def subsurface_params(
     if problem.columns is not None:  # whose angles are those of normals, from z towards y
         angles = np.asarray(problem.columns.frames, dtype=np.float64)[:, 2]
         params["angles"] = [float(angle) for angle in (angles if body == "upper" else 0.0 - angles)]
-    if (points is None) == (block is None):
-        raise TypeError("subsurface() takes either points or block")
+    check_either("Client.subsurface", "points or block", points=points, block=block)
     if block is not None:
         check_type("block", block, StressBlock)
         axes = {name: np.atleast_1d(array_of(getattr(block, name))) for name in "xyz"}

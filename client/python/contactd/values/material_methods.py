@@ -8,7 +8,7 @@ from numbers import Real
 from typing import Any, Generic, TypeVar
 
 from ..errors import invalid
-from ..refusals import public
+from ..refusals import check_either, public
 
 __all__ = ["LayeredBodyMethods", "MaterialMethods", "SingleLayerMethods", "ViscoelasticBodyMethods"]
 
@@ -24,8 +24,7 @@ class MaterialMethods:
     def __init__(self, G: float | None = None, nu: float | None = None, *, E: float | None = None) -> None:
         if nu is None:
             raise TypeError("Material() lacks nu")
-        if (G is None) == (E is None):
-            raise TypeError("Material() takes either G, the shear modulus, or E, Young's modulus")
+        check_either("Material", "G, the shear modulus, or E, Young's modulus", G=G, E=E)
         object.__setattr__(self, "G", _shear_modulus(E, nu) if E is not None else G)
         object.__setattr__(self, "nu", nu)
 
@@ -52,8 +51,7 @@ class ViscoelasticBodyMethods:
         for name, value in (("nu", nu), ("f", f), ("tau", tau)):
             if value is None:
                 raise TypeError(f"ViscoelasticBody() lacks {name}")
-        if (G is None) == (E is None):
-            raise TypeError("ViscoelasticBody() takes either G, the shear modulus at once, or E, Young's modulus")
+        check_either("ViscoelasticBody", "G, the shear modulus at once, or E, Young's modulus", G=G, E=E)
         assert nu is not None
         values = {"G": _shear_modulus(E, nu) if E is not None else G, "nu": nu, "f": f, "tau": tau}
         for name, value in values.items():
@@ -86,8 +84,7 @@ class SingleLayerMethods:
     def __init__(self, thickness: float, G: float | None = None, nu: float | None = None, *, E: float | None = None) -> None:
         if nu is None:
             raise TypeError("Layer() lacks nu")
-        if (G is None) == (E is None):
-            raise TypeError("Layer() takes either G, the shear modulus, or E, Young's modulus")
+        check_either("Layer", "G, the shear modulus, or E, Young's modulus", G=G, E=E)
         object.__setattr__(self, "thickness", thickness)
         object.__setattr__(self, "G", _shear_modulus(E, nu) if E is not None else G)
         object.__setattr__(self, "nu", nu)

@@ -6,6 +6,7 @@ import reprlib
 from collections.abc import Mapping
 from typing import Any
 
+from ..refusals import check_either
 from .ics import AnalyticIcs
 from .params import check_fields
 
@@ -21,8 +22,7 @@ class ProblemMethods:
     def __post_init__(self: Any) -> None:
         if self.gap is REQUIRED:
             raise TypeError("ContactProblem() lacks gap")
-        if (self.approach is None) == (self.Fn is None):
-            raise TypeError("ContactProblem() takes either approach or Fn")
+        check_either("ContactProblem", "approach or Fn", approach=self.approach, Fn=self.Fn)
         check_field_types(type(self), vars(self))
 
 

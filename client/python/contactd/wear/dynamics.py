@@ -128,7 +128,7 @@ def states_of_stage(dynamics: Dynamics, stage: int, points: Mapping[str, Array],
 def write_states(path: Path, states: Sequence[WeightedState]) -> None:
     """Writes a file of CSV that read_states reads, with the columns in which a state is not as it is by default."""
     if not states:
-        raise invalid("states", "are none")
+        raise invalid("states", "are none; give one state at least")
     rows = [_flat(one.state) for one in states]
     plain = _flat(type(states[0].state)())
     names = [name for name in rows[0] if any(row[name] != plain[name] for row in rows)]

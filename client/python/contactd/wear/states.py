@@ -84,7 +84,7 @@ def states_of_columns(columns: Mapping[str, Iterable[Any]]) -> list[WeightedStat
         mu = _number(table["mu"][row], f"states[{row}].mu") if "mu" in table and table["mu"][row] not in ("", None) else None
         states.append(WeightedState(state, weight, str(table["group"][row]) if "group" in table else "", mu))
     if not sum(one.weight for one in states) > 0:
-        raise invalid("states", f"have no {weights[0]} together; it must be positive")
+        raise invalid("states", f"have a {weights[0]} of 0 each; give one of them at least a positive {weights[0]}")
     return states
 
 

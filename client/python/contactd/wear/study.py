@@ -80,8 +80,8 @@ class WearStudy:
             raise invalid("spacing", f"is {self.spacing:g} mm; it must lie in [{_SPACINGS[0]:g}, {_SPACINGS[1]:g}]")
         if self.smoothing not in ("auto", "exponential_step") and not _is_length(self.smoothing):
             raise invalid("smoothing", f"is {self.smoothing!r}; it must be auto, exponential_step, or a wavelength (mm)")
-        if not self.states or sum(one.weight for one in self.states) == 0:
-            raise invalid("states", "are none, or have no weight together")
+        if not self.states:
+            raise invalid("states", "are none; give one state at least")
         for i, one in enumerate(self.states):
             if not (math.isfinite(one.weight) and one.weight >= 0):
                 raise invalid(f"states[{i}].weight", f"is {one.weight:g}; it must be at least 0, and finite")
@@ -90,6 +90,8 @@ class WearStudy:
             wheel = one.state.wheel
             if wheel.x or wheel.y or wheel.z or wheel.roll or wheel.yaw or one.state.rail.roll:
                 raise invalid(f"states[{i}]", "moves the wheel on its axle, or turns the rail; rows are placed without that")
+        if sum(one.weight for one in self.states) == 0:
+            raise invalid("states", "have a weight of 0 each; give one of them at least a positive weight")
         if {"rail_slices", "wheel_slices"} & self.setup_params().keys():
             raise invalid("setup", "has slices; profiles that are the same along the track, or round the wheel, can wear")
 

@@ -24,7 +24,7 @@ def _raised() -> set[str]:
 
 
 def _features() -> set[str]:
-    return {feature.name for feature in (*features._BOTH, *features._BASIC, *features._ON_RAILS)}
+    return {features.TOO_MANY_ELEMENTS, *(feature.name for feature in (*features._BOTH, *features._BASIC, *features._ON_RAILS))}
 
 
 def test_the_page_lists_every_feature_that_is_refused() -> None:

@@ -8,6 +8,7 @@ import pytest
 
 from contactctl.cases.rows import keys_of
 from contactctl.codes import Code
+from contactd import Client
 from contactd.contact_files.profile_files import ProfileFiles
 from support.contact_cases import rail_case
 
@@ -256,9 +257,17 @@ def test_a_file_that_is_not_there_is_told(ctl):
 
 
 def test_what_is_beyond_a_limit_is_refused_and_not_called_a_failure(ctl):
+    """By one number, that of the service, whether the case is checked or computed."""
     ctl.write("large.inp", FIRST.replace("15  15  6.0", "2500000  15  6.0") + END)
-    ended = ctl("contact", "run", "large.inp")
-    assert ended.code == Code.REFUSED and "1 case: 1 refused" in ended.out and "max_grid_elements" in ended.out
+    with Client(ctl.endpoint) as client:
+        most = client.info().limits.max_grid_elements
+    for command in ("check", "run"):
+        ended = ctl("contact", command, "large.inp")
+        assert ended.code == Code.REFUSED and "1 case: 1 refused" in ended.out
+        assert f"(MX, MY; limits.max_grid_elements): 37500000, and it takes {most}." in ended.out
+        ctl.write("large.inp", FIRST.replace("15  15  6.0", f"{most // 15 + 1}  15  6.0") + END)
+        assert f"{15 * (most // 15 + 1)}, and it takes {most}." in ctl("contact", command, "large.inp").out
+        ctl.write("large.inp", FIRST.replace("15  15  6.0", "2500000  15  6.0") + END)
 
 
 def test_mistakes_of_a_case_are_told_apart(ctl):

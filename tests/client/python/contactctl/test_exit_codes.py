@@ -41,7 +41,7 @@ def test_without_a_package_of_its_extra_it_says_what_to_install(ctl, tmp_path, p
         (["bogus"], "No such command 'bogus'"),
         (["solv", "contact.yaml"], "No such command 'solv'. Did you mean solve?"),
         (["profile", "shwo", "a.prr"], "No such command 'shwo'. Did you mean show?"),
-        (["solve", "contact.yaml", "--fodler", "a"], "Did you mean --folder?"),
+        (["solve", "contact.yaml", "--timeuot", "3"], "Did you mean --timeout?"),
         (["solve", "contact.yaml", "--fields", "presure"], "Did you mean pressure?"),
         (["compare", "contact.yaml", "--models", "fastism"], "Did you mean fastsim?"),
         (["ic"], "Missing command"),

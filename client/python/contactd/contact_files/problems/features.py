@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from ...values.contact_files import ContactCase as Case
 
-__all__ = ["Missing", "missing", "prescribes_pressures"]
+__all__ = ["MOST_ELEMENTS", "TOO_MANY_ELEMENTS", "Missing", "missing", "prescribes_pressures"]
 
 _NEAR = 1e-6
-_MOST_ELEMENTS = 4_000_000  #: the most that a service may be configured to take
+MOST_ELEMENTS = 4_000_000  #: the most that a service may be configured to take
+#: By the limit of the service that computes, where it is known.
+TOO_MANY_ELEMENTS = "areas of more elements than the service takes (MX, MY; limits.max_grid_elements)"
 
 
 class Missing(Exception):
@@ -26,10 +28,13 @@ class _Feature:
     is_needed: Callable[[Case], bool]
 
 
-def missing(case: Case) -> list[str]:
-    """Names of the features that a case needs and contactd lacks."""
+def missing(case: Case, most_elements: int = MOST_ELEMENTS) -> list[str]:
+    """Names of the features that a case needs and contactd lacks; `most_elements` are those that the service takes."""
     features = _BOTH + (_ON_RAILS if case.module == 1 else _BASIC)
-    return [feature.name for feature in features if feature.is_needed(case)]
+    names = [feature.name for feature in features if feature.is_needed(case)]
+    if case.module == 3 and (count := case.values["MX"] * case.values["MY"]) > most_elements:
+        names.append(f"{TOO_MANY_ELEMENTS}: {count}, and it takes {most_elements}")
+    return names
 
 
 def _digit(name: str, digit: str, *values: int) -> _Feature:
@@ -81,8 +86,6 @@ _BOTH = (
 )
 
 _BASIC = (
-    _Feature(f"areas of more than {_MOST_ELEMENTS} elements (MX, MY; max_grid_elements)",
-             lambda case: case.values["MX"] * case.values["MY"] > _MOST_ELEMENTS),
     _Feature("shares of a normal force of viscoelastic bodies that is not known before the solve (M = 1, N = 0, F > 0)",
              lambda case: case.digits["M"] == 1 and case.digits["N"] == 0 and case.digits["F"] > 0),
     _Feature("parabolic traction bound with FaStrip (B = 3, M = 5)",
