@@ -12,15 +12,22 @@ case ${1:-} in
 keep) keep=yes && shift ;;
 [0-9]*) seconds=$1 && shift ;;
 esac
-if [ $# -gt 0 ]; then targets=("$@"); else targets=($(basename -a "$work"/bin/fuzz_* | sed 's/^fuzz_//')); fi
+if [ $# -gt 0 ]; then targets=("$@"); else targets=($(basename -a "$work"/bin/fuzz_* | sed 's/^fuzz_//') commands); fi
 
 # Anything over twenty seconds or half a gigabyte at once is a finding, too: inputs are no larger than 4 KiB.
 limits=(-max_len=4096 -timeout=20 -rss_limit_mb=1024 -malloc_limit_mb=512)
 export ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=0 UBSAN_OPTIONS=print_stacktrace=1
 
-python3 tests/fuzz/seeds.py "$work/seeds"
+[ "${targets[*]}" = commands ] || python3 tests/fuzz/seeds.py "$work/seeds"
 status=0
 for target in "${targets[@]}"; do
+    if [ "$target" = commands ]; then # a program of Python, without a corpus
+        if [ $keep = no ]; then
+            echo "==> fuzzing $target for $seconds s" >&2
+            python3 tests/fuzz/commands.py "$seconds" || status=$?
+        fi
+        continue
+    fi
     program=$work/bin/fuzz_$target
     [ -x "$program" ] || { echo "there is no target '$target'; there are $(basename -a "$work"/bin/fuzz_* | sed 's/^fuzz_//' | xargs)" >&2 && exit 2; }
     archive=tests/fuzz/corpus/$target.zip

@@ -10,7 +10,7 @@ import typer
 
 from contactd import __version__
 
-from .codes import Code
+from .codes import Code, code_of
 from .commands import (
     bench,
     compare,
@@ -76,16 +76,18 @@ def run(arguments: Sequence[str] | None = None) -> int:
 
 
 def _run(arguments: Sequence[str] | None) -> int:
-    command = typer.main.get_command(app)
-    if (answered := completion.completed(command)) is not None:
-        return answered
     try:
+        command = typer.main.get_command(app)
+        if (answered := completion.completed(command)) is not None:
+            return answered
         ended = command.main(None if arguments is None else list(arguments), "contactctl", standalone_mode=False)
     except click.ClickException as error:
         error.show()
         return Code.USAGE
-    except (click.Abort, KeyboardInterrupt):
+    except click.Abort:
         return Code.INTERRUPTED
+    except KeyboardInterrupt as error:  # before the command has begun
+        return code_of(error)
     except SystemExit:  # of click's, where nobody reads its help
         drop_output()
         return Code.PIPE
