@@ -17,6 +17,7 @@ from contactd.wear.dynamics import Dynamics
 
 from ..files import named_file, read_object
 from ..paths import copied, put_into_words
+from ..progress import Bar
 
 __all__ = ["FIELDS", "read_dynamics", "read_study", "states_of"]
 
@@ -69,7 +70,8 @@ def read_study(file: str, states: Sequence[WeightedState] | None = None) -> Wear
 def states_of(place: Path) -> Sequence[WeightedState]:
     """The states of a file. Raises click.UsageError naming it."""
     try:
-        return read_states(place)
+        with Bar("states") as bar:
+            return read_states(place, lambda share: bar.show(share, f"reading {place.name}"))
     except InvalidArgument as error:
         raise click.UsageError(f"{place}: {error}") from None
     except OSError as error:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
@@ -16,6 +16,10 @@ from ..values.wheel_rail.state import WheelRailState
 
 __all__ = ["WeightedState", "mirrored", "read_states", "states_of_columns"]
 
+OnProgress = Callable[[float], None]
+
+_ROWS_OF_REPORT = 2000
+_LONGEST_NAME = 60  #: characters of a column in a message
 _MOST_BYTES = 1 << 30  #: of a file of states
 _ODD = {"y", "roll", "yaw", "y_velocity", "roll_velocity", "yaw_velocity", "Fy"}
 _OWN = ("weight", "distance", "group", "mu")
@@ -38,21 +42,23 @@ class WeightedState:
     mu: float | None = None
 
 
-def read_states(path: str | os.PathLike[str]) -> list[WeightedState]:
+def read_states(path: str | os.PathLike[str], on_progress: OnProgress | None = None) -> list[WeightedState]:
     """The states of a file with a row a state: CSV with names in its first line, HDF5 with a dataset a column, or Parquet (with
     pyarrow), as the name ends. In CSV a line has comments behind #, % and !; with semicolons or tabs between the columns a
     comma is that of a decimal fraction.
 
     Columns are paths of a state, such as ``position.y``, ``velocity.yaw`` or ``Fz``; ``weight`` or ``distance``, of which one
-    must be there; ``group`` and ``mu``. Raises InvalidArgument naming what is wrong, OSError for files that cannot be read.
+    must be there; ``group`` and ``mu``. `on_progress` hears what share is read. Raises InvalidArgument naming what is wrong, OSError for files that cannot be read.
     """
     name = os.fspath(path).lower()
     if name.endswith((".h5", ".hdf5")):
-        return states_of_columns(_hdf5_columns(path))
+        return states_of_columns(_hdf5_columns(path), on_progress)
     if name.endswith(".parquet"):
-        return states_of_columns(_parquet_columns(path))
+        return states_of_columns(_parquet_columns(path), on_progress)
     content = read_whole(path, _MOST_BYTES)
     try:
+        if on_progress is not None:
+            on_progress(0.0)
         head, rows = table_of(content.decode("utf-8-sig"))
     except UnicodeDecodeError:
         raise invalid("states", "are no text in UTF-8; they are a file of CSV, or of HDF5 (.h5) or Parquet (.parquet)") from None
@@ -60,10 +66,10 @@ def read_states(path: str | os.PathLike[str]) -> list[WeightedState]:
         raise invalid("states", f"cannot be read: {error}") from None
     if not head:
         raise invalid("states", "are empty; the first line names the columns, such as position.y, Fz, weight")
-    return states_of_columns({column: [cells[i] for _, cells in rows] for i, column in enumerate(head)})
+    return states_of_columns({column: [cells[i] for _, cells in rows] for i, column in enumerate(head)}, on_progress)
 
 
-def states_of_columns(columns: Mapping[str, Iterable[Any]]) -> list[WeightedState]:
+def states_of_columns(columns: Mapping[str, Iterable[Any]], on_progress: OnProgress | None = None) -> list[WeightedState]:
     """The states of columns by their names, as read_states reads them. Raises InvalidArgument naming the column."""
     table = {name: list(values) for name, values in columns.items()}
     if len({len(values) for values in table.values()}) > 1:
@@ -72,17 +78,18 @@ def states_of_columns(columns: Mapping[str, Iterable[Any]]) -> list[WeightedStat
     if len(weights) != 1:
         which = "both weight and distance" if weights else "neither weight nor distance"
         raise invalid("states", f"have {which}; one column says how much of all each state is")
+    count = len(table[weights[0]])
+    numbers = {name: _numbers(values, name) for name, values in table.items() if name not in ("group", "mu")}
+    if (least := min(numbers[weights[0]], default=0.0)) < 0:
+        raise invalid(f"states[{numbers[weights[0]].index(least)}].{weights[0]}", f"is {least:g}; it must be at least 0")
+    state_of = _maker({name: values for name, values in numbers.items() if name not in _OWN} if count else {})
+    mu, group = table.get("mu"), table.get("group")
     states = []
-    for row in range(len(table[weights[0]])):
-        state = WheelRailState()
-        for name, values in table.items():
-            if name not in _OWN:
-                state = _with(state, name, name.split("."), _number(values[row], f"states[{row}].{name}"))
-        weight = _number(table[weights[0]][row], f"states[{row}].{weights[0]}")
-        if weight < 0:
-            raise invalid(f"states[{row}].{weights[0]}", f"is {weight:g}; it must be at least 0")
-        mu = _number(table["mu"][row], f"states[{row}].mu") if "mu" in table and table["mu"][row] not in ("", None) else None
-        states.append(WeightedState(state, weight, str(table["group"][row]) if "group" in table else "", mu))
+    for row in range(count):
+        if on_progress is not None and row % _ROWS_OF_REPORT == 0:
+            on_progress(row / count)
+        own = None if mu is None or mu[row] in ("", None) else _number(mu[row], f"states[{row}].mu")
+        states.append(WeightedState(state_of(row), numbers[weights[0]][row], "" if group is None else str(group[row]), own))
     if not sum(one.weight for one in states) > 0:
         raise invalid("states", f"have a {weights[0]} of 0 each; give one of them at least a positive {weights[0]}")
     return states
@@ -105,15 +112,52 @@ def _turned(value: Any) -> Any:
     return replace(value, **changed)
 
 
-def _with(value: Any, name: str, path: list[str], number: float) -> Any:
+def _numbers(values: list[Any], name: str) -> list[float]:
+    """Those of a column. Raises InvalidArgument naming the row."""
+    try:
+        found = [float(value) for value in values]
+    except (TypeError, ValueError):
+        found = [math.nan]
+    if not all(map(math.isfinite, found)):
+        return [_number(value, f"states[{row}].{name}") for row, value in enumerate(values)]
+    return found
+
+
+def _maker(columns: Mapping[str, list[float]]) -> Callable[[int], WheelRailState]:
+    """Makes the states of rows, of which columns have these numbers. Raises InvalidArgument naming a column of something else."""
+    tree: dict[str, Any] = {}
+    for name, values in columns.items():
+        at, path = tree, name.split(".")
+        _check(WheelRailState(), name, path)
+        for part in path[:-1]:
+            at = at.setdefault(part, {})
+        at[path[-1]] = values
+    return _maker_of(WheelRailState(), tree)
+
+
+def _maker_of(plain: Any, tree: Mapping[str, Any]) -> Callable[[int], Any]:
+    kind, others = type(plain), {field.name: getattr(plain, field.name) for field in fields(plain) if field.name not in tree}
+    columns = {name: part for name, part in tree.items() if not isinstance(part, dict)}
+    parts = {name: _maker_of(getattr(plain, name), part) for name, part in tree.items() if isinstance(part, dict)}
+
+    def made(row: int) -> Any:
+        given = {name: values[row] for name, values in columns.items()}
+        return kind(**others, **given, **{name: make(row) for name, make in parts.items()})
+
+    return made
+
+
+def _check(value: Any, name: str, path: list[str]) -> None:
     known = {field.name for field in fields(value)}
     if path[0] not in known:
-        raise invalid("states", f"have a column {name}; a state has no {path[0]} there, but {', '.join(sorted(known))}.{did_you_mean(path[0], known)}")
+        others = f"{', '.join(sorted(known))}.{did_you_mean(path[0][:_LONGEST_NAME], known)}"
+        raise invalid("states", f"have a column {name:.60}; a state has no {path[0]:.60} there, but {others}")
     part = getattr(value, path[0])
     is_object = hasattr(part, "__dataclass_fields__")
     if is_object != (len(path) > 1):
-        raise invalid("states", f"have a column {name}, which is no number of a state")
-    return replace(value, **{path[0]: _with(part, name, path[1:], number) if is_object else number})
+        raise invalid("states", f"have a column {name:.60}, which is no number of a state")
+    if is_object:
+        _check(part, name, path[1:])
 
 
 def _number(value: Any, field: str) -> float:
@@ -122,7 +166,7 @@ def _number(value: Any, field: str) -> float:
     except (TypeError, ValueError):
         number = math.nan
     if not math.isfinite(number):
-        raise invalid(field, f"is {value!r}; it must be a number")
+        raise invalid(field, f"is {value!r:.60}; it must be a number")
     return number
 
 

@@ -164,3 +164,19 @@ def test_a_state_may_have_a_friction_of_its_own():
     assert first["setup"]["friction"] == {"mu": 0.3}
     assert second["setup"]["friction"] == {"mu": 0.1}
     assert first["setup"]["wear"]["laws"][0]["source"] == "a test"
+
+
+def test_who_waits_for_many_states_hears_how_many_are_read(tmp_path):
+    heard = []
+    rows = "".join(f"{row / 1000}, 8e4, 1\n" for row in range(10_000))
+    states = read_states(write(tmp_path, f"position.y, Fz, weight\n{rows}"), heard.append)
+    assert [one.state.position.y for one in states] == [row / 1000 for row in range(10_000)]
+    assert heard[0] == 0 and heard == sorted(heard) and len(heard) >= 5 and 0.5 < heard[-1] < 1
+
+
+def test_a_cell_that_is_no_number_is_quoted_in_part(tmp_path):
+    for cell in ("x" * 5_000_000, "y" * 100_000):
+        with pytest.raises(InvalidArgument) as refused:
+            read_states(write(tmp_path, f"Fz, weight\n1, 1\n{cell}, 1\n"))
+        assert len(str(refused.value)) < 300
+        assert "line 3 has a cell of 5000000 characters" in str(refused.value) or "states[1].Fz" in str(refused.value)
