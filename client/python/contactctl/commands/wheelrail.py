@@ -21,7 +21,7 @@ from ..asking import ask
 from ..codes import Code, Ended
 from ..common import Command, Group, connected, setting
 from ..files import read_object, with_arrays
-from ..output import emit, facts, listing
+from ..output import above_rounding, emit, facts, listing
 from ..paths import changed, get
 from ..saving import check_outputs, is_picture, save
 from .solve import Fields, Outputs, Set, requested_fields
@@ -122,11 +122,12 @@ def _params(
 
 def _shown(answer: dict[str, Any]) -> list[RenderableType]:
     track = answer["forces"]["track"]
+    largest = max(abs(float(track[name])) for name in ("Fx", "Fy", "Fz"))
     rows: list[tuple[str, Any]] = [
         ("height z (mm)", float(answer["z"])),
         ("pitch rate (rad/s)", float(answer["pitch_rate"])),
         ("clearance (mm)", answer.get("clearance")),
-        *((f"{name} (N)", float(track[name])) for name in ("Fx", "Fy", "Fz")),
+        *((f"{name} (N)", above_rounding(float(track[name]), largest)) for name in ("Fx", "Fy", "Fz")),
         ("converged", bool(answer["converged"])),
     ]
     shown: list[RenderableType] = [facts("Forces on the rail, in track coordinates", rows)]
@@ -134,7 +135,7 @@ def _shown(answer: dict[str, Any]) -> list[RenderableType]:
     lines = []
     for index, patch in enumerate(answer["patches"], 1):
         place, found = patch["place"]["reference"], patch["solution"]
-        forces = (float(found["forces"][name]) for name in ("Fn", "Fx", "Fy"))
+        forces = (above_rounding(float(found["forces"][name]), largest) for name in ("Fn", "Fx", "Fy"))
         lines.append((index, place["y"], math.degrees(place["angle"]), *forces, float(found["pmax"]), float(found["area"]["contact"])))
     shown += ["", listing("Patches, in contact coordinates", columns, lines) if lines else "Wheel and rail do not touch."]
     return shown

@@ -9,7 +9,9 @@ from .view import Sample
 
 __all__ = ["latency_chart", "throughput_chart"]
 
-_BLUE, _RED = "#1449b8", "#c8553d"
+_BLUE, _RED = "#2f6fe4", "#c8553d"  #: these and the others are seen on white and on dark ground
+_TEXT, _LINES = "#7d7d88", "rgba(128, 128, 128, 0.25)"
+_DOT = 5  #: pixels
 Pick = Callable[[Sample], float | None]
 
 
@@ -37,18 +39,27 @@ def _milliseconds(seconds: float | None) -> float | None:
 
 
 def _chart(axis: dict[str, Any], lines: dict[str, tuple[str, Pick]], samples: Sequence[Sample]) -> dict[str, Any]:
-    def points(pick: Pick) -> list[list[float | None]]:
-        return [[round(1000 * sample.at), pick(sample)] for sample in samples]
-
+    label, split = {"color": _TEXT}, {"lineStyle": {"color": _LINES}}
     return {
         "animation": False,
         "grid": {"left": 50, "right": 16, "top": 36, "bottom": 24},
-        "legend": {"top": 0, "right": 10, "itemWidth": 16, "icon": "rect", "itemHeight": 3},
+        "legend": {"top": 0, "right": 10, "itemWidth": 16, "icon": "rect", "itemHeight": 3, "textStyle": label},
         "tooltip": {"trigger": "axis"},
-        "xAxis": {"type": "time", "splitNumber": 4, "minInterval": 15_000},
-        "yAxis": {**axis, "nameGap": 10},
+        "xAxis": {"type": "time", "splitNumber": 4, "minInterval": 15_000, "axisLabel": label},
+        "yAxis": {**axis, "nameGap": 10, "nameTextStyle": label, "axisLabel": label, "splitLine": split},
         "series": [
-            {"type": "line", "name": name, "showSymbol": len(samples) < 3, "color": colour, "lineStyle": {"width": 2}, "data": points(pick)}
+            {"type": "line", "name": name, "symbol": "none", "color": colour, "lineStyle": {"width": 2}, "data": _points(samples, pick)}
             for name, (colour, pick) in lines.items()
         ],
     }
+
+
+def _points(samples: Sequence[Sample], pick: Pick) -> list[Any]:
+    """Times and values. A value between two gaps has no line to either side: it gets a symbol, which others have not."""
+    values = [pick(sample) for sample in samples]
+    points: list[Any] = []
+    for i, (sample, value) in enumerate(zip(samples, values)):
+        point = [round(1000 * sample.at), value]
+        is_alone = value is not None and all(other is None for other in (*values[max(i - 1, 0) : i], *values[i + 1 : i + 2]))
+        points.append({"value": point, "symbol": "circle", "symbolSize": _DOT} if is_alone else point)
+    return points

@@ -6,6 +6,7 @@ DOOR = b"""<!doctype html>
 <html lang="en">
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
 <title>contactd</title>
 <p id="said"><noscript>The dashboard needs JavaScript.</noscript></p>
 <script>

@@ -18,8 +18,14 @@ __all__ = ["add_page"]
 
 _STYLE = """
 body { background: #f6f5f2; color: #1d1d2b; }
+body.body--dark { background: #16161c; color: #e6e6ea; }
 .q-tab-panel { padding: 16px 0; }
 .q-card { box-shadow: none; border: 1px solid #e4e1da; }
+.body--dark .q-card, .body--dark .q-table__card { background: #1e1e26; border-color: #3a3a46; }
+.body--dark .text-gray-600 { color: #a2a2ae; }
+.body--dark .text-primary { color: #7ea6ff !important; }
+.body--dark .away { background: #4a1d1d; }
+.body--dark .warnings { background: #453514; }
 .figures b { font-variant-numeric: tabular-nums; }
 .q-table td, .q-table th { font-variant-numeric: tabular-nums; }
 @media (max-width: 480px) {
@@ -36,6 +42,7 @@ def add_page(watcher: Watcher) -> None:
 
     def page() -> None:
         ui.add_css(_STYLE)
+        ui.dark_mode(None)  # as the browser prefers
         ui.colors(primary="#1449b8")
         panels: list[Panel] = []
         with ui.column().classes("w-full max-w-6xl mx-auto gap-3"):

@@ -9,7 +9,7 @@ from nicegui import run, ui
 
 from contactd import RecentSolve
 
-from ..output import number, span
+from ..output import above_rounding, number, span
 from .panel import Panel, answer_of, column, table
 from .picture import picture_of
 from .view import View
@@ -24,7 +24,7 @@ _COLUMNS = (column("number", "number"), column("at", "at", of_numbers=False), co
 
 
 class SolvesPanel(Panel):
-    """A line each; who presses one sees its pressures."""
+    """One row per solve. A click on a row plots its pressures."""
 
     def __init__(self, watcher: Watcher) -> None:
         super().__init__(watcher)
@@ -68,7 +68,8 @@ def _row(solve: RecentSolve) -> dict[str, Any]:
     elements = str(solve.elements) if solve.grid is None else f"{solve.grid.nx} x {solve.grid.ny}"
     if solve.patches != 1:
         elements += f" in {solve.patches} patches" if solve.patches else " (no contact)"
-    forces = dict(zip(("Fx", "Fy", "F"), (f"{force:.5g}" for force in solve.forces)))
+    largest = max(map(abs, solve.forces))
+    forces = dict(zip(("Fx", "Fy", "F"), (f"{above_rounding(force, largest) + 0.0:.5g}" for force in solve.forces)))
     return {
         "number": solve.number, "at": _time_of(solve), "method": solve.method, "grid": elements,
         "converged": number(solve.converged), "iterations": solve.iterations, "residual": f"{solve.residual:.1e}",

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 __all__ = ["draw_wheel_rail"]
 
+_ROUNDING = 1e-12  #: of the largest force, as in tables of the command line
+
 
 def draw_wheel_rail(solution: WheelRailSolution) -> Figure:
     """Draws what WheelRailSolution.plot does."""
@@ -29,9 +31,11 @@ def draw_wheel_rail(solution: WheelRailSolution) -> Figure:
     for number, (panel, patch) in enumerate(zip(panels[1:], shown), 1):
         _draw_patch(panel, patch, number)
     track = solution.forces.track
+    largest = max(abs(track.Fx), abs(track.Fy), abs(track.Fz))
+    Fx, Fy, Fz = (force / 1000 if abs(force) > _ROUNDING * largest else 0.0 for force in (track.Fx, track.Fy, track.Fz))
     state = "" if solution.converged else ", NOT CONVERGED"
     figure.suptitle(
-        f"A wheel on a rail: Fx {track.Fx / 1000:.3g} kN, Fy {track.Fy / 1000:.3g} kN, Fz {track.Fz / 1000:.4g} kN on the "
+        f"A wheel on a rail: Fx {Fx:.3g} kN, Fy {Fy:.3g} kN, Fz {Fz:.4g} kN on the "
         f"rail, at z = {solution.z:.4g} mm{state}"
     )
     return figure

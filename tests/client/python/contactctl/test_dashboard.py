@@ -4,7 +4,8 @@ import threading
 
 import pytest
 
-from contactctl.dashboard.view import AWAY, CONNECTING
+from contactctl.dashboard.charts import latency_chart, throughput_chart
+from contactctl.dashboard.view import AWAY, CONNECTING, Sample
 from contactctl.dashboard.watcher import Watcher
 from contactd import Client, NotFound
 from support.daemons import eventually
@@ -116,6 +117,20 @@ def test_a_daemon_that_goes_away_is_told_of_until_it_is_back(daemons):
         watcher.look()
         assert len(watcher.view.samples) > len(seen.samples)
         assert all(sample.said["requests_per_second"] >= 0 for sample in watcher.view.samples)
+
+
+def test_a_value_between_two_gaps_is_a_point_and_others_are_lines():
+    medians = [0.1, None, 0.2, None, 0.3, 0.4, None, None, 0.5]
+    samples = [Sample(float(at), {"methods": {}, "solves_per_second": 1.0}, median, None) for at, median in enumerate(medians)]
+    half, slow = (line["data"] for line in latency_chart(samples)["series"])
+    points = [point["value"] if isinstance(point, dict) else point for point in half]
+    assert points == [[1000 * at, None if median is None else 1000 * median] for at, median in enumerate(medians)]
+    assert [at for at, point in enumerate(half) if isinstance(point, dict) and point["symbol"] == "circle"] == [0, 2, 8]
+    assert all(point == [1000 * at, None] for at, point in enumerate(slow))
+    # A line has no symbols, but for the first moment, when there is no line yet.
+    for count, symbols in ((1, 1), (2, 0), (9, 0)):
+        for line in throughput_chart(samples[:count])["series"]:
+            assert line["symbol"] == "none" and sum(isinstance(point, dict) for point in line["data"]) == symbols
 
 
 def test_a_watcher_of_nobody_ends_when_it_is_told_to(tmp_path):

@@ -191,6 +191,53 @@ def test_rates_are_drawn(page, shared):
     page.wait_for("0 of 2 busy", ".figures")
 
 
+def prefer(page, scheme):
+    page.send("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
+
+
+def luminances(page, *selectors):
+    """Of the ground and of the text of elements, from 0 to 1, where something is drawn behind them."""
+    script = """(selector => {
+        const luminance = colour => {
+            const [r, g, b, a = 1] = colour.match(/[0-9.]+/g).map(Number);
+            return a === 0 ? null : (0.2126 * r + 0.7152 * g + 0.0722 * b) / 255;
+        };
+        let at = document.querySelector(selector), ground = null;
+        const text = luminance(getComputedStyle(at).color);
+        for (; at && ground === null; at = at.parentElement) ground = luminance(getComputedStyle(at).backgroundColor);
+        return [ground, text];
+    })"""
+    return [page.evaluate(f"{script}({selector!r})") for selector in selectors]
+
+
+def test_colours_are_dark_where_the_browser_prefers_them(page, shared):
+    shared.solve(CATTANEO)
+    everywhere = (".figures .text-gray-600", ".jobs", ".figures .font-medium")
+    try:
+        prefer(page, "dark")
+        eventually(lambda: page.evaluate("document.body.classList.contains('body--dark')"))
+        assert all(ground < 0.2 and text > 0.6 for ground, text in luminances(page, *everywhere))
+        show(page, "Solves")
+        page.wait_for("contact.solve", ".solves tbody")
+        assert all(ground < 0.2 and text > 0.6 for ground, text in luminances(page, ".solves tbody td", ".solves th"))
+        prefer(page, "light")
+        eventually(lambda: not page.evaluate("document.body.classList.contains('body--dark')"))
+        assert all(ground > 0.8 and text < 0.5 for ground, text in luminances(page, ".solves tbody td", ".solves th"))
+    finally:
+        prefer(page, "")
+
+
+def test_forces_that_are_rounding_only_are_zero(page, shared):
+    solution = shared.solve(CATTANEO)
+    assert 0 < abs(solution.Fy) < 1e-12 * solution.Fn or solution.Fy == 0
+    show(page, "Solves")
+    page.wait_for("contact.solve", ".solves tbody")
+    heads = page.evaluate("[...document.querySelectorAll('.solves th')].map(one => one.innerText)")
+    cells = page.evaluate("[...document.querySelector('.solves tbody tr').querySelectorAll('td')].map(one => one.innerText)")
+    row = dict(zip(heads, cells, strict=True))
+    assert row["Fy (N)"] == "0" and row["Fx (N)"] == f"{solution.Fx:.5g}"
+
+
 def status_of(link, **headers):
     try:
         with urllib.request.urlopen(urllib.request.Request(link, headers=headers), timeout=20) as answer:
