@@ -97,9 +97,8 @@ void Runtime::abort(int exit_code) const {
 }
 
 std::string fem_version() {
-    const auto [transforms, their_version] = fft_library();
-    return "contactd " + version() + ", MFEM " MFEM_VERSION_STRING ", hypre " HYPRE_RELEASE_VERSION ", " + transforms +
-           " " + their_version;
+    return "contactd " + version() + ", MFEM " MFEM_VERSION_STRING ", hypre " HYPRE_RELEASE_VERSION ", " +
+           transform_library();
 }
 
 }  // namespace contactd::fem

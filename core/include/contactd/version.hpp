@@ -3,13 +3,11 @@
 
 #include <map>
 #include <string>
-#include <utility>
 
 namespace contactd {
 
 std::string version();                                  ///< "0.1.0"
 std::map<std::string, std::string> library_versions();  ///< name -> version, of what contactd::core links
-/// Returns the name ("ducc0" or "fftw") and the version of the library that transforms: CMake's option CONTACTD_FFT.
-std::pair<const char*, const char*> fft_library();
+std::string transform_library();                        ///< "ducc0 0.42.0": what CMake's option CONTACTD_FFT chose
 
 }  // namespace contactd

@@ -7,10 +7,17 @@
 
 #include <Eigen/Core>
 
+#include "fft/lane_fft.hpp"
+
 namespace contactd {
 
 std::string version() {
     return CONTACTD_VERSION;
+}
+
+std::string transform_library() {
+    const auto [name, number] = fft_library();
+    return std::string(name) + " " + number;
 }
 
 std::map<std::string, std::string> library_versions() {

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "contactd/error.hpp"
-#include "contactd/version.hpp"
 #include "lane_makers.hpp"
 
 namespace contactd {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace contactd {
@@ -72,5 +73,7 @@ std::vector<std::size_t> possible_lanes();
 std::size_t lanes_by_name(const char* asked);
 /// By the environment variable CONTACTD_LANES, once for the program.
 std::size_t default_lanes();
+/// Returns the name and the version of the library that transforms.
+std::pair<const char*, const char*> fft_library();
 
 }  // namespace contactd

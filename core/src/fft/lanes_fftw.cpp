@@ -6,7 +6,6 @@
 
 #include <mutex>
 
-#include "contactd/version.hpp"
 #include "lane_headers.hpp"
 
 // Without AVX, vectors of four numbers are arguments of inlined functions only, whose ABI does not matter.
