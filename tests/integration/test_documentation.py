@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import textwrap
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,7 @@ import pytest
 import zmq
 import zmq.auth
 
-from contactd import Client, Unauthenticated
+from contactd import Client, ContactWarning, Unauthenticated
 from support.daemons import BIN, eventually
 
 ROOT = Path(__file__).parents[2]
@@ -130,7 +131,9 @@ def test_the_guide_to_temperature(shared):
 def test_the_guide_to_damage(shared):
     examples = re.findall(r"^```python\n(.*?)^```", (DOCS / "damage.md").read_text(), re.MULTILINE | re.DOTALL)
     names: dict[str, Any] = {"client": shared}
-    exec(compile("\n".join(examples), "docs/damage.md", "exec"), names)
+    with warnings.catch_warnings():  # whoever copies an example shall have no doubts to weigh
+        warnings.simplefilter("error", ContactWarning)
+        exec(compile("\n".join(examples), "docs/damage.md", "exec"), names)
     assert names["step"].distance == 20
     assert names["wear"].T_gamma == pytest.approx(28.3, abs=0.3)
     assert [law.name for law in names["wear"].laws] == ["energy", "usfd"]

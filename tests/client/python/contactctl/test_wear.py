@@ -106,6 +106,19 @@ def test_laws_take_lists_as_python_has_them(files):
     assert (files.folder / "lists.yaml.h5").read_bytes() == (files.folder / "objects.yaml.h5").read_bytes()
 
 
+def test_the_study_of_the_page_warns_of_nothing(files):
+    page = (Path(__file__).parents[4] / "docs" / "contactctl.md").read_text()
+    for name in ("wear.yaml", "states.csv"):
+        (text,) = re.findall(rf"^```(?:yaml\n# |text\n% ){re.escape(name)}\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
+        files.write(name, text)
+    shown = files("wear", "wear.yaml")
+    assert (shown.code, shown.err) == (0, "")
+    number = r"-?[0-9]+(?:\.[0-9]+)?"
+    (expected,), (found,) = (re.findall(r"^ *(After 100 km .*)$", text, re.MULTILINE) for text in (page, shown.out))
+    assert re.sub(number, "N", found) == re.sub(number, "N", expected)
+    assert [float(one) for one in re.findall(number, found)] == pytest.approx([float(one) for one in re.findall(number, expected)], rel=0.02)
+
+
 def test_the_law_of_the_page_is_taken(files):
     page = (Path(__file__).parents[4] / "docs" / "damage.md").read_text()
     (law,) = re.findall(r"^```yaml\n# law.yaml\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
