@@ -158,7 +158,7 @@ const FieldType& type_of<Track>() {
         fields::field<&Track::cant>("cant", {.bounds = {.least = -0.5, .most = 0.5}, .unit = "rad"}),
         fields::field<&Track::rail_origin>("rail_origin"),
         fields::field<&Track::roller_radius>(
-            "roller_radius", {.bounds = {.least = 0, .most = 10000, .least_excluded = true}, .unit = "mm"}),
+            "roller_radius", {.bounds = {.least = 0, .most = 1e+07, .least_excluded = true}, .unit = "mm"}),
         fields::field<&Track::roller_leans>("roller_leans"),
         fields::field<&Track::springs>("springs"),
     });
