@@ -34,7 +34,8 @@ extern "C" {
 /* --- functions of contactd alone ------------------------------------------------------------------------------ */
 
 /* Of this thread's last call of a function below: the sentence of its error, "" where there was none, valid until the
- * next call; `*code`, unless `code` is null, is the error's code (0, or one of those of cntc_calculate). */
+ * next call; `*code`, unless `code` is null, is the error's code (0, or one of those of cntc_calculate). A warning is a
+ * sentence that begins with "Warning:", with code 0. */
 const char* contactd_cntc_last_error(int* code);
 
 /* --- start and end -------------------------------------------------------------------------------------------- */
@@ -73,12 +74,16 @@ void cntc_readinpfile(int* ire, int* itype, const char* name, int* len_name, int
 
 /* With imeth 0 rparam is [nu1, nu2, G1, G2]; with 1, viscoelastic bodies in steady rolling, also [.., fg1, fg2, tc1,
  * tc2], delayed compliances over those at once and retardation times (s); with 3, FASTSIM, and 5, FaStrip, also [..,
- * k0, alpha, beta], a reduction of the slope: 1, 1, 0 for none. It sets flag 1979. */
+ * k0, alpha, beta], a reduction of the slope: 1, 1, 0 for none; with 4 also [.., gg3, laythk, tau_c0, k_tau], a layer
+ * between them. These set flag 1979. 10: no damping, 11: as before, 12: [cdampn, cdampt, dfnmax, dftmax], of which the
+ * first two must be 0. */
 void cntc_setmaterialparameters(int* ire, int* icp, int* imeth, int* nparam, double* rparam);
-/* imeth 0: [fstat, fkin], which must be equal; 2 and 4: [fkin, f1, s1, f2, s2, memdst, mem_s0], f2 = memdst = 0. Of a
- * wheel on a rail 10 more: [number, and for each the rail's angle and these]; 20 more: places along the track. */
+/* imeth 0: [fstat, fkin], which must be equal; 2, 3 and 4: [fkin, f1, s1, f2, s2, memdst, mem_s0]; 5: Polach's [fstat,
+ * A, B]; 6: [fref, tref, dfheat, dtheat, memdst = 0, mem_s0]. Of a wheel on a rail 10 more: [number, and for each the
+ * rail's angle and these]; 20 more: places along the track. */
 void cntc_setfrictionmethod(int* ire, int* icp, int* imeth, int* nparam, double* params);
-/* itask 2 answers the material that was set, 3 the friction. */
+/* itask 1 answers [velocity, chi, dq, centre of spin along x and y, tau_c0], 2 the material that was set, 3 the
+ * friction. */
 void cntc_getparameters(int* ire, int* icp, int* itask, int* lenarr, double* values);
 
 /* --- potential contact area and undeformed distance ----------------------------------------------------------- */
@@ -132,7 +137,8 @@ void cntc_gettractions(int* ire, int* icp, int* lenarr, double* pn, double* px, 
 void cntc_getmicroslip(int* ire, int* icp, int* lenarr, double* sx, double* sy);
 void cntc_getdisplacements(int* ire, int* icp, int* lenarr, double* un, double* ux, double* uy);
 void cntc_getfielddata(int* ire, int* icp, int* ifld, int* lenarr, double* values);
-/* values[out + lenout * in]; out: fn, fx and fy over fstat fn, mz; in: pen, vx, vy, phi. */
+/* values[out + lenout * in]; out: fn, fx and fy over fstat fn, mz; in: pen, vx, vy, phi. In all systems of units they
+ * are those of the forces on body 1 by the motion as it is set. */
 void cntc_getsensitivities(int* ire, int* icp, int* lenout, int* lenin, double* values);
 void cntc_getcalculationtime(int* ire, int* icp, double* cpu, double* wall);
 void cntc_resetcalculationtime(int* ire, int* icp);
@@ -181,9 +187,12 @@ void cntc_getprofilevalues(int* ire, int* itask, int* nints, int* iparam, int* l
 void cntc_getprofilevalues_new(int* ire, int* itask, int* nints, int* iparam, int* nreals, double* rparam, int* lenarr,
                                double* values);
 
-/* --- not covered: an error, always ---------------------------------------------------------------------------- */
+/* --- heat --------------------------------------------------------------------------------------------------- */
 
+/* imeth 3: [bulk temperature, heat capacity, conductivity, density] of body 1 and of body 2, and the share of a layer's
+ * plastic work that becomes heat, which has no effect and may be missing; 1 keeps them, 0 is none. */
 void cntc_settemperaturedata(int* ire, int* icp, int* imeth, int* nparam, double* rparam);
+/* The largest temperatures of the surfaces of both bodies; 0 without heat. */
 void cntc_getmaximumtemperature(int* ire, int* icp, double* t1max, double* t2max);
 
 #ifdef __cplusplus

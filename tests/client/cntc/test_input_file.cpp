@@ -90,8 +90,12 @@ TEST_CASE("what the library does not have is refused by its name", "[input]") {
     refused(rolling, ".28 .28", ".28 abc", -39, "line 9, column 5, has \"abc\"");
     refused(rolling + "3 MODULE\n203100\n100000\n100001\n1. 0. 0. 0.\n", "", "", -39,
             "A second case begins in line 13");
-    refused(rolling, "-3\n20 20 4. 4. 1.1", "-6\n20 20 4. 4. 4. 1.1", -99, "IPOTCN = -6");
-    refused(rolling, "-3\n20 20 4. 4. 1.1", "1\n2 2 -1. -1. 1. 1.\n2 1\n1 0 1 0 1\n0", -99, "IBASE = 2");
+    refused(rolling, "-3\n20 20 4. 4. 1.1", "1\n2 2 -1. -1. 1. 1.\n1 2\n1e-3 0 1e-3 0 0 0\n1 0 1 0 0 -1", -99,
+            "A planform, IPLAN = 2");
+    refused(rolling, "022020\n", "022020 2\n", -39, "line");  // reads damping, which the file does not have
+    std::string damped = rolling;
+    damped.replace(damped.find("022020\n"), 7, "022020 2\n");
+    refused(damped, "82000.\n", "82000.\n0.01 0. 1. 1.\n", -39, "cdampn and cdampt");
     refused(
         "1 MODULE\n1201100\n0022033\n0000001\n999 30 30 1 1e-6\n.3 .3\n.28 .28 1. 1.\n.2 .2 1. 1. 8. 4.\n14. 0 1435. "
         "0.\n'a.prr' 0 1. 0.\n0 0 0 0 0 0\n1360. -70. 460.\n'b.prw' 0 1. 0.\n0 0 1. 0 0 0\n0 0 0 0 0 0\n",
@@ -165,4 +169,48 @@ TEST_CASE("a file sets a wheel on a rail as the functions set it, with profiles 
     CHECK(error == -32);
     CHECK_THAT(last_sentence(), ContainsSubstring("rail.txt"));
     std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("a file sets no damping, distances, half ellipses and estimates as the functions set them", "[input]") {
+    Case by_calls(79), by_file(80);
+    by_calls.tolerance(1e-6);
+    by_calls.material(.28, .28, 82000, 82000);
+    by_calls.coulomb(0.3);
+    by_calls.normal_force(9000);
+    by_calls.creepages(1e-3, 2e-4, 1e-4);
+    by_calls.rolling_step(0, 0.4);
+    by_calls.velocity(2000);
+    std::string text = rolling;
+    const auto replace = [&](const std::string& from, const std::string& to) {
+        text.replace(text.find(from), from.size(), to);
+    };
+    const std::string hertz = "-3\n20 20 4. 4. 1.1", area = "1\n20 20 -4. -4. .4 .4\n";
+    SECTION("damping that is zero") {
+        replace("022020\n", "022020 2\n");
+        replace("82000.\n", "82000.\n0. 0. 1. 1.\n");
+        by_calls.hertz(-3, {20, 20, 4, 4, 1.1});
+    }
+    SECTION("a profile across") {
+        replace(hertz, area + "2 1\n2 0. 400. -1. 2.\n0. .005");
+        by_calls.potential(1, {20, 20, -4, -4, 0.4, 0.4});
+        by_calls.distance(2, {2, 0, 400, -1, 2, 0, 0.005});
+    }
+    SECTION("waves") {
+        replace(hertz, area + "3 1\n1e-3 1. 0. 1e-3 2. 0. 400. 400.");
+        by_calls.potential(1, {20, 20, -4, -4, 0.4, 0.4});
+        by_calls.distance(3, {1e-3, 1, 0, 1e-3, 2, 0, 400, 400});
+    }
+    SECTION("two half ellipses") {
+        replace("203100", "243100");
+        replace(hertz, "-6\n20 20 4. 3. 5. 1.1");
+        by_calls.flag(1971, 4);
+        by_calls.hertz(-6, {20, 20, 4, 3, 5, 1.1});
+    }
+    CAPTURE(text);
+    CHECK(InputFile(text + end).read(by_file) == 0);
+    CHECK(last_sentence().empty());
+    const int code = by_calls.calculate();
+    REQUIRE(code >= 0);
+    CHECK(by_file.calculate() == code);
+    CHECK(by_calls.forces() == by_file.forces());
 }

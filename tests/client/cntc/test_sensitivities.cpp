@@ -72,19 +72,21 @@ TEST_CASE("sensitivities are how forces change with what moves the bodies") {
         const auto up = outputs(ahead), down = outputs(behind);
         for (int out = 0; out < 4; ++out) {
             const auto o = static_cast<std::size_t>(out);
-            const double expected = (up[o] - down[o]) / (2 * step);
+            // Those of the force on body 1 by the motion as it is set, in all systems of units.
+            const double on_body_1 = out > 0 && units == 1935 ? -1 : 1;
+            const double expected = on_body_1 * (up[o] - down[o]) / (2 * step);
             const double scale = out == 0 ? here[0] : out == 3 ? 0.3 * here[0] * 5 / m : 1;
             const double unit = inputs[static_cast<std::size_t>(in)];
             CAPTURE(out, in);
             CHECK_THAT(found[at(out, in)] * unit, WithinAbs(expected * unit, 1e-2 * scale));
         }
     }
-    // More creepage, more force against it; deeper, more normal force.
-    const double body = units == 1935 ? -1 : 1;
+    // More creepage, more force against it; deeper, more normal force, and more moment.
     CHECK(found[at(0, 0)] > 0);
-    CHECK(body * found[at(1, 1)] < 0);
-    CHECK(body * found[at(2, 2)] < 0);
+    CHECK(found[at(1, 1)] < 0);
+    CHECK(found[at(2, 2)] < 0);
     CHECK(found[at(0, 1)] == 0);
+    CHECK(found[at(3, 0)] != 0);
 }
 
 TEST_CASE("sensitivities are the same whichever is prescribed") {

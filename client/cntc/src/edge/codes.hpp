@@ -37,6 +37,8 @@ inline constexpr int heat = 1982;
 inline constexpr int estimate = 1983;
 inline constexpr int result = 1986;
 inline constexpr int sensitivities = 1988;
+inline constexpr int variant = 1990;        ///< of half-spaces that turn
+inline constexpr int most_elements = 1993;  ///< of a patch on rails
 inline constexpr int own_output = 2000;
 }  // namespace flag
 

@@ -54,6 +54,14 @@ int report(const char* function) noexcept {
     return error.code;
 }
 
+void warn(const std::string& sentence) noexcept {
+    try {
+        last_error().sentence = "Warning: " + sentence;
+        if (prints && is_new(sentence)) std::fprintf(stderr, "contactd: warning: %s\n", sentence.c_str());
+    } catch (...) {  // no memory for the sentence
+    }
+}
+
 void print_errors(bool enabled) noexcept {
     prints = enabled;
 }

@@ -1,6 +1,8 @@
 // The outcome of a thread's last call.
 #pragma once
 
+#include <string>
+
 namespace contactd::cntc {
 
 /// Forgets the error of this thread's last call: another one begins.
@@ -10,7 +12,11 @@ void begin_call() noexcept;
 /// not printed before. Returns its code.
 int report(const char* function) noexcept;
 
-/// Whether errors are printed on standard error; they are unless somebody says no.
+/// Keeps the sentence as a warning of this thread's call, which goes on with code 0, and prints it where it was not
+/// printed before.
+void warn(const std::string& sentence) noexcept;
+
+/// Whether errors and warnings are printed on standard error; they are unless somebody says no.
 void print_errors(bool enabled) noexcept;
 
 }  // namespace contactd::cntc

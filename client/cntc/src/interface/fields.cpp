@@ -66,12 +66,16 @@ RigidSlip rigid_slip_of(const Solved& solved) {
 Values friction_of(const Solved& solved) {
     const ContactProblem& problem = solved.problem;
     if (!problem.friction) return {};
-    const FrictionLaw& law = *problem.friction;
-    Values mu(problem.grid.size(), law.mu_of(0));
     if (!solved.solution.friction_coefficient.empty()) return solved.solution.friction_coefficient;
-    if (!law.temperature) return mu;
-    for (std::size_t i = 0; i < mu.size(); ++i)
-        mu[i] = friction_coefficient(*law.temperature, mu[i], solved.solution.upper_temperature[i]);
+    const FrictionLaw& law = *problem.friction;
+    const auto columns = static_cast<std::size_t>(problem.grid.nx);
+    Values mu;
+    for (std::size_t i = 0; i < problem.grid.size(); ++i) {
+        mu.push_back(law.mu_of(i));
+        if (!law.follows_temperature()) continue;
+        const TemperatureFriction& heated = law.temperature ? *law.temperature : law.temperature_of_rows[i / columns];
+        mu[i] = friction_coefficient(heated, mu[i], solved.solution.upper_temperature[i]);
+    }
     return mu;
 }
 
@@ -83,7 +87,7 @@ Values in_contact(Values displacement, const ContactSolution& solution) {
 }
 
 /// Codes of cntc_getfielddata. Slip is relative where the bodies roll, and of shifts in mm whatever the units are.
-/// Others are zero: there is no plasticity, and no temperature where there is no heat.
+/// Others are zero, and so are those of plasticity without a layer that yields, and temperatures without heat.
 Field field_of(int code, ContactCase& problem) {
     const Solved& solved = solution_of(problem);
     const ContactSolution& solution = solved.solution;
@@ -114,6 +118,12 @@ Field field_of(int code, ContactCase& problem) {
             return {in_contact(displacements().y, solution), units.length};
         case 9:
             return {in_contact(displacements().z, solution), units.length};
+        case 11:
+            return {yield_stress(solved.problem, solution), units.stress()};
+        case 12:
+            return {solved.plastic.x, units.length};
+        case 13:
+            return {solved.plastic.y, units.length};
         case 15:
             return {solution.slip_x, units.body};
         case 16:

@@ -1,5 +1,7 @@
 #include "file_setting.hpp"
 
+#include <algorithm>
+
 namespace contactd::cntc {
 
 void pass_on() {
@@ -59,6 +61,19 @@ void FileSetting::material() {
         values.insert(values.end(), slope.begin(), slope.end());
     }
     auto count = static_cast<int>(values.size());
+    cntc_setmaterialparameters(&ire_, &icp_, &method, &count, values.data());
+    pass_on();
+    damping();
+}
+
+// M2 = 0 takes damping away, 1 keeps it, and 2 reads it.
+void FileSetting::damping() {
+    const auto digit = read_.digits.find("M2");
+    if (digit == read_.digits.end()) return;
+    constexpr int read = 2;
+    std::vector<double> values(4);
+    if (digit->second >= read) values = reals({"CDAMPN", "CDAMPT", "DFNMAX", "DFTMAX"});
+    int method = 10 + std::min(digit->second, read), count = static_cast<int>(values.size());
     cntc_setmaterialparameters(&ire_, &icp_, &method, &count, values.data());
     pass_on();
 }

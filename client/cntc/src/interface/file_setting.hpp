@@ -56,6 +56,7 @@ class FileSetting {
     void flags(std::vector<std::array<int, 2>> own);
     void solvers();
     void material();
+    void damping();
     void heat();
     void friction();
     void blocks();

@@ -1,8 +1,11 @@
-// Flags, which control a solve: pairs of code and value.
+// Flags, which control a solve: pairs of code and value; and numbers that were set, read back.
+#include <algorithm>
 #include <span>
 
 #include "interface/entry.hpp"
+#include "problem/given_friction.hpp"
 
+using namespace contactd;
 using namespace contactd::cntc;
 
 namespace {
@@ -31,6 +34,8 @@ void set_flag(Settings& settings, int code, int value) {
     set_part(settings, "flag " + std::to_string(code), [&](Settings& all) {
         if (code == flag::units)
             all.units = units_of(value);
+        else if (code == flag::most_elements)
+            all.most_elements = std::clamp(value, 100, 1'000'000);
         else
             all.digits.set(code, value);
     });
@@ -50,10 +55,57 @@ void set_flags(Settings& settings, const Pairs& pairs) {
 int flag_of(const Settings& settings, int code) {
     if (code == flag::none) return 0;
     if (code == flag::units) return settings.units.code;
+    if (code == flag::most_elements) return settings.most_elements;
     ControlDigits::require_known(code);
     if (!settings.digits.knows(code))
         throw Refused(error_code::input, "Flag " + std::to_string(code) + " has no effect, and is not kept.");
     return settings.digits(code);
+}
+
+/// [velocity, chi, dq, centre of spin along x and y, tau_c0], from which programs draw a solution.
+std::vector<double> picture_back(const ContactCase& problem) {
+    const Settings& settings = problem.settings;
+    const Units& units = settings.units;
+    double chi = settings.chi, dq = settings.dq.value_or(0);
+    if (problem.current && problem.solved->solution.motion)
+        if (const auto* rolling = std::get_if<Rolling>(&*problem.solved->solution.motion)) {
+            chi = rolling->chi;
+            dq = rolling->dq > 0 ? rolling->dq : problem.solved->problem.grid.dx;
+        }
+    const bool yields = settings.layer && settings.layer->yields();
+    return {settings.velocity.value_or(usual_velocity) / units.length, chi, dq / units.length, 0, 0,
+            yields ? settings.layer->yield_stress / units.stress() : 0};
+}
+
+std::vector<double> material_back(const Settings& settings) {
+    if (!settings.materials) throw Refused(error_code::input, "No material was set.");
+    const auto& [upper, lower] = *settings.materials;
+    const double stress = settings.units.stress();
+    std::vector<double> back{upper.nu, lower.nu, upper.G / stress, lower.G / stress};
+    if (settings.creep) {
+        const auto& [above, below] = *settings.creep;
+        back.insert(back.end(), {above.f, below.f, above.tau, below.tau});
+    }
+    return back;
+}
+
+std::vector<double> friction_back(const Settings& settings) {
+    if (!settings.friction) throw Refused(error_code::input, "No friction was set.");
+    return numbers_of(*settings.friction, settings.units);
+}
+
+std::vector<double> parameters_of(const ContactCase& problem, int task) {
+    enum Task { picture = 1, material = 2, friction = 3 };
+    switch (task) {
+        case picture:
+            return picture_back(problem);
+        case material:
+            return material_back(problem.settings);
+        case friction:
+            return friction_back(problem.settings);
+        default:
+            throw Refused(error_code::input, "itask is " + std::to_string(task) + "; it is 1, 2 or 3.");
+    }
 }
 
 }  // namespace
@@ -80,7 +132,13 @@ extern "C" void cntc_getflags(int* ire, int* icp, int* lenflg, int* params, int*
     for (int i = 0; writable && i < *lenflg; ++i) values[i] = unknown;
     get_set("cntc_getflags", ire, icp, [&](const ContactCase& problem) {
         const Pairs pairs(lenflg, params, values);
-        for (std::size_t i = 0; i < pairs.codes.size(); ++i) values[i] = flag_of(problem.settings, pairs.codes[i]);
+        std::exception_ptr failed;
+        for (std::size_t i = 0; i < pairs.codes.size(); ++i) try {
+                values[i] = flag_of(problem.settings, pairs.codes[i]);
+            } catch (...) {
+                failed = std::current_exception();
+            }
+        if (failed) std::rethrow_exception(failed);
     });
 }
 CONTACTD_FORTRAN_NAME(cntc_getflags)
@@ -96,3 +154,12 @@ extern "C" void cntc_setmetadata(int* ire, int* icp, int* lenmta, int* params, d
     });
 }
 CONTACTD_FORTRAN_NAME(cntc_setmetadata)
+
+extern "C" void cntc_getparameters(int* ire, int* icp, int* itask, int* lenarr, double* values) {
+    clear(values, lenarr);
+    get("cntc_getparameters", ire, icp, [&](const ContactCase& problem) {
+        const auto found = parameters_of(problem, integer(itask, "itask"));
+        std::ranges::copy(found, room(values, lenarr, found.size(), "values").begin());
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_getparameters)

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "interface/entry.hpp"
+#include "problem/given_distance.hpp"
 
 using namespace contactd;
 using namespace contactd::cntc;
@@ -26,6 +27,15 @@ Elements elements(const std::vector<double>& given) {
                                                       std::to_string(result.my) + " elements; 1 to " +
                                                       std::to_string(max_grid_elements) + " are possible.");
     return result;
+}
+
+/// [mx, my, a, b towards -y, b towards +y, scale] of two half ellipses.
+HertzArea half_ellipses(int option, const std::vector<double>& given, const Units& units) {
+    const auto [mx, my] = elements(given);
+    const double a = positive(given[2], "the semi-axis along x") * units.length,
+                 negative = positive(given[3], "bneg") * units.length,
+                 towards_y = positive(given[4], "bpos") * units.length;
+    return {option, mx, my, a, (negative + towards_y) / 2, positive(given[5], "scale"), negative, towards_y};
 }
 
 HertzArea hertz_area(int option, const std::vector<double>& given, const Units& units) {
@@ -64,23 +74,6 @@ Grid potential_contact(int option, const std::vector<double>& given, const Units
     return grid;
 }
 
-Distance distance_of(int base, const double* prmudf, const int* nparam, const Units& units) {
-    constexpr int quadratic = 1, of_elements = 9;
-    if (base != quadratic && base != of_elements)
-        throw Refused(error_code::input, "ibase is " + std::to_string(base) + "; contactd has 1 and 9.");
-    if (base == of_elements) {
-        auto given = numbers(prmudf, nparam, 1, "prmudf");
-        for (double& h : given) h *= units.length;
-        return given;
-    }
-    const auto given = list(prmudf, nparam, 6, "prmudf");
-    Quadratic h;
-    const double curved = units.curvature(), flat = 1;
-    const std::array<double, 6> scales{curved, curved, curved, flat, flat, units.length};
-    for (std::size_t i = 0; i < scales.size(); ++i) h.b[i] = given[i] * scales[i];
-    return h;
-}
-
 /// [dx, ds, not used] or [dx, ds, a_sep, d_sep, d_comb, d_turn], of which the last may be missing; what comes behind is
 /// not read.
 GivenElements rail_elements(int option, const std::vector<double>& given, const Units& units) {
@@ -89,9 +82,11 @@ GivenElements rail_elements(int option, const std::vector<double>& given, const 
     elements.dx = positive(given[0], "dx") * mm;
     elements.ds = positive(given[1], "ds") * mm;
     if (option == 0) return elements;
-    elements.angle_separate = positive(given[2], "a_sep");
-    elements.separate = positive(given[3], "d_sep") * mm;
-    elements.combine = positive(given[4], "d_comb") * mm;
+    for (const std::size_t i : {2, 3, 4})
+        if (given[i] < 0) throw Refused(error_code::discretisation, "a_sep, d_sep or d_comb is negative.");
+    elements.angle_separate = given[2];
+    elements.separate = given[3] * mm;
+    elements.combine = given[4] * mm;
     elements.turn = given.size() > 5 ? given[5] * mm : 2 * elements.separate - elements.combine;
     return elements;
 }
@@ -130,8 +125,10 @@ void fill(const std::array<double, count>& found, double* values, const int* len
 extern "C" void cntc_sethertzcontact(int* ire, int* icp, int* ipotcn, int* nparam, double* rparam) {
     set_basic("cntc_sethertzcontact", ire, icp, "potential contact", [&](Settings& settings) {
         const int option = integer(ipotcn, "ipotcn");
-        if (option < -5 || option > -1) refuse_option("ipotcn", option, "the Hertz contacts -1 to -5");
-        settings.area = hertz_area(option, list(rparam, nparam, 5, "rparam"), settings.units);
+        constexpr int of_halves = -6;
+        if (option < of_halves || option > -1) refuse_option("ipotcn", option, "the Hertz contacts -1 to -6");
+        settings.area = option == of_halves ? half_ellipses(option, list(rparam, nparam, 6, "rparam"), settings.units)
+                                            : hertz_area(option, list(rparam, nparam, 5, "rparam"), settings.units);
     });
 }
 CONTACTD_FORTRAN_NAME(cntc_sethertzcontact)
@@ -148,7 +145,7 @@ CONTACTD_FORTRAN_NAME(cntc_setpotcontact)
 
 extern "C" void cntc_setundeformeddistc(int* ire, int* icp, int* ibase, int* nparam, double* prmudf) {
     set_basic("cntc_setundeformeddistc", ire, icp, "undeformed distance", [&](Settings& settings) {
-        settings.distance = distance_of(integer(ibase, "ibase"), prmudf, nparam, settings.units);
+        settings.distance = read_distance(integer(ibase, "ibase"), prmudf, nparam, settings.units);
     });
 }
 CONTACTD_FORTRAN_NAME(cntc_setundeformeddistc)
@@ -160,7 +157,9 @@ extern "C" void cntc_gethertzcontact(int* ire, int* icp, int* lenarr, double* va
         const Units& units = problem.settings.units;
         const double a1 = hertz.a1 / units.curvature(), b1 = hertz.b1 / units.curvature();
         const double a = hertz.axes.a / units.length, b = hertz.axes.b / units.length;
-        fill<10>({a1, b1, a, b, 2 / (a1 + b1), std::sqrt(a * b), hertz.scale, b, b, a / b}, values, lenarr);
+        const double negative = hertz.negative / units.length, positive = hertz.positive / units.length;
+        fill<10>({a1, b1, a, b, 2 / (a1 + b1), std::sqrt(a * b), hertz.scale, negative, positive, a / b}, values,
+                 lenarr);
     });
 }
 CONTACTD_FORTRAN_NAME(cntc_gethertzcontact)

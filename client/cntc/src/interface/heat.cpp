@@ -28,12 +28,10 @@ ThermalBodies bodies_of(const std::vector<double>& values, const Units& units) {
     return bodies;
 }
 
-/// Returns that of both surfaces in contact, which have one temperature there.
+/// Returns that of both surfaces in contact, which have one temperature there; 0 without heat.
 double largest_of(const ContactCase& problem) {
     const auto& temperature = solution_of(problem).solution.temperature;
-    if (!temperature)
-        throw Refused(error_code::input, "The solution has no temperatures; call cntc_settemperaturedata before.");
-    return temperature->largest;
+    return temperature ? temperature->largest : 0;
 }
 
 }  // namespace
@@ -42,7 +40,8 @@ extern "C" void cntc_settemperaturedata(int* ire, int* icp, int* imeth, int* npa
     set("cntc_settemperaturedata", ire, icp, "temperature", [&](Settings& settings) {
         const int method = integer(imeth, "imeth");
         if (method == given) {
-            settings.heat = bodies_of(list(rparam, nparam, 8, "rparam"), settings.units);
+            // The ninth is the share of a layer's plastic work that becomes heat, which a layer that yields would need.
+            settings.heat = bodies_of(numbers(rparam, nparam, 8, "rparam"), settings.units);
         } else if (method != none && method != keep) {
             throw Refused(error_code::input, "Method " + std::to_string(method) +
                                                  " is asked for; it is 0 for none, 1 to keep what there is, or 3.");

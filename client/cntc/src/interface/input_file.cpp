@@ -14,9 +14,10 @@ namespace {
 
 /// Values of the potential contact behind MX and MY, by IPOTCN.
 const std::map<int, std::vector<const char*>> names_of_areas{
-    {-5, {"AA", "BB", "SCALE"}},   {-4, {"A1", "BB", "SCALE"}},     {-3, {"AA", "BB", "SCALE"}},
-    {-2, {"A1", "AOB", "SCALE"}},  {-1, {"A1", "B1", "SCALE"}},     {1, {"XL", "YL", "DX", "DY"}},
-    {2, {"XL", "YL", "XH", "YH"}}, {3, {"XC1", "YC1", "DX", "DY"}}, {4, {"XC1", "YC1", "XCM", "YCM"}}};
+    {-6, {"AA", "BNEG", "BPOS", "SCALE"}}, {-5, {"AA", "BB", "SCALE"}},   {-4, {"A1", "BB", "SCALE"}},
+    {-3, {"AA", "BB", "SCALE"}},           {-2, {"A1", "AOB", "SCALE"}},  {-1, {"A1", "B1", "SCALE"}},
+    {1, {"XL", "YL", "DX", "DY"}},         {2, {"XL", "YL", "XH", "YH"}}, {3, {"XC1", "YC1", "DX", "DY"}},
+    {4, {"XC1", "YC1", "XCM", "YCM"}}};
 
 std::string text_of(const std::string& name) {
     std::ifstream file(name, std::ios::binary);
@@ -98,12 +99,21 @@ class BasicSetting : private FileSetting {
             refuse("A planform, IPLAN = " + std::to_string(integer("IPLAN")) + ", is not covered.");
         int base = integer("IBASE");
         std::vector<double> values;
-        if (base == 1)
-            values = reals({"B1", "B2", "B3", "B4", "B5", "B6"});
-        else if (base == 9)
-            values = list("GAP");
-        else
-            refuse("IBASE = " + std::to_string(base) + " is not covered; contactd has 1 and 9 here.");
+        switch (base) {
+            case 1:
+                values = reals({"B1", "B2", "B3", "B4", "B5", "B6"});
+                break;
+            case 2:
+                values = reals({"XM", "RM", "Y1", "DY1"});
+                values.insert(values.begin(), static_cast<double>(list("HEIGHTS").size()));
+                for (const double height : list("HEIGHTS")) values.push_back(height);
+                break;
+            case 3:
+                values = reals({"B1", "B2", "B3", "B4", "B5", "B6", "B7", "B8"});
+                break;
+            default:
+                values = list("GAP");
+        }
         int count = static_cast<int>(values.size());
         cntc_setundeformeddistc(&ire_, &icp_, &base, &count, values.data());
         pass_on();

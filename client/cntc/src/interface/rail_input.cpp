@@ -18,7 +18,9 @@ class RailSetting : private FileSetting {
         const UnitsOfFile units(ire_, icp_);
         flags({{flag::configuration, digit("C1")},
                {flag::normal, digit("N")},
-               {flag::discretisation, integer("DISCNS")}});
+               {flag::discretisation, integer("DISCNS")},
+               {flag::variant, read_.values.contains("VARIANT") ? integer("VARIANT") : 4},
+               {flag::most_elements, integer("NPOT_MAX")}});
         solvers();
         material();
         heat();
@@ -47,9 +49,6 @@ class RailSetting : private FileSetting {
         auto values = reals({"DX", "DS", "A_SEP", "D_SEP", "D_COMB", "D_TURN"});
         int count = static_cast<int>(values.size());
         cntc_setpotcontact(&ire_, &icp_, &option, &count, values.data());
-        pass_on();
-        set_rail("cntc_readinpfile", &ire_, "elements of a patch",
-                 [&](RailSettings& rail, const Units&) { rail.elements->most = integer("NPOT_MAX"); });
         pass_on();
         double chi = 0, dq = real("DQREL");
         cntc_setrollingstepsize(&ire_, &icp_, &chi, &dq);

@@ -168,7 +168,7 @@ extern "C" void cntc_getsensitivities(int* ire, int* icp, int* lenout, int* leni
         Solved& solved = *problem.solved;
         // Those of a wheel on a rail are found when somebody reads them, patch by patch.
         if (problem.settings.module == module_number::wheel_rail && !solved.sensitivities)
-            if (const int digit = problem.settings.digits(flag::sensitivities); digit != 0) {
+            if (const int digit = problem.settings.digits(flag::sensitivities); digit >= 2) {
                 if (solved.beyond != nullptr)
                     throw Refused(error_code::input,
                                   std::string("There are no sensitivities of ") + solved.beyond + " on a rail.");
@@ -178,7 +178,8 @@ extern "C" void cntc_getsensitivities(int* ire, int* icp, int* lenout, int* leni
             throw Refused(error_code::input, "No sensitivities were asked for; set flag 1988 before the solve.");
         const Units& units = problem.settings.units;
         const bool rolls = std::holds_alternative<Rolling>(solved.problem.motion);
-        const std::array out_units{1.0, units.body, units.body, units.body / units.moment()};
+        // In all systems of units they are those of the forces on body 1 by the motion as it is set.
+        const std::array out_units{1.0, 1.0, 1.0, 1 / units.moment()};
         const std::array in_units{units.length, rolls ? 1 : units.length, rolls ? 1 : units.length,
                                   rolls ? units.curvature() : 1};
         for (int in = 0; in < ins; ++in)

@@ -1,5 +1,6 @@
 #include "area.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -14,6 +15,12 @@ namespace {
 const MaterialPair& materials_of(const Settings& settings) {
     if (!settings.materials) throw Refused(error_code::input, "No material was set; call cntc_setmaterialparameters.");
     return *settings.materials;
+}
+
+constexpr int of_halves = -6;
+
+bool is_line(int option) {
+    return option == -4 || option == -5;
 }
 
 /// The radius of a curvature a1, h = a1 x^2; a flat direction has none.
@@ -82,23 +89,31 @@ HertzResult line_contact(const HertzArea& area, const Load& load) {
     return {curvature(R), 0, {std::sqrt(squared * R), area.second}, area.scale};
 }
 
-HertzResult hertz_of(const HertzArea& area, const Settings& settings) {
-    const Load load(settings);
+HertzResult by_option(const HertzArea& area, const Load& load) {
     switch (area.option) {
         case -1:
             return by_curvatures(area, load);
         case -2:
             return by_curvature_and_ratio(area, load);
         case -3:
+        case of_halves:
             return by_semi_axes(area, load);
         default:
             return line_contact(area, load);
     }
 }
 
+HertzResult hertz_of(const HertzArea& area, const Settings& settings) {
+    HertzResult found = by_option(area, Load(settings));
+    const bool has_halves = area.option == of_halves;
+    found.negative = has_halves ? area.negative : found.axes.b;
+    found.positive = has_halves ? area.positive : found.axes.b;
+    return found;
+}
+
 /// A line contact ends at the given half width.
 Grid grid_of(const HertzArea& area, const HertzResult& hertz) {
-    const double scale_y = area.option >= -3 ? area.scale : 1;
+    const double scale_y = is_line(area.option) ? 1 : area.scale;
     return Grid::of_elements(area.mx, area.my, 2 * hertz.axes.a * area.scale / area.mx,
                              2 * hertz.axes.b * scale_y / area.my);
 }
@@ -107,28 +122,57 @@ const HertzArea* hertz_area(const Settings& settings) {
     return std::get_if<HertzArea>(&settings.area);
 }
 
-Gap sampled(const Quadratic& quadratic, const Grid& grid) {
+/// Values of a function of x and y at the centres of the elements.
+template <class Function>
+std::vector<double> sampled(const Grid& grid, const Function& h) {
+    std::vector<double> values;
+    values.reserve(grid.size());
+    for (int iy = 0; iy < grid.ny; ++iy)
+        for (int ix = 0; ix < grid.nx; ++ix) values.push_back(h(grid.x(ix), grid.y(iy)));
+    return values;
+}
+
+Gap gap_of(const Quadratic& quadratic, const Grid& grid) {
     const auto& b = quadratic.b;
     if (b[1] == 0 && b[3] == 0 && b[4] == 0 && b[5] == 0) return Paraboloid{radius(b[0]), radius(b[2])};
-    std::vector<double> h;
-    h.reserve(grid.size());
-    for (int iy = 0; iy < grid.ny; ++iy)
-        for (int ix = 0; ix < grid.nx; ++ix) {
-            const double x = grid.x(ix), y = grid.y(iy);
-            h.push_back(b[0] * x * x + b[1] * x * y + b[2] * y * y + b[3] * x + b[4] * y + b[5]);
-        }
-    return h;
+    return sampled(grid, [&](double x, double y) {
+        return b[0] * x * x + b[1] * x * y + b[2] * y * y + b[3] * x + b[4] * y + b[5];
+    });
+}
+
+/// On straight lines, also beyond the first and the last height.
+double height_at(const RoundProfile& profile, double y) {
+    const auto& heights = profile.heights;
+    if (heights.size() == 1) return heights.front();
+    const double place = (y - profile.y1) / profile.dy, last = static_cast<double>(heights.size() - 2);
+    const auto left = static_cast<std::size_t>(std::clamp(std::floor(place), 0.0, last));
+    return heights[left] + (place - static_cast<double>(left)) * (heights[left + 1] - heights[left]);
+}
+
+Gap gap_of(const RoundProfile& profile, const Grid& grid) {
+    return sampled(grid, [&](double x, double y) {
+        return height_at(profile, y) + (x - profile.xm) * (x - profile.xm) / (2 * profile.rm);
+    });
+}
+
+Gap gap_of(const Waves& waves, const Grid& grid) {
+    const auto& b = waves.b;
+    return sampled(grid, [&](double x, double y) {
+        return b[0] * std::sin(b[1] * (x - b[2])) - b[3] * std::sin(b[4] * (x - b[5])) + x * x / b[6] + y * y / b[7];
+    });
+}
+
+Gap gap_of(const std::vector<double>& values, const Grid& grid) {
+    if (values.size() != grid.size())
+        throw Refused(error_code::input, "The undeformed distance has " + std::to_string(values.size()) +
+                                             " values; there are " + std::to_string(grid.size()) + " elements.");
+    return values;
 }
 
 Gap distance_on(const Grid& grid, const Settings& settings) {
     if (!settings.distance)
         throw Refused(error_code::input, "No undeformed distance was set; call cntc_setundeformeddistc.");
-    if (const auto* quadratic = std::get_if<Quadratic>(&*settings.distance)) return sampled(*quadratic, grid);
-    const auto& values = std::get<std::vector<double>>(*settings.distance);
-    if (values.size() != grid.size())
-        throw Refused(error_code::input, "The undeformed distance has " + std::to_string(values.size()) +
-                                             " values; there are " + std::to_string(grid.size()) + " elements.");
-    return values;
+    return std::visit([&](const auto& distance) { return gap_of(distance, grid); }, *settings.distance);
 }
 
 }  // namespace
@@ -157,6 +201,7 @@ Area area_of(const Settings& settings) {
     const HertzResult hertz = hertz_of(*area, settings);
     const Grid grid = grid_of(*area, hertz);
     if (area->option == -3) return {grid, hertz.axes, hertz};
+    if (area->option == of_halves) return {grid, HalfEllipses{hertz.axes.a, hertz.negative, hertz.positive}, hertz};
     return {grid, Paraboloid{radius(hertz.a1), radius(hertz.b1)}, hertz};
 }
 

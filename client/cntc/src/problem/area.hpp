@@ -14,6 +14,7 @@ struct HertzResult {
     double a1 = 0, b1 = 0;  ///< curvatures (1/mm): h = a1 x^2 + b1 y^2
     SemiAxes axes;          ///< (mm); of a line contact half its length along y
     double scale = 0;
+    double negative = 0, positive = 0;  ///< semi-axes across, towards -y and +y (mm)
 };
 
 struct Area {

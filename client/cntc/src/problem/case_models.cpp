@@ -1,11 +1,15 @@
 #include "case_models.hpp"
 
+#include <string>
+
 #include "edge/codes.hpp"
+#include "edge/last_error.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd::cntc {
 namespace {
 
-enum Bound { from_pressures = 0, elliptic = 2, parabolic = 3, kpec = 5, analyn = 6 };
+enum Bound { from_pressures = 0, elliptic = 2, parabolic = 3, half_ellipses = 4, kpec = 5, analyn = 6 };
 enum Bodies { elastic = 0, viscoelastic = 1, fastsim = 3, layered = 4, fastrip = 5 };
 
 }  // namespace
@@ -15,12 +19,13 @@ CaseModels models_of(const Settings& settings) {
     CaseModels found;
     if (bound == kpec) found.normal_model = NormalModel::kpec;
     if (bound == analyn) found.normal_model = NormalModel::analyn;
+    if (bound == half_ellipses) found.normal_model = NormalModel::elliptic;
     const bool is_plain = bound == elliptic || bound == parabolic;
-    if (bodies == elastic || bodies == viscoelastic || bodies == layered) {
+    const bool is_simplified = bodies == fastsim || bodies == fastrip;
+    if (!is_simplified || settings.digits(flag::tangential) == 0) {
         if (is_plain) found.normal_model = bound == elliptic ? NormalModel::elliptic : NormalModel::parabolic;
         return found;
     }
-    if (settings.digits(flag::tangential) == 0) return found;
     if (bodies == fastrip && bound == parabolic)
         throw Refused(error_code::input,
                       "Flag 1971 is 3, a parabolic bound, which FaStrip does not have; set it to 2.");
@@ -40,6 +45,14 @@ std::optional<InterfacialLayer> layer_of(const Settings& settings) {
         throw Refused(error_code::input,
                       "Flag 1979 is 4, and no interfacial layer was set; call cntc_setmaterialparameters with 4.");
     return settings.layer;
+}
+
+void forget_memory(std::optional<KineticFriction>& kinetic, Model model) {
+    if (model == Model::full || !kinetic || !kinetic->memory) return;
+    warn("memdst = " + number_text(kinetic->memory->distance) +
+         " mm has no effect: FASTSIM and FaStrip have one coefficient of friction for the whole contact, without "
+         "memory.");
+    kinetic->memory.reset();
 }
 
 }  // namespace contactd::cntc

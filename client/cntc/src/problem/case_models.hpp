@@ -22,4 +22,8 @@ CaseModels models_of(const Settings& settings);
 /// The layer between the bodies, where the flag of materials asks for one; else none.
 std::optional<InterfacialLayer> layer_of(const Settings& settings);
 
+/// Takes the memory from the friction of a simplified theory, which has one coefficient for the whole contact. Warns
+/// where there was one.
+void forget_memory(std::optional<KineticFriction>& kinetic, Model model);
+
 }  // namespace contactd::cntc

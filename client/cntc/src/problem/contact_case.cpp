@@ -39,11 +39,19 @@ int calculate(ContactCase& problem) {
     });
     if (settings.digits(flag::result) >= 2) return 0;
     ContactSolution solution = problem.solver.solve(next);
-    problem.solved = Solved{std::move(next), std::move(solution)};
+    take_elements(next, solution);
+    PlasticSlip before;
+    if (problem.solved && !next.previous.empty()) {
+        constexpr int again = 3;
+        const bool repeats = settings.digits(flag::previous) == again;
+        before = repeats ? problem.solved->plastic_before : problem.solved->plastic;
+    }
+    PlasticSlip plastic = plastic_slip(next, solution, before);
+    problem.solved = Solved{std::move(next), std::move(solution), std::move(before), std::move(plastic)};
     problem.current = true;
     Solved& solved = *problem.solved;
     require_converged(solved.solution.evidence);
-    if (const int digit = settings.digits(flag::sensitivities); digit != 0)
+    if (const int digit = settings.digits(flag::sensitivities); digit >= 2)
         solved.sensitivities = sensitivities(solved.problem, solved.solution, problem.solver, digit == 3);
     return solved.solution.elements.border;
 }

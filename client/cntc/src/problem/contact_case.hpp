@@ -9,6 +9,7 @@
 #include "contactd/subsurface_stress.hpp"
 #include "problem/area.hpp"
 #include "problem/contact_solver.hpp"
+#include "problem/element_values.hpp"
 #include "problem/settings.hpp"
 
 namespace contactd::cntc {
@@ -20,6 +21,7 @@ using Sensitivities = std::array<std::array<double, 4>, 4>;
 struct Solved {
     ContactProblem problem;
     ContactSolution solution;
+    PlasticSlip plastic_before{}, plastic{};       ///< of a layer that yields, where the step began and where it ended
     std::optional<Sensitivities> sensitivities{};  ///< where they were asked for
     /// Names what a patch of a wheel on a rail has and its contact problem does not, which can not be solved again
     /// then.

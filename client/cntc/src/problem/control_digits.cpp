@@ -25,17 +25,16 @@ const std::vector<Digit>& digits() {
         {flag::configuration, 0, {}, {0, 1, 4, 5}, "", "it is 0, 1, 4 or 5: left or right, on rails or on rollers"},
         {flag::previous,
          2,
-         {0, 2},
-         {0, 2, 3},
-         "0 continues from the last case, and 2 starts anew",
+         {0, 1, 2, 3},
+         {0, 1, 2, 3},
+         "0 continues from the last case, 2 starts anew, and 3 repeats the last case",
          "0 continues from the last case, 2 starts anew, and 3 repeats the last case"},
         {flag::bound,
          0,
-         {0, 2, 3, 5, 6},
+         {0, 2, 3, 4, 5, 6},
          {0, 5, 6},
-         "it is 0 for pressures of the full theory, 2 or 3 for the ellipse or parabola of Hertz's contact, 5 for KPEC, "
-         "or "
-         "6 for ANALYN",
+         "it is 0 for pressures of the full theory, 2 or 3 for the ellipse or parabola of Hertz's contact, 4 for two "
+         "half ellipses, 5 for KPEC, or 6 for ANALYN",
          "of a wheel on a rail it is 0 for pressures of the full theory, 5 for KPEC, or 6 for ANALYN"},
         {flag::tangential, 3, {0, 1, 2, 3}, {0, 1, 2, 3}, "it is 0, 1, 2 or 3", "it is 0, 1, 2 or 3"},
         {flag::normal, 1, {0, 1}, {0, 1}, "it is 0 or 1", "it is 0 or 1"},
@@ -74,9 +73,9 @@ const std::vector<Digit>& digits() {
          "FASTSIM, 3, or FaStrip, 5"},
         {flag::extra_slip,
          0,
-         {0, 9},
+         {0, 1, 9},
          {0},
-         "it is 0, or 9 for a rigid slip of each element",
+         "it is 0, or 1 or 9 for a rigid slip of each element",
          "a wheel on a rail has no extra rigid slip"},
         {flag::heat,
          0,
@@ -86,12 +85,13 @@ const std::vector<Digit>& digits() {
          "it is 0 for none, or 1 or 3 for temperatures"},
         {flag::estimate,
          0,
-         {0, 3},
-         {0, 3},
-         "it is 0, or 3 for the previous case",
-         "it is 0, or 3 for the previous case"},
+         {0, 1, 2, 3},
+         {0, 1, 2, 3},
+         "it is 0, or 1 to 3 for the previous case",
+         "it is 0, or 1 to 3 for the previous case"},
         {flag::result, 0, {0, 1, 2, 3}, {0, 1, 2, 3}, "it is 0, 1, 2 or 3", "it is 0, 1, 2 or 3"},
-        {flag::sensitivities, 0, {0, 2, 3}, {0, 2, 3}, "it is 0, 2 or 3", "it is 0, 2 or 3"},
+        {flag::sensitivities, 0, {0, 1, 2, 3}, {0, 1, 2, 3}, "it is 0, 2 or 3", "it is 0, 2 or 3"},
+        {flag::variant, 4, {}, {1, 2, 3, 4}, "", "variants of half-spaces that turn are 1 to 4"},
     };
     return all;
 }
@@ -107,7 +107,7 @@ const std::vector<int>& values_of(const Digit& digit, int module) {
 
 /// Output, limits and threads of the other program.
 bool means_nothing(int code) {
-    static constexpr std::array codes{1981, 1984, 1985, 1987, 1989, 1990, 1991, 1992, 1993};
+    static constexpr std::array codes{1981, 1984, 1985, 1987, 1989, 1991, 1992, flag::most_elements};
     return std::ranges::find(codes, code) != codes.end() || (code >= 2000 && code <= 2009);
 }
 
@@ -128,7 +128,7 @@ void ControlDigits::set(int code, int value) {
     if (digit == nullptr || !knows(code)) return;
     const bool on_rails = module_ != module_number::basic_contact;
     const bool keeps = value == 0 || value == 1;
-    if (on_rails && keeps && (code == flag::discretisation || code == flag::influence)) return;
+    if (keeps && (code == flag::discretisation || code == flag::influence)) return;
     const std::vector<int>& covered = values_of(*digit, module_);
     if (std::ranges::find(covered, value) == covered.end())
         throw Refused(error_code::input, "Flag " + std::to_string(code) + " is " + std::to_string(value) + "; " +

@@ -14,8 +14,8 @@ class ControlDigits {
     int operator()(int code) const { return values_.at(code); }
     bool knows(int code) const { return values_.contains(code); }
     /// Throws Refused where contactd does not have the value, and changes nothing then. A code that means nothing here
-    /// has no effect: output, threads, and of basic contact the control of wheel on rail. Of a wheel on a rail 0 and 1
-    /// keep discretisation and coefficients as they are.
+    /// has no effect: output, threads, and of basic contact the control of wheel on rail. 0 and 1 keep discretisation
+    /// and coefficients as they are.
     void set(int code, int value);
     /// Throws Refused where nobody knows the code.
     static void require_known(int code);

@@ -11,9 +11,20 @@ namespace contactd::cntc {
 namespace {
 
 enum Tangential { none = 0, shift = 1, transient = 2, steady = 3 };
+enum Previous { from_pressures = 1, anew = 2, again = 3 };
 
 void require_nothing_refused(const Settings& settings) {
     if (!settings.refused.empty()) throw settings.refused.begin()->second;
+}
+
+/// Pressures over two half ellipses and their shape go together.
+void require_half_ellipses(const ContactProblem& problem, const Settings& settings) {
+    constexpr int half_ellipses = 4;
+    const bool has_bound = settings.digits(flag::bound) == half_ellipses;
+    if (has_bound != std::holds_alternative<HalfEllipses>(*problem.gap))
+        throw Refused(error_code::input,
+                      "Flag 1971 = 4 and ipotcn = -6 of cntc_sethertzcontact, pressures over two half ellipses, go "
+                      "together. Set both or neither.");
 }
 
 Ics coefficients(const Settings& settings) {
@@ -106,6 +117,7 @@ void add_friction(ContactProblem& problem, const Settings& settings,
     const Force force = force_of(settings, problem, normal_force);
     const GivenMotion given = settings.motion.value_or(GivenMotion{});
     problem.friction = friction.law;
+    forget_memory(problem.friction->kinetic, problem.model);
     problem.friction->layer = layer_of(settings);
     problem.temperature = heat_of(settings);
     problem.motion = rolls ? rolling_of(settings, given, force, problem.grid) : shift_of(settings, given, force);
@@ -135,20 +147,28 @@ void estimate_motion(ContactProblem& problem, const Motion& found) {
 
 void continue_from(ContactProblem& problem, const Settings& settings, const LastCase& last) {
     const Grid &now = problem.grid, &before = last.problem.grid;
-    if (settings.digits(flag::estimate) == 3 && now.nx == before.nx && now.ny == before.ny) {
+    if (settings.digits(flag::estimate) != 0 && now.nx == before.nx && now.ny == before.ny) {
         problem.initial = state_of(last.solution);
         if (last.solution.motion) estimate_motion(problem, *last.solution.motion);
     }
-    const int kind = settings.digits(flag::tangential);
-    if (settings.digits(flag::previous) != 0 || (kind != shift && kind != transient)) return;
+    const int kind = settings.digits(flag::tangential), previous = settings.digits(flag::previous);
+    if (previous == anew || (kind != shift && kind != transient)) return;
+    if (previous == from_pressures) refuse_history_of_pressures();
     if (now != before)
         throw Refused(error_code::discretisation,
                       "The case continues from one on other elements (flag 1970 is 0); keep the elements, or start "
                       "anew.");
-    problem.previous = state_of(last.solution);
+    problem.previous = previous == again ? last.problem.previous : state_of(last.solution);
 }
 
 }  // namespace
+
+void refuse_history_of_pressures() {
+    throw Refused(
+        error_code::input,
+        "Flag 1970 = 1: a step that starts from the pressures of the last case, without its tractions, is not "
+        "supported. Set it to 0, 2 or 3.");
+}
 
 std::optional<ThermalBodies> heat_of(const Settings& settings) {
     if (settings.digits(flag::heat) == 0) return std::nullopt;
@@ -170,6 +190,7 @@ ContactProblem problem_of(const Settings& settings, const LastCase* last,
     problem.gap = std::move(area.gap);
     problem.bodies = Bodies::of(*settings.materials, coefficients(settings));
     problem.settings = settings.solvers;
+    require_half_ellipses(problem, settings);
     const CaseModels models = models_of(settings);
     problem.model = models.model;
     problem.normal_model = models.normal_model;

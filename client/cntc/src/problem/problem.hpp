@@ -20,6 +20,9 @@ struct LastCase {
 ContactProblem problem_of(const Settings& settings, const LastCase* last,
                           const std::function<double(const ContactProblem&)>& normal_force);
 
+/// Throws Refused: no step starts from the pressures of the last one alone.
+[[noreturn]] void refuse_history_of_pressures();
+
 /// Spin is evaluated dq/6 ahead of the element's centre.
 inline constexpr double spin_offset = 1.0 / 6;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "edge/codes.hpp"
+#include "problem/problem.hpp"
 #include "problem/rail_setup.hpp"
 
 namespace contactd::cntc {
@@ -23,15 +24,15 @@ void use(RailCase& rail, const WheelRailSetup& setup) {
     rail.contact = std::make_unique<const WheelRailContact>(setup);
 }
 
-enum Previous { go_on = 0, again = 3 };
-constexpr int from_last_case = 3;  // of the initial estimate
+enum Previous { go_on = 0, from_pressures = 1, again = 3 };
 
 /// Returns what a step starts from. Tractions are a history only where the step is not steady.
 SharedEstimates start_of(const RailCase& rail, const Settings& common, const WheelRailState& state) {
     const bool is_steady = state.motion == WheelRailMotion::steady_rolling;
-    const bool has_estimate = common.digits(flag::estimate) == from_last_case;
+    const bool has_estimate = common.digits(flag::estimate) != 0;
     const int previous = common.digits(flag::previous);
     if (is_steady) return has_estimate ? rail.estimates : nullptr;
+    if (previous == from_pressures && rail.estimates) refuse_history_of_pressures();
     if (previous == go_on) return rail.estimates;
     if (previous == again) return rail.before;
     if (!has_estimate || !rail.estimates) return nullptr;

@@ -13,14 +13,18 @@ namespace {
 std::optional<FrictionLaw> friction_of(const WheelRailSetup& setup, const ContactPlace& place) {
     if (!setup.friction) return {};
     const double side = setup.side == Side::left ? -1 : 1;
-    FrictionLaw law{{}, setup.friction->kinetic, {}, setup.friction->temperature};
+    FrictionLaw law{{}, setup.friction->kinetic, setup.friction->layer, setup.friction->temperature};
     const auto& mu = setup.friction->mu;
+    const auto& heated = setup.friction->temperature_by_angle;
     if (!setup.friction->along_profile || mu.size() == 1 || place.rows.empty()) {
         law.mu = {coefficient_at(mu, side * place.reference.angle)};
+        if (!heated.empty()) law.temperature = law_at(heated, side * place.reference.angle);
         return law;
     }
-    for (const ContactRow& row : place.rows)
+    for (const ContactRow& row : place.rows) {
         law.mu.insert(law.mu.end(), static_cast<std::size_t>(place.grid.nx), coefficient_at(mu, side * row.angle));
+        if (!heated.empty()) law.temperature_of_rows.push_back(law_at(heated, side * row.angle));
+    }
     return law;
 }
 
@@ -111,6 +115,8 @@ void show(const WheelRailPatch& patch, const RailCase& rail, const Settings& com
     solved.problem.motion = seen_from(motion, counted);
     solved.problem.approach = patch.solution.approach;
     solved.solution.motion = solved.problem.motion;
+    take_elements(solved.problem, solved.solution);
+    solved.plastic = plastic_slip(solved.problem, solved.solution, {});
     Forces& forces = solved.solution.forces;
     if (!place.rows.empty()) forces = of_rows(patch);
     forces.Mz += counted.along * forces.Fy - counted.across * forces.Fx;

@@ -41,7 +41,6 @@ struct GivenElements {
     double dx = 0, ds = 0;
     double angle_separate = 1.5707963267948966;
     double separate = 8, combine = 4, turn = 12;
-    int most = 20'000;  ///< a patch has fewer, or larger ones
 };
 
 struct RailSettings {

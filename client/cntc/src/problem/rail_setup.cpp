@@ -72,21 +72,33 @@ Wheelset wheelset_of(Wheelset given) {
     return given;
 }
 
-PatchRules patches_of(const GivenElements& given, int surfaces) {
+PatchRules patches_of(const GivenElements& given, const Settings& settings) {
     PatchRules rules;
-    rules.angle_separate = std::min(given.angle_separate, std::numbers::pi);
-    rules.distance_combine = given.combine;
-    rules.distance_separate = std::max(given.separate, given.combine + near);
+    rules.angle_separate = std::clamp(given.angle_separate, near, std::numbers::pi);
+    rules.distance_combine = std::max(given.combine, near);
+    rules.distance_separate = std::max(given.separate, rules.distance_combine + near);
     rules.distance_turn = std::max(given.turn, rules.distance_separate + near);
-    if (surfaces == mesh) rules.search = ContactSearch::mesh;
+    if (settings.digits(flag::discretisation) == mesh) rules.search = ContactSearch::mesh;
     rules.history = PatchHistory::whole;
-    rules.max_elements = given.most;
+    rules.max_elements = settings.most_elements;
     return rules;
+}
+
+/// Half-spaces that turn, by their variant: both loads and displacements turn by 4, displacements alone by 3.
+Conformal rotated_of(int variant) {
+    constexpr int of_displacements = 3;
+    if (variant < of_displacements)
+        throw Refused(
+            error_code::other,
+            "contactd does not have: half-spaces that turn with their loads (C = 4, VARIANT = 1, 2). Set flag "
+            "1990 to 3 or 4.");
+    return variant == of_displacements ? Conformal::rotated_displacements : Conformal::rotated;
 }
 
 Conformal conformal_of(const Settings& settings) {
     const bool is_rotated = settings.digits(flag::influence) == rotated_half_spaces;
-    if (settings.digits(flag::discretisation) == curved) return is_rotated ? Conformal::rotated : Conformal::half_space;
+    if (settings.digits(flag::discretisation) == curved)
+        return is_rotated ? rotated_of(settings.digits(flag::variant)) : Conformal::half_space;
     if (is_rotated)
         throw Refused(error_code::input,
                       "Half-spaces that turn (flag 1978 is 4) are those of a curved contact; set flag 1977 to 4.");
@@ -111,6 +123,12 @@ FrictionLaw law_at(const std::vector<GivenFriction::At>& laws, double place) {
             second->slip_velocity += share * (other->slip_velocity - second->slip_velocity);
         }
     }
+    if (law.temperature && next->law.temperature) {
+        const TemperatureFriction& beyond = *next->law.temperature;
+        law.temperature->change += share * (beyond.change - law.temperature->change);
+        law.temperature->reference += share * (beyond.reference - law.temperature->reference);
+        law.temperature->range += share * (beyond.range - law.temperature->range);
+    }
     return law;
 }
 
@@ -128,6 +146,8 @@ WheelRailFriction by_angle(const Settings& settings, const std::vector<GivenFric
         if (law.kinetic != friction.kinetic)
             throw Refused(error_code::friction, "Friction falls otherwise from angle to angle; give one fall for all.");
         friction.mu.push_back({angle + offset, law.mu[0]});
+        if (const auto& heated = law.temperature)
+            friction.temperature_by_angle.push_back({angle + offset, heated->change, heated->reference, heated->range});
     }
     return friction;
 }
@@ -189,7 +209,7 @@ WheelRailSetup setup_of(const Settings& settings, const RailSettings& rail) {
     if (tangential != none) setup.friction = friction_of(settings, rail);
     if (tangential != none) setup.temperature = heat_of(settings);
     if (tangential == transient && rail.dq != 1) setup.dq = rail.dq * setup.dx;
-    setup.patches = patches_of(*rail.elements, surfaces);
+    setup.patches = patches_of(*rail.elements, settings);
     if (surfaces == slip_of_surfaces || surfaces == curved) setup.rigid_slip = RigidSlipKind::elements;
     setup.conformal = conformal_of(settings);
     const CaseModels models = models_of(settings);
@@ -199,6 +219,7 @@ WheelRailSetup setup_of(const Settings& settings, const RailSettings& rail) {
             "The simplified theory on pressures of the full theory (flag 1971 is 0) is not there for a wheel on "
             "a rail; set flag 1971 to 5 or 6, or flag 1979 to 0.");
     setup.model = models.model;
+    if (setup.friction) forget_memory(setup.friction->kinetic, setup.model);
     setup.normal_model = models.normal_model;
     setup.simplified = models.simplified;
     setup.settings = settings.solvers;

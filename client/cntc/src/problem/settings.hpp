@@ -20,11 +20,12 @@ namespace contactd::cntc {
 
 /// By curvatures or semi-axes; the elements divide `scale` times the box of Hertz's contact area.
 struct HertzArea {
-    int option = 0;      ///< -1 to -5
+    int option = 0;      ///< -1 to -6
     int mx = 0, my = 0;  ///< numbers of elements
     double first = 0;    ///< curvature a1 (1/mm) or semi-axis a (mm), by the option
-    double second = 0;   ///< curvature b1 (1/mm), a/b, semi-axis b or half width (mm)
+    double second = 0;   ///< curvature b1 (1/mm), a/b, semi-axis b or half width (mm), of two halves their mean
     double scale = 0;
+    double negative = 0, positive = 0;  ///< semi-axes of two half ellipses towards -y and +y (mm)
 };
 
 /// b1 x^2 + b2 x y + b3 y^2 + b4 x + b5 y + b6 (mm).
@@ -32,8 +33,19 @@ struct Quadratic {
     std::array<double, 6> b{};
 };
 
+/// p(y) + (x - xm)^2/(2 rm), p on straight lines through heights that lie dy from each other, from y1 on (mm).
+struct RoundProfile {
+    double xm = 0, rm = 0, y1 = 0, dy = 0;
+    std::vector<double> heights;
+};
+
+/// b1 sin(b2 (x - b3)) - b4 sin(b5 (x - b6)) + x^2/b7 + y^2/b8 (mm).
+struct Waves {
+    std::array<double, 8> b{};
+};
+
 /// Undeformed distance of a grid that is set itself.
-using Distance = std::variant<Quadratic, std::vector<double>>;
+using Distance = std::variant<Quadratic, RoundProfile, Waves, std::vector<double>>;
 
 /// Creepages and spin, or shift and rotation: which of them, the flags of the solve tell. So numbers are as they came.
 struct GivenMotion {
@@ -79,7 +91,8 @@ inline constexpr double usual_velocity = 1000;
 struct Settings {
     int module = module_number::basic_contact;
     Units units = units_mm_on_body_1;
-    ControlDigits digits;  ///< of the module
+    ControlDigits digits;        ///< of the module
+    int most_elements = 20'000;  ///< a patch on rails has fewer, or larger ones
     ContactSettings solvers;
     std::map<int, double> metadata;
     std::optional<MaterialPair> materials;

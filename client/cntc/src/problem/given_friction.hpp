@@ -1,0 +1,20 @@
+// Friction as a program sets it: a method and its numbers.
+#pragma once
+
+#include <vector>
+
+#include "problem/settings.hpp"
+
+namespace contactd::cntc {
+
+/// The method that keeps the friction set before.
+inline constexpr int keeps_friction = 1;
+
+/// Returns the friction of a method, the law plus ten times how it varies, from numbers in the caller's units. Throws
+/// Refused where core has no such friction.
+GivenFriction read_friction(int method, const double* params, const int* nparam, const Settings& settings);
+
+/// Returns the numbers of the law in these units; Polach's law has those of the exponential law that it is.
+std::vector<double> numbers_of(const GivenFriction& friction, const Units& units);
+
+}  // namespace contactd::cntc
