@@ -151,10 +151,11 @@ def _wheelset(values: Any) -> Wheelset:
 
 
 def _patches(values: Any) -> PatchRules:
-    combine = values["D_COMB"]
+    """The rules of patches; distances and angles of 0 part all that can be parted."""
+    combine = values["D_COMB"] or _NEAR
     separate = max(values["D_SEP"], combine + _NEAR)
     return PatchRules(
-        angle_separate=min(values["A_SEP"], math.pi), distance_combine=combine, distance_separate=separate,
+        angle_separate=min(values["A_SEP"] or _NEAR, math.pi), distance_combine=combine, distance_separate=separate,
         distance_turn=max(values["D_TURN"], separate + _NEAR), search="mesh" if values["DISCNS"] == 5 else None,
         history="whole", max_elements=values["NPOT_MAX"],
     )  # fmt: skip
