@@ -116,6 +116,7 @@ TEST_CASE("A bad value of ic.get is named with what would be right", "[schema]")
             Case{"/ics/diagonal", "\"up\"", "ics.diagonal", "one of \"outward\", \"across\""},
             Case{"/ics/far_boundary", "\"free\"", "ics.far_boundary", "one of \"clamped\", \"half_space\""},
             Case{"/ics/solver", "\"lu\"", "ics.solver", "one of \"auto\", \"amg_pcg\", \"direct\""},
+            Case{"/ics/solver", "\"dirct\"", "ics.solver", "\"direct\". Did you mean \"direct\"?"},
             Case{"/ics/stopping_criterion", "\"energy\"", "ics.stopping_criterion", "one of \"residual\", \"update\""},
             Case{"/ics/t1_over_hs", "-1", "ics.t1_over_hs", "it must lie in [0, 1000]"},
             Case{"/ics/max_dofs", "10", "ics.max_dofs", "it must be at least 1000"},

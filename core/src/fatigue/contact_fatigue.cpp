@@ -150,7 +150,7 @@ void warn_of_flow(const FatigueRequest& request, const ContactFatigue& fatigue, 
     if (!request.strength || !fatigue.load || *fatigue.load <= most) return;
     warnings.push_back("The largest pressure is " + short_text(*fatigue.load) +
                        " times the yield strength in shear of " + request.strength->name +
-                       ": the steel flows, and stresses, which are elastic, are larger than what is there.");
+                       ": the elastic limit is exceeded, and the elastic stresses reported are upper bounds.");
 }
 
 }  // namespace

@@ -82,6 +82,20 @@ void check_width(const std::vector<ProfilePoint>& points, double unit, ProfileKi
                                         "1 where this is right");
 }
 
+/// Refuses points in no order, which turning z would not mend. Profiles that double back, such as the face of a flange,
+/// are short of that.
+void check_order(const std::vector<ProfilePoint>& points, double unit) {
+    constexpr double most = 3;  // times the width
+    const auto [left, right] = std::ranges::minmax(points, {}, &ProfilePoint::y);
+    double run = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) run += std::abs(points[i].y - points[i - 1].y);
+    if (run <= most * (right.y - left.y)) return;
+    throw InvalidArgument("points", "do not lie side by side in the file: the line through them runs to and fro, " +
+                                        short_text(run * unit) + " mm across a profile that is " +
+                                        short_text((right.y - left.y) * unit) +
+                                        " mm wide; order them along the profile, from one end to the other");
+}
+
 /// Which way z points where the file does not say it.
 bool turned_by_shape(const std::vector<ProfilePoint>& points, double unit, ProfileKind kind) {
     std::vector<ProfilePoint> in_mm = points;
@@ -114,6 +128,7 @@ PointsOfFile points_of_content(const ProfileFile& file, const std::string& name,
         reading.mirror_z = found.points.mirror_z != file.mirror_z.value_or(false);
         reading.oriented_by = file.mirror_z ? OrientedBy::request : OrientedBy::file;
     } else {
+        check_order(points, reading.unit);
         reading.mirror_z = turned_by_shape(points, reading.unit, kind);
         reading.oriented_by = OrientedBy::shape;
     }

@@ -43,7 +43,8 @@ class Explainer {
     void visit(const json& schema, const json& known, const json& value, const std::string& path) {
         if (full() || !schema.is_object()) return;
         if (!has_type(schema, value) || !is_choice(schema, value))
-            return report(path, "is " + shown(value) + "; it must be " + expected(schema));
+            return report(path,
+                          "is " + shown(value) + "; it must be " + expected(schema) + closest_choice(schema, value));
         if (value.is_number()) visit_number(schema, value, path);
         if (value.is_string()) visit_text(schema, value.get_ref<const std::string&>(), path);
         if (value.is_array()) visit_list(schema, value, path);
@@ -148,6 +149,16 @@ class Explainer {
             else
                 visit(others, entry.value(), field);
         }
+    }
+
+    /// A question behind a word that is not one of those that the schema names; empty where none of these is like it.
+    static std::string closest_choice(const json& schema, const json& value) {
+        if (!value.is_string() || !schema.contains("enum")) return "";
+        std::vector<std::string> choices;
+        for (const json& choice : schema["enum"])
+            if (choice.is_string()) choices.push_back(choice.get<std::string>());
+        const std::string closest = closest_name(value.get_ref<const std::string&>(), choices);
+        return closest.empty() ? "" : ". Did you mean " + shown(json(closest)) + "?";
     }
 
     static std::string closest_field(const std::string& name, const json& properties) {

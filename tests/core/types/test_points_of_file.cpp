@@ -11,6 +11,7 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "contactd/error.hpp"
 #include "contactd/make_profile.hpp"
@@ -135,6 +136,19 @@ TEST_CASE("a file of which nothing shows which way z points is refused until tha
     file.mirror_z = GENERATE(false, true);
     const ProfileCurve curve = make_profile({kind, file}).curve;
     CHECK_THAT(curve.at(0).z, WithinAbs((*file.mirror_z ? -1 : 1) * (text.starts_with("-40 2") ? 2 : 0), 1e-12));
+}
+
+TEST_CASE("points in no order are refused as such, whatever z is", "[profile]") {
+    const ProfileKind kind = GENERATE(wheel, rail);
+    std::istringstream text(rows(kind));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(text, line);) lines.push_back(line + '\n');
+    std::shuffle(lines.begin(), lines.end(), std::mt19937(7));
+    std::string shuffled;
+    for (const std::string& line : lines) shuffled += line;
+    const ProfileFile file{.name = "a.txt", .text = shuffled};
+    refused(file, kind, "profile.file", "do not lie side by side in the file: the line through them runs to and fro");
+    refused(file, kind, "profile.file", "order them along the profile, from one end to the other");
 }
 
 TEST_CASE("a refusal names the file and the line, and not where the file lies", "[profile]") {

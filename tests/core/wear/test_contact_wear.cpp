@@ -239,6 +239,19 @@ TEST_CASE("A law beyond its range is told, and none within") {
     CHECK(warned({50, 100}));
 }
 
+TEST_CASE("Elements that are too large for single rows are told of, with the cure, and none that are small") {
+    // Near adhesion a thin edge slips, of which large elements know little.
+    const auto sentence = [](double dx) {
+        for (const std::string& text : solve_half_spaces(ellipse_problem(dx, rolling_of(5e-4))).warnings)
+            if (text.starts_with("The energy of the slip is ")) return text;
+        return std::string();
+    };
+    CHECK(
+        sentence(1.2).ends_with("N summed over the elements: the elements are too large for the depths of single rows. "
+                                "Give smaller elements."));
+    CHECK(sentence(0.2).empty());
+}
+
 TEST_CASE("Laws without a source, a kind or a range are refused") {
     const auto refused = [](const WearLaw& law) -> std::string {
         ContactProblem problem = ellipse_problem(0.4, rolling_of(0.01));
