@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -17,6 +18,7 @@ import contactd
 from contactd import Client, DaemonFailed, LocalDaemon
 from contactd.refusals import did_you_mean
 from contactd.transport.in_process import can_solve_here
+from contactd.transport.programs import program_of
 
 from .output import warned
 from .reporting import reported
@@ -173,7 +175,9 @@ def _local(given: Setting, workers: int | None) -> Iterator[Client]:
 
 
 def _private_daemon(folder: Path | None, config: dict[str, Any]) -> LocalDaemon:
-    try:
-        return LocalDaemon(folder=folder, config=config)
-    except DaemonFailed as error:
-        raise DaemonFailed(f"{error} To ask a daemon that runs, name it by --endpoint.") from None
+    if shutil.which(program_of("contactd")) is None:
+        raise DaemonFailed(
+            'Nothing is installed here that solves. Install contactd_local, pip install "contactd[local]", put the program contactd '
+            "on PATH, or name a daemon that runs by --endpoint."
+        )
+    return LocalDaemon(folder=folder, config=config)
