@@ -83,6 +83,31 @@ TEST_CASE("Polach's law that does not fall is Coulomb's, and one that makes no s
     }
 }
 
+TEST_CASE("friction that is kept is that of before, whatever is said of places") {
+    Case contact = wheel(1);
+    REQUIRE(contact.calculate() == 0);
+    const ContactForces expected = contact.forces();
+    contact.friction(GENERATE(1, 11, 21), {});
+    CHECK(last_code() == 0);
+    REQUIRE(contact.calculate() == 0);
+    CHECK(contact.forces() == expected);
+    Case none(2);
+    none.friction(11, {});
+    CHECK(last_code() == -33);
+}
+
+TEST_CASE("the size of the velocity is that of rolling, whatever its sign") {
+    Case forwards = wheel(1), backwards = wheel(2);
+    forwards.velocity(20000);
+    backwards.velocity(-20000);
+    CHECK(last_code() == 0);
+    for (Case* contact : {&forwards, &backwards}) {
+        contact->friction(4, {0.16, 0.24, 1000, 0, 1, 0, 0});
+        REQUIRE(contact->calculate() == 0);
+    }
+    CHECK(forwards.forces() == backwards.forces());
+}
+
 TEST_CASE("Polach's law varies over a rail as the exponential law does") {
     const auto& known = contactd::test::manchester_cases[0];
     const int varies = GENERATE(10, 20);

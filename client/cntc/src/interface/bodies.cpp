@@ -111,7 +111,8 @@ CONTACTD_FORTRAN_NAME(cntc_setmaterialparameters)
 extern "C" void cntc_setfrictionmethod(int* ire, int* icp, int* imeth, int* nparam, double* params) {
     set("cntc_setfrictionmethod", ire, icp, "friction", [&](Settings& settings) {
         const int method = integer(imeth, "imeth");
-        if (method == keeps_friction && settings.friction) return;
+        const bool keeps = method >= 0 && method % 10 == keeps_friction;  // whatever it says of places
+        if (keeps && settings.friction) return;
         settings.friction = read_friction(method, params, nparam, settings);
         settings.digits.set(flag::friction_law, settings.friction->method % 10);
         settings.refused.erase("flag " + std::to_string(flag::friction_law));

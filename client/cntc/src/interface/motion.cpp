@@ -1,4 +1,6 @@
 // How the bodies are pressed, and how they move.
+#include <cmath>
+
 #include "interface/entry.hpp"
 
 using namespace contactd;
@@ -62,7 +64,7 @@ CONTACTD_FORTRAN_NAME(cntc_settimestep)
 
 extern "C" void cntc_setreferencevelocity(int* ire, int* icp, double* veloc) {
     set_basic("cntc_setreferencevelocity", ire, icp, "velocity", [&](Settings& settings) {
-        settings.velocity = positive(number(veloc, "veloc"), "veloc") * settings.units.length;
+        settings.velocity = positive(std::abs(number(veloc, "veloc")), "veloc") * settings.units.length;
     });
 }
 CONTACTD_FORTRAN_NAME(cntc_setreferencevelocity)
