@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "failure.hpp"
+
 namespace contactd::fmu {
 namespace {
 
@@ -23,9 +25,15 @@ bool is_uri(std::string_view name) {
     return name.size() >= scheme.size() && std::ranges::equal(name.substr(0, scheme.size()), scheme, {}, small);
 }
 
-std::optional<std::filesystem::path> if_file(const std::filesystem::path& path) {
+std::optional<std::filesystem::path> if_file(const std::filesystem::path& name, const std::filesystem::path& resources,
+                                             const std::filesystem::path& top) {
     std::error_code failed;
-    return std::filesystem::is_regular_file(path, failed) ? std::optional(path) : std::nullopt;
+    std::filesystem::path path = resources / name;
+    if (!std::filesystem::is_regular_file(path, failed)) return std::nullopt;
+    if (!name.is_absolute() && !lies_within(path, top))
+        throw Failure("\"" + name.string() + "\" leads out of " + top.string() +
+                      ". Put the file there, or name it by its whole path.");
+    return path;
 }
 
 }  // namespace
@@ -48,14 +56,24 @@ std::filesystem::path path_of(std::string_view uri) {
     return path;
 }
 
-std::optional<std::filesystem::path> file_named(const std::string& name, const std::filesystem::path& resources) {
+bool lies_within(const std::filesystem::path& path, const std::filesystem::path& folder) {
+    std::error_code failed;
+    const std::filesystem::path top = std::filesystem::weakly_canonical(folder / "", failed),
+                                place = std::filesystem::weakly_canonical(path, failed);
+    if (failed) return false;
+    const auto [end, other] = std::mismatch(top.begin(), top.end(), place.begin(), place.end());
+    return end == top.end() || end->empty();
+}
+
+std::optional<std::filesystem::path> file_named(const std::string& name, const std::filesystem::path& resources,
+                                                const std::filesystem::path& top) {
     if (name.empty()) return {};
-    if (auto found = if_file(resources / name)) return found;
+    if (auto found = if_file(name, resources, top)) return found;
     std::string meant(trimmed(name));
     if (meant.empty()) return {};
-    if (auto found = if_file(resources / path_of(meant))) return found;
+    if (auto found = if_file(path_of(meant), resources, top)) return found;
     std::ranges::replace(meant, '\\', '/');
-    return if_file(resources / path_of(meant));
+    return if_file(path_of(meant), resources, top);
 }
 
 std::string lowercase_name(std::string_view name) {

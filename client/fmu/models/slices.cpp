@@ -39,8 +39,14 @@ void set_slices(contactd_wheel* w, const Slices& slices, const std::string& vari
         if (!(entry >> place) || !std::getline(entry, profile))
             throw Failure(variable + ": line " + std::to_string(number) + " of " + list->string() +
                           " must have a number and the file of a profile.");
-        std::optional<std::filesystem::path> found = file_named(profile, list->parent_path());
+        // A list that the FMU brings names files of the FMU, also beside its own folder.
+        const bool is_of_fmu = lies_within(*list, resources);
+        std::optional<std::filesystem::path> found =
+            file_named(profile, list->parent_path(), is_of_fmu ? resources : list->parent_path());
         if (!found) found = file_named(profile, resources);
+        if (found && is_of_fmu && !lies_within(*found, resources))
+            throw Failure(variable + ": line " + std::to_string(number) + " of " + list->string() +
+                          " names a profile outside of the FMU's resources:" + profile);
         if (!found)
             throw Failure(variable + ": line " + std::to_string(number) + " of " + list->string() +
                           " names a profile that is no file:" + profile);

@@ -92,6 +92,25 @@ def test_profiles_come_from_a_path_or_the_resources(wheel, tmp_path):
     assert by_name["patch[1].pmax"] == pytest.approx(from_path["patch[1].pmax"], rel=1e-2)
 
 
+def test_names_that_lead_out_of_the_resources_are_refused(wheel, refused, tmp_path):
+    """Also by links, and in lists of slices that the FMU brings, there by whole paths, too."""
+    fmu = wheel(name="outside")
+    resources = tmp_path / f"contactd_wheel_fmi{fmu.fmi}" / "resources"
+    write_arc(resources.parent / "secret.txt")
+    write_arc(tmp_path / "secret.txt")
+    (resources / "link.txt").symlink_to(tmp_path / "secret.txt")
+    for at, name in enumerate(("../secret.txt", "..\\secret.txt", "rails/../../secret.txt", "file:../secret.txt", "link.txt")):
+        (resources / "rails").mkdir(exist_ok=True)
+        outside = wheel(name=f"outside {at}")
+        outside.enter({**ARC, "rail.profile": name})
+        refused(outside, outside.slave.exitInitializationMode, "leads out of")
+    for at, name in enumerate(("../../secret.txt", str(tmp_path / "secret.txt"))):
+        (resources / "rails" / "list.txt").write_text(f"0 {name}\n100 {name}\n")
+        listed = wheel(name=f"list {at}")
+        listed.enter({**COARSE, "rail.slices": "rails/list.txt"})
+        refused(listed, listed.slave.exitInitializationMode, "secret.txt", "resources")
+
+
 def test_names_of_profiles_are_taken_as_they_are_meant(wheel, tmp_path):
     """In any case, with spaces, as URIs, and with the slashes of other systems."""
     usual = wheel(name="usual").start(COARSE).step(values_at(1))
