@@ -78,6 +78,10 @@ class Engine {
     JobTable& jobs() { return jobs_; }
     EngineCounters& counters() { return counters_; }
     const InfluenceCache& influences() const { return influences_; }
+    /// Gives back operators beyond their budget that nobody has used for a while. Returns when to ask again.
+    InfluenceCache::Clock::time_point forget_unused(InfluenceCache::Clock::time_point now) {
+        return influences_.forget_unused(now);
+    }
 
    private:
     IcAnswer fetch(const IcSpec& spec, Observer& observer);

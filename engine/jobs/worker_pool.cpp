@@ -47,6 +47,15 @@ void WorkerPool::drop_abandoned() {
     waiting_ -= static_cast<int>(dropped.size());
 }
 
+void WorkerPool::each_when_idle(Task task) {
+    {
+        const std::scoped_lock lock(mutex_);
+        idle_task_ = std::move(task);
+        ++idle_tasks_;
+    }
+    changed_.notify_all();
+}
+
 void WorkerPool::stop() {
     Levels dropped;
     {
@@ -131,9 +140,18 @@ void WorkerPool::spin() const {
 
 void WorkerPool::work() {
     std::unique_lock lock(mutex_);
+    std::size_t idle_tasks = idle_tasks_;
     for (;;) {
-        changed_.wait(lock, [this] { return stopping_ || any_may_begin(); });
+        changed_.wait(lock, [&] { return stopping_ || any_may_begin() || idle_tasks != idle_tasks_; });
         if (stopping_) return;
+        if (!any_may_begin()) {
+            idle_tasks = idle_tasks_;
+            const Task task = idle_task_;
+            lock.unlock();
+            task();
+            lock.lock();
+            continue;
+        }
         Waiting next = take_next();
         const bool is_large = next.is_large;
         ++running_;

@@ -43,6 +43,8 @@ class WorkerPool {
     void post(QueueTicket ticket, Task task);
     /// Drops the waiting tasks that were abandoned, and what they hold.
     void drop_abandoned();
+    /// Has each thread that there is run `task` once, as soon as it has nothing else to do.
+    void each_when_idle(Task task);
     void stop();  ///< what the destructor does; may be called before it
 
     int waiting() const;
@@ -88,6 +90,8 @@ class WorkerPool {
     mutable std::mutex mutex_;
     std::condition_variable changed_;
     Levels levels_;
+    Task idle_task_;                // of each thread
+    std::size_t idle_tasks_ = 0;    // so far
     std::atomic<int> waiting_ = 0;  // changed under the lock, as stopping_
     int running_ = 0, running_large_ = 0;
     std::atomic<bool> stopping_ = false;

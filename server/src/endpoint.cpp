@@ -61,7 +61,9 @@ void Endpoint::run(int signal_fd, const Notifier& notifier, const std::function<
         socket_.deliver();  // what has been answered at once
         end_overdue();
         parts_.sessions.expire(Clock::now());
-        memory_.look(Clock::now(), parts_.workers.waiting() + parts_.workers.running() > 0, parts_.sessions.bytes());
+        unused_ = parts_.engine.forget_unused(Clock::now());
+        memory_.look(Clock::now(), parts_.workers.waiting() + parts_.workers.running() > 0,
+                     parts_.sessions.bytes() + parts_.engine.influences().usage().bytes);
         connections_.bound_input(Clock::now());
         connections_.read();
         end_gone();
@@ -77,7 +79,7 @@ void Endpoint::run(int signal_fd, const Notifier& notifier, const std::function<
 /// Waits for something to do. True when a signal has come.
 bool Endpoint::wait(int signal_fd, const Notifier& notifier) {
     const auto next = std::min({parts_.open_calls.next_deadline(), parts_.sessions.next_expiry(),
-                                connections_.next_look(), memory_.next_look(), end_});
+                                connections_.next_look(), memory_.next_look(), unused_, end_});
     long timeout = -1;
     if (next != Clock::time_point::max()) {
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(next - Clock::now());

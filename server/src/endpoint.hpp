@@ -53,7 +53,8 @@ class Endpoint {
     AccessControl access_;
     AnsweringSocket socket_;
     ConnectionMonitor connections_;
-    Clock::time_point end_ = Clock::time_point::max();  // of the drain, once there is one
+    Clock::time_point end_ = Clock::time_point::max();     // of the drain, once there is one
+    Clock::time_point unused_ = Clock::time_point::max();  // when operators beyond their budget may be forgotten
     MemoryReturn memory_;
     Intake intake_;  // last: its thread uses the socket
 };

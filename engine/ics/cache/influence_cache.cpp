@@ -1,5 +1,7 @@
 #include "influence_cache.hpp"
 
+#include <utility>
+
 namespace contactd::engine {
 
 CachedInfluence InfluenceCache::of(const std::string& key, const Make& make) {
@@ -15,15 +17,27 @@ CachedInfluence InfluenceCache::of(const std::string& key, const Make& make) {
     CachedInfluence cached{std::move(influence), OperatorUse{false, bytes, budget_}};
     {
         const std::scoped_lock lock(mutex_);
-        beyond_ = Beyond{key, cached};
+        beyond_ = Beyond{key, cached, Clock::now()};
     }
     cached.use->made = true;
     return cached;
 }
 
-std::optional<CachedInfluence> InfluenceCache::found_beyond(const std::string& key) const {
+std::optional<CachedInfluence> InfluenceCache::found_beyond(const std::string& key) {
     const std::scoped_lock lock(mutex_);
-    return beyond_ && beyond_->key == key ? std::optional(beyond_->cached) : std::nullopt;
+    if (!beyond_ || beyond_->key != key) return std::nullopt;
+    beyond_->used = Clock::now();
+    return beyond_->cached;
+}
+
+InfluenceCache::Clock::time_point InfluenceCache::forget_unused(Clock::time_point now) {
+    std::optional<Beyond> forgotten;  // destroyed after the lock: it may be much
+    const std::scoped_lock lock(mutex_);
+    if (!beyond_) return Clock::time_point::max();
+    if (beyond_->cached.influence.current.use_count() > 1) beyond_->used = now;
+    if (now < beyond_->used + longest_unused) return beyond_->used + longest_unused;
+    forgotten = std::exchange(beyond_, std::nullopt);
+    return Clock::time_point::max();
 }
 
 InfluenceCache::Usage InfluenceCache::usage() const {

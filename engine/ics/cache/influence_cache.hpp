@@ -1,6 +1,7 @@
 // Influence operators of pairs of bodies: their transforms are worth keeping between the steps of a simulation.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <mutex>
@@ -37,6 +38,12 @@ class InfluenceCache {
     /// The operators that `key` stands for, from memory or made by `make`.
     CachedInfluence of(const std::string& key, const Make& make);
 
+    using Clock = std::chrono::steady_clock;
+    static constexpr std::chrono::seconds longest_unused{60};
+    /// Forgets the operators beyond the budget that no solve and no session has had for longest_unused. Returns when to
+    /// ask again.
+    Clock::time_point forget_unused(Clock::time_point now);
+
     using Usage = LeastRecentlyUsed<ContactInfluence>::Usage;
     Usage usage() const;  ///< with those beyond the budget
 
@@ -44,8 +51,9 @@ class InfluenceCache {
     struct Beyond {
         std::string key;
         CachedInfluence cached;
+        Clock::time_point used;
     };
-    std::optional<CachedInfluence> found_beyond(const std::string& key) const;
+    std::optional<CachedInfluence> found_beyond(const std::string& key);
 
     const std::size_t budget_;
     LeastRecentlyUsed<ContactInfluence> influences_;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <mutex>
 #include <utility>
 
 namespace contactd::server {
@@ -14,6 +16,21 @@ constexpr double worth_it = 16 << 20;  // bytes: less is not missed
 // After these times memory is given back once more: the socket frees answers when a slow client has read them.
 constexpr std::array<std::chrono::seconds, 3> again_after{std::chrono::seconds(2), std::chrono::seconds(10),
                                                           std::chrono::seconds(60)};
+
+constexpr int smallest_end = 1 << 17, largest_end = 1 << 26, smallest_mapping = 1 << 25;  // bytes, those of glibc
+constexpr std::size_t noticed = 96 << 10;  // bytes that are freed before the allocator looks at the end of an arena
+
+/// Gives the end of this thread's arena back to the system: malloc_trim does that for the first arena only.
+void give_end_of_arena_back() {
+    static std::mutex one_at_a_time;
+    const std::scoped_lock lock(one_at_a_time);
+    ::mallopt(M_TRIM_THRESHOLD, smallest_end);
+    void* volatile const piece = std::malloc(noticed);
+    std::free(piece);
+    // The allocator comes to these by itself under large arrays; since it was told one it learns no more.
+    ::mallopt(M_TRIM_THRESHOLD, largest_end);
+    ::mallopt(M_MMAP_THRESHOLD, smallest_mapping);
+}
 
 }  // namespace
 
@@ -35,6 +52,8 @@ void MemoryReturn::look(Clock::time_point now, bool is_busy, std::size_t kept) {
     freed_ = 0;
     again_ = times_again_ < again_after.size() ? now + again_after[times_again_++] : Clock::time_point::max();
     next_ = again_;
+    give_end_of_arena_back();
+    workers_.each_when_idle(give_end_of_arena_back);
     workers_.post({.client = {}, .priority = proto::Priority::low}, [] { ::malloc_trim(0); });
 }
 

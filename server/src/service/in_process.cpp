@@ -156,6 +156,7 @@ std::unique_ptr<Exchange> InProcess::ask(const std::string& envelope, proto::Fra
     const DaemonParts& parts = state.service.parts();
     ++parts.counters.requests;
     parts.sessions.expire(received);
+    parts.engine.forget_unused(received);
     auto exchange = std::make_unique<OpenExchange>(state_, parts);
     const auto post = [&state, messages = exchange->messages()](Answer answer) {
         if (!answer.is_progress) state.note(answer);

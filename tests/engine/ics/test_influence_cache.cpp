@@ -140,3 +140,37 @@ TEST_CASE("Wheels on rails tell of operators beyond the budget") {
     REQUIRE(solution.patches.size() == 1);
     CHECK(warns(solution.patches.front().solution));
 }
+
+TEST_CASE("Operators beyond the budget are forgotten after a minute without use") {
+    using Clock = InfluenceCache::Clock;
+    constexpr auto minute = InfluenceCache::longest_unused;
+    Engine engine(with_budget(1));
+    Observer observer;
+    CHECK(engine.forget_unused(Clock::now()) == Clock::time_point::max());
+    const auto before = Clock::now();
+    CHECK(warns(engine.solve(problem_of(12), observer).solution));
+    const auto due = engine.forget_unused(before);
+    CHECK(due >= before + minute);
+    CHECK(due <= Clock::now() + minute);
+    CHECK(engine.influences().usage().entries == 1);
+    CHECK(engine.forget_unused(due) == Clock::time_point::max());
+    CHECK(engine.influences().usage().entries == 0);
+    CHECK(engine.influences().usage().bytes == 0);
+    CHECK(warns(engine.solve(problem_of(12), observer).solution));
+}
+
+TEST_CASE("Operators beyond the budget are kept while a simulation has them") {
+    using Clock = InfluenceCache::Clock;
+    constexpr auto minute = InfluenceCache::longest_unused;
+    Engine engine(with_budget(1));
+    Observer observer;
+    const ContactProblem problem = problem_of(12);
+    auto steps = engine.open(SessionSpec{problem, problem}, observer);
+    engine.solve(*steps, steps->start(), [](const std::optional<Motion>&, ContactProblem&) {}, observer);
+    const auto late = Clock::now() + 10 * minute;
+    CHECK(engine.forget_unused(late) == late + minute);
+    CHECK(engine.influences().usage().entries == 1);
+    steps.reset();
+    CHECK(engine.forget_unused(late + minute) == Clock::time_point::max());
+    CHECK(engine.influences().usage().entries == 0);
+}

@@ -233,3 +233,25 @@ TEST_CASE("What a client sent behind a large task begins after it") {
     go_on.set_value();
     while (!second_began || !third_began) std::this_thread::yield();
 }
+
+TEST_CASE("Each thread that there is runs an idle task once") {
+    WorkerPool pool(3);
+    std::promise<void> go_on;
+    const auto gate = go_on.get_future().share();
+    std::atomic<int> began = 0, idle = 0;
+    for (int n = 0; n < 2; ++n)
+        pool.post({}, [&, gate] {
+            ++began;
+            gate.wait();
+        });
+    while (began < 2) std::this_thread::yield();
+    pool.each_when_idle([&] { ++idle; });
+    CHECK(idle == 0);
+    CHECK(pool.running() == 2);
+    go_on.set_value();
+    while (idle < 2) std::this_thread::yield();
+    std::promise<void> ran;
+    pool.post({}, [&] { ran.set_value(); });
+    ran.get_future().wait();
+    CHECK(idle == 2);
+}
