@@ -6,6 +6,7 @@
 #include "contactd/patch_influence.hpp"
 #include "contactd/proto/status.hpp"
 #include "contactd/strip_frames.hpp"
+#include "contactd/strip_memory.hpp"
 #include "engine/engine.hpp"
 #include "engine/ics/problem_tables.hpp"
 
@@ -37,16 +38,20 @@ void check_patch(const Grid& grid, std::size_t most) {
 }
 
 /// Where coefficients differ from row to row they are as many as offsets along a row and pairs of rows.
-void check_rows(const Grid& grid, std::size_t most_bytes) {
-    constexpr double bytes_of_pair =
-        70 * sizeof(double);  // tables of both bodies, their sum, symbols, and a step ahead
-    const double bytes = bytes_of_pair * grid.nx * grid.ny * grid.ny;
+void check_rows(const ContactProblem& problem, const PatchStrips& strips, std::size_t most_bytes) {
+    const Grid& grid = problem.grid;
+    const auto [rail, wheel] = problem.bodies.materials();
+    // Tables of sections are cut out of larger ones.
+    const int tables = (rail.is_rigid() ? 0 : 1) + (wheel.is_rigid() ? 0 : 1) + (strips.of_sections() ? 1 : 0);
+    const double pairs = static_cast<double>(grid.nx) * grid.ny * grid.ny,
+                 bytes = strip_bytes(pairs, tables, strip_rolling(step_of(problem)[0] / grid.dx));
     if (bytes > static_cast<double>(most_bytes))
         throw proto::invalid_field(
             "setup.dy",
             "makes a curved patch of " + std::to_string(grid.ny) + " rows of " + std::to_string(grid.nx) +
                 " elements, which takes about " + std::to_string(static_cast<long long>(bytes)) + " bytes; at most " +
-                std::to_string(most_bytes) + " are allowed (limits.max_work_bytes): take longer elements",
+                std::to_string(most_bytes) +
+                " are allowed (limits.max_work_bytes): take longer elements, or conformal half_space",
             proto::reason::limit_exceeded);
 }
 
@@ -123,7 +128,7 @@ ContactInfluence Engine::sections_influence(const ContactProblem& problem, const
 
 ContactInfluence Engine::patch_influence(const ContactProblem& problem, const PatchStrips& strips, Observer& observer) {
     check_patch(problem.grid, settings_.most_patch_elements);
-    if (!strips.flat()) check_rows(problem.grid, settings_.most_patch_bytes);
+    if (!strips.flat() && !strips.along_loaded_row) check_rows(problem, strips, settings_.most_patch_bytes);
     if (strips.of_sections()) return sections_influence(problem, strips, observer);
     if (!strips.flat())
         return with_warnings(influences_.of(rotated_key(problem, strips), [&] {

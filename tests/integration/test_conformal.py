@@ -49,6 +49,26 @@ def test_sections_and_rotated_half_spaces_agree_in_a_gauge_corner(shared):
     assert any("mesh" in progress.stage or progress.fraction > 0 for progress in heard)
 
 
+@pytest.mark.parametrize("conformal", ["half_space", "rotated_displacements", "rotated"])
+def test_small_elements_of_curved_contacts_are_not_refused_for_their_memory(shared, conformal):
+    setup = WheelRailSetup(rail=Rail60E1(), track=Track(cant=0.03), conformal=conformal)
+    state = WheelRailState(
+        position=WheelsetPosition(y=6.1, yaw=0.011), velocity=WheelsetVelocity(x=4000.0, pitch=-8.68), Fz=14e3
+    )
+    coarse, fine = (shared.wheel_rail(setup.replace(dx=size, dy=size), state, fields=[]) for size in (0.2, 0.1))
+    assert fine.forces.track.Fz == pytest.approx(14e3, rel=1e-5)
+    assert fine.forces.track.Fx == pytest.approx(coarse.forces.track.Fx, rel=5e-3)
+
+
+def test_a_curved_patch_whose_tables_are_too_large_is_refused_when_it_is_found(daemons):
+    daemon = daemons.start(limits={"max_work_bytes": 100_000_000})
+    with daemon.client() as client:
+        setup = SETUP.replace(dx=0.1, dy=0.1)
+        with pytest.raises(InvalidArgument, match="makes a curved patch of .* conformal half_space"):
+            client.wheel_rail(setup.replace(conformal="rotated"), IN_THE_CORNER, fields=[])
+        assert client.wheel_rail(setup.replace(conformal="half_space"), IN_THE_CORNER, fields=[]).converged
+
+
 def test_tables_of_sections_are_built_once_for_neighbouring_positions_and_both_sides(shared):
     setup = SETUP.replace(conformal="fem")
     first = shared.wheel_rail(setup, IN_THE_CORNER, fields=[], timeout=300)

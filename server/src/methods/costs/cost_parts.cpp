@@ -16,11 +16,29 @@ const json* member(const json& params, const char* name) {
     return at == params.end() ? nullptr : &*at;
 }
 
+namespace {
+
+bool has_kind(const json* body, const char* kind) {
+    const json* ics = body != nullptr && body->is_object() ? member(*body, "ics") : nullptr;
+    return ics != nullptr && ics->is_object() && ics->value("body", "") == kind;
+}
+
+}  // namespace
+
+int count_bodies(const json& params, const char* kind) {
+    const json* bodies = member(params, "bodies");
+    if (bodies == nullptr) return has_kind(&params, kind) ? 2 : 0;
+    const json *upper = member(*bodies, "upper"), *lower = member(*bodies, "lower");
+    int count = 0;
+    for (const json* body : {upper, lower != nullptr ? lower : upper}) {
+        if (body == nullptr || body->value("rigid", false)) continue;
+        if (has_kind(body->contains("ics") ? body : &params, kind)) ++count;
+    }
+    return count;
+}
+
 bool any_body(const json& params, const char* kind) {
-    const auto is_kind = [&](const json* body) {
-        const json* ics = body != nullptr && body->is_object() ? member(*body, "ics") : nullptr;
-        return ics != nullptr && ics->is_object() && ics->value("body", "") == kind;
-    };
+    const auto is_kind = [&](const json* body) { return has_kind(body, kind); };
     const json* bodies = member(params, "bodies");
     if (bodies == nullptr) return is_kind(&params);
     return is_kind(&params) || is_kind(member(*bodies, "upper")) || is_kind(member(*bodies, "lower"));

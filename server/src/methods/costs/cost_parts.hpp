@@ -12,6 +12,8 @@ constexpr double seconds_of_offset = 1e-6, seconds_of_layered_offset = 4e-5, sec
 double elements_of(const nlohmann::json& grid);
 /// A member of an object, or null.
 const nlohmann::json* member(const nlohmann::json& params, const char* name);
+/// Counts the elastic bodies of a contact that have coefficients of this kind, of their own or by the request's `ics`.
+int count_bodies(const nlohmann::json& params, const char* kind);
 /// Tells whether any body of a contact, or its pair, has coefficients of this kind.
 bool any_body(const nlohmann::json& params, const char* kind);
 /// Tells whether any body of a contact creeps as it rolls.

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "contactd/proto/status.hpp"
+#include "contactd/strip_memory.hpp"
 #include "cost_parts.hpp"
 #include "request_limits.hpp"
 
@@ -24,8 +25,6 @@ constexpr double bytes_of_displacements = 100;   // likewise, and what they are 
 constexpr double bytes_of_friction_state = 500;  // what layers and memory carry, and their arrays of an answer
 // Bodies that creep have tables of offsets of both signs, their symbols, and directions of the normal problem.
 constexpr double bytes_of_creep = 3000;
-// Numbers for each offset along x and pair of strips: the table and its copy, symbols, boxes.
-constexpr double bytes_of_strips = 30 * sizeof(double), bytes_of_rolling_strips = 60 * sizeof(double);
 
 // Seconds: a product by FFT takes so long for each element and power of two of them, one with strips by their pairs.
 // Measured; what is stated is 1.5 to 3 times what most requests take, for others need more products.
@@ -35,6 +34,15 @@ constexpr double products_of_wheel = 100;  // with the search for its height
 
 double pairs_of_strips(const json& grid) {
     return elements_of(grid) * grid.at("ny").get<double>();
+}
+
+/// The step of rolling along x: of an element, where no other is given.
+StripRolling step_along_x(const json& params) {
+    const json* friction = member(params, "friction");
+    const json* rolling = friction != nullptr ? member(*friction, "rolling") : nullptr;
+    if (rolling == nullptr) return StripRolling::none;
+    const double dq = rolling->value("dq", 0.0);
+    return dq == 0 ? StripRolling::whole : strip_rolling(dq / params.at("grid").at("dx").get<double>());
 }
 
 }  // namespace
@@ -49,8 +57,8 @@ WorkCost cost_of_solve(const json& params, const Config& config) {
     const bool rolls = friction != nullptr && friction->contains("rolling");
     double bytes = elements * (rolls ? bytes_of_rolling : friction != nullptr ? bytes_of_tangential : bytes_of_normal);
     double product = seconds_of_product * elements * std::log2(4 * elements + 2);
-    if (any_body(params, "longitudinally_uniform")) {
-        bytes += pairs_of_strips(grid) * (rolls ? bytes_of_rolling_strips : bytes_of_strips);
+    if (const int tables = count_bodies(params, "longitudinally_uniform"); tables > 0) {
+        bytes += strip_bytes(pairs_of_strips(grid), tables, step_along_x(params));
         product += seconds_of_pair * pairs_of_strips(grid);
     }
     const double steps = rolls ? friction->at("rolling").value("steps", 1.0) : 1;
@@ -98,8 +106,9 @@ WorkCost cost_of_export(const json& params, const Config& config) {
     return cost;
 }
 
-WorkCost cost_of_wheel_rail(const json& params, const Config&) {
+WorkCost cost_of_wheel_rail(const json& params, const Config& config) {
     constexpr double length = 20, width = 20;  // mm, of a contact with its margin
+    constexpr double width_of_strips = 10;     // likewise: what is wider is checked where it is found
     constexpr double most = 200'000;
     const json none = json::object();
     const json* given = member(params, "setup");
@@ -107,10 +116,17 @@ WorkCost cost_of_wheel_rail(const json& params, const Config&) {
     const double dx = setup.value("dx", 0.2), dy = setup.value("dy", 0.2);
     const double nx = length / dx, ny = width / dy, elements = std::min(nx * ny, most);
     double bytes = elements * (bytes_of_rolling + bytes_of_answer);
-    const std::string conformal = setup.value("conformal", "off");
-    if (conformal != "off") bytes += elements * std::min(ny, 1000.0) * bytes_of_rolling_strips;
+    // Rows of half-spaces that lie flat, or along the loaded row, have the coefficients of one.
+    if (const std::string conformal = setup.value("conformal", "off");
+        conformal == "rotated" || conformal == "automatic" || conformal == "fem") {
+        const double rows = width_of_strips / dy, dq = setup.value("dq", dx);
+        bytes += strip_bytes(nx * rows * rows, conformal == "fem" ? 3 : 2, strip_rolling(dq / dx));
+    }
     const double product = seconds_of_product * elements * std::log2(4 * elements + 2);
-    return {bytes_beside + 2 * bytes, 2 * product * products_of_wheel};
+    // A patch is seldom as large as this guess, which refuses nothing; that of another size is checked when it is
+    // known.
+    return {std::min(bytes_beside + 2 * bytes, static_cast<double>(config.max_work_bytes)),
+            2 * product * products_of_wheel};
 }
 
 bool is_large(double seconds) {
