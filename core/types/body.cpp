@@ -8,6 +8,7 @@
 #include "contactd/error.hpp"
 #include "contactd/fields/ic_spec.hpp"
 #include "number_text.hpp"
+#include "types/ics/row_of_layers.hpp"
 
 namespace contactd {
 namespace {
@@ -29,6 +30,9 @@ void check_agreement(const Bodies& bodies) {
                                   "is " + std::string(name_of(lower->load_shape)) + ", and that of the upper body " +
                                       std::string(name_of(upper->load_shape)) +
                                       "; both bodies carry the same tractions, so that it must be the same");
+        for (const auto& [ics, field] :
+             {std::pair(upper, "bodies.upper.ics.line_contact"), std::pair(lower, "bodies.lower.ics.line_contact")})
+            if (ics->line_contact && bodies.any_layered()) throw InvalidArgument(field, row_of_layers);
         if (upper->line_contact != lower->line_contact)
             throw InvalidArgument("bodies.lower.ics.line_contact",
                                   "is not that of the upper body; a contact is a line contact of both or of none, with "

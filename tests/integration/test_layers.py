@@ -159,3 +159,23 @@ def test_stresses_below_a_uniform_body_are_refused(shared):
     solution = shared.solve(problem)
     with pytest.raises(InvalidArgument, match="half-space"):
         shared.subsurface(problem, solution, body="lower", points=[[0, 0, -1]])
+
+
+@pytest.mark.parametrize(
+    "bodies",
+    [
+        {"upper": STEEL_IN_LAYERS, "ics": AnalyticIcs(line_contact=LineContact(datum=100))},
+        {"upper": STEEL, "lower": STEEL_IN_LAYERS, "upper_ics": AnalyticIcs(line_contact=LineContact(datum=100))},
+    ],
+)
+def test_a_line_contact_of_layers_is_refused_with_the_way_round_it(shared, shared_daemon, bodies):
+    problem = {"grid": Grid.centred(64, 1, 1.92, 20), "gap": Paraboloid(Rx=100), "Fn": 1e4}
+    way = r"one row of long elements.*grid.dy at least ten times the length of the contact"
+    with Client(shared_daemon.endpoint) as client, pytest.raises(InvalidArgument, match=way):
+        client.solve(**problem, **bodies)
+    row = {name: value for name, value in bodies.items() if name in ("upper", "lower")}
+    solution = shared.solve(**problem, **row)
+    # Hertz: pmax = sqrt(F E*/(pi R)) for the force F a length, E* = G/(1 - nu) of two equal bodies.
+    modulus = STEEL.G / (1 - STEEL.nu)
+    assert solution.pmax == pytest.approx((1e4 / 20 * modulus / (np.pi * 100)) ** 0.5, rel=5e-3)
+    assert solution.warnings == ()

@@ -9,6 +9,7 @@ from typing import Any
 import click
 import numpy as np
 
+from contactd.files.heading_units import unit_factor
 from contactd.files.number_text import rows_of
 from contactd.files.whole import check_npy, read_whole
 
@@ -19,11 +20,15 @@ _MOST_TEXT = 1 << 26
 
 
 def read_array(file: Path, named_by: str) -> np.ndarray[Any, Any]:
-    """The array of `file`. Raises click.UsageError with the file that names it, and the line."""
+    """The array of `file`, lengths of text in mm and pressures in N/mm^2 whatever unit its heading states. Raises click.UsageError
+    with the file that names it, and the line."""
     try:
         if file.suffix == ".npy":
             return _npy(read_whole(file, _MOST_BYTES))
-        return np.array(rows_of(read_whole(file, _MOST_TEXT).decode("utf-8-sig")))
+        text = read_whole(file, _MOST_TEXT).decode("utf-8-sig")
+        values = np.array(rows_of(text))
+        factor = unit_factor(text)
+        return values if factor == 1 else values * factor
     except OSError as error:
         raise click.UsageError(f"{named_by} names {file}, which cannot be read: {error.strerror or error}.") from None
     except UnicodeDecodeError:

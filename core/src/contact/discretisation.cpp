@@ -121,7 +121,18 @@ void warn_of_missed_contact(const ContactProblem& problem, const ContactSolution
         " This solution carries nothing.");
 }
 
-void warn_of_few_elements(const Discretisation& evidence, std::vector<std::string>& warnings) {
+/// Grids are chosen for the contact that is expected: one that is far smaller on both sides has a load, a radius or a
+/// modulus in another unit. Rough surfaces have many small contacts, and together more elements.
+bool is_lost_on(const Grid& grid, const ContactSolution& solution) {
+    constexpr int part = 8;
+    const ContactSize size = contact_size(grid, solution.pressure);
+    return size.along_x * part <= grid.nx && size.along_y * part <= grid.ny &&
+           static_cast<double>(solution.elements.contact) * part * part <= static_cast<double>(grid.size());
+}
+
+void warn_of_few_elements(const ContactProblem& problem, const ContactSolution& solution,
+                          std::vector<std::string>& warnings) {
+    const Discretisation& evidence = *solution.evidence.discretisation;
     const int across = evidence.elements_across;
     if (across >= fewest_elements) return;
     const char* about = evidence.source == ErrorSource::hertz ? "" : "up to about ";
@@ -129,7 +140,11 @@ void warn_of_few_elements(const Discretisation& evidence, std::vector<std::strin
                        " across, fewer than " + std::to_string(fewest_elements) +
                        ": the normal force for the approach is off by " + about + percent(evidence.force_error) +
                        " and the largest pressure by " + percent(evidence.pmax_error) +
-                       "; smaller elements are better.");
+                       "; smaller elements are better." +
+                       (is_lost_on(problem.grid, solution)
+                            ? " The contact is a small part of the potential contact area on both sides: check the "
+                              "units of forces, lengths and moduli."
+                            : ""));
 }
 
 void warn_of_long_step(const ContactProblem& problem, const ContactSolution& solution,
@@ -190,7 +205,7 @@ std::vector<std::string> discretisation_warnings(const ContactProblem& problem, 
     std::vector<std::string> warnings;
     warn_of_missed_contact(problem, solution, warnings);
     if (!solution.evidence.discretisation) return warnings;
-    warn_of_few_elements(*solution.evidence.discretisation, warnings);
+    warn_of_few_elements(problem, solution, warnings);
     warn_of_long_step(problem, solution, warnings);
     const PatchSize contact = lengths_of(problem.grid, contact_size(problem.grid, solution.pressure));
     if (auto warning = layer_warning(problem, contact)) warnings.push_back(std::move(*warning));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 #include <variant>
@@ -27,6 +26,7 @@
 #include "problem_of_regions.hpp"
 #include "types/number_text.hpp"
 #include "uniqueness.hpp"
+#include "unit_warnings.hpp"
 #include "viscoelastic_rolling.hpp"
 #include "wear/contact_wear.hpp"
 
@@ -40,8 +40,18 @@ StripEnds ends_of(const Body& body, const Grid& grid, const char* name) {
     return strip_ends(*body.section(), grid.ny, grid.dy, name);
 }
 
-BorderRows border_rows(const ContactProblem& problem) {
-    if (is_line_contact(problem)) return {false, false};
+/// Tells a line contact by one row of long elements, whose ends are not those of a contact that goes on beyond them.
+bool is_long_row(const ContactProblem& problem, const ContactSolution& solution) {
+    constexpr double longer = 5;  // than the contact, from where on pressures are off by less than a percent
+    if (problem.grid.ny != 1 || !problem.gap) return false;
+    const auto* paraboloid = std::get_if<Paraboloid>(&*problem.gap);
+    const bool is_cylinder = paraboloid != nullptr && !std::isfinite(paraboloid->Ry);
+    if (!is_cylinder && !std::holds_alternative<std::vector<double>>(*problem.gap)) return false;
+    return problem.grid.dy >= longer * solution.elements.contact * problem.grid.dx;
+}
+
+BorderRows border_rows(const ContactProblem& problem, const ContactSolution& solution) {
+    if (is_line_contact(problem) || is_long_row(problem, solution)) return {false, false};
     if (!problem.bodies.any_uniform()) return {};
     const StripEnds below = ends_of(problem.bodies.lower, problem.grid, "bodies.lower.ics.section"),
                     above = ends_of(problem.bodies.upper, problem.grid, "bodies.upper.ics.section");
@@ -58,7 +68,7 @@ void count_elements(const ContactProblem& problem, ContactSolution& solution) {
     solution.elements.contact = solution.elements.adhesion + solution.elements.slip + solution.elements.flow;
     solution.elements.border = border_elements(problem.grid, solution.pressure);
     if (solution.elements.border > 0)  // takes a look at sections
-        solution.elements.border = border_elements(problem.grid, solution.pressure, border_rows(problem));
+        solution.elements.border = border_elements(problem.grid, solution.pressure, border_rows(problem, solution));
 }
 
 void sum_up(const ContactSetup& setup, ContactSolution& solution) {
@@ -113,84 +123,6 @@ void take_friction_losses(const ContactProblem& problem, ContactSolution& soluti
     }
 }
 
-/// Returns the slip velocity of the last step (mm/s); its slip is relative already where it rolls.
-double largest_slip_velocity(const Motion& motion, const ContactSolution& solution) {
-    double slip = 0;
-    for (std::size_t i = 0; i < solution.slip_x.size(); ++i)
-        slip = std::max(slip, std::hypot(solution.slip_x[i], solution.slip_y[i]));
-    const auto* rolling = std::get_if<Rolling>(&motion);
-    return rolling ? slip * rolling->velocity : slip / std::get<Shift>(motion).duration;
-}
-
-void warn_of_friction_that_never_falls(const ContactProblem& problem, ContactSolution& solution) {
-    constexpr double hardly_any = 1e-3;  // of the slip velocity in the law
-    if (!problem.friction || !problem.friction->kinetic || solution.elements.slip == 0) return;
-    const double largest = largest_slip_velocity(problem.motion, solution);
-    const double in_law = problem.friction->kinetic->slip_velocity;
-    if (largest >= hardly_any * in_law) return;
-    const bool rolls = std::holds_alternative<Rolling>(problem.motion);
-    solution.warnings.push_back(
-        "Friction hardly falls: the largest slip velocity is " + short_text(largest) +
-        " mm/s, and friction.kinetic.slip_velocity is " + number_text(in_law) + " mm/s. Slip velocities follow from " +
-        (rolls ? "friction.rolling.velocity (mm/s)" : "friction.duration (s)") + ", which is 1 where it is left out.");
-}
-
-/// Somebody who has slip over a time step, in mm, gets a number that is far from small.
-void warn_of_rigid_slip_that_is_no_creepage(const ContactProblem& problem, ContactSolution& solution) {
-    if (!problem.friction || !std::holds_alternative<Rolling>(problem.motion)) return;
-    double largest = 0;
-    for (std::size_t i = 0; i < problem.rigid_slip.x.size(); ++i)
-        largest = std::max(largest, std::hypot(problem.rigid_slip.x[i], problem.rigid_slip.y[i]));
-    if (largest <= 1) return;
-    solution.warnings.push_back("friction.rigid_slip is up to " + short_text(largest) +
-                                ", more than the bodies roll: of rolling it is slip over the distance rolled, as "
-                                "creepages are, and not in mm.");
-}
-
-constexpr double largest_strain = 0.1;  // of shear: beyond it strains are no longer small
-
-/// Loads, radii and moduli in different units lead to pressures that no body carries. Thin layers that can hardly be
-/// compressed bear more than that under small strains, and are left out.
-void warn_of_pressures_beyond_elasticity(const ContactProblem& problem, ContactSolution& solution) {
-    if (problem.bodies.pair || problem.bodies.any_layered() || !(solution.pmax > 0)) return;
-    double softest = std::numeric_limits<double>::infinity();
-    for (const Body* body : {&problem.bodies.upper, &problem.bodies.lower})
-        if (body->computed() != nullptr && !body->material.is_rigid()) softest = std::min(softest, body->material.G);
-    if (!(solution.pmax > largest_strain * softest)) return;
-    solution.warnings.push_back("The largest pressure, " + short_text(solution.pmax) +
-                                " N/mm^2, is more than a tenth of the shear modulus, " + short_text(softest) +
-                                " N/mm^2, where strains are not small and nothing is linear elastic: check the units "
-                                "of forces, lengths and moduli.");
-}
-
-/// Crystals without a fault yield at a tenth of their shear modulus or more; what is said to be stronger is in Pa.
-void warn_of_strengths_beyond_elasticity(const ContactProblem& problem, ContactSolution& solution) {
-    double stiffest = 0;
-    for (const Body* body : {&problem.bodies.upper, &problem.bodies.lower})
-        if (!body->material.is_rigid()) stiffest = std::max(stiffest, body->material.G);
-    if (problem.bodies.pair || !(stiffest > 0)) return;
-    const auto warn_of = [&](const std::string& field, double strength) {
-        if (!std::isfinite(strength) || strength <= largest_strain * stiffest) return;
-        solution.warnings.push_back(field + " is " + short_text(strength) +
-                                    " N/mm^2, more than a tenth of the shear modulus, " + short_text(stiffest) +
-                                    " N/mm^2, which nothing bears: it is in N/mm^2, not in Pa.");
-    };
-    if (problem.friction && problem.friction->layer)
-        warn_of("friction.layer.yield_stress", problem.friction->layer->yield_stress);
-    if (!problem.fatigue || !problem.fatigue->strength) return;
-    warn_of("fatigue.strength.shear_yield", problem.fatigue->strength->shear_yield);
-    warn_of("fatigue.strength.tau_e", problem.fatigue->strength->tau_e.value_or(0));
-}
-
-void warn_of_friction_in_percent(const ContactProblem& problem, ContactSolution& solution) {
-    constexpr double most = 2;
-    if (!problem.friction || problem.friction->mu.empty()) return;
-    const double largest = *std::ranges::max_element(problem.friction->mu);
-    if (largest > most)
-        solution.warnings.push_back("friction.mu is up to " + short_text(largest) +
-                                    "; coefficients of friction are below 2: it is not in percent.");
-}
-
 /// Closed forms take each strip for the surface of a half-space: they know neither the edge of a block nor its ground.
 void warn_of_edges(const ContactProblem& problem, ContactSolution& solution) {
     const Grid& grid = problem.grid;
@@ -230,11 +162,7 @@ bool sums_over_elements(const ContactProblem& problem) {
 
 void warn(const ContactProblem& problem, ContactSolution& solution) {
     warn_of_edges(problem, solution);
-    warn_of_pressures_beyond_elasticity(problem, solution);
-    warn_of_strengths_beyond_elasticity(problem, solution);
-    warn_of_friction_in_percent(problem, solution);
-    warn_of_rigid_slip_that_is_no_creepage(problem, solution);
-    warn_of_friction_that_never_falls(problem, solution);
+    for (std::string& warning : unit_warnings(problem, solution)) solution.warnings.push_back(std::move(warning));
     for (std::string& warning : creep_warnings(problem, solution)) solution.warnings.push_back(std::move(warning));
     if (problem.model == Model::full)
         for (std::string& warning : discretisation_warnings(problem, solution))

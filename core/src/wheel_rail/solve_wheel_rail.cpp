@@ -11,6 +11,7 @@
 #include "wheel_rail/patches/half_space_cache.hpp"
 #include "wheel_rail/plausibility.hpp"
 #include "wheel_rail/right_wheel.hpp"
+#include "wheel_rail/units.hpp"
 #include "wheel_rail/warnings.hpp"
 
 namespace contactd {
@@ -26,9 +27,11 @@ InfluenceSource source_for(const WheelRailSetup& setup, InfluenceSource source) 
 
 /// With what set-up and state themselves should make their user think about.
 template <class Answer>
-Answer warned(Answer answer, const std::vector<std::string>& of_setup, const WheelRailState& state) {
+Answer warned(Answer answer, const std::vector<std::string>& of_setup, const WheelRailSetup& setup,
+              const WheelRailState& state) {
     answer.warnings.insert(answer.warnings.begin(), of_setup.begin(), of_setup.end());
     for (std::string& warning : warnings_of(state)) answer.warnings.push_back(std::move(warning));
+    for (std::string& warning : unit_warnings(setup, state)) answer.warnings.push_back(std::move(warning));
     return answer;
 }
 
@@ -41,6 +44,7 @@ struct WheelRailContact::Parts {
           profiles(std::move(curves)),
           influences(std::move(source)),
           warnings(plausibility_warnings(setup, *profiles)) {
+        for (std::string& warning : unit_warnings(setup)) warnings.push_back(std::move(warning));
         if (setup.conformal != Conformal::automatic) return;
         plane = curved = solved;
         plane->conformal = Conformal::off;
@@ -87,8 +91,11 @@ WheelRailContact WheelRailContact::with_friction(const WheelRailFriction& fricti
 }
 
 WheelRailSolution WheelRailContact::solve(const WheelRailState& state, Observer& observer) const {
-    return warned(parts_->of_right_wheel(state, observer, [&](RightWheel&& wheel) { return wheel.solve(observer); }),
-                  parts_->warnings, state);
+    WheelRailSolution solution =
+        warned(parts_->of_right_wheel(state, observer, [&](RightWheel&& wheel) { return wheel.solve(observer); }),
+               parts_->warnings, parts_->setup, state);
+    for (std::string& warning : position_warnings(state)) solution.warnings.push_back(std::move(warning));
+    return solution;
 }
 
 WheelRailSolution WheelRailContact::solve(const WheelRailState& state, WheelRailEstimates& estimates,
@@ -107,12 +114,12 @@ WheelRailSolution WheelRailContact::solve_within_step(const WheelRailState& stat
                                              wheel.start_from(estimates);
                                              return wheel.solve(observer);
                                          }),
-                  parts_->warnings, state);
+                  parts_->warnings, parts_->setup, state);
 }
 
 WheelRailGeometry WheelRailContact::locate(const WheelRailState& state, const Observer& observer) const {
     return warned(parts_->of_right_wheel(state, observer, [](RightWheel&& wheel) { return wheel.locate(); }),
-                  parts_->warnings, state);
+                  parts_->warnings, parts_->setup, state);
 }
 
 std::optional<double> WheelRailContact::first_contact_height(const WheelRailState& state,

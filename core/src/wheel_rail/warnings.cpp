@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "types/number_text.hpp"
+#include "wheel_rail/units.hpp"
 
 namespace contactd {
 namespace {
@@ -74,7 +75,8 @@ std::vector<std::string> warnings_of(const WheelRailState& state) {
 
 std::vector<std::string> warnings_of(const ContactReference& reference, Side side, const ContactSolution& solution) {
     std::vector<std::string> warnings;
-    for (const std::string& warning : solution.warnings) warnings.push_back(name_of(reference, side) + ": " + warning);
+    for (const std::string& warning : solution.warnings)
+        if (!names_inputs_of_patches(warning)) warnings.push_back(name_of(reference, side) + ": " + warning);
     return warnings;
 }
 

@@ -12,6 +12,7 @@
 #include "contactd/fields/ic_spec.hpp"
 #include "contactd/grid.hpp"
 #include "contactd/uniform_elements.hpp"
+#include "types/ics/row_of_layers.hpp"
 #include "types/number_text.hpp"
 
 namespace contactd {
@@ -86,9 +87,7 @@ void validate_layers(const IcSpec& spec) {
                                                 "; it must be the material of the topmost layer, or be left out");
     if (spec.source != IcSource::analytic)
         throw InvalidArgument("ics.source", "is fem; coefficients of layers are analytic");
-    if (spec.line_contact)
-        throw InvalidArgument("ics.line_contact",
-                              "goes with half-spaces, not with layers: take a long row of elements");
+    if (spec.line_contact) throw InvalidArgument("ics.line_contact", row_of_layers);
 }
 
 void validate_uniform(const IcSpec& spec) {

@@ -71,6 +71,14 @@ def test_a_curve_gives_back_the_values_that_it_was_made_with():
     np.testing.assert_allclose(found.residuals, found.measured - found.computed)
 
 
+@pytest.mark.parametrize("unit", [1.0, 1e6])  # coefficients, and mN
+def test_forces_that_are_no_part_of_the_normal_force_are_doubted(unit):
+    found = contactd.fit(Closed(tanh), PROBLEM, CREEPAGE, unit * curve(tanh), BOUNDS, quantity="force")
+    assert any("of the normal force, 1000 N. Forces are in N: not in kN" in one for one in found.warnings)
+    sound = contactd.fit(Closed(tanh), PROBLEM, CREEPAGE, 1000 * curve(tanh), BOUNDS, quantity="force")
+    assert sound.warnings == ()
+
+
 def test_intervals_hold_the_values_as_often_as_they_say():
     """190 of 200 curves with noise should; a binomial deviation of 3 is 9."""
     inside = {MU: 0, FLEXIBILITY: 0}
@@ -233,6 +241,7 @@ def test_an_interrupt_ends_it():
         ({"measured": np.full(22, np.nan)}, InvalidArgument, r"measured\[0\] is nan; every value must be finite"),
         ({"measured": np.zeros(22)}, InvalidArgument, "measured is zero everywhere"),
         ({"measured": -curve(tanh)}, InvalidArgument, "negative where the creepage is positive"),
+        ({"measured": 9600 * curve(tanh)}, InvalidArgument, 'traction coefficients are below 2. For forces in N set quantity to "force"'),
         ({"uncertainty": np.zeros(22)}, InvalidArgument, r"uncertainty\[0\] is 0; standard uncertainties must be above 0"),
         ({"uncertainty": [1.0]}, InvalidArgument, "uncertainty has 1 values"),
         ({"parameters": {}}, InvalidArgument, "parameters has none"),

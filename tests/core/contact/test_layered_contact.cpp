@@ -1,12 +1,17 @@
 // Contact of bodies of layers: what it tends to, and that random problems meet all contact conditions.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <cmath>
+#include <numbers>
 
 #include "random_layers.hpp"
 
 using namespace contactd;
 using namespace contactd::test;
+using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
@@ -64,6 +69,45 @@ TEST_CASE("layers of one material are in contact as the half-space is") {
     CHECK(largest_difference(found.pressure, expected.pressure) < 1e-7 * expected.pmax);
     CHECK(largest_difference(found.traction_x, expected.traction_x) < 1e-4 * expected.pmax);
     CHECK(largest_difference(found.traction_y, expected.traction_y) < 1e-4 * expected.pmax);
+}
+
+// Hertz's line contact: a^2 = 4 F R/(pi E*), pmax = 2 F/(pi a) for the force F a length, with E* = G/(1 - nu).
+TEST_CASE("a row of long elements on layers is a line contact, and its ends are no border") {
+    constexpr double radius = 100, force = 500;
+    ContactProblem problem;
+    problem.grid = Grid::of_elements(64, 1, 0.03, 20);
+    problem.bodies = {{steel}, steel_in_layers()};
+    problem.gap = Paraboloid{.Rx = radius};
+    problem.Fn = force * problem.grid.dy;
+    const double pi = std::numbers::pi, modulus = steel.G / (1 - steel.nu),
+                 a = std::sqrt(4 * force * radius / pi / modulus);
+    const ContactSolution solution = solve_layers(problem);
+    REQUIRE(solution.converged());
+    CHECK_THAT(solution.pmax, WithinRel(2 * force / (pi * a), 5e-3));
+    CHECK(solution.elements.border == 0);
+    CHECK(solution.warnings.empty());
+
+    problem.grid.dy = 4;  // hardly longer than the contact: its ends do matter
+    problem.Fn = force * problem.grid.dy;
+    CHECK(solve_layers(problem).elements.border > 0);
+}
+
+TEST_CASE("a line contact of layers is refused with the way round it") {
+    ContactProblem problem;
+    problem.grid = Grid::of_elements(64, 1, 0.03, 20);
+    problem.gap = Paraboloid{.Rx = 100};
+    problem.Fn = 1e4;
+    Ics line;
+    line.line_contact = LineContactSpec{100};
+    const Body layered = steel_in_layers();
+    Body layered_line = layered;
+    std::get<Ics>(layered_line.ics).line_contact = line.line_contact;
+    for (const Body& lower : {layered, layered_line})
+        for (const Body& upper : {Body{steel, line}, layered}) {
+            if (lower == layered && upper == layered) continue;
+            problem.bodies = {upper, lower};
+            CHECK_THROWS_WITH(validate(problem), ContainsSubstring("take one row of long elements: grid.ny 1"));
+        }
 }
 
 TEST_CASE("a ball on a thin layer on a rigid base presses as on a Winkler foundation") {

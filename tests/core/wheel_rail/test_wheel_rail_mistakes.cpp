@@ -133,11 +133,40 @@ TEST_CASE("A state in other units says so in a warning") {
         state.velocity.pitch = 43.4;
         warned("slides along the rail by");
     }
+    SECTION("a position in metres") {
+        state.position.y = 0.0061;
+        warned("position.y is 0.0061 mm, micrometres off the middle of the track. Give lengths in mm, not in m.");
+    }
+    SECTION("a load in kN") {
+        state.Fz = 60;
+        warned("Fz is 60 N, next to nothing for a wheel of radius 460 mm. Give forces in N, not in kN.");
+    }
     SECTION("a distance of the wheels in metres") {
         setup.wheelset.flange_back_distance = 1.36;
         setup.wheelset.flange_back_position = -0.07;
         warned("check position.y, track.gauge, flange_back_distance");
     }
+}
+
+TEST_CASE("Moduli that no wheel has are warned of once, not for each contact") {
+    WheelRailSetup setup;
+    setup.dx = setup.dy = 0.5;
+    WheelRailState state;
+    state.velocity = {20000, 0, 0, 0, 0, -43.4};
+    state.Fz = 60000;
+    const auto sentences_of = [&](double G) {
+        setup.bodies.upper.material = setup.bodies.lower.material = Material{G, 0.28};
+        std::vector<std::string> sentences;
+        for (const std::string& warning : solve(setup, state).warnings)
+            if (warning.find(".G is") != std::string::npos) sentences.push_back(warning);
+        return sentences;
+    };
+    CHECK(sentences_of(82000).empty());
+    CHECK(sentences_of(40000).empty());  // cast iron
+    REQUIRE(sentences_of(210000).size() == 1);
+    CHECK_THAT(sentences_of(210000).front(), ContainsSubstring("Give the shear modulus, not Young's modulus"));
+    REQUIRE(sentences_of(8.2e10).size() == 1);
+    CHECK_THAT(sentences_of(8.2e10).front(), ContainsSubstring("Give moduli in N/mm^2, not in Pa"));
 }
 
 TEST_CASE("Mistakes in a state are refused by name") {

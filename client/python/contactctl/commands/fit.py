@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -13,6 +14,7 @@ import typer
 
 import contactd
 from contactd import Fit, FitFailed, MissingExtra
+from contactd.files.heading_units import heading_of
 from contactd.files.marks import written_by
 from contactd.files.number_text import number_in, rows_of
 from contactd.files.whole import read_whole
@@ -33,6 +35,7 @@ __all__ = ["add_to"]
 
 _MOST_BYTES = 1 << 24  #: of a file with a curve
 _COLUMNS = ("creepage", "measured", "computed", "residual")
+_PERCENT = re.compile(r"[\[(]\s*%\s*[\])]|\bper ?cent\b", re.IGNORECASE)
 _BETWEEN = 61  #: creepages of the curve that is drawn
 
 
@@ -52,7 +55,7 @@ def fit(
     quantity: Annotated[str, typer.Option("--quantity", help="Measured is the coefficient of traction, or the force (N).")] = "coefficient",
     force: Annotated[str | None, typer.Option("--force", help="Fx or Fy; else that of the creepage.")] = None,
     columns: Annotated[str | None, typer.Option("--columns", metavar="N,N[,N]", help="Columns of creepage, value and uncertainty; else the first ones.")] = None,
-    percent: Annotated[bool, typer.Option("--percent", help="Creepages are in per cent.")] = False,
+    percent: Annotated[bool | None, typer.Option("--percent/--no-percent", help="Creepages are in per cent; else ratios.")] = None,
     confidence: Annotated[float, typer.Option("--confidence", help="Probability of intervals and of the band.")] = 0.95,
     evaluations: Annotated[int, typer.Option("--max-evaluations", min=1, max=100000, help="Most curves that the search may compute, beside those of derivatives.")] = 100,
     plot: Annotated[str | None, typer.Option("--plot", metavar="FILE", help="A picture, .png, .svg or .pdf.")] = None,
@@ -107,16 +110,19 @@ def _check_outputs(plot: str | None, table: Path | None, output: str | None) -> 
         writable("--output", output)
 
 
-def _points(file: Path, columns: str | None, percent: bool) -> list[np.ndarray[Any, Any]]:
+def _points(file: Path, columns: str | None, percent: bool | None) -> list[np.ndarray[Any, Any]]:
     """Creepages, values and, where the file has a third column, uncertainties."""
     try:
-        rows = np.array(rows_of(read_whole(file, _MOST_BYTES).decode("utf-8-sig")))
+        text = read_whole(file, _MOST_BYTES).decode("utf-8-sig")
+        rows = np.array(rows_of(text))
     except OSError as error:
         raise click.UsageError(f"{file} cannot be read: {error.strerror or error}.") from None
     except UnicodeDecodeError:
         raise click.UsageError(f"{file} is no text in UTF-8.") from None
     except ValueError as error:
         raise click.UsageError(f"{file} holds no curve: {error}.") from None
+    if percent is None and (line := next(filter(_PERCENT.search, heading_of(text)), None)) is not None:
+        raise click.UsageError(f"{file}: its heading, {line.strip()[:60]!r}, states per cent. Give --percent, or --no-percent for creepages that are ratios.")
     chosen = list(range(min(3, rows.shape[1]))) if columns is None else _columns(columns, rows.shape[1], file)
     if len(chosen) < 2:
         raise click.UsageError(f"{file} has one column; a curve has creepages and values.")

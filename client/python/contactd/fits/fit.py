@@ -22,6 +22,7 @@ from ..values.service import Progress
 from .creep_curves import CreepCurves, Response
 from .measured_curve import MeasuredCurve
 from .parameter import VariedParameter, varied
+from .plausibility import check_coefficients, unlikely_forces
 from .search import FitFailed, Found, Search
 from .statistics import Certainty, certainty_of
 
@@ -84,6 +85,7 @@ def fit(
     fields = varied(parameters, start or {}, params)
     response = Response.of(by, force, quantity)
     _check(fields, points, response, confidence, starts, max_evaluations)
+    check_coefficients(points, response)
     asked = None if curve is None else MeasuredCurve.of(curve, np.ones(len(np.atleast_1d(curve))), None).creepage
 
     def report(evaluations: int, rms: float) -> None:
@@ -129,7 +131,7 @@ def _made(
         raise FitFailed(f"The curve of the values found cannot be computed again: {curves.trouble}")
     residuals = points.residuals(computed)
     certainty = certainty_of(fields, found.places, found.jacobian * points.weight[:, None], residuals, confidence)
-    own = list(certainty.sentences)
+    own = [*certainty.sentences, *unlikely_forces(points, response, curves.problem(values))]
     if not found.converged:
         own.insert(0, f"The search did not converge: {found.reason}.")
     if found.trouble:

@@ -111,3 +111,16 @@ def test_values_are_shown_with_six_digits():
 
 def test_what_is_not_finite_is_null_in_json():
     assert plain_json({"a": float("nan"), "b": np.array([1.0, np.inf]), "c": np.float64(2)}) == {"a": None, "b": [1.0, None], "c": 2.0}
+
+
+@pytest.mark.parametrize(("heading", "factor"), [("# Value units: m", 1e3), ("# z [µm]", 1e-3), ("# rows from below", 1)])
+def test_heights_of_a_file_are_in_mm_by_the_unit_of_its_heading(file, heading, factor):
+    file("heights.txt", f"# Channel: Topography\n# Width: 3.00 mm\n{heading}\n1.5e-4 1e-4\n1e-4 5e-5\n")
+    found = read_object(file("a.yaml", "gap: {array: {$file: heights.txt}}\n"))["gap"]["array"]
+    np.testing.assert_allclose(found, factor * np.array([[1.5e-4, 1e-4], [1e-4, 5e-5]]), rtol=1e-15)
+
+
+def test_heights_in_a_unit_of_no_length_are_refused_with_their_file(file):
+    file("heights.txt", "# Value units: V\n1 2\n")
+    with pytest.raises(click.UsageError, match="heights.txt, .*its heading states the unit 'V'"):
+        read_object(file("a.yaml", "gap: {array: {$file: heights.txt}}\n"))

@@ -70,6 +70,14 @@ def test_scripts_get_all_numbers(files):
     assert told["params"]["friction"]["layer"]["flexibility"] == values(told)["friction.layer.flexibility"]
 
 
+@pytest.mark.parametrize("heading", ["Schlupf (%) Kraftschluss", "# creepage [%], coefficient", "creepage in per cent"])
+def test_a_heading_that_states_per_cent_asks_for_the_option(files, heading):
+    files.write("rig.txt", heading + "\n" + "".join(f"{x:.6f} 0.2\n" for x in CREEPAGE))
+    refused = files("fit", "rig.txt", "--case", "case.yaml", *MU)
+    assert refused.code == Code.USAGE
+    assert "states per cent. Give --percent, or --no-percent" in refused.err
+
+
 @pytest.mark.parametrize("between", [";", " ; ", "  ", "\t"])
 def test_a_curve_is_read_as_numbers_are_everywhere(files, measured, between):
     lines = [f"{100 * x:.8f}{between}{y:.8f}".replace(".", ",") for x, y in zip(CREEPAGE, measured)]

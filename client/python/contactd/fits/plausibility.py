@@ -1,0 +1,42 @@
+"""Units of a measured curve, as far as its magnitudes tell them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from ..errors import invalid
+from .creep_curves import Response
+from .measured_curve import MeasuredCurve
+
+__all__ = ["check_coefficients", "unlikely_forces"]
+
+_LARGEST_COEFFICIENT = 2.0  #: as the daemon has it of friction.mu
+_LEAST_COEFFICIENT = 1e-3  #: of a curve: less than any lubricated contact has
+
+
+def check_coefficients(points: MeasuredCurve, response: Response) -> None:
+    """Raises InvalidArgument for forces, or per cent, in the place of coefficients."""
+    largest = float(np.max(np.abs(points.value)))
+    if response.is_coefficient and largest > _LARGEST_COEFFICIENT:
+        raise invalid(
+            "measured",
+            f"reaches {largest:g}, and traction coefficients are below {_LARGEST_COEFFICIENT:g}. For forces in N set quantity to "
+            '"force"; divide coefficients in per cent by 100',
+        )
+
+
+def unlikely_forces(points: MeasuredCurve, response: Response, params: Mapping[str, Any]) -> list[str]:
+    """Sentences about forces that are no part of the normal force that is prescribed."""
+    Fn = params.get("Fn")
+    if response.is_coefficient or not isinstance(Fn, (int, float)) or not Fn > 0:
+        return []
+    largest = float(np.max(np.abs(points.value)))
+    if _LEAST_COEFFICIENT * Fn <= largest <= _LARGEST_COEFFICIENT * Fn:
+        return []
+    return [
+        f"measured reaches {largest:g} N, {largest / Fn:.2g} of the normal force, {Fn:g} N. Forces are in N: not in kN, and no "
+        'coefficients, for which quantity is "coefficient".'
+    ]

@@ -1,0 +1,164 @@
+#include "unit_warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "types/number_text.hpp"
+
+namespace contactd {
+namespace {
+
+using Sentences = std::vector<std::string>;
+
+/// Returns the slip velocity of the last step (mm/s); its slip is relative already where it rolls. Models without slip
+/// in the elements take friction at the velocity of the creepage.
+double largest_slip_velocity(const Motion& motion, const ContactSolution& solution) {
+    double slip = 0;
+    for (std::size_t i = 0; i < solution.slip_x.size(); ++i)
+        slip = std::max(slip, std::hypot(solution.slip_x[i], solution.slip_y[i]));
+    const auto* rolling = std::get_if<Rolling>(&motion);
+    if (rolling == nullptr) return slip / std::get<Shift>(motion).duration;
+    if (solution.slip_x.empty()) slip = std::hypot(rolling->xi, rolling->eta);
+    return slip * rolling->velocity;
+}
+
+void warn_of_friction_that_never_falls(const ContactProblem& problem, const ContactSolution& solution,
+                                       Sentences& warnings) {
+    constexpr double hardly_any = 1e-3;  // of the slip velocity in the law
+    if (!problem.friction || !problem.friction->kinetic || solution.elements.slip == 0) return;
+    const double largest = largest_slip_velocity(solution.motion.value_or(problem.motion), solution);
+    const double in_law = problem.friction->kinetic->slip_velocity;
+    if (largest >= hardly_any * in_law) return;
+    const bool rolls = std::holds_alternative<Rolling>(problem.motion);
+    const bool of_creepage = rolls && solution.slip_x.empty();
+    warnings.push_back(
+        std::string("Friction hardly falls: the ") +
+        (of_creepage ? "velocity of the creepage (xi, eta)" : "largest slip velocity") + " is " + short_text(largest) +
+        " mm/s, and friction.kinetic.slip_velocity is " + number_text(in_law) + " mm/s. Slip velocities follow from " +
+        (rolls ? "friction.rolling.velocity (mm/s)" : "friction.duration (s)") + ", which is 1 where it is left out.");
+}
+
+/// Somebody who has slip over a time step, in mm, gets a number that is far from small.
+void warn_of_rigid_slip_that_is_no_creepage(const ContactProblem& problem, Sentences& warnings) {
+    if (!problem.friction || !std::holds_alternative<Rolling>(problem.motion)) return;
+    double largest = 0;
+    for (std::size_t i = 0; i < problem.rigid_slip.x.size(); ++i)
+        largest = std::max(largest, std::hypot(problem.rigid_slip.x[i], problem.rigid_slip.y[i]));
+    if (largest <= 1) return;
+    warnings.push_back("friction.rigid_slip is up to " + short_text(largest) +
+                       ", more than the bodies roll: of rolling it is slip over the distance rolled, as "
+                       "creepages are, and not in mm.");
+}
+
+constexpr double largest_strain = 0.1;  // of shear: beyond it strains are no longer small
+
+/// Loads, radii and moduli in different units lead to pressures that no body carries. Thin layers that can hardly be
+/// compressed bear more than that under small strains, and are left out.
+void warn_of_pressures_beyond_elasticity(const ContactProblem& problem, const ContactSolution& solution,
+                                         Sentences& warnings) {
+    if (problem.bodies.pair || problem.bodies.any_layered() || !(solution.pmax > 0)) return;
+    double softest = std::numeric_limits<double>::infinity();
+    for (const Body* body : {&problem.bodies.upper, &problem.bodies.lower})
+        if (body->computed() != nullptr && !body->material.is_rigid()) softest = std::min(softest, body->material.G);
+    if (!(solution.pmax > largest_strain * softest)) return;
+    warnings.push_back("The largest pressure, " + short_text(solution.pmax) +
+                       " N/mm^2, is more than a tenth of the shear modulus, " + short_text(softest) +
+                       " N/mm^2, where strains are not small and nothing is linear elastic: check the units "
+                       "of forces, lengths and moduli.");
+}
+
+/// Crystals without a fault yield at a tenth of their shear modulus or more; what is said to be stronger is in Pa.
+void warn_of_strengths_beyond_elasticity(const ContactProblem& problem, Sentences& warnings) {
+    double stiffest = 0;
+    for (const Body* body : {&problem.bodies.upper, &problem.bodies.lower})
+        if (!body->material.is_rigid()) stiffest = std::max(stiffest, body->material.G);
+    if (problem.bodies.pair || !(stiffest > 0)) return;
+    const auto warn_of = [&](const std::string& field, double strength) {
+        if (!std::isfinite(strength) || strength <= largest_strain * stiffest) return;
+        warnings.push_back(field + " is " + short_text(strength) + " N/mm^2, more than a tenth of the shear modulus, " +
+                           short_text(stiffest) + " N/mm^2, which nothing bears: it is in N/mm^2, not in Pa.");
+    };
+    if (problem.friction && problem.friction->layer)
+        warn_of("friction.layer.yield_stress", problem.friction->layer->yield_stress);
+    if (!problem.fatigue || !problem.fatigue->strength) return;
+    warn_of("fatigue.strength.shear_yield", problem.fatigue->strength->shear_yield);
+    warn_of("fatigue.strength.tau_e", problem.fatigue->strength->tau_e.value_or(0));
+}
+
+void warn_of_friction_in_percent(const ContactProblem& problem, Sentences& warnings) {
+    constexpr double most = 2;
+    if (!problem.friction || problem.friction->mu.empty()) return;
+    const auto warn_of = [&](const char* field, double mu) {
+        if (mu > most)
+            warnings.push_back(std::string(field) + " is up to " + short_text(mu) +
+                               "; coefficients of friction are below 2: it is not in percent.");
+    };
+    warn_of("friction.mu", *std::ranges::max_element(problem.friction->mu));
+    if (problem.friction->kinetic) warn_of("friction.kinetic.mu", problem.friction->kinetic->mu);
+}
+
+/// Surfaces that roll hardly slide: what is given in percent, or in another unit of length, is far from small.
+void warn_of_large_creepages(const ContactProblem& problem, const ContactSolution& solution, Sentences& warnings) {
+    constexpr double largest_creepage = 0.5;  // as of wheels on rails
+    const auto* rolling = problem.friction ? std::get_if<Rolling>(&problem.motion) : nullptr;
+    if (rolling == nullptr) return;
+    for (const auto& [name, creepage] : {std::pair("xi", rolling->xi), std::pair("eta", rolling->eta)})
+        if (std::abs(creepage) > largest_creepage)
+            warnings.push_back(std::string("friction.rolling.") + name + " is " + short_text(creepage) +
+                               ": surfaces part by " + short_text(100 * std::abs(creepage)) +
+                               " % of what they roll. Give creepages as ratios, not in percent.");
+    const double size = std::sqrt(solution.area.contact / std::numbers::pi);
+    if (std::abs(rolling->phi) * size > 1)
+        warnings.push_back("friction.rolling.phi is " + short_text(rolling->phi) + ", which parts surfaces by " +
+                           short_text(std::abs(rolling->phi) * size) +
+                           " of what they roll at the contact's radius of " + short_text(size) +
+                           " mm. Give the spin in 1/mm (rad per mm rolled), not in 1/m.");
+}
+
+/// Numbers that are those of steel in another unit, or Young's modulus, and of no other material.
+void warn_of_moduli(const ContactProblem& problem, Sentences& warnings) {
+    if (problem.bodies.pair) return;
+    constexpr double pascal = 1e6;  // N/mm^2
+    const bool is_in_mm = problem.grid.nx * problem.grid.dx > 1 && problem.grid.ny * problem.grid.dy > 1;
+    const auto warn_of = [&](std::string_view name, const Body& body) {
+        const auto [G, nu] = std::pair(body.material.G, body.material.nu);
+        const bool is_steel = nu >= 0.27 && nu <= 0.31 && !body.material.is_rigid() && body.computed() != nullptr;
+        if (!is_steel) return;
+        const auto says = [&](double factor) {
+            const bool shear = G > 7.4e4 * factor && G < 8.6e4 * factor,
+                       young = G > 1.9e5 * factor && G < 2.2e5 * factor;
+            return std::pair(shear || young, young);
+        };
+        const std::string field = "bodies." + std::string(name) + ".G is " + number_text(G);
+        if (says(1).second)
+            warnings.push_back(field +
+                               ", Young's modulus of steel in N/mm^2. G is the shear modulus, E/(2 (1 + nu)) = " +
+                               number_text(std::round(G / (2 * (1 + nu)))) + " N/mm^2 here.");
+        else if (is_in_mm && says(pascal).first)
+            warnings.push_back(field + ", a modulus of steel in Pa, on a grid that is not in metres. Give moduli in " +
+                               "N/mm^2 where lengths are in mm.");
+    };
+    warn_of("upper", problem.bodies.upper);
+    warn_of("lower", problem.bodies.lower);
+}
+
+}  // namespace
+
+std::vector<std::string> unit_warnings(const ContactProblem& problem, const ContactSolution& solution) {
+    Sentences warnings;
+    warn_of_pressures_beyond_elasticity(problem, solution, warnings);
+    warn_of_strengths_beyond_elasticity(problem, warnings);
+    warn_of_moduli(problem, warnings);
+    warn_of_friction_in_percent(problem, warnings);
+    warn_of_rigid_slip_that_is_no_creepage(problem, warnings);
+    warn_of_large_creepages(problem, solution, warnings);
+    warn_of_friction_that_never_falls(problem, solution, warnings);
+    return warnings;
+}
+
+}  // namespace contactd

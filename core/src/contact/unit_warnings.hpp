@@ -1,0 +1,15 @@
+// Likely mistakes of units in contact problems: magnitudes that no contact has.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "contactd/contact.hpp"
+
+namespace contactd {
+
+/// Sentences about moduli, loads, strengths, coefficients and creepages that are out of every proportion, and about a
+/// slip law at velocities that it does not feel.
+std::vector<std::string> unit_warnings(const ContactProblem& problem, const ContactSolution& solution);
+
+}  // namespace contactd
