@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "contactd/ic_exchange.hpp"
+#include "contactd/section_warnings.hpp"
 #include "contactd/version.hpp"
 #include "ic_import.hpp"
 
@@ -75,6 +76,7 @@ CachedInfluence influence_of(const ContactProblem& problem, const IcAnswers& ics
         ContactInfluence influence = make_influence(problem, table_of(problem, bodies.upper, ics[0], observer),
                                                     table_of(problem, bodies.lower, ics[1], observer), observer);
         influence.warnings = table_warnings(ics);
+        for (std::string& warning : accuracy_warnings(ics)) influence.warnings.push_back(std::move(warning));
         return influence;
     };
     if (bodies.any_given()) return {make()};
@@ -91,6 +93,16 @@ IcUses uses_of(const ContactSetup& setup, const IcAnswers& ics) {
     uses.upper = use_of(setup.bodies.upper, ics[0]);
     uses.lower = use_of(setup.bodies.lower, ics[1]);
     return uses;
+}
+
+std::vector<std::string> accuracy_warnings(const IcAnswers& ics) {
+    std::vector<std::string> result;
+    for (const IcAnswer& answer : ics) {
+        if (!answer.record || !answer.record->evidence.section) continue;
+        for (std::string& warning : section_warnings(answer.record->spec.accuracy, *answer.record->evidence.section))
+            if (std::ranges::find(result, warning) == result.end()) result.push_back(std::move(warning));
+    }
+    return result;
 }
 
 std::vector<std::string> table_warnings(const IcAnswers& ics) {

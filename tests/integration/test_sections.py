@@ -9,6 +9,7 @@ import pytest
 from contactd import (
     AnalyticIcs,
     ContactColumns,
+    ContactWarning,
     FemIcs,
     Grid,
     InvalidArgument,
@@ -58,6 +59,21 @@ def test_an_archive_keeps_a_table_with_its_strips(shared, tmp_path):
         save_table(tmp_path / "table.txt", table)
     with pytest.raises(ValueError, match="longitudinally uniform"):
         TableIcs.from_table(table)
+
+
+@pytest.mark.timeout(180)
+@pytest.mark.parametrize("accuracy", [1e-2, pytest.param(4e-4, marks=pytest.mark.slow)])
+def test_a_table_that_misses_its_accuracy_beside_an_edge_is_warned_of_in_every_answer(shared, accuracy):
+    edge = fem({"edge_block": {"width": 20, "height": 10, "edge_distance": 0}}, accuracy)
+    grid = Grid(4, 6, 0.5, 0.5, -1, -1.5)
+    table = shared.get_ic(STEEL, grid, edge, timeout=150)
+    section = table.evidence.section
+    assert section.mesh_error + section.wavenumber_error + section.end_error <= accuracy < section.error
+    sentence = f"exceeds the accuracy asked for, {accuracy:g}"
+    assert any(sentence in warning for warning in table.evidence.warnings)
+    with pytest.warns(ContactWarning, match=sentence):
+        solution = shared.solve(grid=grid, upper=RigidBody(), lower=STEEL, lower_ics=edge, gap=Paraboloid(50, 50), Fn=100)
+    assert any(sentence in warning for warning in solution.warnings)
 
 
 @pytest.mark.timeout(180)  # the table takes a quarter of a minute by itself

@@ -1,12 +1,11 @@
 #include "uniform_build.hpp"
 
-#include <array>
-#include <cstdio>
 #include <sstream>
 #include <utility>
 
 #include "contactd/fem/ic_builder.hpp"
 #include "contactd/fields/ic_spec.hpp"
+#include "contactd/section_warnings.hpp"
 #include "geometry/section/section_geometry.hpp"
 #include "mesh_build.hpp"
 #include "section/section_outline.hpp"
@@ -15,17 +14,8 @@
 namespace contactd::fem {
 namespace {
 
-std::vector<std::string> warnings_of(const IcSpec& spec, const SpectrumErrors& errors) {
-    std::vector<std::string> result;
-    if (errors.total() > spec.accuracy) {
-        std::array<char, 300> text{};
-        std::snprintf(text.data(), text.size(),
-                      "The stated error, %.2g, exceeds the accuracy asked for, %g: %.2g of it is half of what "
-                      "coefficients are not reciprocal by, as of strips beside an edge. Narrower strips, or some that "
-                      "keep away from the edge, have less of it.",
-                      errors.total(), spec.accuracy, errors.reciprocity / 2);
-        result.emplace_back(text.data());
-    }
+std::vector<std::string> warnings_of(const IcSpec& spec, const SectionEvidence& evidence) {
+    std::vector<std::string> result = section_warnings(spec.accuracy, evidence);
     if (const auto* rail = std::get_if<RailSection>(&spec.section->shape);
         rail != nullptr && rail->support == RailSupport::foot)
         result.emplace_back(
@@ -55,7 +45,7 @@ IcRecord build_uniform(MPI_Comm comm, const IcSpec& spec, Observer& observer, st
                         errors.total(),     errors.mesh,
                         errors.wavenumbers, errors.end,
                         errors.reciprocity};
-    evidence.warnings = warnings_of(spec, errors);
+    evidence.warnings = warnings_of(spec, *evidence.section);
     record.tables = std::move(build.spectrum);
     finish_evidence(evidence, start, comm);
     return record;

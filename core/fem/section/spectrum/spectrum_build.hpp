@@ -37,8 +37,8 @@ struct SpectrumBuild {
 /// Collective; wavenumbers are spread over the processes, and every one gets the result. `outline` and the frames of
 /// `columns` have lengths over ds. Throws InvalidArgument when no mesh can be made, OutOfMemory when the processes
 /// together would need more than `max_memory_bytes` (0: no limit) as the analysis of the matrix predicts, NotConverged
-/// when nothing holds the body or the finest choice misses the accuracy, and Cancelled. From 5e-4 on the defect of
-/// reciprocity alone may be more than the accuracy; `errors` has it.
+/// when nothing holds the body or the finest choice misses the accuracy, and Cancelled. The defect of reciprocity,
+/// which no mesh makes less, may be more than the accuracy; `errors` has it.
 SpectrumBuild build_spectrum(MPI_Comm comm, const SectionOutline& outline, double nu, double accuracy,
                              Observer& observer, std::uint64_t max_memory_bytes = 0);
 

@@ -3,11 +3,13 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <vector>
 
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
+#include "contactd/section_warnings.hpp"
 #include "section/spectrum/spectrum_build.hpp"
 #include "section/triangulation.hpp"
 #include "section_cases.hpp"
@@ -47,7 +49,7 @@ Expected expected(const std::vector<Entry>& entries, const Entry& entry, const C
     return {own, false};
 }
 
-/// Below 5e-4 an accuracy is reached or refused.
+/// Below 5e-4 the finest mesh may miss the accuracy.
 std::optional<SpectrumBuild> build_unless_refused(const SectionOutline& outline, double accuracy) {
     Observer observer;
     try {
@@ -67,8 +69,8 @@ void check_references(double accuracy) {
         const SpectrumBuild& build = *reached;
         const StripTable table = strip_table(build.spectrum, 1, 101, 0, ds);
         CAPTURE(one.name, accuracy, build.errors.mesh, build.errors.wavenumbers, build.errors.end);
-        // From 5e-4 on the defect of reciprocity, which no finer mesh makes less, may miss the accuracy with a warning.
-        CHECK((accuracy < 5e-4 ? build.errors.total() : build.errors.numerical()) <= accuracy);
+        // The defect of reciprocity, which no finer mesh makes less, may miss the accuracy with a warning.
+        CHECK(build.errors.numerical() <= accuracy);
         const double allowed = (build.errors.total() + one.own_error) * self + rounding;
         for (const Entry& entry : one.entries)
             for (const Component& component : components) {
@@ -88,8 +90,8 @@ void check_layers(double accuracy) {
         const SpectrumBuild& build = *reached;
         const StripTable table = strip_table(build.spectrum, 1, 7, 0, ds);
         CAPTURE(one.name, accuracy, build.errors.mesh, build.errors.wavenumbers, build.errors.end);
-        // From 5e-4 on the defect of reciprocity, which no finer mesh makes less, may miss the accuracy with a warning.
-        CHECK((accuracy < 5e-4 ? build.errors.total() : build.errors.numerical()) <= accuracy);
+        // The defect of reciprocity, which no finer mesh makes less, may miss the accuracy with a warning.
+        CHECK(build.errors.numerical() <= accuracy);
         const double allowed = build.errors.total() * self + rounding;
         constexpr int loaded = 7;
         for (const auto& [k, l, zz, xx, yy] : one.entries) {
@@ -118,6 +120,46 @@ TEST_CASE("So do finer tables", "[section][slow]") {
 TEST_CASE("So do the finest tables", "[section][long]") {
     check_references(1e-4);
     check_layers(1e-4);
+}
+
+// Far from a load a disc on a core turns as a shaft on an elastic foundation: its angle falls as exp(-lambda x), with
+// lambda^2 = 4 pi/(1/r^2 - 1/R^2)/(pi R^4/2), over 70 radii for a core of 0.005 R.
+TEST_CASE("A disc turns about a small core as a long shaft does", "[section]") {
+    const double accuracy = GENERATE(1e-2, 3e-3);
+    constexpr int strips = 40, offsets = 400;
+    constexpr double core = 0.005;
+    Observer observer;
+    const SpectrumBuild build = build_spectrum(MPI_COMM_SELF, disc(strips, core), nu, accuracy, observer);
+    CHECK(build.errors.numerical() <= accuracy);
+    const StripTable table = strip_table(build.spectrum, 1, offsets);
+    const double pi = std::numbers::pi, R = strips / (2 * pi), r = core * R;
+    const double foundation = 4 * pi / (1 / (r * r) - 1 / (R * R)), stiffness = pi * std::pow(R, 4) / 2,
+                 lambda = std::sqrt(foundation / stiffness);
+    const double scale = half_space_coefficient(z, z, 0, 0, 1, 1, {.G = 1, .nu = nu});
+    constexpr double of_theory = 1e-3;  // 2 (lambda R)^2, and what the core's neighbourhood shears
+    for (const int k : {40, 100, 200, 399}) {
+        CAPTURE(accuracy, k);
+        const double torque = 2 * pi * R * R,  // of unit tractions on a ring as long as a strip is wide
+            expected = R * torque * std::exp(-lambda * k) / (2 * std::sqrt(foundation * stiffness));
+        double sum = 0;
+        for (int J = 0; J < strips; ++J) sum += table(y, y, 7, J, k);
+        CHECK(std::abs(sum - expected) <= strips * build.errors.total() * scale + of_theory * expected);
+    }
+}
+
+TEST_CASE("Strips beside an edge are tabulated to any accuracy that meshes reach, and their error is stated",
+          "[section]") {
+    const auto sentences = [](double accuracy) {
+        Observer observer;
+        const SpectrumBuild build = build_spectrum(MPI_COMM_SELF, edge_block(20, 10, 0.5, 4), nu, accuracy, observer);
+        CHECK(build.errors.numerical() <= accuracy);
+        CHECK(build.errors.total() > accuracy);
+        SectionEvidence evidence;
+        evidence.error = build.errors.total();
+        evidence.reciprocity_defect = build.errors.reciprocity;
+        return section_warnings(accuracy, evidence).size();
+    };
+    for (const double accuracy : {1e-3, 4e-4}) CHECK(sentences(accuracy) == 1);
 }
 
 TEST_CASE("Layers that are long and thin are filled with triangles", "[section]") {
