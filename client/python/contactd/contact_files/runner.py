@@ -150,7 +150,7 @@ class Runner:
         except TableFileError as error:
             return Outcome(case, "wrong", f"{error}.")
         except OSError as error:
-            return Outcome(case, "wrong", f"{error.filename or 'A file that it names'} cannot be read: {error.strerror or error}.")
+            return Outcome(case, "wrong", f"{error.filename or 'A file that it names'}: {error.strerror or error}.")
         is_complete = result.is_converged
         status: Status = "solved" if is_complete else "not converged"
         sentence = "" if is_complete else "A solver or a search missed its tolerance."
