@@ -299,6 +299,20 @@ def test_given_cases_agree_or_are_refused_by_name_or_have_a_reason(shared, given
     print(counts)
 
 
+def test_a_public_shift_is_counted_from_the_top_of_a_rail_without_a_point_there(shared):
+    """As the CONTACT program prints it. The rail is an arc of 270 mm, and the wheel a cone of 1:20."""
+    path = GIVEN.parent / "public-cases" / "h3_shift_on_rail.inp"
+    if not path.is_file():
+        pytest.skip(f"{path} is not there: the public case is not in the tree")
+    (case,) = contact_files.read(path, shared).cases
+    (outcome,) = computed(shared, [case], ProfileFiles(path.parent, shared), "bilinear")
+    (patch,) = outcome.result.patches
+    _, across = outcome.result.spin_centre(patch)
+    assert across == pytest.approx(-270 * np.arctan(1 / 20), abs=0.01)
+    assert across == pytest.approx(-13.49, abs=0.01)
+    assert outcome.result.numbers_of(patch)["MN"] == pytest.approx(19020, rel=1e-3)
+
+
 @pytest.mark.parametrize("number", [36, 37])
 def test_a_given_massless_flexible_rail_is_met_at_the_height_that_is_printed(shared, given, number):
     """Why these cases differ: their heights are not those that the file gives."""

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "contactd/profile_spec.hpp"
@@ -46,12 +47,18 @@ class ProfileCurve {
     const std::vector<double>& knots() const;  ///< s of the points
     bool y_is_monotone() const;                ///< strictly, of the points, by 1e-6 mm at least from end to end
 
+    /// The s from which lengths across a rail are counted: where y = 0, or the end that is nearest, unless the curve
+    /// was told another one.
+    double middle() const { return middle_ ? *middle_ : s_at_y(0); }
+    ProfileCurve counted_from(double s) const;
+
     /// y -> -y, run through from the other end, so that y of the points still ascends (or descends).
     ProfileCurve mirrored() const;
 
    private:
     struct Tables;
     std::shared_ptr<const Tables> tables_;
+    std::optional<double> middle_{};
 };
 
 }  // namespace contactd

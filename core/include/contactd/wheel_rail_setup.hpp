@@ -36,9 +36,9 @@ struct Track {
     /// A roller turns under the wheel in place of the rail: its radius where the profile has z = 0. The profile is not
     /// lifted to the plane of the track then.
     std::optional<double> roller_radius{};
-    /// The roller's surface is one about an axle that leans and moves with the deviations roll and z, while it turns
-    /// about a level axle that does not, which reference programs have and comparisons with them want. Else the axle is
-    /// level and moves with z, and the profile leans on it.
+    /// The roller's surface is one about an axle that leans and moves with the profile, by the deviations roll and z
+    /// and the cant, while it turns about a level axle that does not, which reference programs have and comparisons
+    /// with them want. Else the axle is level and moves with z, and the profile leans on it.
     bool roller_leans = false;
     std::optional<RailSprings> springs{};  ///< absent: the rail is rigid
 

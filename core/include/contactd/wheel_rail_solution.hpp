@@ -21,7 +21,8 @@ struct ContactReference {
     bool operator==(const ContactReference&) const = default;
 };
 
-/// A point of the rail: along the track, and arc length across from the first point of its profile with y >= 0 (mm).
+/// A point of the rail: along the track, and arc length across from where its profile has y = 0 (mm), or, of a profile
+/// that doubles back, from its point nearest to the origin.
 struct RailPlace {
     double along = 0, across = 0;
 

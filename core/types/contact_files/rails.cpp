@@ -30,10 +30,10 @@ void read_discretisation(Reading& reading) {
     if (!reading.has("D_TURN")) reading.take("D_TURN", 2 * reading.real("D_SEP") - reading.real("D_COMB"));
 }
 
-/// The first value says whether the gauge is measured.
+/// The first value says whether the gauge is measured. The cant of an earlier case stays in force on a roller.
 void read_track(Reading& reading) {
     if (!has_track(reading)) return;
-    reading.forget("GAUGSQ GAUGWD RAILY0 RAILZ0 CANT NOMRADR");
+    reading.forget("GAUGSQ GAUGWD RAILY0 RAILZ0 NOMRADR");
     ByName<ContactValue> track = read_values(reading, std::string("GAUGHT GAUGSQ/RAILY0 GAUGWD/RAILZ0 ") +
                                                           (is_on_roller(reading) ? "NOMRADR" : "CANT^") + " {CURV=0}");
     const bool is_measured = std::get<double>(track.at("GAUGHT")) > 0;

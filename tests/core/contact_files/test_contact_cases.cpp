@@ -175,6 +175,15 @@ TEST_CASE("a roller has its radius, and the wheel no place along it", "[contact_
     CHECK_FALSE(read.values.contains("CANT"));
 }
 
+TEST_CASE("the cant of a rail stays in force on the roller of a later case", "[contact_files]") {
+    RailCase roller;
+    roller.digits = "5203100\n0022033\n0000001\n";
+    roller.track = "-1. 0. 0. 500.\n";
+    const ContactCase read = last_of(RailCase{}.text() + roller.text());
+    CHECK(real(read, "NOMRADR") == 500);
+    CHECK(real(read, "CANT") == 0.025);
+}
+
 TEST_CASE("profiles have more options where PRFOPT says so", "[contact_files]") {
     RailCase text;
     text.rail = "'rail.slcs' 1 1000. 5. 1 2\n1 100d 20d 4d 1.5\n-2 0.25\n";

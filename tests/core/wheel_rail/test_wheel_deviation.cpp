@@ -102,6 +102,41 @@ TEST_CASE("Rates of a wheel are those of a wheelset about its profile's origin")
     check_same(contact.solve(wheel, observer), contact.solve(rolling, observer));
 }
 
+TEST_CASE("A wheel that is displaced along the track has the forces of a wheelset that is") {
+    WheelRailSetup setup = coarse_setup(GENERATE(Side::left, Side::right));
+    setup.wheel.shape = ConeProfile{-0.05, -40, 40};
+    setup.rail.shape = ArcProfile{300, 0, -30, 30};
+    setup.rigid_slip = GENERATE(RigidSlipKind::plane, RigidSlipKind::surfaces, RigidSlipKind::elements);
+    setup.conformal = GENERATE(Conformal::off, Conformal::half_space);
+    setup.patches.search = GENERATE(ContactSearch::locus, ContactSearch::mesh);
+    const bool shifts = GENERATE(true, false);
+    if (setup.conformal != Conformal::off && setup.rigid_slip == RigidSlipKind::surfaces) return;
+    WheelRailState state;
+    state.Fz = 2e4;
+    state.position.yaw = 0.002;
+    state.velocity = {2000, 3, 0, 0.01, 0.02, -2000 / 460.0};
+    if (shifts) {
+        state.motion = WheelRailMotion::shift;
+        state.time_step = 1e-5;
+    }
+    WheelRailState displaced = state;
+    displaced.wheel.x = 3;
+    state.position.y += 3 * std::sin(state.position.yaw);  // along the wheelset's x
+    Observer observer;
+    const WheelRailSolution there = WheelRailContact(setup).solve(displaced, observer);
+    const WheelRailSolution here = WheelRailContact(setup).solve(state, observer);
+    REQUIRE(here.in_contact());
+    const Wrench &one = there.forces.track, &other = here.forces.track;
+    REQUIRE(std::abs(other.Fy) > 100);
+    // Elements of shifts are counted along the rail, and lie otherwise in the contact.
+    const double off = (shifts ? 5e-3 : 2e-5) * other.Fz;
+    CHECK_THAT(one.Fz, WithinRel(other.Fz, 1e-6));
+    CHECK_THAT(one.Fx, WithinAbs(other.Fx, off));
+    CHECK_THAT(one.Fy, WithinAbs(other.Fy, off));
+    CHECK_THAT(there.patches[0].place.reference.x, WithinAbs(here.patches[0].place.reference.x + 3, 0.02));
+    CHECK_THAT(there.z, WithinAbs(here.z, 2e-5));
+}
+
 TEST_CASE("A wheel that leans touches where one with a turned profile does") {
     const double angle = 0.02;
     WheelRailSetup turned = coarse_setup();

@@ -42,7 +42,7 @@ Rotation seen_by(const Rotation& outer, const Rotation& inner) {
     return {outer.turned_back(inner.x), outer.turned_back(inner.y), outer.turned_back(inner.z)};
 }
 
-/// From the first point with y >= 0 on (mm).
+/// From where the profile has y = 0 on (mm).
 double length_along(const ProfileCurve& profile, double y) {
     return profile.arc_length(profile.s_at_y(y)) - geometry::arc_length_of_middle(profile);
 }
@@ -118,7 +118,7 @@ std::array<double, 38> location_of(const WheelRailPatch& patch, RailCase& rail, 
             on_wheel.x,
             side * on_wheel.y,
             on_wheel.z,
-            length_along(profiles.wheel, on_wheel.y),
+            -length_along(profiles.wheel, on_wheel.y),  // counted towards the flange
             angle(frames.wheel),
             centre.x,
             side * centre.y,

@@ -22,9 +22,10 @@ double outwards(const Settings& settings) {
     return on_left_side(settings) ? -1 : 1;
 }
 
-/// Returns whether a roller's surface leans with its deviation, which of rails is a roll alone.
+/// Returns whether a roller's surface leans with its profile, by its deviation or its cant; of rails the profile alone
+/// does.
 bool leans(const RailSettings& rail) {
-    return rail.deviation.roll != 0;
+    return rail.deviation.roll != 0 || rail.track.cant != 0;
 }
 
 /// A roller goes along with its axle where its profile is placed itself.
@@ -41,6 +42,7 @@ Track track_of(const Settings& settings, const RailSettings& rail) {
     } else {
         track.rail_origin = ProfilePoint{outwards(settings) * given.rail_y, given.rail_z + sunk(settings, rail)};
     }
+    track.cant = given.cant;
     if (on_roller(settings)) {
         if (!(given.roller_radius > 0))
             throw Refused(error_code::input, "The radius of the roller is not positive; call cntc_settrackdimensions.");
@@ -52,7 +54,6 @@ Track track_of(const Settings& settings, const RailSettings& rail) {
         track.roller_leans = leans(rail);
         return track;
     }
-    track.cant = given.cant;
     if (settings.digits(flag::force) == springs && (given.spring_y > 0 || given.spring_z > 0)) {
         track.springs.emplace();
         if (given.spring_y > 0) track.springs->y = given.spring_y;
@@ -93,6 +94,11 @@ Conformal rotated_of(int variant) {
             "contactd does not have: half-spaces that turn with their loads (C = 4, VARIANT = 1, 2). Set flag "
             "1990 to 3 or 4.");
     return variant == of_displacements ? Conformal::rotated_displacements : Conformal::rotated;
+}
+
+bool slips_by_surfaces(const Settings& settings) {
+    const int surfaces = settings.digits(flag::discretisation);
+    return surfaces == slip_of_surfaces || surfaces == curved;
 }
 
 Conformal conformal_of(const Settings& settings) {
@@ -244,9 +250,23 @@ WheelRailState placed_state(const Settings& settings, const RailSettings& rail) 
 }
 
 WheelRailState state_of(const Settings& settings, const RailSettings& rail) {
+/// Returns the pitch rate without creepage, near which the one that brings Fx is found.
+double free_pitch_rate(const RailSettings& rail, const WheelRailState& state) {
+    return -(state.velocity.x + state.roller_pitch * rail.track.roller_radius) / rail.wheelset.nominal_radius;
+}
+
+/// In a plane a wheel that is displaced along the track turns about the axle of the rigid wheelset; contactd's turns
+/// about an axle that goes along with it.
+void rotate_about_rigid_axle(WheelRailState& state, double pitch_rate) {
+    state.wheel.y_velocity += state.wheel.x * state.velocity.yaw;
+    state.wheel.z_velocity -= state.wheel.x * pitch_rate;
+}
+
     WheelRailState state = placed_state(settings, rail);
     const int force = settings.digits(flag::force), tangential = settings.digits(flag::tangential);
     if (force == springs) {
+    if (!slips_by_surfaces(settings))
+        rotate_about_rigid_axle(state, force == longitudinal ? free_pitch_rate(rail, state) : state.velocity.pitch);
         state.rail.Fy = rail.track.spring_force_y;
         state.rail.Fz = rail.track.spring_force_z;
     }

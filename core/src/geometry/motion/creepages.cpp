@@ -36,7 +36,7 @@ Creepages creepages(const WheelSurface& wheel, const RailSurface& rail, const Wh
     const Vector3 on_wheel = contact.origin + approach * contact.axes.z;
     const SurfaceMotion rim = of_wheel(wheel, state, on_wheel), ground = of_rail(rail, state, contact.origin);
     const Vector3 pitching = wheel.wheelset().axes * Vector3{0, state.velocity.pitch, 0};
-    const double of_rim = cross(pitching, on_wheel - wheel.wheelset().origin).x;
+    const double of_rim = cross(pitching, on_wheel - centre_of_rotation(wheel, state)).x;
     RollingSpeeds speeds{rim.velocity.x - ground.velocity.x - of_rim, of_rim};
     if (rail.axle()) speeds = {-ground.velocity.x, rim.velocity.x};
 

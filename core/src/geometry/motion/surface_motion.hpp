@@ -12,11 +12,18 @@ struct SurfaceMotion {
     Vector3 velocity, angular_velocity;
 };
 
+/// Returns the point of the axle that a wheelset turns about beside a wheel: the axle goes along with a wheel that is
+/// displaced along the track, as it does where the whole wheelset is.
+inline Vector3 centre_of_rotation(const WheelSurface& wheel, const WheelRailState& state) {
+    return wheel.wheelset().origin + state.wheel.x * wheel.wheelset().axes.x;
+}
+
 inline SurfaceMotion of_wheel(const WheelSurface& wheel, const WheelRailState& state, const Vector3& at) {
     const WheelsetVelocity& v = state.velocity;
     const Frame& wheelset = wheel.wheelset();
     const Vector3 angular_velocity = wheelset.axes * Vector3{v.roll, v.pitch, v.yaw};
-    SurfaceMotion motion{Vector3{v.x, v.y, v.z} + cross(angular_velocity, at - wheelset.origin), angular_velocity};
+    const Vector3 arm = at - centre_of_rotation(wheel, state);
+    SurfaceMotion motion{Vector3{v.x, v.y, v.z} + cross(angular_velocity, arm), angular_velocity};
     const WheelDeviation& by = state.wheel;
     const Vector3 velocities{by.x_velocity, by.y_velocity, by.z_velocity};
     const Vector3 rates{by.roll_velocity, by.pitch_velocity, by.yaw_velocity};

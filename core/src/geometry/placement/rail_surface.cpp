@@ -59,7 +59,7 @@ RailSurface::RailSurface(ProfileCurve profile, const Track& track, ProfilePoint 
         from_inwards_axle_ = *axle_;
         if (track.roller_leans) {
             axle_ = origin.z + *radius_;
-            inwards_ = {-std::sin(deviation.roll), std::cos(deviation.roll)};
+            inwards_ = {-sine_, cosine_};
             from_inwards_axle_ = inwards_.y * frame_.origin.y + inwards_.z * frame_.origin.z + *radius_;
         }
     }

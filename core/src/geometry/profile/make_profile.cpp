@@ -98,6 +98,19 @@ void tell_smoothing(Profile& made, const Points& points, const geometry::Visible
     evidence.cut_off = fit.lambda > 0 ? geometry::wavelength_of(fit.lambda * evidence.spacing) : fit.length;
 }
 
+/// Of points whose y does not ascend all along, the nearest to the origin is where lengths are counted from: elements
+/// then lie where the established program has them, which takes the last of several, and wheels from the other end.
+ProfileCurve counted(ProfileCurve curve, const Points& points, ProfileKind kind) {
+    const auto recedes = [](const ProfilePoint& a, const ProfilePoint& b) { return !(b.y > a.y); };
+    if (std::ranges::adjacent_find(points, recedes) == points.end()) return curve;
+    const auto nearer = [](const ProfilePoint& a, const ProfilePoint& b) {
+        return a.y * a.y + a.z * a.z < b.y * b.y + b.z * b.z;
+    };
+    const ProfilePoint nearest = kind == ProfileKind::wheel ? *std::ranges::min_element(points, nearer)
+                                                            : *std::min_element(points.rbegin(), points.rend(), nearer);
+    return curve.counted_from(curve.s_at_y(nearest.y));
+}
+
 /// The curve through the points, or near them, as far as it is seen from above: hidden points have their part in
 /// smoothing, too.
 Profile of_points(const ProfilePoints& given, ProfileKind kind, const Fit& fit, double rounded_to) {
@@ -109,7 +122,9 @@ Profile of_points(const ProfilePoints& given, ProfileKind kind, const Fit& fit, 
     if (visible.points.size() < 2)
         throw InvalidArgument(fit.lambda > 0 ? "profile.smoothing_lambda" : "profile.smoothing_length",
                               "leaves nothing of the profile that is seen from above; take it smaller");
-    Profile made{kind, ProfileCurve(visible.points, visible.kinks), {given.points.size(), visible.points.size()}};
+    Profile made{kind,
+                 counted(ProfileCurve(visible.points, visible.kinks), points, kind),
+                 {given.points.size(), visible.points.size()}};
     ProfileEvidence& evidence = made.evidence;
     evidence.spacing = spacing_of(rough);
     evidence.rounded_to = rounded_to;

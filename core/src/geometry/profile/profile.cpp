@@ -248,7 +248,14 @@ ProfileCurve ProfileCurve::mirrored() const {
     for (ProfilePoint& point : points) point.y = -point.y;
     std::vector<std::size_t> kinks(tables_->kinks.rbegin(), tables_->kinks.rend());
     for (std::size_t& kink : kinks) kink = points.size() - 1 - kink;
-    return ProfileCurve(std::move(points), std::move(kinks));
+    ProfileCurve curve(std::move(points), std::move(kinks));
+    return middle_ ? curve.counted_from(end() - *middle_) : curve;
+}
+
+ProfileCurve ProfileCurve::counted_from(double s) const {
+    ProfileCurve curve = *this;
+    curve.middle_ = s;
+    return curve;
 }
 
 }  // namespace contactd

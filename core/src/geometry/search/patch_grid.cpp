@@ -53,13 +53,8 @@ double along_rail(const RailSurface& rail, double y) {
 
 }  // namespace
 
-// Elements then lie where the established program has them.
 double arc_length_of_middle(const ProfileCurve& profile) {
-    const auto& points = profile.points();
-    const auto from =
-        std::find_if(points.begin(), points.end(), [](const ProfilePoint& point) { return point.y >= 0; });
-    const auto at = static_cast<std::size_t>(from == points.end() ? 0 : from - points.begin());
-    return profile.arc_length(profile.knots()[at]);
+    return profile.arc_length(profile.middle());
 }
 
 double across_rail(const RailSurface& rail, double y) {

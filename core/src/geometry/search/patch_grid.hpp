@@ -15,7 +15,7 @@ namespace contactd::geometry {
 Grid grid_of(const RegionGroup& group, const RailSurface& rail, double dx, double dy, const ElementMiddle& middle = {},
              int most = 0);
 
-/// Arc length of the first point of a profile with y >= 0 (mm), from which lengths across it are counted.
+/// Arc length at the middle of a profile (mm), from which lengths across it are counted.
 double arc_length_of_middle(const ProfileCurve& profile);
 /// Arc length across the rail at a y of the track (mm), from there.
 double across_rail(const RailSurface& rail, double y);

@@ -19,13 +19,14 @@ namespace {
 
 constexpr double radius = 300, roll = 0.2;
 
-RailSurface cylinder(bool leans, double lower) {
+RailSurface cylinder(bool leans, double lower, double cant = 0) {
     Track track;
+    track.cant = cant;
     track.rail_origin = ProfilePoint{750, 2};
     track.roller_radius = radius;
     track.roller_leans = leans;
     RailDeviation deviation;
-    deviation.roll = roll;
+    deviation.roll = roll + cant;
     deviation.z = lower;
     return {make_profile({ProfileKind::rail, ConeProfile{0, -40, 40}}).curve, track, *track.rail_origin, deviation};
 }
@@ -43,6 +44,11 @@ TEST_CASE("A cylinder that leans is the cylinder about its axle that leans") {
     const double h = 1e-3;
     CHECK_THAT(rail.slope_along(x, y, rail.height(x, y, 0)),
                WithinAbs((rail.height(x + h, y, 0) - rail.height(x - h, y, 0)) / (2 * h), 1e-5));
+}
+
+TEST_CASE("A roller leans against its cant as it leans by its roll") {
+    const double x = GENERATE(-20.0, 0.0, 7.0), y = GENERATE(740.0, 755.0);
+    CHECK_THAT(cylinder(true, 0.5, 0.05).height(x, y, 0), WithinAbs(cylinder(true, 0.5).height(x, y, 0), 1e-9));
 }
 
 TEST_CASE("A roller that leans turns about a level axle that does not move with it") {

@@ -73,7 +73,7 @@ class RailContact:
             raise Missing(", ".join(names))
         values = case.values
         friction = _friction(case) if case.digits["T"] != 0 else None
-        pair = pair_of(values)
+        pair, surfaces = pair_of(values), _surfaces(case, profiles)
         setup = WheelRailSetup(
             side="right" if case.digits["C1"] % _ROLLER == _RIGHT else "left",
             upper=pair.upper, lower=pair.lower, track=_track(case), wheelset=_wheelset(values), friction=friction,
@@ -124,16 +124,17 @@ def _track(case: Case) -> Track:
     else:
         places = {"rail_origin": (outwards * values["RAILY0"], values["RAILZ0"] + _sunk(case))}
     if case.digits["C1"] >= _ROLLER:
-        return Track(roller_radius=values["NOMRADR"], roller_leans=_leans(case) or None, **places)
+        return Track(cant=cant, roller_radius=values["NOMRADR"], roller_leans=_leans(case) or None, **places)
     springs = None
     if case.digits["F"] == 3 and (values["KYRAIL"] > 0 or values["KZRAIL"] > 0):
         springs = RailSprings(y=values["KYRAIL"] or None, z=values["KZRAIL"] or None)
-    return Track(cant=values["CANT"], springs=springs, **places)
+    return Track(cant=cant, springs=springs, **places)
+    cant = values.get("CANT", 0.0)
 
 
 def _leans(case: Case) -> bool:
-    """Tells whether a roller's surface leans; what it turns about does not."""
-    return case.digits["C1"] >= _ROLLER and case.values.get("DROLLR", 0) != 0
+    """Tells whether a roller's surface leans, by its deviation or its cant; what it turns about does not."""
+    return case.digits["C1"] >= _ROLLER and any(case.values.get(name, 0) != 0 for name in ("DROLLR", "CANT"))
 
 
 def _sunk(case: Case) -> float:
@@ -225,7 +226,7 @@ def _state(case: Case) -> WheelRailState:
         z_velocity=values["VZRAIL"], roll_velocity=values["VROLLR"], **others,
     )  # fmt: skip
     return WheelRailState(
-        position=position, velocity=velocity, wheel=_deviation(values), rail=rail, roller_pitch=values["RPITCH"] if is_roller else 0.0,
+        position=position, velocity=velocity, wheel=_deviation(values, velocity), rail=rail, roller_pitch=values["RPITCH"] if is_roller else 0.0,
         Fz=values.get("FZ"), Fx=values.get("FX") if case.digits["F"] == 1 else None, **_motion(case.digits["T"]),
     )  # fmt: skip
 
@@ -237,9 +238,15 @@ def _motion(tangential: int) -> dict[str, Any]:
     return {"motion": "transient_rolling"} if tangential == _TRANSIENT else {}
 
 
-def _deviation(values: Any) -> WheelDeviation:
-    """That of a flexible wheelset. Those of an earlier case stay in force, whatever E says; DPITCHW has no effect."""
-    return WheelDeviation(**{field: values.get(name, 0.0) for field, name in _OF_DEVIATION.items()})
+def _deviation(values: Any, velocity: WheelsetVelocity) -> WheelDeviation:
+    """That of a flexible wheelset. Those of an earlier case stay in force, whatever E says; DPITCHW has no effect. In a
+    plane a wheel that is displaced along the track turns about the axle of the rigid wheelset; contactd's turns about an
+    axle that goes along with it."""
+    by = {field: values.get(name, 0.0) for field, name in _OF_DEVIATION.items()}
+    if by["x"] != 0 and values["DISCNS"] not in _BY_ELEMENTS:
+        by["y_velocity"] += by["x"] * velocity.yaw
+        by["z_velocity"] -= by["x"] * velocity.pitch
+    return WheelDeviation(**by)
 
 
 def _free_pitch_rate(values: Any, forwards: float, is_roller: bool) -> float:

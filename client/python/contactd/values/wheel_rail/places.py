@@ -45,8 +45,8 @@ class RailPlace:
 
     Attributes:
         along: x forwards, with position.x of the state (mm).
-        across: Arc length to the right, from the first point of the rail's profile with y at or beyond 0 on the field
-            side (mm).
+        across: Arc length to the right, from where the rail's profile has y = 0, or, where that profile doubles back,
+            from its point nearest to the origin (mm).
     """
 
     along: float

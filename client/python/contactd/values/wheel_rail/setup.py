@@ -113,9 +113,9 @@ class Track:
             side, and down; gauge and gauge_height mean nothing then. None: as they say.
         roller_radius: Radius of a roller that turns under the wheel in place of the rail, where its profile has z = 0
             (mm), > 0. None: a rail.
-        roller_leans: Whether a roller's surface is one about an axle that leans and moves with its deviation, rail.roll
-            and rail.z, while it turns about a level axle that does not, which comparisons with other programs want;
-            else its profile leans and its axle is level. Default False.
+        roller_leans: Whether a roller's surface is one about an axle that leans and moves with its profile, by
+            rail.roll, rail.z and cant, while it turns about a level axle that does not, which comparisons with other
+            programs want; else its profile leans and its axle is level. Default False.
         springs: Springs between a rail without mass and the ground; it is rigid in a direction that has none. None: a
             rigid rail.
     """
