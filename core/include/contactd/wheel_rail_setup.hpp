@@ -120,6 +120,12 @@ enum class WheelSurfaceKind { exact, bilinear };
 /// with different rolling radii become one patch.
 enum class RigidSlipKind { plane, surfaces, elements };
 
+/// Which forces of a patch follow the slope of the rail along the track, in the track's, the rail's and the wheelset's
+/// coordinates: those of the pressures, which then act along the normal of the rail's surface; all, so that friction
+/// acts along the surface, too; or none, as if the rail were level along the track, which reference programs have and
+/// comparisons with them want. On a straight rail all three are the same.
+enum class SlopeForces { pressure, all, none };
+
 /// Whether a contact is curved across the track as wheel and rail are, half-way between both: each row of elements has
 /// its own normal, by which gaps are measured, tractions turned and slip is that of the surfaces. With the influence
 /// coefficients of half-spaces, as if the rows lay flat; of half-spaces that turn from row to row; or of wheel and rail
@@ -200,6 +206,7 @@ struct WheelRailSetup {
     PatchRules patches{};
     WheelSurfaceKind wheel_surface = WheelSurfaceKind::exact;
     RigidSlipKind rigid_slip = RigidSlipKind::plane;  ///< else of model full only
+    SlopeForces slope_forces = SlopeForces::pressure;
     ContactSettings settings{};
     Conformal conformal = Conformal::off;  ///< else of model full only; fem: of a rail that is uniform along x
     SolverSettings force{1e-6, 40};        ///< of the search for a height that brings Fz: |F - Fz|/Fz, and solves

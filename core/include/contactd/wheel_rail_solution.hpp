@@ -93,7 +93,7 @@ struct Wrench {
     bool operator==(const Wrench&) const = default;
 };
 
-/// Forces act on the rail.
+/// Forces act on the rail, and follow its slope along the track as WheelRailSetup::slope_forces says.
 struct WheelRailForces {
     Wrench track;     ///< in track coordinates
     Wrench rail;      ///< about the origin of the rail's profile, along its axes

@@ -248,6 +248,7 @@ CandidatePatch Position::candidate_of(const RegionGroup& group, const WheelSurfa
     find_elements(found);
     place.grid = found.needed = grid_of(group, rail_, setup_.dx, setup_.dy, found.middle, most_elements());
     place.radii = radii_of(wheel, rail_, place.reference);
+    if (setup_.slope_forces != SlopeForces::none) found.slopes = rail_slopes(rail_, place.reference);
     if (has_distances(setup_)) {
         place.approach = place.penetration * std::abs(std::cos(place.reference.angle));
     } else {
@@ -337,6 +338,8 @@ bool Position::measure(CandidatePatch& found, double z) const {
         widen(found, convenient(grid, flat), z);
         if (place.grid == before) break;  // there are no more rows
     }
+    if (rail_.varies() && setup_.slope_forces != SlopeForces::none)
+        add_slopes_at_elements(found.slopes, place.grid, heights.rail);
     place.creepages = creepages(wheel, rail_, state_, place.reference, place.approach);
     const bool by_elements = setup_.rigid_slip == RigidSlipKind::elements;
     if (!place.rows.empty() || by_elements) {

@@ -48,6 +48,7 @@ struct CandidatePatch {
     int more_below = 0, more_above = 0;  ///< rows of a curved contact beside those that it needs
     std::vector<RowSlip> row_slips;      ///< of rigid slip by surfaces only
     RigidSlip additional_slip;           ///< of curved contacts: beside the creepages, of each element
+    SlopesAlong slopes{};                ///< of the rail, where forces follow them
     QualityFlags quality{};
 };
 

@@ -122,7 +122,7 @@ class Differences {
             const ContactSolution solution = wheel_.solve(std::move(problem), found, observer_);
             if (!solution.derivatives || !solution.derivatives->Fx) return false;
             for (const VelocityStep& step : velocity_steps(1e-4))
-                add_creepages(found.place, *solution.derivatives, step, derivatives.*step.derivative);
+                add_creepages(found, *solution.derivatives, step, derivatives.*step.derivative);
         }
         return true;
     }
@@ -134,7 +134,8 @@ class Differences {
                                    place.reference, place.approach);
     }
 
-    void add_creepages(const ContactPlace& place, const Derivatives& known, const VelocityStep& step, Wrench& sum) {
+    void add_creepages(const CandidatePatch& found, const Derivatives& known, const VelocityStep& step, Wrench& sum) {
+        const ContactPlace& place = found.place;
         const Creepages more = creepages_at(place, step, 1), less = creepages_at(place, step, -1);
         const auto add_one = [&](double Creepages::* creepage, std::optional<double> DerivativesOfAnswer::* by) {
             ContactSolution unit;
@@ -142,7 +143,7 @@ class Differences {
                 return answer ? ((*answer).*by).value_or(0) : 0;
             };
             unit.forces = {0, of(known.Fx), of(known.Fy), of(known.Mz)};
-            const Wrench track = resultants(place, unit, true, {}, {}).track;
+            const Wrench track = resultants(place, unit, true, {found.slopes, fine_.slope_forces}, {}, {}).track;
             add(sum, (more.*creepage - less.*creepage) / (2 * step.size), track);
         };
         add_one(&Creepages::xi, &DerivativesOfAnswer::xi);

@@ -1,14 +1,33 @@
 #include "wheel_rail/resultants.hpp"
 
+#include <cmath>
 #include <cstddef>
-
-#include "geometry/distance/heights.hpp"
 
 namespace contactd {
 namespace {
 
 using geometry::Frame;
 using geometry::Vector3;
+
+double value_at(const std::vector<double>& values, std::size_t i) {
+    return values.empty() ? 0 : values[i];
+}
+
+struct Sum {
+    Vector3 force, about;
+
+    void add(const Vector3& at, const Vector3& more) {
+        force = force + more;
+        about = about + cross(at, more);
+    }
+};
+
+/// What a traction on a level plane has beside itself on a surface that rises over it by `slope` along x: per area of
+/// the plane a pressure acts along (-slope, 0, 1), and friction along (1, 0, slope).
+Vector3 beside_level(const Vector3& traction, double slope, SlopeForces forces) {
+    if (forces == SlopeForces::none) return {};
+    return {-slope * traction.z, 0, forces == SlopeForces::all ? slope * traction.x : 0};
+}
 
 /// Returns the moment of the pressures about x and y, in contact coordinates; about z as the solution has it.
 Vector3 moment(const Grid& grid, const ContactSolution& solution, bool simplified) {
@@ -24,30 +43,46 @@ Vector3 moment(const Grid& grid, const ContactSolution& solution, bool simplifie
     return about;
 }
 
-struct Sum {
-    Vector3 force, about;
-};
-
-/// At the reference, in the track.
-Sum of_plane(const ContactPlace& place, const ContactSolution& solution, bool simplified) {
-    const geometry::Rotation axes = geometry::contact_frame(place.reference).axes;
+/// By the slopes along the track, in contact coordinates.
+Sum along_slopes(const Grid& grid, const ContactSolution& solution, bool simplified, const FollowedSlopes& followed) {
+    const auto& [slopes, which] = followed;
     const Forces& forces = solution.forces;
-    return {axes * Vector3{forces.Fx, forces.Fy, forces.Fn}, axes * moment(place.grid, solution, simplified)};
+    if (simplified) return {beside_level({forces.Fx, forces.Fy, forces.Fn}, slopes.at_reference, which), {}};
+    Sum sum;
+    std::size_t i = 0;
+    for (int iy = 0; iy < grid.ny; ++iy)
+        for (int ix = 0; ix < grid.nx; ++ix, ++i) {
+            const Vector3 traction{value_at(solution.traction_x, i), 0, solution.pressure[i]};
+            sum.add({grid.x(ix), grid.y(iy), 0}, grid.element_area() * beside_level(traction, slopes.at(i), which));
+        }
+    return sum;
 }
 
-Sum of_rows(const ContactPlace& place, const ContactSolution& solution) {
+/// At the reference, in the track.
+Sum of_plane(const ContactPlace& place, const ContactSolution& solution, bool simplified,
+             const FollowedSlopes& followed) {
+    const geometry::Rotation axes = geometry::contact_frame(place.reference).axes;
+    const Forces& forces = solution.forces;
+    Sum sum{axes * Vector3{forces.Fx, forces.Fy, forces.Fn}, axes * moment(place.grid, solution, simplified)};
+    if (followed.slopes.is_level() || followed.forces == SlopeForces::none) return sum;
+    const Sum more = along_slopes(place.grid, solution, simplified, followed);
+    return {sum.force + axes * more.force, sum.about + axes * more.about};
+}
+
+Sum of_rows(const ContactPlace& place, const ContactSolution& solution, const FollowedSlopes& followed) {
     const Grid& grid = place.grid;
-    const auto at = [](const std::vector<double>& values, std::size_t i) { return values.empty() ? 0 : values[i]; };
+    const bool is_level = followed.slopes.is_level();
     Sum sum;
     std::size_t i = 0;
     for (const ContactRow& row : place.rows) {
         const geometry::Rotation axes = geometry::Rotation::roll(row.angle);
+        const double cosine = std::cos(row.angle - place.reference.angle);
         for (int ix = 0; ix < grid.nx; ++ix, ++i) {
-            const Vector3 traction{at(solution.traction_x, i), at(solution.traction_y, i), solution.pressure[i]};
-            const Vector3 force = grid.element_area() * (axes * traction);
-            const Vector3 from_reference{grid.x(ix), row.y - place.reference.y, row.z - place.reference.z};
-            sum.force = sum.force + force;
-            sum.about = sum.about + cross(from_reference, force);
+            Vector3 traction{value_at(solution.traction_x, i), value_at(solution.traction_y, i), solution.pressure[i]};
+            if (!is_level)
+                traction = traction + beside_level(traction, followed.slopes.at(i) * cosine, followed.forces);
+            sum.add({grid.x(ix), row.y - place.reference.y, row.z - place.reference.z},
+                    grid.element_area() * (axes * traction));
         }
     }
     return sum;
@@ -67,9 +102,10 @@ Wrench sum(const Wrench& a, const Wrench& b) {
 }  // namespace
 
 WheelRailForces resultants(const ContactPlace& place, const ContactSolution& solution, bool simplified,
-                           const Frame& rail, const Frame& wheelset) {
+                           const FollowedSlopes& followed, const Frame& rail, const Frame& wheelset) {
     const Vector3 at = geometry::contact_frame(place.reference).origin;
-    const auto [force, about] = place.rows.empty() ? of_plane(place, solution, simplified) : of_rows(place, solution);
+    const auto [force, about] =
+        place.rows.empty() ? of_plane(place, solution, simplified, followed) : of_rows(place, solution, followed);
     return {seen_from({}, at, force, about), seen_from(rail, at, force, about), seen_from(wheelset, at, force, about)};
 }
 

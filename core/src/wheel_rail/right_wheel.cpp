@@ -232,7 +232,7 @@ WheelRailSolution RightWheel::solve(const Placement& placement, const Load& load
         solution.patches.push_back(solve(placed.found, std::move(problem), placed.kept(influences_), observer));
         WheelRailPatch& patch = solution.patches.back();
         if (load.Fn) solution.z = placement.height_of(patch.solution.approach, placed);
-        patch.forces = forces_of(patch, solution.z);
+        patch.forces = forces_of(patch, placed.found, solution.z);
         if (estimates_ && setup_.model == Model::full)
             estimates.push_back(estimate_of(placed.found, state_.position.x, patch.solution));
         solution.forces = sum(solution.forces, patch.forces);
@@ -285,9 +285,9 @@ WheelRailPatch RightWheel::solve(const CandidatePatch& found, ContactProblem pro
     return patch;
 }
 
-WheelRailForces RightWheel::forces_of(const WheelRailPatch& patch, double z) const {
-    return resultants(patch.place, patch.solution, !has_distances(setup_), position_.rail().frame(),
-                      position_.wheel(z).wheelset());
+WheelRailForces RightWheel::forces_of(const WheelRailPatch& patch, const CandidatePatch& found, double z) const {
+    return resultants(patch.place, patch.solution, !has_distances(setup_), {found.slopes, setup_.slope_forces},
+                      position_.rail().frame(), position_.wheel(z).wheelset());
 }
 
 double RightWheel::simplified_force(double z, std::vector<CandidatePatch> candidates, Observer& observer) const {
@@ -295,7 +295,7 @@ double RightWheel::simplified_force(double z, std::vector<CandidatePatch> candid
     for (CandidatePatch& found : candidates) {
         // Forces of a whole ellipse need no elements, and those that are sums over elements all of them.
         if (!rolls_on_elements(problem_of(found))) found.place.grid = Grid::of_elements(1, 1, setup_.dx, setup_.dy);
-        force += forces_of(solve(found, problem_of(found), influences_, observer), z).track.Fz;
+        force += forces_of(solve(found, problem_of(found), influences_, observer), found, z).track.Fz;
     }
     return force;
 }

@@ -73,7 +73,7 @@ class RightWheel {
                          const InfluenceSource& influences, Observer& observer) const;
     ContactSolution solve(ContactProblem problem, const geometry::CandidatePatch& found,
                           const InfluenceSource& influences, Observer& observer) const;
-    WheelRailForces forces_of(const WheelRailPatch& patch, double z) const;
+    WheelRailForces forces_of(const WheelRailPatch& patch, const geometry::CandidatePatch& found, double z) const;
     TractionHistory history_of(const std::vector<geometry::CandidatePatch>& candidates) const;
     /// Returns the force by a simplified model, which does not depend on elements, and costs less than their arrays.
     double simplified_force(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer) const;

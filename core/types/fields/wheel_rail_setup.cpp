@@ -21,7 +21,7 @@ namespace {
     [[maybe_unused]] const auto& [side_, wheel_, rail_, rail_slices_, wheel_slices_, track_, wheelset_, bodies_, model_,
                                   normal_model_, simplified_, temperature_, wear_, fatigue_, sheet_flexibility_,
                                   friction_, dx_, dy_, dq_, patches_, rail_spline_, wheel_spline_, wheel_surface_,
-                                  rigid_slip_, conformal_, settings_, force_, accuracy_] = all;
+                                  rigid_slip_, slope_forces_, conformal_, settings_, force_, accuracy_] = all;
 }
 [[maybe_unused]] void all_of(const RailSlice& all) {
     [[maybe_unused]] const auto& [x_, profile_, features_] = all;
@@ -117,6 +117,7 @@ const FieldType& type_of<WheelRailSetup>() {
         fields::field<&WheelRailSetup::wheel_spline>("wheel_spline"),
         fields::field<&WheelRailSetup::wheel_surface>("wheel_surface"),
         fields::field<&WheelRailSetup::rigid_slip>("rigid_slip"),
+        fields::field<&WheelRailSetup::slope_forces>("slope_forces"),
         fields::field<&WheelRailSetup::conformal>("conformal"),
         fields::field<&WheelRailSetup::settings>("settings"),
         fields::field<&WheelRailSetup::force>("force"),

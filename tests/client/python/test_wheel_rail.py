@@ -68,6 +68,7 @@ def test_all_fields_are_sent_as_the_schema_has_them():
         dq=0.4,
         patches=PatchRules(1, 7, 3, 11, 0.5, "mesh"),
         wheel_surface="bilinear",
+        slope_forces="all",
         rail_slices=[(-5, Rail60E1(0.05), (0, 20, 50)), (5, ArcProfile(300))],
         wheel_slices=[(-0.1, S1002()), (0.1, ConeProfile(-0.05))],
         rigid_slip="surfaces",
@@ -83,6 +84,7 @@ def test_all_fields_are_sent_as_the_schema_has_them():
     assert sent["track"]["rail_origin"] == {"y": 760.5, "z": -1}
     assert sent["bodies"] == {"upper": {"G": 80000, "nu": 0.3}, "lower": {"rigid": True}}
     assert sent["settings"] == {"normal": {"tolerance": 1e-7}}
+    assert sent["slope_forces"] == "all"
     assert sent["rail_slices"][0] == {"x": -5, "profile": {"rail_60e1": {"inclination": 0.05}}, "features": [0, 20, 50]}
     assert sent["rail_slices"][1] == {"x": 5, "profile": {"arc": {"radius": 300}}}
     assert sent["wheel_slices"][1] == {"angle": 0.1, "profile": {"cone": {"slope": -0.05}}}

@@ -210,13 +210,14 @@ WheelRailSetup setup_of(const Settings& settings, const RailSettings& rail) {
     setup.bodies = Bodies::of(*settings.materials);
     setup.dx = rail.elements->dx;
     setup.dy = rail.elements->ds;
-    const int tangential = settings.digits(flag::tangential), surfaces = settings.digits(flag::discretisation);
+    const int tangential = settings.digits(flag::tangential);
     setup.friction.reset();
     if (tangential != none) setup.friction = friction_of(settings, rail);
     if (tangential != none) setup.temperature = heat_of(settings);
     if (tangential == transient && rail.dq != 1) setup.dq = rail.dq * setup.dx;
     setup.patches = patches_of(*rail.elements, settings);
-    if (surfaces == slip_of_surfaces || surfaces == curved) setup.rigid_slip = RigidSlipKind::elements;
+    if (slips_by_surfaces(settings)) setup.rigid_slip = RigidSlipKind::elements;
+    setup.slope_forces = SlopeForces::none;
     setup.conformal = conformal_of(settings);
     const CaseModels models = models_of(settings);
     if (models.model != Model::full && models.normal_model == NormalModel::of_model)
@@ -249,7 +250,6 @@ WheelRailState placed_state(const Settings& settings, const RailSettings& rail) 
     return state;
 }
 
-WheelRailState state_of(const Settings& settings, const RailSettings& rail) {
 /// Returns the pitch rate without creepage, near which the one that brings Fx is found.
 double free_pitch_rate(const RailSettings& rail, const WheelRailState& state) {
     return -(state.velocity.x + state.roller_pitch * rail.track.roller_radius) / rail.wheelset.nominal_radius;
@@ -262,11 +262,12 @@ void rotate_about_rigid_axle(WheelRailState& state, double pitch_rate) {
     state.wheel.z_velocity -= state.wheel.x * pitch_rate;
 }
 
+WheelRailState state_of(const Settings& settings, const RailSettings& rail) {
     WheelRailState state = placed_state(settings, rail);
     const int force = settings.digits(flag::force), tangential = settings.digits(flag::tangential);
-    if (force == springs) {
     if (!slips_by_surfaces(settings))
         rotate_about_rigid_axle(state, force == longitudinal ? free_pitch_rate(rail, state) : state.velocity.pitch);
+    if (force == springs) {
         state.rail.Fy = rail.track.spring_force_y;
         state.rail.Fz = rail.track.spring_force_z;
     }

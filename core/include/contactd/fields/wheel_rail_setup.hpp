@@ -48,6 +48,12 @@ static_assert(static_cast<int>(RigidSlipKind::surfaces) == 1);
 static_assert(static_cast<int>(RigidSlipKind::elements) == 2);
 
 template <>
+inline constexpr auto enum_words<SlopeForces> = std::to_array<std::string_view>({"pressure", "all", "none"});
+static_assert(static_cast<int>(SlopeForces::pressure) == 0);
+static_assert(static_cast<int>(SlopeForces::all) == 1);
+static_assert(static_cast<int>(SlopeForces::none) == 2);
+
+template <>
 inline constexpr auto enum_words<Conformal> =
     std::to_array<std::string_view>({"off", "half_space", "rotated", "fem", "auto", "rotated_displacements"});
 static_assert(static_cast<int>(Conformal::off) == 0);

@@ -1,6 +1,8 @@
 // Heights of wheel and rail over a contact plane, along its normal, at the elements of a grid.
 #pragma once
 
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -38,6 +40,23 @@ struct PlanePoints {
 
 /// Heights of the rail's surface, shape [ny, nx] (mm), or [ny] of a rail that is the same all along.
 std::vector<double> rail_heights(const RailSurface& rail, const ContactReference& reference, const PlanePoints& points);
+
+/// How a rail that varies along the track rises over a contact plane by x: at the reference, and at the elements where
+/// these have heights, shape [ny, nx]; not a number where the rail has none on either side. All is zero, and there are
+/// no elements, of a rail that is the same all along.
+struct SlopesAlong {
+    double at_reference = 0;
+    std::vector<double> at_elements{};
+
+    bool is_level() const { return at_reference == 0 && at_elements.empty(); }
+    double at(std::size_t element) const {
+        return at_elements.empty() || !std::isfinite(at_elements[element]) ? at_reference : at_elements[element];
+    }
+};
+/// At the reference.
+SlopesAlong rail_slopes(const RailSurface& rail, const ContactReference& reference);
+/// Adds those at the elements of a grid, by their heights.
+void add_slopes_at_elements(SlopesAlong& slopes, const Grid& grid, const std::vector<double>& heights);
 
 /// Heights of the wheel's surface, shape [ny, nx] (mm): those of rows in which a polynomial through a few of them has
 /// settled are its values.

@@ -15,6 +15,7 @@ from ...values.profile_shapes import Profile
 from ...values.wheel_rail.setup import (
     PatchRules,
     RailSprings,
+    SlopeForces,
     Track,
     WheelRailFriction,
     WheelRailSetup,
@@ -79,7 +80,7 @@ class RailContact:
             upper=pair.upper, lower=pair.lower, track=_track(case), wheelset=_wheelset(values), friction=friction,
             dx=values["DX"], dy=values["DS"], patches=_patches(values), wheel_surface=wheel_surface,
             dq=_step(case), rigid_slip="elements" if values["DISCNS"] in _BY_ELEMENTS else None, conformal=_conformal(values),
-            **_surfaces(case, profiles), **_settings(values), **models_of(case),
+            **surfaces, **_settings(values), **models_of(case), slope_forces=_slope_forces(case, surfaces),
             sheet_flexibility=sheet_of(case),
             temperature=thermal_bodies(case),
         )  # fmt: skip
@@ -115,6 +116,11 @@ def _surfaces(case: Case, profiles: Profiles) -> dict[str, Any]:
     return found
 
 
+def _slope_forces(case: Case, surfaces: Mapping[str, Any]) -> SlopeForces | None:
+    """The program's forces do not follow the slope of a rail or a roller along the track."""
+    return "none" if case.digits["C1"] >= _ROLLER or "rail_slices" in surfaces else None
+
+
 def _track(case: Case) -> Track:
     values = case.values
     outwards = 1 if case.digits["C1"] % _ROLLER == _RIGHT else -1
@@ -123,13 +129,13 @@ def _track(case: Case) -> Track:
         places = {"gauge": values["GAUGWD"], "gauge_height": values["GAUGHT"]}
     else:
         places = {"rail_origin": (outwards * values["RAILY0"], values["RAILZ0"] + _sunk(case))}
+    cant = values.get("CANT", 0.0)
     if case.digits["C1"] >= _ROLLER:
         return Track(cant=cant, roller_radius=values["NOMRADR"], roller_leans=_leans(case) or None, **places)
     springs = None
     if case.digits["F"] == 3 and (values["KYRAIL"] > 0 or values["KZRAIL"] > 0):
         springs = RailSprings(y=values["KYRAIL"] or None, z=values["KZRAIL"] or None)
     return Track(cant=cant, springs=springs, **places)
-    cant = values.get("CANT", 0.0)
 
 
 def _leans(case: Case) -> bool:

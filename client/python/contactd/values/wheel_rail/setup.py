@@ -33,6 +33,7 @@ __all__ = [
     "RigidSlipKind",
     "Side",
     "SliceSpline",
+    "SlopeForces",
     "Track",
     "WheelRailFields",
     "WheelRailFriction",
@@ -47,6 +48,7 @@ PatchHistory = Literal["own", "whole"]
 SliceSpline = Literal["shape_preserving", "cubic", "approximating"]
 WheelSurface = Literal["exact", "bilinear"]
 RigidSlipKind = Literal["plane", "surfaces", "elements"]
+SlopeForces = Literal["pressure", "all", "none"]
 Conformal = Literal["off", "half_space", "rotated", "fem", "auto", "rotated_displacements"]
 
 
@@ -230,6 +232,10 @@ class WheelRailSetup(Saved):
             the motion of both surfaces at each row of elements, for conformal contact, with model full; or elements, by
             that at the middle of each element, seen along the plane as the surfaces lean along x, with creepages that
             fit it best, which comparisons with other programs want. Default "plane".
+        slope_forces: Which forces follow the slope of a rail, or a roller, along the track, in track, rail and wheelset
+            coordinates. pressure: pressures act along the normal of the rail's surface, and friction along the track's
+            x. all: friction acts along the surface, too. none: neither, as if the rail were level, which comparisons
+            with other programs want. The three are the same on a straight rail. Default "pressure".
         conformal: Whether a contact is curved across the track, half-way between wheel and rail. off: one plane.
             Otherwise each row of elements has its own normal, along which gaps are measured, tractions turned and slip
             is that of the surfaces, with coefficients of half_space, as if rows lay flat; rotated, half-spaces that
@@ -276,6 +282,7 @@ class WheelRailSetup(Saved):
     wheel_spline: SliceSpline | None = None
     wheel_surface: WheelSurface | None = None
     rigid_slip: RigidSlipKind | None = None
+    slope_forces: SlopeForces | None = None
     conformal: Conformal | None = None
     normal: SolverSettings | None = field(default=None, metadata={"within": "settings"})
     tangential: SolverSettings | None = field(default=None, metadata={"within": "settings"})
@@ -317,6 +324,7 @@ class WheelRailFields(TypedDict, total=False):
     wheel_spline: SliceSpline | None
     wheel_surface: WheelSurface | None
     rigid_slip: RigidSlipKind | None
+    slope_forces: SlopeForces | None
     conformal: Conformal | None
     normal: SolverSettings | None
     tangential: SolverSettings | None
