@@ -9,6 +9,7 @@ import click
 import typer
 
 from contactd import __version__
+from contactd.files.text_lines import printable
 
 from .codes import Code, code_of
 from .commands import (
@@ -82,6 +83,7 @@ def _run(arguments: Sequence[str] | None) -> int:
             return answered
         ended = command.main(None if arguments is None else list(arguments), "contactctl", standalone_mode=False)
     except click.ClickException as error:
+        error.message = printable(error.message)
         error.show()
         return Code.USAGE
     except click.Abort:

@@ -20,6 +20,7 @@ from rich.table import Table
 from rich.text import Text
 
 from contactd import ContactWarning
+from contactd.files.text_lines import printable
 
 __all__ = [
     "above_rounding", "console", "counted", "emit", "facts", "listing", "note", "number", "on_terminal", "plain_json", "size",
@@ -52,7 +53,7 @@ def console(*, stderr: bool = False, is_bounded: bool = True) -> Console:
 
 def note(text: str) -> None:
     """A sentence on standard error."""
-    console(stderr=True).print(text, soft_wrap=True)
+    console(stderr=True).print(printable(text), soft_wrap=True)
 
 
 def warn(sentences: Iterable[str]) -> None:
@@ -156,7 +157,7 @@ def number(value: Any) -> str:
         return "yes" if value else "NO"
     if isinstance(value, float):
         return f"{value + 0.0:.6g}"  # no minus before a zero
-    return str(value)
+    return printable(str(value))
 
 
 def above_rounding(value: float, scale: float) -> float:

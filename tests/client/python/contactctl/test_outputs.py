@@ -152,3 +152,13 @@ def test_the_mark_is_that_of_whole_files_too(tmp_path):
     assert can_be_written_over(path)
     path.write_bytes(b"x" * 500_000)
     assert not can_be_written_over(path)
+
+
+@pytest.mark.parametrize("words", [["solve", "NAME"], ["contact", "check", "NAME"], ["profile", "show", "NAME"], ["study", "NAME", "--rows", "r"]])
+def test_messages_have_nothing_that_terminals_obey(ctl, words):
+    """Whatever files are called, and whatever is in them."""
+    name = "\x1b]0;owned\x07\x1b[2J.json"
+    ctl.write(name, '{"\\u001b[2J": 1, "problem": {}, "vary": {"\\u001b[31m": [1]}}')
+    ended = ctl(*(name if word == "NAME" else word for word in words))
+    assert ended.code in (2, 4) and ended.err
+    assert all(character.isprintable() or character == "\n" for character in ended.out + ended.err), ended
