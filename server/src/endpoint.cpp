@@ -43,6 +43,7 @@ Endpoint::Endpoint(const Config& config, Service& service)
       connections_(context_, socket_.router(), config.max_inbox_bytes, parts_.counters.connections),
       memory_(parts_.budget, parts_.workers),
       intake_(config, service, socket_) {
+    memory_.add(intake_.reader());
     socket_.bind(config.endpoint);
 }
 

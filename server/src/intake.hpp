@@ -24,6 +24,7 @@ class Intake {
     void take(Message message);
     /// Ends the own thread; what it had not read is dropped. Messages can be taken afterwards.
     void stop();
+    WorkerPool& reader() { return reader_; }
 
    private:
     using Clock = Call::Clock;

@@ -54,6 +54,7 @@ void MemoryReturn::look(Clock::time_point now, bool is_busy, std::size_t kept) {
     next_ = again_;
     give_end_of_arena_back();
     workers_.each_when_idle(give_end_of_arena_back);
+    if (others_ != nullptr) others_->each_when_idle(give_end_of_arena_back);
     workers_.post({.client = {}, .priority = proto::Priority::low}, [] { ::malloc_trim(0); });
 }
 

@@ -17,6 +17,9 @@ class MemoryReturn {
 
     MemoryReturn(const WorkBudget& budget, WorkerPool& workers) : budget_(budget), workers_(workers) {}
 
+    /// Other threads that take memory, beside the workers and the one that looks.
+    void add(WorkerPool& others) { others_ = &others; }
+
     /// Gives memory back when it is time. `is_busy`: workers have something to do; `kept` are the bytes of what
     /// outlives requests, as sessions.
     void look(Clock::time_point now, bool is_busy, std::size_t kept);
@@ -26,6 +29,7 @@ class MemoryReturn {
    private:
     const WorkBudget& budget_;
     WorkerPool& workers_;
+    WorkerPool* others_ = nullptr;
     double freed_ = 0;      // bytes, since memory was last given back
     double seen_ = 0;       // of the budget's bytes so far
     std::size_t kept_ = 0;  // at the last look
