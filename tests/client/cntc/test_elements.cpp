@@ -151,11 +151,14 @@ TEST_CASE("plastic slip goes back when a shift does, and the yield stress rises 
     const auto [second, back] = shifted(-0.012);
     CHECK(second > first);
     CHECK(back > there);
+    const Values expected = contact.field(12);
 
     contact.flag(1970, 3);  // takes the second step back, and repeats it
     const auto [again, back_again] = shifted(-0.012);
     CHECK_THAT(again, WithinRel(second, 1e-9));
     CHECK_THAT(back_again, WithinRel(back, 1e-9));
+    const Values repeated = contact.field(12);
+    for (std::size_t i = 0; i < repeated.size(); ++i) CHECK_THAT(repeated[i], WithinAbs(expected[i], 1e-9));
 }
 
 TEST_CASE("a layer that never yields, and none, have no yield stress and no plastic slip") {
