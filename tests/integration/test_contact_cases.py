@@ -82,6 +82,27 @@ def test_temperatures_are_where_scripts_look(shared):
     np.testing.assert_allclose(upper, solution.upper_temperature, rtol=1e-5, atol=1e-5)
 
 
+def one_iteration(**changes):
+    """A cylinder between bodies of 26 and 79 GPa, by Johnson's process; lengths of the elements along it 600 mm."""
+    area = {"IPOTCN": 1, "MX": 120, "MY": 1, "XL": -0.24, "YL": -300.0, "DX": 0.004, "DY": 600.0}
+    distance = {"IBASE": 1, "IPLAN": 1, "B1": 0.012, "B2": 0.0, "B3": 0.0, "B4": 0.0, "B5": 0.0, "B6": 0.0}
+    bodies = {"POISS1": 0.33, "POISS2": 0.3, "GG1": 26000.0, "GG2": 79000.0}
+    motion = {"FN": 9000.0, "CETA": 0.0, "CPHI": 0.0, "CHI": np.pi, "DQ": 0.004, "VELOC": 500.0, "MAXOUT": 1}
+    return basic_case(**{**area, **distance, **bodies, **motion, **changes})
+
+
+@pytest.mark.parametrize(
+    ("changes", "force", "accuracy"),
+    [({"CKSI": 2.4e-4, "friction": ({"FSTAT": 0.1, "FKIN": 0.1},)}, -151.4, 0.05),
+     ({"F": 1, "FX": 0.3, "friction": ({"FSTAT": 5e-4, "FKIN": 5e-4},)}, 1.350, 5e-6)],
+)  # fmt: skip
+def test_one_outer_iteration_meets_the_tolerance_and_the_force(shared, changes, force, accuracy):
+    (outcome,) = computed(shared, [one_iteration(**changes)])
+    assert outcome.status == "solved", outcome.sentence
+    assert outcome.result.solution.Fx == pytest.approx(force, abs=accuracy)
+    assert outcome.result.solution.evidence.tangential.converged
+
+
 @pytest.mark.parametrize("changes", [{}, {"T": 1}, {"CPHI": 2e-4}])
 def test_coefficients_of_a_file_are_solved_with(shared, tmp_path, changes):
     own = basic_case(**changes)

@@ -26,7 +26,7 @@ double sum_behind(double change, double rate) {
 
 OuterTolerances::OuterTolerances(const ContactSetup& setup, bool loose)
     : setup_(setup), loose_(loose), normal_(setup.settings.normal), tangential_(setup.settings.tangential) {
-    if (!loose) return;
+    if (!loose || next_is_last_allowed()) return;
     normal_.tolerance = std::max(normal_.tolerance, first_normal);
     tangential_.tolerance = std::max(tangential_.tolerance, first_tangential);
 }
@@ -35,21 +35,28 @@ bool OuterTolerances::are_final() const {
     return normal_ == setup_.settings.normal && tangential_ == setup_.settings.tangential;
 }
 
+bool OuterTolerances::next_is_last_allowed() const {
+    return iterations_ + 1 >= setup_.settings.outer.max_iterations;
+}
+
 void OuterTolerances::follow(double change) {
     const bool is_first = change_ == 0;
+    ++iterations_;
     const double last = is_first ? 1 : change / change_;
     sure_rate_ = std::min(rate_, last);
     rate_ = last;
     change_ = change;
     const double next = change * (is_first ? first_rate : std::clamp(rate_, least_rate, largest_rate));
     const double after_next = is_first ? next : sum_behind(next, sure_rate_);
-    const bool is_last = after_next <= setup_.settings.outer.tolerance;
+    const bool settles = after_next <= setup_.settings.outer.tolerance, is_last = settles || next_is_last_allowed();
+    was_forced_ = is_forced_;
+    is_forced_ = is_last && !settles && !are_final();
     tighten(normal_, is_last ? 0 : normal_part * next, setup_.settings.normal);
     tighten(tangential_, is_last ? 0 : tangential_part * next, setup_.settings.tangential);
 }
 
 double OuterTolerances::left() const {
-    return loose_ ? sum_behind(change_, sure_rate_) : change_;
+    return loose_ && !was_forced_ ? sum_behind(change_, sure_rate_) : change_;
 }
 
 }  // namespace contactd

@@ -72,6 +72,7 @@ class TangentialStep {
                                     const SolverSettings& settings, Observer& observer);
     FrictionSolution solve_at_once(const PrescribedForces& forces, const Field& rest, std::span<const double> bound,
                                    const Field& estimate, const SolverSettings& settings, Observer& observer);
+    SolverSettings search_settings() const;
     RollingSolution search(const PrescribedForces& forces, const Field& rest, std::span<const double> bound,
                            const Field& estimate, Observer& observer);
     RollingSolution solve_with(const FrictionTask& task, Observer& observer);

@@ -122,12 +122,21 @@ RollingSolution TangentialStep::search(const PrescribedForces& forces, const Fie
         const TangentialForces reached = tangential_forces(problem_.grid, last.x, last.y);
         return {reached.Fx, reached.Fy, solution.evidence.converged};
     };
-    const RigidSlipForForces found = find_rigid_slip(forces, problem_.settings.outer, solve, observer);
+    const RigidSlipForForces found = find_rigid_slip(forces, search_settings(), solve, observer);
     motion_ = with_translation(motion_, Pair(found.wx, found.wy) / unit_);
     continue_force_evidence(found.evidence);
     solution.evidence.iterations = all.iterations;
     solution.evidence.seconds = all.seconds;
     return solution;
+}
+
+// Where outer iterations are around the search, their limit is not that of the search within each of them.
+SolverSettings TangentialStep::search_settings() const {
+    SolverSettings settings = problem_.settings.outer;
+    const bool is_within =
+        influence_.current->coupled() || problem_.friction->kinetic || problem_.friction->follows_temperature();
+    if (is_within) settings.max_iterations = std::max(settings.max_iterations, ContactSettings{}.outer.max_iterations);
+    return settings;
 }
 
 // The evidence is that of all solves of a step together; the last one says how it stands.

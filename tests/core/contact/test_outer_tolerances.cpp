@@ -75,3 +75,18 @@ TEST_CASE("the last change of iterations that are not loose is what is left", "[
     tolerances.follow(1e-3);
     CHECK(tolerances.left() == 1e-3);
 }
+
+TEST_CASE("the last outer iteration that is allowed is solved as asked for", "[dissimilar]") {
+    ContactSetup setup;
+    setup.settings.outer.max_iterations = 1;
+    CHECK(OuterTolerances(setup, true).are_final());
+    setup.settings.outer.max_iterations = 3;
+    OuterTolerances tolerances(setup, true);
+    CHECK_FALSE(tolerances.are_final());
+    tolerances.follow(1);
+    CHECK_FALSE(tolerances.are_final());
+    tolerances.follow(0.05);
+    CHECK(tolerances.are_final());
+    tolerances.follow(4e-3);
+    CHECK(tolerances.left() == 4e-3);  // no series, of iterations of different tolerances
+}

@@ -143,8 +143,11 @@ class BasicResult:
     @property
     def is_converged(self) -> bool:
         """Tells whether all solvers met their tolerances; of a case that asks for one outer iteration, all others."""
-        outer = self.contact.problem.outer
-        return self.solution.converged or (outer is not None and outer.max_iterations == 1)
+        outer, evidence = self.contact.problem.outer, self.solution.evidence
+        if outer is None or outer.max_iterations != 1:
+            return self.solution.converged
+        others = (evidence.normal, evidence.tangential, evidence.force)
+        return all(solver is None or solver.converged for solver in others)
 
     @property
     def force_unit(self) -> float:
