@@ -161,7 +161,7 @@ double RailSurface::column_z(int column, double y) const {
 
 ProfileCurve::Place RailSurface::turned_to(double x, ProfileCurve::Place place) const {
     if (!axle_) return place;
-    const double radius = from_inwards_axle_ - inwards_.y * place.at.y - inwards_.z * place.at.z;
+    const double radius = radius_at(place.at);
     const double sunk = sag(x, place.at);
     const double more = (radius / std::sqrt(std::max(radius * radius - x * x, 1e-12)) - 1) *
                         (inwards_.y * place.slope.y + inwards_.z * place.slope.z);
@@ -174,7 +174,7 @@ ProfileCurve::Place RailSurface::turned_to(double x, ProfileCurve::Place place) 
 
 /// By how much a point that turns about the axle comes nearer to it along x = 0.
 double RailSurface::sag(double x, const ProfilePoint& at) const {
-    const double radius = from_inwards_axle_ - inwards_.y * at.y - inwards_.z * at.z;
+    const double radius = radius_at(at);
     const double square = radius * radius - x * x;
     return square > 0 ? radius - std::sqrt(square) : radius;
 }

@@ -58,6 +58,8 @@ class RailSurface {
     double curvature_along() const { return axle_ ? 1 / *radius_ : 0; }
     /// Returns the curvature along the track at a point, also of slices; positive where convex. `s` is as for height.
     double curvature_along(double x, double y, double s) const;
+    /// Returns 1/r of a roller, r its radius at a place of the profile (1/mm); zero of a rail, sliced or not.
+    double curvature_around(const ProfilePoint& at) const { return axle_ ? 1 / radius_at(at) : 0; }
     /// z of the axle that a roller turns about, which lies along y.
     std::optional<double> axle() const { return axle_; }
 
@@ -72,6 +74,9 @@ class RailSurface {
         double s;
     };
 
+    double radius_at(const ProfilePoint& at) const {
+        return from_inwards_axle_ - inwards_.y * at.y - inwards_.z * at.z;
+    }
     double sag(double x, const ProfilePoint& at) const;
     bool leans() const { return inwards_.y != 0; }
     Span visible_part(const ProfileCurve& profile) const;

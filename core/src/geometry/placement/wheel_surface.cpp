@@ -94,7 +94,8 @@ std::pair<std::size_t, std::size_t> WheelSurface::seen_slice_nodes() const {
 }
 
 // With F = z - sqrt(rho^2 - x^2), grad F is (x, -rho dz/dy, Z)/Z in the wheel's coordinates, Z the square root. The
-// distance to a body with slope p along x is least along x where (R grad F)_x + p (R grad F)_z = 0.
+// distance to a body with slope p along x is least along x where (R grad F)_x + p (R grad F)_z = 0. That slope depends
+// on x in the track, which counts from the origin of the track and not from that of the wheel.
 LocusPoint WheelSurface::locus(double s, double other) const {
     const ProfileCurve::Place here = profile_.place(s);
     const auto& [X, Y, Z] = frame_.axes;  // X.y is the y of the turned x axis in the track
@@ -107,7 +108,7 @@ LocusPoint WheelSurface::locus(double s, double other) const {
     if (other != 0)
         for (int iteration = 0; iteration < 4; ++iteration) {
             const double lift = X.z * x - Y.z * rho * incline + Z.z * rho;  // rho (R grad F)_z
-            x = (rho * incline * Y.x - radius_ * Z.x - other * lift * (Y.x * y + Z.x * rho)) /
+            x = (rho * incline * Y.x - radius_ * Z.x - other * lift * (frame_.origin.x + Y.x * y + Z.x * rho)) /
                 (X.x * (1 + other * lift));
         }
     const bool beyond = !(std::abs(x) <= limit);
@@ -125,7 +126,8 @@ LocusPoint WheelSurface::locus(double s, const std::function<double(double x)>& 
     const auto excess = [&](double x) {
         const double height = std::sqrt(std::max(rho * rho - x * x, 1e-12));
         const double lift = X.z * x - Y.z * rho * incline + Z.z * height;
-        return x - (rho * incline * Y.x - height * Z.x - other_slope(X.x * x + Y.x * side + Z.x * height) * lift) / X.x;
+        const double x_in_track = frame_.origin.x + X.x * x + Y.x * side + Z.x * height;
+        return x - (rho * incline * Y.x - height * Z.x - other_slope(x_in_track) * lift) / X.x;
     };
     double before = std::clamp(rho * incline * Y.x / X.x, -limit, limit), at_before = excess(before);
     double x = std::clamp(before - at_before, -limit, limit);

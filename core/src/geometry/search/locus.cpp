@@ -67,7 +67,7 @@ double Locus::curvature() const {
 /// Fills the row at row.y; false where there is no wheel or no rail. Rows follow each other closely, so that the start
 /// is near mostly: one look at each curve, whose tangents do the rest.
 bool Locus::look(LocusRow& row, Start& start) const {
-    const double step = row.y - start.y, along = rail_.curvature_along();
+    const double step = row.y - start.y;
     double rail_s = start.rail.ahead(step), wheel_s = start.wheel.ahead(step);
     ProfileCurve::Place rail;
     LocusPoint wheel;
@@ -77,7 +77,8 @@ bool Locus::look(LocusRow& row, Start& start) const {
     };
     const auto rail_slope = [&](double x) { return rail_.slope_along(x, row.y, rail.at.z); };
     const auto wheel_at = [&](double s) {
-        wheel = rail_.is_sliced() ? wheel_.locus(s, std::ref(rail_slope)) : wheel_.locus(s, along);
+        wheel = rail_.is_sliced() ? wheel_.locus(s, std::ref(rail_slope))
+                                  : wheel_.locus(s, rail_.curvature_around(rail.at));
         return Sloped{wheel.at.y, wheel.slope.y};
     };
     if (!find_ascending(rail_at, row.y, rail_.visible().from, rail_.visible().to, rail_s, near)) return false;
