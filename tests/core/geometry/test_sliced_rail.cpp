@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "closed_forms/hertz.hpp"
 #include "contactd/error.hpp"
 #include "contactd/make_profile.hpp"
 #include "geometry/placement/sliced_rail.hpp"
@@ -187,6 +188,30 @@ TEST_CASE("On a rail that rises a wheel touches ahead of its centre") {
     const double lift = 450 / std::cos(angle) - 450;
     CHECK_THAT(rising.z, WithinAbs(level.z - lift, 2e-4));
     CHECK_THAT(rising.patches[0].solution.pmax, WithinRel(level.patches[0].solution.pmax, 5e-3));
+}
+
+TEST_CASE("A rail of one cross-section presses as one between any slices, whatever their heights and places") {
+    WheelRailSetup setup = cylinder_on_arc(300);
+    setup.dx = setup.dy = 0.4;
+    setup.rail_spline = GENERATE(SliceSpline::shape_preserving, SliceSpline::cubic, SliceSpline::approximating);
+    const bool ramp = GENERATE(true, false);  // or a rail that goes aside, and dips
+    const std::vector<double> places{-3000, -200, 0, 200, 1800, 2000, 2200, 5000};
+    const std::vector<double> lift{0, 0, 0, 0.2, 1.8, 2, 2, 2}, dip{0, 0, 0, -0.1, -0.9, 0, 0, 0};
+    const std::vector<double> aside{0, 0, 0, 1, 9, 10, 10, 10};
+    for (std::size_t i = 0; i < places.size(); ++i)
+        setup.rail_slices.push_back(
+            {places[i], moved(cylinder_on_arc(300).rail, ramp ? lift[i] : dip[i], ramp ? 0 : aside[i])});
+    const HertzContact known = hertz_of_force({450, 300}, setup.bodies.materials().normal_compliance(), 80000);
+    WheelRailState state;
+    state.Fz = 80000;
+    for (const double x : {-1600.0, -1000.0, 500.0, 1000.0, 1500.0, 3000.0}) {
+        state.position.x = x;
+        const WheelRailSolution solution = solve(setup, state);
+        CAPTURE(x, setup.rail_spline, ramp);
+        REQUIRE(solution.patches.size() == 1);
+        CHECK_THAT(solution.patches[0].solution.pmax, WithinRel(known.pmax, 0.01));
+        if (ramp) CHECK_THAT(solution.patches[0].place.reference.y, WithinAbs(750, 1e-2));
+    }
 }
 
 TEST_CASE("A rail that moves aside takes the contact along") {

@@ -34,10 +34,13 @@ OutOfRound::OutOfRound(std::vector<double> angles, const std::vector<ProfileCurv
     const std::size_t count = slices.size();
     slices_.resize(count);
     for (std::size_t i = 0; i < count; ++i) slices_[i].radius.values = radii_beside(slices[i], first, i);
+    std::vector<SlicePoints> all_radii;
+    for (const Slice& slice : slices_) all_radii.push_back(slice.radius.values);
+    const std::vector<DerivativeShares> shares = round_.shares(all_radii);
     for (std::size_t k = 0; k < stations_.size(); ++k) {
         std::vector<double> radii;
-        for (const Slice& slice : slices_) radii.push_back(slice.radius.values[k]);
-        const auto [at_slices, derivatives] = round_.line(std::move(radii));
+        for (const SlicePoints& slice : all_radii) radii.push_back(slice[k]);
+        const auto [at_slices, derivatives] = round_.line(std::move(radii), shares);
         for (std::size_t i = 0; i < count; ++i) {
             slices_[i].radius.values[k] = at_slices[i];
             slices_[i].slope.values.push_back(derivatives[i].slope);
@@ -52,7 +55,7 @@ OutOfRound::OutOfRound(std::vector<double> angles, const std::vector<ProfileCurv
     for (Slice& slice : slices_)
         for (Line* line : {&slice.radius, &slice.slope, &slice.curving})
             line->curving = natural_curving(stations_, line->values);
-    find_nodes(slices);
+    find_nodes(slices, shares);
 }
 
 std::vector<double> OutOfRound::radii_beside(const ProfileCurve& slice, const ProfileCurve& first,
@@ -99,7 +102,7 @@ OutOfRound::Between OutOfRound::between(double angle) const {
     return {i, (i + 1) % angles.size(), round_.width(i), (within - angles[i]) / round_.width(i)};
 }
 
-void OutOfRound::find_nodes(const std::vector<ProfileCurve>& slices) {
+void OutOfRound::find_nodes(const std::vector<ProfileCurve>& slices, std::span<const DerivativeShares> shares) {
     double longest = 0;
     for (const ProfileCurve& slice : slices) longest = std::max(longest, slice.end());
     constexpr double rounding = 1e-6;  // mm
@@ -111,7 +114,7 @@ void OutOfRound::find_nodes(const std::vector<ProfileCurve>& slices) {
             y.push_back(at.y);
             z.push_back(at.z);
         }
-        nodes_.push_back({round_.line(std::move(y)), round_.line(std::move(z))});
+        nodes_.push_back({round_.line(std::move(y), shares), round_.line(std::move(z), shares)});
     }
 }
 

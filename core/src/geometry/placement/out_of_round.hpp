@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "contactd/profile.hpp"
@@ -14,8 +15,8 @@ namespace contactd::geometry {
 /// Round the wheel they go through the slices by the quintic splines of quintic_spline.hpp, whose curvature is
 /// continuous: they depend on six slices only, do not swing beyond a flat's edges, and slices that are equal are equal
 /// all between, also over the long way round from the last one to the first; but for two that lie on both sides of the
-/// lowest or highest place of smooth slices. Other splines are those of spline_along.hpp. Along the profile they are
-/// cubic splines through points 0.5 mm apart.
+/// lowest or highest place of smooth slices, as close to each other as those beside them. Other splines are those of
+/// spline_along.hpp. Along the profile they are cubic splines through points 0.5 mm apart.
 class OutOfRound {
    public:
     struct Place {
@@ -57,7 +58,7 @@ class OutOfRound {
         double width, share;
     };
     Between between(double angle) const;
-    void find_nodes(const std::vector<ProfileCurve>& slices);
+    void find_nodes(const std::vector<ProfileCurve>& slices, std::span<const DerivativeShares> shares);
 
     std::vector<double> radii_beside(const ProfileCurve& slice, const ProfileCurve& first, std::size_t index) const;
     Along along(const Line& line, double s) const;

@@ -6,6 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "geometry/placement/knots_along.hpp"
+#include "geometry/placement/slice_shape.hpp"
+
 namespace contactd::geometry {
 
 /// First and second derivative at a knot.
@@ -13,47 +16,44 @@ struct KnotDerivatives {
     double slope = 0, curving = 0;
 };
 
-/// Whether values that are equal are equal all between: always, or unless the second differences at four knots around
-/// agree that the values pass an extremum there.
-enum class EqualValues { stay, may_flank_extremum };
-
-/// The derivatives at knots that make a quintic Hermite spline through values keep their shape.
+/// The derivatives at knots that make quintic Hermite splines through slices keep their shape.
 ///
-/// Where values are smooth the derivatives are those of the polynomials through five of them, so that curvature errs by
-/// the third power of the spacing. They are limited in three steps:
-/// - values that are equal to 1e-9 mm are equal all between (EqualValues): at both, the derivatives are zero;
+/// Where slices vary smoothly the derivatives are those of the polynomials through five of them, so that curvature errs
+/// by the third power of the spacing. They are limited in three steps:
+/// - slices that are equal to 1e-9 mm are equal all between (EqualValues): at both, the derivatives are zero;
 /// - slopes are three times the lesser chord at most (Fritsch and Carlson, SIAM J. Numer. Anal. 17, 1980), but where
-///   the second differences on both sides agree that values pass an extremum, 1.5 times the parabolas' slope (Huynh,
-///   SIAM J. Numer. Anal. 30, 1993); second derivatives have the sign of the second difference;
+///   the second differences on both sides agree that slices pass an extremum, 1.5 times the parabolas' slope (Huynh,
+///   SIAM J. Numer. Anal. 30, 1993), unless the piece between is much wider than those beside it; second derivatives
+///   have the sign of the second difference;
 /// - where a piece is to ascend or descend throughout, the ordinates of its Bezier polygon must, which is sufficient:
 ///   both derivatives of a knot are scaled until they do.
-/// Values that ascend or descend throughout are joined by a spline that does, too.
+/// Limits scale derivatives, by shares that all points of a slice have in common. So what lies between slices is a sum
+/// of slices with weights: slices that are moved, tilted or stretched copies of one profile have such a copy all
+/// between, whatever the rounding of their points. A single point that ascends or descends throughout is joined by a
+/// spline that does, too.
 class QuinticSpline {
    public:
     /// Knots ascend; there are two at least. With a period the first one comes again after it.
     explicit QuinticSpline(std::vector<double> knots, double period = 0, EqualValues equal = EqualValues::stay);
 
+    std::vector<DerivativeShares> shares(std::span<const SlicePoints> slices) const;
+    /// Of the values of one point at all slices, of which these are the shares.
+    std::vector<KnotDerivatives> derivatives(std::span<const double> values,
+                                             std::span<const DerivativeShares> shares) const;
+    /// Of slices with a single value each.
     std::vector<KnotDerivatives> derivatives(std::span<const double> values) const;
 
-    const std::vector<double>& knots() const { return knots_; }
+    const KnotsAlong& along() const { return knots_; }
+    const std::vector<double>& knots() const { return knots_.all(); }
     /// From a knot to the next one; of the last one with a period only.
-    double width(std::size_t knot) const;
+    double width(std::size_t knot) const { return knots_.width(static_cast<std::ptrdiff_t>(knot)); }
 
    private:
-    struct Stencil {
-        std::vector<std::size_t> knots;
-        std::vector<double> first, second;  // weights of both derivatives
-    };
-    class Limiter;
+    DerivativeStencil stencil_at(std::size_t knot) const;
 
-    Stencil stencil_at(std::size_t knot) const;
-    std::ptrdiff_t wrapped(std::ptrdiff_t knot) const;
-    double place(std::ptrdiff_t knot) const;
-
-    std::vector<double> knots_;
-    double period_;
+    KnotsAlong knots_;
     EqualValues equal_;
-    std::vector<Stencil> stencils_;
+    std::vector<DerivativeStencil> stencils_;
 };
 
 /// Weights of the values and derivatives at both ends of a piece, at a share t of its width h.

@@ -86,6 +86,7 @@ SlicedRail::SlicedRail(const std::vector<Slice>& slices, SliceSpline spline) {
     check_kinks(ends);
     const std::size_t parts = ends.front().size() - 1;
     for (std::size_t part = 0; part < parts; ++part) join(slices, ends, part, spline);
+    for (const Stretch& stretch : stretches_) go_along(stretch.first, stretch.last);
     for (Stretch& before : stretches_)
         for (Stretch& behind : stretches_)
             if (behind.part == before.part + 1) join_at_feature(before, behind);
@@ -122,10 +123,27 @@ void SlicedRail::join(const std::vector<Slice>& slices, const std::vector<Ends>&
                 y.push_back(at.y);
                 z.push_back(at.z);
             }
-            stretch.y.push_back(stretch.along.line(std::move(y)));
-            stretch.z.push_back(stretch.along.line(std::move(z)));
+            stretch.y.push_back({std::move(y), {}});
+            stretch.z.push_back({std::move(z), {}});
         }
         stretches_.push_back(std::move(stretch));
+    }
+}
+
+// Parts of the same slices are decided on together, so that they meet at the features between them.
+void SlicedRail::go_along(std::size_t first, std::size_t last) {
+    std::vector<Stretch*> parts;
+    for (Stretch& stretch : stretches_)
+        if (stretch.first == first && stretch.last == last) parts.push_back(&stretch);
+    if (!parts.front()->y.front().derivatives.empty()) return;  // they were decided on
+    for (const auto lines : {&Stretch::y, &Stretch::z}) {
+        std::vector<SlicePoints> points(last + 1 - first);
+        for (const Stretch* stretch : parts)
+            for (const LineAlong& line : stretch->*lines)
+                for (std::size_t i = 0; i < points.size(); ++i) points[i].push_back(line.values[i]);
+        const std::vector<DerivativeShares> shares = parts.front()->along.shares(points);
+        for (Stretch* stretch : parts)
+            for (LineAlong& line : stretch->*lines) line = stretch->along.line(std::move(line.values), shares);
     }
 }
 

@@ -9,10 +9,10 @@
 
 namespace contactd::geometry {
 
-/// Splines along the track (spline_along.hpp) through points of the slices that correspond: at equal shares
-/// of the length from feature to feature, or from kink to kink where none are given. Slices that are equal are equal
-/// all between, unless cubic splines are asked for. A part begins and ends at the slices that have it first and last.
-/// Beyond the ends the profile stays.
+/// Splines along the track (spline_along.hpp) through points of the slices that correspond: at equal shares of the
+/// length from feature to feature, or from kink to kink where none are given. y of all points go by the same weights of
+/// the slices, and z do. Slices that are equal are equal all between, unless other splines are asked for. A part begins
+/// and ends at the slices that have it first and last. Beyond the ends the profile stays.
 class SlicedRail {
    public:
     struct Slice {
@@ -42,6 +42,7 @@ class SlicedRail {
     using Ends = std::vector<double>;  // of the parts of a slice, as lengths; negative where there is none
 
     void join(const std::vector<Slice>& slices, const std::vector<Ends>& ends, std::size_t part, SliceSpline spline);
+    void go_along(std::size_t first, std::size_t last);
     void join_at_feature(Stretch& before, Stretch& behind);
 
     std::vector<double> x_;

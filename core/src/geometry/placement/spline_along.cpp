@@ -7,13 +7,51 @@
 namespace contactd::geometry {
 
 SplineAlong::SplineAlong(std::vector<double> knots, SliceSpline kind, double period, EqualValues equal)
-    : preserving_(std::move(knots), period, equal), kind_(kind), period_(period) {}
+    : preserving_(std::move(knots), period, equal), kind_(kind), period_(period) {
+    for (std::size_t i = 0; i < preserving_.knots().size(); ++i)
+        has_gaps_ = has_gaps_ || is_gap(static_cast<std::ptrdiff_t>(i));
+}
+
+std::vector<DerivativeShares> SplineAlong::shares(std::span<const SlicePoints> slices) const {
+    if (kind_ == SliceSpline::shape_preserving) return preserving_.shares(slices);
+    return std::vector<DerivativeShares>(slices.size());
+}
+
+LineAlong SplineAlong::line(std::vector<double> values, std::span<const DerivativeShares> shares) const {
+    if (kind_ != SliceSpline::shape_preserving) return line(std::move(values));
+    std::vector<KnotDerivatives> derivatives = preserving_.derivatives(values, shares);
+    return {std::move(values), std::move(derivatives)};
+}
 
 LineAlong SplineAlong::line(std::vector<double> values) const {
-    if (kind_ == SliceSpline::cubic) return cubic(values);
-    if (kind_ == SliceSpline::approximating) return approximating(values);
-    std::vector<KnotDerivatives> derivatives = preserving_.derivatives(values);
-    return {std::move(values), std::move(derivatives)};
+    if (kind_ == SliceSpline::shape_preserving) {
+        std::vector<KnotDerivatives> derivatives = preserving_.derivatives(values);
+        return {std::move(values), std::move(derivatives)};
+    }
+    if (has_gaps_) return between_gaps(std::move(values));
+    return kind_ == SliceSpline::cubic ? cubic(values) : approximating(values);
+}
+
+LineAlong SplineAlong::between_gaps(std::vector<double> values) const {
+    const KnotsAlong& along = preserving_.along();
+    const auto n = static_cast<std::ptrdiff_t>(values.size());
+    LineAlong line{std::move(values), std::vector<KnotDerivatives>(along.size())};
+    for (std::ptrdiff_t gap = 0; gap < n; ++gap) {
+        if (!is_gap(gap)) continue;
+        std::vector<double> at{along.place(gap + 1)}, of_part{line.values[along.wrapped(gap + 1)]};
+        for (std::ptrdiff_t piece = gap + 1; !is_gap(piece); ++piece) {
+            at.push_back(along.place(piece + 1));
+            of_part.push_back(line.values[along.wrapped(piece + 1)]);
+        }
+        if (at.size() < 3) continue;
+        const LineAlong part = SplineAlong(std::move(at), kind_).line(std::move(of_part));
+        for (std::size_t k = 1; k + 1 < part.values.size(); ++k) {
+            const std::size_t knot = along.wrapped(gap + 1 + static_cast<std::ptrdiff_t>(k));
+            line.values[knot] = part.values[k];
+            line.derivatives[knot] = part.derivatives[k];
+        }
+    }
+    return line;
 }
 
 // Beyond the ends knots and values go on as they end, or come again.

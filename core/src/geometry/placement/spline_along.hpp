@@ -19,10 +19,16 @@ struct LineAlong {
 class SplineAlong {
    public:
     /// Knots ascend; there are two at least. With a period the first one comes again after it. Both ends of a cubic
-    /// spline without a period are natural; an approximating one passes through the first value and the last.
+    /// spline without a period are natural; an approximating one passes through the first value and the last. With a
+    /// period both end at pieces that are four times as wide as those on both sides, where nothing is known: they pass
+    /// through the values there, and have no slope.
     SplineAlong(std::vector<double> knots, SliceSpline kind, double period = 0, EqualValues equal = EqualValues::stay);
 
-    /// The curve of values at the knots, which those of an approximating spline are not.
+    /// Returns what the lines of all points of the slices have in common.
+    std::vector<DerivativeShares> shares(std::span<const SlicePoints> slices) const;
+    /// The curve of the values of a point at the knots, which those of an approximating spline are not.
+    LineAlong line(std::vector<double> values, std::span<const DerivativeShares> shares) const;
+    /// The curve of slices with a single value each.
     LineAlong line(std::vector<double> values) const;
 
     const std::vector<double>& knots() const { return preserving_.knots(); }
@@ -33,10 +39,13 @@ class SplineAlong {
     double value(std::span<const double> values, std::ptrdiff_t index) const;
     LineAlong cubic(std::span<const double> values) const;
     LineAlong approximating(std::span<const double> values) const;
+    LineAlong between_gaps(std::vector<double> values) const;
+    bool is_gap(std::ptrdiff_t piece) const { return period_ > 0 && preserving_.along().support(piece) == 0; }
 
     QuinticSpline preserving_;
     SliceSpline kind_;
     double period_;
+    bool has_gaps_ = false;
 };
 
 }  // namespace contactd::geometry

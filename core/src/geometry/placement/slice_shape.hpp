@@ -1,0 +1,33 @@
+// Shares of the derivatives of smooth polynomials that keep the shape of slices: the same for all points of a slice.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/placement/knots_along.hpp"
+
+namespace contactd::geometry {
+
+/// Shares at a knot of the first and the second derivative of the polynomial through the values around it.
+struct DerivativeShares {
+    double slope = 1, curving = 1;
+};
+
+/// The coordinates of all points of a slice, in the same order for all slices.
+using SlicePoints = std::vector<double>;
+
+/// Weights of the values at some knots in the first and the second derivative at one.
+struct DerivativeStencil {
+    std::vector<std::size_t> knots;
+    std::vector<double> first, second;
+};
+
+/// Whether slices that are equal are equal all between: always, or unless the second differences at four knots around
+/// agree that the slices pass an extremum there, which lie as close to each other as those beside them.
+enum class EqualValues { stay, may_flank_extremum };
+
+/// Returns the shares at all knots, as quintic_spline.hpp has them.
+std::vector<DerivativeShares> shares_of_shape(const KnotsAlong& knots, std::span<const DerivativeStencil> stencils,
+                                              std::span<const SlicePoints> slices, EqualValues equal);
+
+}  // namespace contactd::geometry
