@@ -66,6 +66,8 @@ class Position {
     /// From the right to the left, still without gaps: approaches are those of the search, vertical penetrations seen
     /// along the normal.
     std::vector<CandidatePatch> candidates(double z) const;
+    /// Returns where the rail meets the wheel beside all candidates, because the search does not look there.
+    std::optional<PassedOver> passed_over(double z) const { return search_->passed_over(z); }
     /// Takes gap and approach at the elements, and what follows from them; of simplified models nothing is left to do.
     /// False where no element has wheel and rail along its normal: that is no place of contact.
     bool measure(CandidatePatch& found, double z) const;

@@ -138,6 +138,7 @@ WheelRailGeometry RightWheel::locate() {
     geometry.z = expected_height();
     geometry.clearance = position_.clearance(geometry.z);
     check_depth(geometry.z);
+    warn(geometry, warnings_of(position_.passed_over(geometry.z), setup_.side));
     for (const CandidatePatch& found : position_.candidates(geometry.z)) {
         geometry.places.push_back(found.place);
         warn(geometry, warnings_of(found, setup_, false));
@@ -190,6 +191,7 @@ WheelRailSolution RightWheel::at(double z, std::vector<CandidatePatch> candidate
 
 Placement RightWheel::placed(double z, std::vector<CandidatePatch> candidates, Observer& observer) const {
     Placement placement{z, 0.05 * setup_.force.tolerance, setup_.accuracy};
+    warn(placement, warnings_of(position_.passed_over(z), setup_.side));
     const TractionHistory history = history_of(candidates);
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         CandidatePatch& found = candidates[i];

@@ -60,6 +60,14 @@ std::vector<std::string> warnings_of(const geometry::CandidatePatch& found, cons
     return warnings;
 }
 
+std::vector<std::string> warnings_of(const std::optional<geometry::PassedOver>& place, Side side) {
+    if (!place) return {};
+    return {"At x = " + short_text(place->x) + " and y = " + short_text(side == Side::left ? -place->y : place->y) +
+            " mm the rail reaches " + short_text(place->depth) +
+            " mm into the wheel, at an edge or a step that the search along the locus passes over: choose "
+            "patches.search mesh."};
+}
+
 std::vector<std::string> warnings_of(const WheelRailState& state) {
     std::vector<std::string> warnings;
     for (const auto& [name, angle] :

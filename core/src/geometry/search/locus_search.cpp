@@ -93,6 +93,13 @@ EquivalentEllipse LocusSearch::ellipse(double z, const RegionGroup& group) const
     return ellipse;
 }
 
+std::optional<PassedOver> LocusSearch::passed_over(double z) {
+    if (!rail_.is_sliced()) return std::nullopt;
+    if (!mesh_) mesh_.emplace(wheel_, rail_, observer_);
+    locus_.look_below(z);
+    return mesh_->passed_over(locus_, z);
+}
+
 QualityFlags LocusSearch::quality_flags(double z, const RegionGroup& group) const {
     QualityFlags flags;
     const double cosine = std::abs(std::cos(group.reference.angle));

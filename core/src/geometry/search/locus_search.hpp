@@ -3,6 +3,7 @@
 
 #include "geometry/search/locus.hpp"
 #include "geometry/search/overlap_search.hpp"
+#include "geometry/search/passed_over.hpp"
 
 namespace contactd::geometry {
 
@@ -14,20 +15,24 @@ class LocusSearch : public OverlapSearch {
 
     /// The wheel stands at z = 0. All must live longer.
     LocusSearch(const WheelSurface& wheel, const RailSurface& rail, double step, Ends ends, const Observer& observer)
-        : rail_(rail), locus_(wheel, rail, step, observer), ends_(ends) {}
+        : wheel_(wheel), rail_(rail), observer_(observer), locus_(wheel, rail, step, observer), ends_(ends) {}
 
     double least_gap() const override { return locus_.least_gap(); }
     std::vector<OverlapRegion> regions(double z) override;
     EquivalentEllipse ellipse(double z, const RegionGroup& group) const override;
     QualityFlags quality_flags(double z, const RegionGroup& group) const override;
+    std::optional<PassedOver> passed_over(double z) override;
 
    private:
     OverlapRegion region_of(std::size_t begin, std::size_t end, double z) const;
     LocusRow edge(std::size_t inside, long step, double z) const;
 
+    const WheelSurface& wheel_;
     const RailSurface& rail_;
+    const Observer& observer_;
     Locus locus_;
     Ends ends_;
+    std::optional<CoarseMesh> mesh_;  // of slices, once it is asked for
 };
 
 }  // namespace contactd::geometry

@@ -21,6 +21,7 @@ class MeshSearch : public OverlapSearch {
     std::vector<OverlapRegion> regions(double z) override;
     EquivalentEllipse ellipse(double z, const RegionGroup& group) const override;
     QualityFlags quality_flags(double z, const RegionGroup& group) const override;
+    std::optional<PassedOver> passed_over(double) override { return std::nullopt; }
 
    private:
     OverlapRegion region_of(const std::vector<GapMesh::Node>& nodes, double z) const;

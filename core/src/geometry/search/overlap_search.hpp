@@ -1,6 +1,7 @@
 // Where wheel and rail overlap when nothing deforms: what the two searches have in common.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "contactd/gap.hpp"
@@ -28,6 +29,12 @@ struct QualityFlags {
 };
 inline constexpr double surely_pressed = 0.04;  ///< overlap (mm) along the normal
 
+/// The deepest place where wheel and rail overlap that a search does not know of (mm).
+struct PassedOver {
+    double depth = 0;
+    double x = 0, y = 0;
+};
+
 class OverlapSearch {
    public:
     virtual ~OverlapSearch() = default;
@@ -38,6 +45,8 @@ class OverlapSearch {
     /// Returns the ellipse of the same volume and second moments as the overlap within the group's extents.
     virtual EquivalentEllipse ellipse(double z, const RegionGroup& group) const = 0;
     virtual QualityFlags quality_flags(double z, const RegionGroup& group) const = 0;
+    /// Returns what is beside the regions of a wheelset that stands at z, where the search leaves out some of the rail.
+    virtual std::optional<PassedOver> passed_over(double z) = 0;
 };
 
 }  // namespace contactd::geometry

@@ -1,0 +1,46 @@
+#include "geometry/search/passed_over.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace contactd::geometry {
+namespace {
+
+constexpr double coarse_x = 1, coarse_y = 0.5;  // mm
+constexpr double least_depth = 0.005;           // mm: of an overlap that matters,
+constexpr double part_of_depth = 0.1;           // and of the deepest one
+constexpr double known = 0.02;                  // mm: within which the locus knows the gap away from its places
+
+/// What the gap is at a place where the rail is straight as far as that, or less.
+double expected_gap(const Locus& locus, double x, double y) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const LocusRow& row : locus.rows_within({y - locus.step(), y + locus.step()})) {
+        const double ahead = x - row.x;
+        if (std::isfinite(row.gap)) least = std::min(least, row.gap + locus.curvature() * ahead * ahead);
+    }
+    return least;
+}
+
+}  // namespace
+
+CoarseMesh::CoarseMesh(const WheelSurface& wheel, const RailSurface& rail, const Observer& observer)
+    : mesh_(wheel, rail, coarse_x, coarse_y, observer) {}
+
+std::optional<PassedOver> CoarseMesh::passed_over(const Locus& locus, double z) {
+    mesh_.look_below(z);
+    const double deepest = z - std::min(locus.least_gap(), mesh_.least_gap());
+    const double least = std::max(least_depth, part_of_depth * deepest);
+    PassedOver found;
+    const auto& [from, to] = mesh_.looked_at();
+    for (std::size_t row = from.row; row <= to.row; ++row)
+        for (std::size_t column = from.column; column <= to.column; ++column) {
+            const double gap = mesh_.gap({column, row}), depth = z - gap;
+            if (!(depth > std::max(least, found.depth))) continue;
+            const double expected = expected_gap(locus, mesh_.x(column), mesh_.y(row));
+            if (expected > z && gap < expected - known) found = {depth, mesh_.x(column), mesh_.y(row)};
+        }
+    return found.depth > 0 ? std::optional(found) : std::nullopt;
+}
+
+}  // namespace contactd::geometry
