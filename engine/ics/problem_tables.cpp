@@ -76,11 +76,14 @@ CachedInfluence influence_of(const ContactProblem& problem, const IcAnswers& ics
         ContactInfluence influence = make_influence(problem, table_of(problem, bodies.upper, ics[0], observer),
                                                     table_of(problem, bodies.lower, ics[1], observer), observer);
         influence.warnings = table_warnings(ics);
-        for (std::string& warning : accuracy_warnings(ics)) influence.warnings.push_back(std::move(warning));
         return influence;
     };
-    if (bodies.any_given()) return {make()};
-    return cache.of(influence_key(problem, ics[0].cache_key(), ics[1].cache_key()), make);
+    // Requests for several accuracies may have one table: what they are warned of is not cached.
+    CachedInfluence found = bodies.any_given()
+                                ? CachedInfluence{make()}
+                                : cache.of(influence_key(problem, ics[0].cache_key(), ics[1].cache_key()), make);
+    for (std::string& warning : accuracy_warnings(bodies, ics)) found.influence.warnings.push_back(std::move(warning));
+    return found;
 }
 
 IcUses uses_of(const ContactSetup& setup, const IcAnswers& ics) {
@@ -95,11 +98,12 @@ IcUses uses_of(const ContactSetup& setup, const IcAnswers& ics) {
     return uses;
 }
 
-std::vector<std::string> accuracy_warnings(const IcAnswers& ics) {
+std::vector<std::string> accuracy_warnings(const Bodies& bodies, const IcAnswers& ics) {
     std::vector<std::string> result;
-    for (const IcAnswer& answer : ics) {
-        if (!answer.record || !answer.record->evidence.section) continue;
-        for (std::string& warning : section_warnings(answer.record->spec.accuracy, *answer.record->evidence.section))
+    for (const auto& [body, answer] : {std::pair(&bodies.upper, &ics[0]), std::pair(&bodies.lower, &ics[1])}) {
+        const Ics* asked = body->computed();
+        if (asked == nullptr || !answer->record || !answer->record->evidence.section) continue;
+        for (std::string& warning : section_warnings(asked->accuracy, *answer->record->evidence.section))
             if (std::ranges::find(result, warning) == result.end()) result.push_back(std::move(warning));
     }
     return result;

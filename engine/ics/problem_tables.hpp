@@ -35,7 +35,7 @@ IcUses uses_of(const ContactSetup& setup, const IcAnswers& ics);
 /// Returns warnings of the tables behind a solution: sentences, none when all is well.
 std::vector<std::string> table_warnings(const IcAnswers& ics);
 
-/// Sentences about tables that miss the accuracy that their request states; those of wheels on rails state none.
-std::vector<std::string> accuracy_warnings(const IcAnswers& ics);
+/// Sentences about tables that miss the accuracy that the bodies ask for; those of wheels on rails ask for none.
+std::vector<std::string> accuracy_warnings(const Bodies& bodies, const IcAnswers& ics);
 
 }  // namespace contactd::engine

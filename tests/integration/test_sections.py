@@ -69,11 +69,22 @@ def test_a_table_that_misses_its_accuracy_beside_an_edge_is_warned_of_in_every_a
     table = shared.get_ic(STEEL, grid, edge, timeout=150)
     section = table.evidence.section
     assert section.mesh_error + section.wavenumber_error + section.end_error <= accuracy < section.error
-    sentence = "exceeds the accuracy asked for"
-    assert any(sentence in warning for warning in table.evidence.warnings)
+    assert any("exceeds the accuracy asked for" in warning for warning in table.evidence.warnings)
+    sentence = f"exceeds the accuracy asked for, {accuracy:g}:"
     with pytest.warns(ContactWarning, match=sentence):
         solution = shared.solve(grid=grid, upper=RigidBody(), lower=STEEL, lower_ics=edge, gap=Paraboloid(50, 50), Fn=100)
     assert any(sentence in warning for warning in solution.warnings)
+
+
+def test_a_table_within_the_accuracy_asked_for_is_not_warned_of_where_its_level_is_finer(shared):
+    section = {"edge_block": {"width": 20, "height": 10, "edge_distance": 1}}
+    grid = Grid(4, 6, 0.5, 0.5, -1, -1.5)
+    error = shared.get_ic(STEEL, grid, fem(section, 5e-3), timeout=150).evidence.section.error
+    assert 1e-3 < error < 5e-3
+    sphere = {"grid": grid, "upper": RigidBody(), "lower": STEEL, "gap": Paraboloid(50, 50), "Fn": 100}
+    for accuracy, is_missed in ((5e-3, False), (1e-3, True), (5e-3, False)):
+        warnings = shared.solve(**sphere, lower_ics=fem(section, accuracy)).warnings
+        assert any("exceeds the accuracy asked for" in warning for warning in warnings) == is_missed
 
 
 @pytest.mark.timeout(180)  # the table takes a quarter of a minute by itself
