@@ -108,7 +108,6 @@ WorkCost cost_of_export(const json& params, const Config& config) {
 
 WorkCost cost_of_wheel_rail(const json& params, const Config& config) {
     constexpr double length = 20, width = 20;  // mm, of a contact with its margin
-    constexpr double width_of_strips = 10;     // likewise: what is wider is checked where it is found
     constexpr double most = 200'000;
     const json none = json::object();
     const json* given = member(params, "setup");
@@ -119,8 +118,8 @@ WorkCost cost_of_wheel_rail(const json& params, const Config& config) {
     // Rows of half-spaces that lie flat, or along the loaded row, have the coefficients of one.
     if (const std::string conformal = setup.value("conformal", "off");
         conformal == "rotated" || conformal == "automatic" || conformal == "fem") {
-        const double rows = width_of_strips / dy, dq = setup.value("dq", dx);
-        bytes += strip_bytes(nx * rows * rows, conformal == "fem" ? 3 : 2, strip_rolling(dq / dx));
+        const double dq = setup.value("dq", dx);
+        bytes += strip_bytes(nx * ny * ny, conformal == "fem" ? 3 : 2, strip_rolling(dq / dx));
     }
     const double product = seconds_of_product * elements * std::log2(4 * elements + 2);
     // A patch is seldom as large as this guess, which refuses nothing; that of another size is checked when it is
