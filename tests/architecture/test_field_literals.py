@@ -33,7 +33,7 @@ HOOKS: dict[str, tuple[int, str]] = {
     "values/subsurface_methods.py": (8, "components that are drawn, rows of representations"),
     "values/tables.py": (35, "tables, whose array has another name on the wire; rows of representations"),
     "values/temperature_methods.py": (1, "rows of representations"),
-    "values/temperature_params.py": (12, "what contact.temperature takes of a solution"),
+    "values/temperature_params.py": (14, "what contact.temperature takes of a solution"),
     "values/wheel_rail/comparison.py": (7, "forces that are compared"),
     "values/wheel_rail/params.py": (6, "the material of the rail, which the daemon does not know by itself"),
     "values/wheel_rail/solution.py": (4, "answers without patches"),

@@ -82,8 +82,8 @@ def solves() -> Iterator[tuple[dict[str, Any], list[bytes]]]:
     steel = {"bulk_temperature": 20, "conductivity": 50, "heat_capacity": 450, "density": 7850}
     yield {
         **base, "bodies": bodies, "ics": {"source": "analytic"}, "gap": {"paraboloid": {"Rx": 10}}, "Fn": 2,
-        "temperature": {"upper": steel, "lower": {"bulk_temperature": 90}},
-        "friction": {"mu": 0.3, "temperature": {"change": -0.1, "reference": 20, "range": 300}, "rolling": steady},
+        "temperature": {"upper": steel, "lower": {"bulk_temperature": 90}, "plastic_share": 0.9},
+        "friction": {"mu": 0.3, "temperature": {"change": -0.1, "reference": 20, "range": 300, "memory": {"distance": 1e-3, "least_velocity": 1}}, "rolling": steady},
     }, []
     pieces = [{"from": 0, "value": 1, "slope": 5}, {"from": 10, "value": 55, "slope": 0}]
     law = {"source": "a test", "body": "lower", "range": [0, 10], "zones": [{"angle": -1, "factor": 0.1}, {"angle": 0, "factor": 1}]}

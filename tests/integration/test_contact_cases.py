@@ -82,6 +82,21 @@ def test_temperatures_are_where_scripts_look(shared):
     np.testing.assert_allclose(upper, solution.upper_temperature, rtol=1e-5, atol=1e-5)
 
 
+@pytest.mark.parametrize("tau_c0", [0.0, 120.0])
+def test_heat_beside_a_layer_is_computed(shared, tau_c0):
+    heat = {"BKTEMP": 0.0, "HEATCP": 450.0, "LAMBDA": 50e-3, "DENS": 7.85e-6}
+    both = {f"{name}{body}": value for body in (1, 2) for name, value in heat.items()}
+    layer = {"M": 4, "GG3": 6500.0, "LAYTHK": 0.06, "TAU_C0": tau_c0, "K_TAU": 0.0, "BETAPL": 0.9}
+    case = basic_case(CKSI=0.02, H=3, **both, **layer)
+    (outcome,) = computed(shared, [case])
+    assert outcome.status == "solved", outcome.sentence
+    solution = outcome.result.solution
+    plastic = solution.plastic_power or 0
+    assert (plastic > 0) == (tau_c0 > 0)
+    heat = solution.temperature.heat_upper + solution.temperature.heat_lower
+    assert heat == pytest.approx(solution.frictional_power - 0.1 * plastic, rel=1e-5)
+
+
 def one_iteration(**changes):
     """A cylinder between bodies of 26 and 79 GPa, by Johnson's process; lengths of the elements along it 600 mm."""
     area = {"IPOTCN": 1, "MX": 120, "MY": 1, "XL": -0.24, "YL": -300.0, "DX": 0.004, "DY": 600.0}

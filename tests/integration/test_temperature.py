@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import warnings
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from contactd import (
     ContactProblem,
     Friction,
+    FrictionMemory,
     Grid,
+    InterfacialLayer,
     InvalidArgument,
     Material,
     Paraboloid,
@@ -62,6 +67,44 @@ def test_friction_falls_with_the_temperature(shared):
     traction = np.hypot(falling.traction_x, falling.traction_y)
     np.testing.assert_allclose(traction[slips], (mu * falling.pressure)[slips], rtol=1e-5)
     assert falling.evidence.outer.iterations <= 8
+
+
+def test_friction_by_temperature_remembers(shared):
+    def at(distance):
+        return shared.solve(with_law(replace(FALLING, memory=FrictionMemory(distance, 1))))
+
+    forces = [-at(distance).Fx for distance in (1e-9, 0.01, 1e9)]
+    assert forces[0] == pytest.approx(-shared.solve(with_law(FALLING)).Fx, rel=1e-5)
+    assert forces[0] < forces[1] < forces[2]
+    between = at(0.01)
+    slips = between.element_division == 2
+    traction = np.hypot(between.traction_x, between.traction_y)
+    np.testing.assert_allclose(traction[slips], (between.friction_coefficient * between.pressure)[slips], rtol=1e-5)
+
+
+def test_layers_that_flow_heat_the_surfaces(shared):
+    friction = Friction(0.35, rolling=Rolling(xi=0.01, velocity=3e4), layer=InterfacialLayer(1e-5, 100))
+    problem = PROBLEM.replace(friction=friction, temperature=replace(BODIES, plastic_share=0.9))
+    solution = shared.solve(problem)
+    found = shared.temperature(solution, problem.temperature)
+    assert found.temperature == solution.temperature
+    heat = found.temperature.heat_upper + found.temperature.heat_lower
+    assert solution.plastic_power > 0
+    assert heat == pytest.approx(solution.frictional_power - 0.1 * solution.plastic_power, rel=1e-5)
+
+
+def test_a_wheel_that_slides_leaves_its_heat_to_the_rail(shared):
+    setup = WheelRailSetup(friction=WheelRailFriction(0.3), temperature=ThermalBodies(), dx=0.4, dy=0.4)
+    for rolls, most in ((1.0, 0.51), (0.2, 0.35), (0.0, 0.02)):
+        state = WheelRailState(Fz=8e4, velocity=WheelsetVelocity(x=2e4, pitch=-rolls * 2e4 / 460))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            solution = shared.wheel_rail(setup, state)
+        found = max((patch.solution for patch in solution.patches), key=lambda patch: patch.Fn).temperature
+        wheel = found.heat_lower / (found.heat_upper + found.heat_lower)
+        assert wheel < most
+        if rolls < 1:  # the speed of the rail is that of the train
+            assert wheel == pytest.approx(rolls**0.5 / (1 + rolls**0.5), abs=0.02)
 
 
 def test_steps_of_a_session_have_temperatures(shared):

@@ -1,5 +1,6 @@
 // contact.temperature, and what contact.solve has of temperatures.
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/schema.hpp"
@@ -31,6 +32,11 @@ TEST_CASE("A request of temperatures comes back as it went", "[temperature]") {
     request.traction_y = {0, 0, 1e-300};
     request.slip_x = {0, 0.01, 0.02};
     request.slip_y = {0, -0.01, 0};
+    if (GENERATE(true, false)) {  // of a layer that flows
+        request.temperature.plastic_share = 0.9;
+        request.flow_x = {0, 1e-3, 1.0 / 7};
+        request.flow_y = {0, -1e-3, 0};
+    }
     ArrayWriter arrays(ArrayEncoding::frame);
     const json params = encode_temperature_request(request, arrays);
     CHECK(violations_of("contact.temperature.params", params).empty());
@@ -41,11 +47,12 @@ TEST_CASE("A request of temperatures comes back as it went", "[temperature]") {
     CHECK((back.velocity == request.velocity && back.chi == request.chi));
     CHECK((back.pressure == request.pressure && back.traction_x == request.traction_x));
     CHECK((back.traction_y == request.traction_y && back.slip_x == request.slip_x && back.slip_y == request.slip_y));
+    CHECK((back.flow_x == request.flow_x && back.flow_y == request.flow_y));
 }
 
 TEST_CASE("Temperatures come back as they went", "[temperature]") {
     const Grid grid{2, 1, 1, 1, 0, 0};
-    const SurfaceTemperatures reply{{1.0 / 3, 40}, {2, 30}, {40, 1.5, 0.5, 7, 1e6, 2e6, 5000}, {"Warm."}};
+    const SurfaceTemperatures reply{{1.0 / 3, 40}, {2, 30}, {40, 1.5, 0.5, 41, 42, 7, 1e6, 2e6, 5000}, {"Warm."}};
     ArrayWriter arrays(ArrayEncoding::list);
     const json result = encode_temperature_reply(reply, grid, arrays);
     CHECK(violations_of("contact.temperature.result", result).empty());
@@ -59,7 +66,8 @@ TEST_CASE("Temperatures come back as they went", "[temperature]") {
 TEST_CASE("Heat of a problem comes back as it went", "[temperature]") {
     json params = wire::solve_params();
     ContactProblem problem = decode_problem(params, {});
-    problem.friction->temperature = TemperatureFriction{-0.1, 20, 1.0 / 3};
+    problem.friction->temperature =
+        TemperatureFriction{-0.1, 20, 1.0 / 3, GENERATE(std::optional<FrictionMemory>{}, FrictionMemory{1e-3, 10})};
     for (const ThermalBodies& heat : {ThermalBodies{}, bodies()}) {
         problem.temperature = heat;
         ArrayWriter arrays(ArrayEncoding::list);

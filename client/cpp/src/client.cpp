@@ -209,6 +209,8 @@ void check_arrays(const TemperatureRequest& request) {
     check_array(request.grid, request.traction_y, "traction_y");
     check_array(request.grid, request.slip_x, "slip_x");
     check_array(request.grid, request.slip_y, "slip_y");
+    if (!request.flow_x.empty()) check_array(request.grid, request.flow_x, "flow_x");
+    if (!request.flow_y.empty()) check_array(request.grid, request.flow_y, "flow_y");
 }
 
 }  // namespace

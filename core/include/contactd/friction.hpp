@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "contactd/friction_with_memory.hpp"
 #include "contactd/temperature_friction.hpp"
 
 namespace contactd {
@@ -28,16 +29,6 @@ struct SecondTerm {
     double slip_velocity = 0;  ///< v_c > 0 (mm/s)
 
     bool operator==(const SecondTerm&) const = default;
-};
-
-/// Friction with memory (Vollebregt and Schuttelaars, J. Sound Vib. 2012): the coefficient of a particle follows the
-/// law over a distance d that it slips, d mu/dt = -max(v, v_0)/d (mu - mu(v)), from the static one where it enters. By
-/// implicit Euler over a step.
-struct FrictionMemory {
-    double distance = 0;        ///< d > 0 (mm)
-    double least_velocity = 0;  ///< v_0 >= 0 (mm/s)
-
-    bool operator==(const FrictionMemory&) const = default;
 };
 
 struct KineticFriction {

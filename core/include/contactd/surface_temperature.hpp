@@ -6,13 +6,15 @@
 
 namespace contactd {
 
-/// Each surface point passes the heat sources of its row, one element after the other. With the effusivities b1, b2 the
-/// share b_i/(b1 + b2) of the heat q = |p . s| V goes into body i, and both surfaces rise by
-///   2 sqrt(dx)/((b1 + b2) sqrt(pi V)) sum_J q_J (sqrt(k + 1/2) - sqrt(k - 1/2)),
+/// Each surface point passes the heat sources of its row, one element after the other. The surfaces pass at
+/// U1, U2 = V (1 -+ w/2), w the mean of the relative slip of the upper one in the row, along the rolling direction.
+/// With c_i = b_i sqrt(U_i), b_i the effusivities, the share c_i/(c1 + c2) of the heat goes into body i, which is q =
+/// |p . s| V and the plastic share of p . flow V. Both surfaces rise by
+///   2 sqrt(dx)/((c1 + c2) sqrt(pi)) sum_J q_J (sqrt(k + 1/2) - sqrt(k - 1/2)),
 /// k the elements from one to J, ahead of it, of its own heat sqrt(1/2): exact at the centres for a heat that is
-/// constant on each element. Where bulk temperatures differ both surfaces have (b1 T1 + b2 T2)/(b1 + b2) in contact,
+/// constant on each element. Where bulk temperatures differ both surfaces have (c1 T1 + c2 T2)/(c1 + c2) in contact,
 /// and behind it T_i + (T - T_i) (2/pi) asin(sqrt(L/d)), d from the leading edge, L from there to the trailing edge of
-/// the row: of a row with gaps the whole. (Ertz and Knothe 2002.)
+/// the row: of a row with gaps the whole. (Blok 1937; Ertz and Knothe 2002.)
 /// Reports the stage "temperature". Throws InvalidArgument ("chi", "velocity", "pressure", "temperature.upper.density",
 /// ...) and Cancelled.
 SurfaceTemperatures surface_temperature(const TemperatureRequest& request, Observer& observer);

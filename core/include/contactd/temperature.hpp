@@ -29,6 +29,7 @@ struct ThermalBody {
 struct ThermalBodies {
     ThermalBody upper{};
     std::optional<ThermalBody> lower{};  ///< absent: like the upper one
+    double plastic_share = 1;            ///< of the plastic work of a layer, what becomes heat, 0 to 1
 
     bool operator==(const ThermalBodies&) const = default;
     const ThermalBody& below() const { return lower ? *lower : upper; }
@@ -39,10 +40,12 @@ struct ContactTemperature {
     double largest =
         0;  ///< in contact, where both surfaces have one (degrees Celsius); without contact the larger bulk
     double x = 0, y = 0;                    ///< centre of the element that has it, the first of equals (mm)
+    double largest_upper = 0;               ///< of all elements, also before and behind the contact (degrees Celsius)
+    double largest_lower = 0;               ///< likewise
     double rise = 0;                        ///< largest one by friction alone (K)
     double heat_upper = 0, heat_lower = 0;  ///< frictional power that goes into either body (N mm/s)
-    /// The smaller one of both bodies, V L/(2 diffusivity), L the length of the longest row of the contact; of bodies
-    /// without conductivity none. 0 without contact.
+    /// The smaller one of both bodies, U L/(2 diffusivity), U the speed of its surface through the contact, L the
+    /// length of the longest row; of bodies without conductivity none. 0 without contact.
     double peclet = 0;
 
     bool operator==(const ContactTemperature&) const = default;
@@ -64,6 +67,7 @@ struct TemperatureRequest {
     std::vector<double> pressure;                ///< > 0 in contact (N/mm^2)
     std::vector<double> traction_x, traction_y;  ///< on the upper body (N/mm^2)
     std::vector<double> slip_x, slip_y;  ///< relative slip of the upper body over the lower, per distance rolled
+    std::vector<double> flow_x, flow_y;  ///< plastic flow of a layer likewise, along the tractions; empty: none
 };
 
 /// Tells whether chi is 0 or pi to 1e-9, so that particles roll along rows.

@@ -1,7 +1,10 @@
 // Friction by the temperature of the surfaces.
 #pragma once
 
+#include <optional>
 #include <span>
+
+#include "contactd/friction_with_memory.hpp"
 
 namespace contactd {
 
@@ -12,6 +15,7 @@ struct TemperatureFriction {
     double change = 0;     ///< where the surface is hot; negative where friction falls
     double reference = 0;  ///< (degrees Celsius)
     double range = 0;      ///< > 0 (K)
+    std::optional<FrictionMemory> memory{};
 
     bool operator==(const TemperatureFriction&) const = default;
 };
@@ -19,8 +23,8 @@ struct TemperatureFriction {
 /// The coefficient at the temperature T (degrees Celsius); `mu` is that of the law.
 double friction_coefficient(const TemperatureFriction& law, double mu, double T);
 
-/// Throws InvalidArgument ("friction.temperature.change", ...) unless all are finite, range is positive, and a
-/// coefficient is left of each of `mu` where the surface is hot.
+/// Throws InvalidArgument ("friction.temperature.change", ...) unless all are finite, range and the distance of memory
+/// are positive, and a coefficient is left of each of `mu` where the surface is hot.
 void validate(const TemperatureFriction& law, std::span<const double> mu);
 
 }  // namespace contactd

@@ -209,7 +209,7 @@ class BoundaryElements {
         now_.tangential.x = tangential_.traction_x;
         now_.tangential.y = tangential_.traction_y;
         if (layer_) {
-            layer_->divide(bound_of_friction(slip_law_ ? slip_law_->mu() : static_mu_), tangential_);
+            layer_->divide(bound_of_friction(followed_mu()), tangential_);
             now_.yield_stress = tangential_.yield_stress;
         }
         auto& evidence = solution_.evidence.tangential;
@@ -264,10 +264,29 @@ class BoundaryElements {
         for (std::size_t i = 0; i < n_; ++i)
             if (tangential_.element_division[i] > ElementState::adhesion)
                 velocity[i] = std::hypot(tangential_.slip_x[i], tangential_.slip_y[i]) / seconds;
-        if (temperature_law_) return temperature_law_->follow(velocity, now_.pressure);
+        if (temperature_law_) {
+            const double change = temperature_law_->follow(motion_of_elements(std::move(velocity)), now_.pressure);
+            if (temperature_law_->has_memory()) now_.friction_coefficient = temperature_law_->mu();
+            return change;
+        }
         const double change = slip_law_->follow(velocity, now_.pressure);
         now_.friction_coefficient = slip_law_->mu();
         return change;
+    }
+
+    MotionOfElements motion_of_elements(Values slip_velocity) const {
+        const double unit = step_->unit(), velocity = std::get<Rolling>(problem_.motion).velocity;
+        MotionOfElements motion{std::move(slip_velocity),
+                                {},
+                                mean_slip_of_rows(static_cast<std::size_t>(problem_.grid.nx), now_.pressure,
+                                                  tangential_.slip_x, tangential_.flow_x)};
+        for (double& slip : motion.slip_of_rows) slip /= unit;
+        for (std::size_t i = 0; i < tangential_.flow_x.size(); ++i) {
+            const double work =
+                tangential_.traction_x[i] * tangential_.flow_x[i] + tangential_.traction_y[i] * tangential_.flow_y[i];
+            motion.plastic_heat.push_back(problem_.temperature->plastic_share * std::max(0.0, work) * velocity / unit);
+        }
+        return motion;
     }
 
     const Values& followed_mu() const {

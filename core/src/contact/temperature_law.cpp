@@ -1,5 +1,6 @@
 #include "temperature_law.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <variant>
@@ -31,18 +32,95 @@ TemperatureLaw::TemperatureLaw(const ContactProblem& problem)
       nx_(static_cast<std::size_t>(problem.grid.nx)),
       ny_(static_cast<std::size_t>(problem.grid.ny)),
       backwards_(std::cos(std::get<Rolling>(problem.motion).chi) < 0),
+      step_(step_length(std::get<Rolling>(problem.motion), problem.grid) / problem.grid.dx),
+      seconds_(step_ * problem.grid.dx / velocity_of(problem)),
       heat_(*problem.temperature, velocity_of(problem), problem.grid.dx, nx_),
       cold_(problem.grid.size()),
       mu_(problem.grid.size()) {
+    const double contact = heat_.shares(0).contact_temperature;
     for (std::size_t i = 0; i < mu_.size(); ++i) {
         cold_[i] = problem.friction->mu_of(i);
-        mu_[i] = friction_coefficient(law_of(i / nx_), cold_[i], heat_.contact_temperature());
+        mu_[i] = friction_coefficient(law_of(i / nx_), cold_[i], contact);
     }
 }
 
-double TemperatureLaw::follow(std::span<const double> slip_velocity, std::span<const double> pressure) {
+bool TemperatureLaw::has_memory() const {
+    return std::ranges::any_of(laws_, [](const TemperatureFriction& law) { return law.memory.has_value(); });
+}
+
+/// A row of elements on its way from the leading to the trailing edge.
+class TemperatureLaw::Row {
+   public:
+    Row(const TemperatureLaw& all, std::size_t row, const MotionOfElements& motion, std::span<const double> pressure,
+        std::vector<double>& mu)
+        : all_(all),
+          row_(row),
+          motion_(motion),
+          pressure_(pressure),
+          mu_(mu),
+          shares_(all.heat_.shares((all.backwards_ ? -1 : 1) * motion.slip_of_rows[row])),
+          changes_(all.nx_) {}
+
+    void march() {
+        for (std::size_t k = 0; k < all_.nx_; ++k) {
+            const std::size_t i = row_ * all_.nx_ + (all_.backwards_ ? k : all_.nx_ - 1 - k);
+            if (pressure_[i] > 0) take(k, i);
+        }
+    }
+
+   private:
+    void take(std::size_t k, std::size_t i) {
+        double T = shares_.contact_temperature;
+        for (const auto& [ahead, heat] : sources_) T += heat * rise_at(k - ahead);
+        const double plastic = motion_.plastic_heat.empty() ? 0 : motion_.plastic_heat[i];
+        T += plastic * rise_at(0);
+        const double heat_of_mu = pressure_[i] * motion_.slip_velocity[i];
+        mu_[i] = coefficient(k, i, T, rise_at(0) * heat_of_mu);
+        if (heat_of_mu > 0 || plastic > 0) sources_.emplace_back(k, mu_[i] * heat_of_mu + plastic);
+    }
+
+    double rise_at(std::size_t behind) const { return shares_.unit * all_.heat_.weight(behind); }
+
+    // Implicit Euler along the way of the particle, which was dq ahead: of what it brings a part stays, and of the law
+    // the rest counts, so that its temperature still follows from one equation.
+    double coefficient(std::size_t k, std::size_t i, double T, double rise) {
+        const TemperatureFriction& law = all_.law_of(row_);
+        const double cold = all_.cold_[i];
+        if (!law.memory) return coefficient_of_own_heat(law, cold, T, rise);
+        const double slipped = all_.seconds_ * std::max(motion_.slip_velocity[i], law.memory->least_velocity);
+        const double from_behind = std::min(all_.step_, 1.0);  // a step shorter than an element mixes in its own value
+        const double brought = law.memory->distance * from_behind, part = brought / (brought + slipped);
+        const double entering = friction_coefficient(law, cold, shares_.contact_temperature);
+        TemperatureFriction rest = law;
+        rest.change *= 1 - part;
+        const double mu =
+            coefficient_of_own_heat(rest, part * (entering + change_ahead(k)) + (1 - part) * cold, T, rise);
+        changes_[k] = mu - entering;
+        return mu;
+    }
+
+    // What a particle brings of the change of its coefficient since it entered.
+    double change_ahead(std::size_t k) const {
+        const double step = std::max(all_.step_, 1.0), elements = std::floor(step), beyond = step - elements;
+        const auto at = [&](double ahead) {
+            return ahead <= static_cast<double>(k) ? changes_[k - static_cast<std::size_t>(ahead)] : 0;
+        };
+        return (1 - beyond) * at(elements) + (beyond > 0 ? beyond * at(elements + 1) : 0);
+    }
+
+    const TemperatureLaw& all_;
+    const std::size_t row_;
+    const MotionOfElements& motion_;
+    const std::span<const double> pressure_;
+    std::vector<double>& mu_;
+    const RowShares shares_;
+    std::vector<std::pair<std::size_t, double>> sources_;  // place and heat of those ahead
+    std::vector<double> changes_;                          // of coefficients since particles entered
+};
+
+double TemperatureLaw::follow(const MotionOfElements& motion, std::span<const double> pressure) {
     std::vector<double> next = mu_;
-    for (std::size_t row = 0; row < ny_; ++row) march(row, slip_velocity, pressure, next);
+    for (std::size_t row = 0; row < ny_; ++row) Row(*this, row, motion, pressure, next).march();
     double square = 0, reference = 0;
     for (std::size_t i = 0; i < mu_.size(); ++i) {
         if (!(pressure[i] > 0)) continue;
@@ -51,20 +129,6 @@ double TemperatureLaw::follow(std::span<const double> slip_velocity, std::span<c
     }
     mu_ = std::move(next);
     return square > 0 ? std::sqrt(square / reference) : 0;
-}
-
-void TemperatureLaw::march(std::size_t row, std::span<const double> slip_velocity, std::span<const double> pressure,
-                           std::vector<double>& mu) const {
-    std::vector<std::pair<std::size_t, double>> sources;  // place and heat of those ahead
-    for (std::size_t k = 0; k < nx_; ++k) {
-        const std::size_t i = row * nx_ + (backwards_ ? k : nx_ - 1 - k);
-        if (!(pressure[i] > 0)) continue;
-        double T = heat_.contact_temperature();
-        for (const auto& [ahead, heat] : sources) T += heat * heat_.weight(k - ahead);
-        const double heat_of_mu = pressure[i] * slip_velocity[i];
-        mu[i] = coefficient_of_own_heat(law_of(row), cold_[i], T, heat_.weight(0) * heat_of_mu);
-        if (heat_of_mu > 0) sources.emplace_back(k, mu[i] * heat_of_mu);
-    }
 }
 
 }  // namespace contactd

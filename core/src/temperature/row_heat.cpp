@@ -1,22 +1,55 @@
 #include "row_heat.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace contactd {
 
-RowHeat::RowHeat(const ThermalBodies& bodies, double velocity, double dx, std::size_t length) {
-    const double upper = bodies.upper.effusivity(), lower = bodies.below().effusivity(), both = upper + lower;
-    share_of_upper_ = upper / both;
-    contact_temperature_ =
-        bodies.upper.bulk_temperature * share_of_upper_ + bodies.below().bulk_temperature * (lower / both);
-    const double unit = 2 * std::sqrt(dx) / (both * std::sqrt(std::numbers::pi * velocity));
-    weights_.resize(length);
+RowHeat::RowHeat(const ThermalBodies& bodies, double velocity, double dx, std::size_t length)
+    : bodies_(bodies),
+      velocity_(velocity),
+      scale_(2 * std::sqrt(dx) / std::sqrt(std::numbers::pi * velocity)),
+      weights_(length) {
     for (std::size_t k = 0; k < length; ++k) {
         const auto elements = static_cast<double>(k);
         // Roots of large numbers nearly cancel: the difference as a quotient.
-        weights_[k] = unit * (k == 0 ? std::sqrt(0.5) : 1 / (std::sqrt(elements + 0.5) + std::sqrt(elements - 0.5)));
+        weights_[k] = k == 0 ? std::sqrt(0.5) : 1 / (std::sqrt(elements + 0.5) + std::sqrt(elements - 0.5));
     }
+}
+
+// In the time that its surface needs through the contact, a body takes heat by its effusivity and the root of its
+// speed.
+RowShares RowHeat::shares(double slip) const {
+    constexpr double least = 1e-12;  // of the velocity: the heat has to go into one of them
+    const double above = 1 - 0.5 * slip, below = 1 + 0.5 * slip;
+    const auto root = [least](double part) { return std::sqrt(std::max(std::abs(part), least)); };
+    const double upper = bodies_.upper.effusivity() * root(above), lower = bodies_.below().effusivity() * root(below),
+                 both = upper + lower;
+    RowShares shares;
+    shares.speed_upper = velocity_ * std::abs(above);
+    shares.speed_lower = velocity_ * std::abs(below);
+    shares.opposite = above * below < 0;
+    shares.share_of_upper = upper / both;
+    shares.contact_temperature =
+        bodies_.upper.bulk_temperature * shares.share_of_upper + bodies_.below().bulk_temperature * (lower / both);
+    shares.unit = scale_ / both;
+    return shares;
+}
+
+std::vector<double> mean_slip_of_rows(std::size_t nx, std::span<const double> pressure, std::span<const double> slip_x,
+                                      std::span<const double> flow_x) {
+    std::vector<double> means(pressure.size() / nx);
+    for (std::size_t row = 0; row < means.size(); ++row) {
+        double sum = 0, weight = 0;
+        for (std::size_t i = row * nx; i < (row + 1) * nx; ++i) {
+            if (!(pressure[i] > 0)) continue;
+            sum += pressure[i] * (slip_x[i] - (flow_x.empty() ? 0 : flow_x[i]));
+            weight += pressure[i];
+        }
+        if (weight > 0) means[row] = sum / weight;
+    }
+    return means;
 }
 
 }  // namespace contactd

@@ -2,28 +2,47 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "contactd/temperature.hpp"
 
 namespace contactd {
 
+/// How the bodies share the heat of a row, by the speeds at which their surfaces pass through the contact.
+struct RowShares {
+    double speed_upper = 0, speed_lower = 0;  ///< (mm/s), >= 0
+    bool opposite = false;                    ///< whether the surfaces pass in opposite directions
+    double share_of_upper = 0;                ///< of the heat
+    double contact_temperature = 0;           ///< of both surfaces in contact, without friction (degrees Celsius)
+    double unit = 0;                          ///< rise by a heat of 1 N/(mm s) for a weight of 1 (K mm s/N)
+};
+
 /// How bodies share heat, and how much an element's heat raises what lies behind it.
 class RowHeat {
    public:
-    /// `velocity` is that of rolling (mm/s), `dx` the size of the elements along it (mm), `length` their number.
+    /// `velocity` is that of rolling (mm/s), the mean of both surfaces; `dx` the size of the elements along it (mm),
+    /// `length` their number.
     RowHeat(const ThermalBodies& bodies, double velocity, double dx, std::size_t length);
 
-    /// The rise at an element by a heat of 1 N/(mm s) on the one that lies `ahead` elements before it; 0: on its own
-    /// (K mm s/N).
+    /// Returns the shares of a row whose upper surface slips by `slip` over the lower one, per distance rolled,
+    /// positive along the rolling direction: surfaces run against it, the upper one at velocity (1 - slip/2), the lower
+    /// one at velocity (1 + slip/2).
+    RowShares shares(double slip) const;
+
+    /// The rise at an element by the heat on the one that lies `ahead` elements before it, over the unit of the row's
+    /// shares; 0: by its own.
     double weight(std::size_t ahead) const { return weights_[ahead]; }
-    double share_of_upper() const { return share_of_upper_; }
-    /// The temperature of both surfaces in contact, without friction (degrees Celsius).
-    double contact_temperature() const { return contact_temperature_; }
 
    private:
-    double share_of_upper_, contact_temperature_;
+    const ThermalBodies bodies_;
+    const double velocity_, scale_;
     std::vector<double> weights_;
 };
+
+/// Relative motion of the surfaces along x, per distance rolled, in each of the rows of nx elements: the mean of slip
+/// less flow (empty: none), weighted with the pressure; 0 in rows without contact.
+std::vector<double> mean_slip_of_rows(std::size_t nx, std::span<const double> pressure, std::span<const double> slip_x,
+                                      std::span<const double> flow_x);
 
 }  // namespace contactd

@@ -26,10 +26,15 @@ void check(const TemperatureRequest& request) {
         throw InvalidArgument("chi", "is " + number_text(request.chi) +
                                          "; temperatures are those of rolling along x, 0 or pi, in which heat stays "
                                          "in its row of elements");
+    if (request.flow_x.empty() != request.flow_y.empty())
+        throw InvalidArgument(request.flow_x.empty() ? "flow_y" : "flow_x",
+                              "is given alone. Give flow_x and flow_y, or neither.");
     for (const auto& [values, field] :
          {std::pair{&request.pressure, "pressure"}, std::pair{&request.traction_x, "traction_x"},
           std::pair{&request.traction_y, "traction_y"}, std::pair{&request.slip_x, "slip_x"},
-          std::pair{&request.slip_y, "slip_y"}}) {
+          std::pair{&request.slip_y, "slip_y"}, std::pair{&request.flow_x, "flow_x"},
+          std::pair{&request.flow_y, "flow_y"}}) {
+        if (values->empty() && (values == &request.flow_x || values == &request.flow_y)) continue;
         if (values->size() != request.grid.size())
             throw InvalidArgument(field, "has " + std::to_string(values->size()) + " values; the grid has " +
                                              std::to_string(request.grid.size()) + " elements");
@@ -47,7 +52,8 @@ class Surfaces {
           nx_(static_cast<std::size_t>(request.grid.nx)),
           ny_(static_cast<std::size_t>(request.grid.ny)),
           heat_(request.temperature, request.velocity, request.grid.dx, nx_),
-          backwards_(std::cos(request.chi) < 0) {}
+          backwards_(std::cos(request.chi) < 0),
+          slips_(mean_slip_of_rows(nx_, request.pressure, request.slip_x, request.flow_x)) {}
 
     SurfaceTemperatures find(Observer& observer) {
         result_.upper_temperature.assign(request_.grid.size(), request_.temperature.upper.bulk_temperature);
@@ -71,10 +77,17 @@ class Surfaces {
     // Power per area (N/(mm s)); what tolerances leave of slip in adhesion may have either sign.
     double heat_at(std::size_t i) const {
         const double work = request_.traction_x[i] * request_.slip_x[i] + request_.traction_y[i] * request_.slip_y[i];
-        return std::max(0.0, -work) * request_.velocity;
+        return (std::max(0.0, -work) + plastic_heat_at(i)) * request_.velocity;
+    }
+
+    double plastic_heat_at(std::size_t i) const {
+        if (request_.flow_x.empty()) return 0;
+        const double work = request_.traction_x[i] * request_.flow_x[i] + request_.traction_y[i] * request_.flow_y[i];
+        return request_.temperature.plastic_share * std::max(0.0, work);
     }
 
     void take_row(std::size_t row) {
+        shares_ = heat_.shares(backwards_ ? -slips_[row] : slips_[row]);
         std::size_t first = nx_, last = 0;
         for (std::size_t k = 0; k < nx_; ++k) {
             if (!(request_.pressure[at(row, k)] > 0)) continue;
@@ -83,12 +96,14 @@ class Surfaces {
             last = k;
         }
         if (first == nx_) return;
-        longest_ = std::max(longest_, last - first + 1);
+        has_opposite_ = has_opposite_ || shares_.opposite;
+        take_length(last - first + 1);
         add_bulk(row, first, last);
         Values heat(last - first + 1);
         for (std::size_t k = first; k <= last; ++k) {
             heat[k - first] = heat_at(at(row, k));
             heat_sum_ += heat[k - first];
+            heat_of_upper_ += heat[k - first] * shares_.share_of_upper;
         }
         for (std::size_t k = first; k < nx_; ++k) add_rise(at(row, k), rise_at(heat, k - first));
     }
@@ -97,7 +112,20 @@ class Surfaces {
         double sum = 0;
         for (std::size_t ahead = 0; ahead <= std::min(k, heat.size() - 1); ++ahead)
             sum += heat[ahead] * heat_.weight(k - ahead);
-        return sum;
+        return shares_.unit * sum;
+    }
+
+    // The smaller Peclet number of both bodies counts, of the longest row; of rows as long as it the smallest.
+    void take_length(std::size_t length) {
+        if (length < longest_) return;
+        if (length > longest_) peclet_ = std::numeric_limits<double>::infinity();
+        longest_ = length;
+        const ThermalBodies& bodies = request_.temperature;
+        for (const auto& [body, speed] :
+             {std::pair{&bodies.upper, shares_.speed_upper}, std::pair{&bodies.below(), shares_.speed_lower}})
+            if (body->diffusivity() > 0)
+                peclet_ = std::min(peclet_,
+                                   speed * static_cast<double>(length) * request_.grid.dx / (2 * body->diffusivity()));
     }
 
     void add_rise(std::size_t i, double rise) {
@@ -108,7 +136,7 @@ class Surfaces {
 
     void add_bulk(std::size_t row, std::size_t first, std::size_t last) {
         const double upper = request_.temperature.upper.bulk_temperature,
-                     lower = request_.temperature.below().bulk_temperature, contact = heat_.contact_temperature();
+                     lower = request_.temperature.below().bulk_temperature, contact = shares_.contact_temperature;
         if (upper == lower) return;
         const auto length = static_cast<double>(last - first + 1);
         for (std::size_t k = first; k < nx_; ++k) {
@@ -133,17 +161,11 @@ class Surfaces {
         }
         summary.x = request_.grid.x(static_cast<int>(place % nx_));
         summary.y = request_.grid.y(static_cast<int>(place / nx_));
-        const double power = heat_sum_ * request_.grid.element_area();
-        summary.heat_upper = power * heat_.share_of_upper();
-        summary.heat_lower = power - summary.heat_upper;
-        summary.peclet = peclet();
-    }
-
-    double peclet() const {
-        double most_diffusive = 0;
-        for (const ThermalBody* body : {&request_.temperature.upper, &request_.temperature.below()})
-            most_diffusive = std::max(most_diffusive, body->diffusivity());
-        return request_.velocity * static_cast<double>(longest_) * request_.grid.dx / (2 * most_diffusive);
+        summary.largest_upper = std::ranges::max(result_.upper_temperature);
+        summary.largest_lower = std::ranges::max(result_.lower_temperature);
+        summary.heat_upper = heat_of_upper_ * request_.grid.element_area();
+        summary.heat_lower = (heat_sum_ - heat_of_upper_) * request_.grid.element_area();
+        summary.peclet = peclet_;
     }
 
     void warn() {
@@ -151,7 +173,12 @@ class Surfaces {
         if (result_.temperature.peclet < least_peclet)
             result_.warnings.push_back("The Peclet number is " + short_text(result_.temperature.peclet) +
                                        ", below 10: heat spreads along the surface as well, which temperatures leave "
-                                       "out. They are those of fast rolling; check the velocity (mm/s).");
+                                       "out. They are those of surfaces that pass fast; check the velocity (mm/s), "
+                                       "and whether one of the bodies slides without rolling.");
+        if (has_opposite_)
+            result_.warnings.push_back(
+                "The slip exceeds twice the rolling velocity: the surfaces pass through the contact in opposite "
+                "directions, and temperatures behind it are those of surfaces that pass in the same direction.");
         if (has_gaps_)
             result_.warnings.push_back(
                 "Rows of elements have gaps in their contact, across which temperatures take both bodies for being in "
@@ -166,9 +193,12 @@ class Surfaces {
     const std::size_t nx_, ny_;
     const RowHeat heat_;
     const bool backwards_;  // rolling along -x: the leading edge is that of small x
-    bool has_gaps_ = false;
+    const Values slips_;    // along x, of each row
+    RowShares shares_;      // of the row at hand
+    bool has_gaps_ = false, has_opposite_ = false;
     std::size_t longest_ = 0;  // elements of a row from its first in contact to its last
-    double heat_sum_ = 0;
+    double peclet_ = 0;
+    double heat_sum_ = 0, heat_of_upper_ = 0;
     SurfaceTemperatures result_;
 };
 

@@ -14,9 +14,6 @@ namespace {
 [[maybe_unused]] void all_of(const SecondTerm& all) {
     [[maybe_unused]] const auto& [fall_, slip_velocity_] = all;
 }
-[[maybe_unused]] void all_of(const FrictionMemory& all) {
-    [[maybe_unused]] const auto& [distance_, least_velocity_] = all;
-}
 [[maybe_unused]] void all_of(const InterfacialLayer& all) {
     [[maybe_unused]] const auto& [flexibility_, yield_stress_, hardening_, residual_] = all;
 }
@@ -58,19 +55,6 @@ const FieldType& type_of<SecondTerm>() {
         fields::field<&SecondTerm::slip_velocity>(
             "slip_velocity",
             {.bounds = {.least = 0, .most = 1e+12, .least_excluded = true}, .unit = "mm/s", .required = true}),
-    });
-    static const FieldType type = fields::object_type(list);
-    return type;
-}
-
-template <>
-const FieldType& type_of<FrictionMemory>() {
-    static const auto list = std::to_array<Field>({
-        fields::field<&FrictionMemory::distance>(
-            "distance",
-            {.bounds = {.least = 0, .most = 1e+12, .least_excluded = true}, .unit = "mm", .required = true}),
-        fields::field<&FrictionMemory::least_velocity>(
-            "least_velocity", {.bounds = {.least = 0, .most = 1e+12}, .unit = "mm/s", .required = true}),
     });
     static const FieldType type = fields::object_type(list);
     return type;

@@ -15,10 +15,11 @@ namespace {
     [[maybe_unused]] const auto& [bulk_temperature_, conductivity_, heat_capacity_, density_] = all;
 }
 [[maybe_unused]] void all_of(const ThermalBodies& all) {
-    [[maybe_unused]] const auto& [upper_, lower_] = all;
+    [[maybe_unused]] const auto& [upper_, lower_, plastic_share_] = all;
 }
 [[maybe_unused]] void all_of(const ContactTemperature& all) {
-    [[maybe_unused]] const auto& [largest_, x_, y_, rise_, heat_upper_, heat_lower_, peclet_] = all;
+    [[maybe_unused]] const auto& [largest_, x_, y_, largest_upper_, largest_lower_, rise_, heat_upper_, heat_lower_,
+                                  peclet_] = all;
 }
 
 }  // namespace
@@ -55,6 +56,7 @@ const FieldType& type_of<ThermalBodies>() {
     static const auto list = std::to_array<Field>({
         fields::field<&ThermalBodies::upper>("upper"),
         fields::field<&ThermalBodies::lower>("lower"),
+        fields::field<&ThermalBodies::plastic_share>("plastic_share", {.bounds = {.least = 0, .most = 1}}),
     });
     static const FieldType type = fields::object_type(list);
     return type;
@@ -66,6 +68,8 @@ const FieldType& type_of<ContactTemperature>() {
         fields::field<&ContactTemperature::largest>("largest", {.unit = "degC", .required = true}),
         fields::field<&ContactTemperature::x>("x", {.unit = "mm", .required = true}),
         fields::field<&ContactTemperature::y>("y", {.unit = "mm", .parity = MirrorParity::odd, .required = true}),
+        fields::field<&ContactTemperature::largest_upper>("largest_upper", {.unit = "degC", .required = true}),
+        fields::field<&ContactTemperature::largest_lower>("largest_lower", {.unit = "degC", .required = true}),
         fields::field<&ContactTemperature::rise>("rise", {.bounds = {.least = 0}, .unit = "K", .required = true}),
         fields::field<&ContactTemperature::heat_upper>("heat_upper",
                                                        {.bounds = {.least = 0}, .unit = "N mm/s", .required = true}),

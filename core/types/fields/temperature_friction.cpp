@@ -9,7 +9,7 @@ namespace {
 
 // A member that the schema does not declare makes the number of these names wrong.
 [[maybe_unused]] void all_of(const TemperatureFriction& all) {
-    [[maybe_unused]] const auto& [change_, reference_, range_] = all;
+    [[maybe_unused]] const auto& [change_, reference_, range_, memory_] = all;
 }
 
 }  // namespace
@@ -23,6 +23,7 @@ const FieldType& type_of<TemperatureFriction>() {
             "reference", {.bounds = {.least = -1e+12, .most = 1e+12}, .unit = "degC", .required = true}),
         fields::field<&TemperatureFriction::range>(
             "range", {.bounds = {.least = 0, .most = 1e+12, .least_excluded = true}, .unit = "K", .required = true}),
+        fields::field<&TemperatureFriction::memory>("memory"),
     });
     static const FieldType type = fields::object_type(list);
     return type;

@@ -86,10 +86,6 @@ void check_temperature(const ContactProblem& problem, bool complete) {
         throw InvalidArgument("temperature",
                               "is given, and friction is not; temperatures are those of rolling contact");
     if (!problem.friction) return;
-    if (problem.friction->layer && problem.friction->layer->yields())
-        throw InvalidArgument("friction.layer.yield_stress",
-                              "is given, and temperature, too; the heat of a layer that flows is not known yet: leave "
-                              "one of them out");
     if (std::holds_alternative<Shift>(problem.motion))
         throw InvalidArgument("temperature",
                               "is given, and friction has a shift; temperatures are those of steady rolling: give "

@@ -19,6 +19,14 @@ void validate(const TemperatureFriction& law, std::span<const double> mu) {
     if (!(law.range > 0 && law.range <= largest))
         throw InvalidArgument("friction.temperature.range",
                               "is " + number_text(law.range) + "; it must lie in (0, 1e12] K");
+    if (const auto& memory = law.memory) {
+        if (!(memory->distance > 0 && memory->distance <= largest))
+            throw InvalidArgument("friction.temperature.memory.distance",
+                                  "is " + number_text(memory->distance) + "; it must lie in (0, 1e12] mm");
+        if (!(memory->least_velocity >= 0 && memory->least_velocity <= largest))
+            throw InvalidArgument("friction.temperature.memory.least_velocity",
+                                  "is " + number_text(memory->least_velocity) + "; it must lie in [0, 1e12] mm/s");
+    }
     for (const double cold : mu)
         if (!(cold + law.change > 0 && law.change <= 1000))
             throw InvalidArgument("friction.temperature.change",

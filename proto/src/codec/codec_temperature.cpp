@@ -17,6 +17,12 @@ auto arrays_of(Request& request) {
                       std::pair("slip_y", &request.slip_y)};
 }
 
+/// Those that may be left out.
+template <class Request>
+auto optional_arrays_of(Request& request) {
+    return std::array{std::pair("flow_x", &request.flow_x), std::pair("flow_y", &request.flow_y)};
+}
+
 template <class Temperatures>
 auto arrays_of_answer(Temperatures& temperatures) {
     return std::array{std::pair("upper_temperature", &temperatures.upper_temperature),
@@ -32,6 +38,8 @@ json encode_temperature_request(const TemperatureRequest& request, ArrayWriter& 
                 {"chi", finite_field(request.chi, "chi")}};
     for (const auto& [name, values] : arrays_of(request))
         params[name] = arrays.write(std::span<const double>(*values), shape_of(request.grid));
+    for (const auto& [name, values] : optional_arrays_of(request))
+        if (!values->empty()) params[name] = arrays.write(std::span<const double>(*values), shape_of(request.grid));
     return params;
 }
 
@@ -44,6 +52,8 @@ TemperatureRequest decode_temperature_request(const json& params, const Frames& 
     request.chi = params.value("chi", 0.0);
     for (const auto& [name, values] : arrays_of(request))
         *values = read_array(params[name], frames, shape_of(request.grid), name);
+    for (const auto& [name, values] : optional_arrays_of(request))
+        if (params.contains(name)) *values = read_array(params[name], frames, shape_of(request.grid), name);
     return request;
 }
 

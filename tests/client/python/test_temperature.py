@@ -66,6 +66,14 @@ def test_arrays_that_were_not_asked_for_are_missed():
         temperature_params(solution(), {"lower": {}}, None)
 
 
+def test_the_flow_of_a_layer_goes_along():
+    flow = np.full(GRID.shape, 0.01)
+    params = temperature_params(solution(plastic_power=1.0, flow_x=flow, flow_y=flow), None, None)
+    assert np.array_equal(params["flow_x"], flow) and "flow_x" not in temperature_params(solution(), None, None)
+    with pytest.raises(TypeError, match="flow_x"):
+        temperature_params(solution(plastic_power=1.0), None, None)
+
+
 def test_a_problem_says_what_its_bodies_have_to_do_with_heat():
     rolling = Friction(0.3, rolling=Rolling(xi=1e-3, velocity=2e4))
     problem = ContactProblem(GRID, Material(1, 0.1), Paraboloid(1, 1), 0.1, friction=rolling, temperature=ThermalBodies())
@@ -77,7 +85,10 @@ def ask(tmp_path, shape):
     result = {
         "upper_temperature": answers.array(1, shape),
         "lower_temperature": answers.array(2, shape),
-        "temperature": {"largest": 2, "x": 0, "y": 0.5, "rise": 1, "heat_upper": 3, "heat_lower": 4, "peclet": 100},
+        "temperature": {
+            "largest": 2, "x": 0, "y": 0.5, "largest_upper": 2, "largest_lower": 5, "rise": 1, "heat_upper": 3,
+            "heat_lower": 4, "peclet": 100,
+        },
         "warnings": ["Warm."],
     }
 

@@ -23,17 +23,18 @@ using Heat = std::function<double(double x, double y)>;
 
 constexpr double steel = 13.290033860;  // effusivity (N/(mm s^0.5 K))
 
-/// Slip of 1 mm/s against a traction that makes this heat; in contact wherever there is some.
+/// Slip of 1 mm/s against a traction that makes this heat; in contact wherever there is some. Slip is across the rows,
+/// so that both surfaces pass through the contact at the rolling velocity.
 TemperatureRequest request_of(const Grid& grid, double velocity, const Heat& heat) {
     TemperatureRequest request;
     request.grid = grid;
     request.velocity = velocity;
-    request.traction_y = request.slip_y = Values(grid.size());
-    request.slip_x.assign(grid.size(), 1 / velocity);
+    request.traction_x = request.slip_x = Values(grid.size());
+    request.slip_y.assign(grid.size(), 1 / velocity);
     for (int iy = 0; iy < grid.ny; ++iy)
         for (int ix = 0; ix < grid.nx; ++ix) {
             request.pressure.push_back(heat(grid.x(ix), grid.y(iy)));
-            request.traction_x.push_back(-request.pressure.back());
+            request.traction_y.push_back(-request.pressure.back());
         }
     return request;
 }
@@ -111,7 +112,7 @@ TEST_CASE("Far behind the contact all heat counts as from one line", "[temperatu
 
 TEST_CASE("Bodies of different temperature meet in between, and part again behind the contact", "[temperature]") {
     TemperatureRequest request = uniform_heat();
-    request.slip_x.assign(32, 0);
+    request.slip_y.assign(32, 0);
     request.temperature = {at(0), at(150)};
     const SurfaceTemperatures answer = found(request);
     for (std::size_t i = 16; i < 32; ++i) {
@@ -145,7 +146,7 @@ TEST_CASE("A body that conducts no heat leaves all of it to the other", "[temper
 TEST_CASE("The rise is linear in the heat, falls by the root of the velocity, and bulk shifts all", "[temperature]") {
     const SurfaceTemperatures once = found(uniform_heat());
     TemperatureRequest twice = uniform_heat();
-    for (double& p : twice.traction_x) p *= 2;
+    for (double& p : twice.traction_y) p *= 2;
     CHECK_THAT(found(twice).temperature.rise, WithinRel(2 * once.temperature.rise, 1e-12));
     CHECK_THAT(found(uniform_heat(8e4)).temperature.rise, WithinRel(once.temperature.rise / 2, 1e-12));
     TemperatureRequest warm = uniform_heat();
@@ -161,7 +162,7 @@ TEST_CASE("Rolling the other way is the mirror image", "[temperature]") {
     request.pressure[16] = 0;  // the trailing edge is elsewhere
     const SurfaceTemperatures forwards = found(request);
     request.chi = std::numbers::pi;
-    for (auto* values : {&request.pressure, &request.traction_x, &request.slip_x})
+    for (auto* values : {&request.pressure, &request.traction_y, &request.slip_y})
         std::reverse(values->begin(), values->end());
     SurfaceTemperatures backwards = found(request);
     std::reverse(backwards.upper_temperature.begin(), backwards.upper_temperature.end());
@@ -188,6 +189,8 @@ TEST_CASE("Without contact both surfaces have their bulk temperature", "[tempera
     CHECK(answer.upper_temperature == Values(32, 5));
     CHECK(answer.lower_temperature == Values(32, 30));
     CHECK(answer.temperature.largest == 30);
+    CHECK(answer.temperature.largest_upper == 5);
+    CHECK(answer.temperature.largest_lower == 30);
     CHECK(answer.temperature.peclet == 0);
     CHECK(answer.warnings.empty());
 }
@@ -206,6 +209,9 @@ TEST_CASE("Temperatures that nobody knows are refused by name", "[temperature]")
     wrong = right;
     wrong.traction_x[3] = NAN;
     CHECK(refused(wrong) == "traction_x");
+    wrong = right;
+    wrong.flow_x.assign(32, 0);
+    CHECK(refused(wrong) == "flow_x");
     wrong = right;
     wrong.temperature.upper.density = 0;
     CHECK(refused(wrong) == "temperature.upper.density");

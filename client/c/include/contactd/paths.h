@@ -222,6 +222,7 @@
 #define CONTACTD_PATH_TEMPERATURE_LOWER_CONDUCTIVITY "temperature.lower.conductivity"         /* W/(m K) */
 #define CONTACTD_PATH_TEMPERATURE_LOWER_HEAT_CAPACITY "temperature.lower.heat_capacity"       /* J/(kg K) */
 #define CONTACTD_PATH_TEMPERATURE_LOWER_DENSITY "temperature.lower.density"                   /* kg/m^3 */
+#define CONTACTD_PATH_TEMPERATURE_PLASTIC_SHARE "temperature.plastic_share"
 #define CONTACTD_PATH_WEAR "wear"
 #define CONTACTD_PATH_WEAR_ENERGY "wear.energy"
 #define CONTACTD_PATH_WEAR_LAWS "wear.laws"
@@ -310,6 +311,9 @@
 #define CONTACTD_PATH_FRICTION_TEMPERATURE_CHANGE "friction.temperature.change"
 #define CONTACTD_PATH_FRICTION_TEMPERATURE_REFERENCE "friction.temperature.reference" /* degC */
 #define CONTACTD_PATH_FRICTION_TEMPERATURE_RANGE "friction.temperature.range"         /* K */
+#define CONTACTD_PATH_FRICTION_TEMPERATURE_MEMORY "friction.temperature.memory"
+#define CONTACTD_PATH_FRICTION_TEMPERATURE_MEMORY_DISTANCE "friction.temperature.memory.distance" /* mm */
+#define CONTACTD_PATH_FRICTION_TEMPERATURE_MEMORY_LEAST_VELOCITY "friction.temperature.memory.least_velocity"
 #define CONTACTD_PATH_FRICTION_RIGID_SHIFT "friction.rigid_shift"
 #define CONTACTD_PATH_FRICTION_RIGID_SHIFT_X "friction.rigid_shift.x"
 #define CONTACTD_PATH_FRICTION_RIGID_SHIFT_Y "friction.rigid_shift.y"
@@ -435,12 +439,14 @@
 #define CONTACTD_PATH_DISPLACEMENT_Z "displacement_z"
 #define CONTACTD_PATH_UPPER_TEMPERATURE "upper_temperature"
 #define CONTACTD_PATH_LOWER_TEMPERATURE "lower_temperature"
-#define CONTACTD_PATH_TEMPERATURE_LARGEST "temperature.largest"       /* degC */
-#define CONTACTD_PATH_TEMPERATURE_X "temperature.x"                   /* mm */
-#define CONTACTD_PATH_TEMPERATURE_Y "temperature.y"                   /* mm */
-#define CONTACTD_PATH_TEMPERATURE_RISE "temperature.rise"             /* K */
-#define CONTACTD_PATH_TEMPERATURE_HEAT_UPPER "temperature.heat_upper" /* N mm/s */
-#define CONTACTD_PATH_TEMPERATURE_HEAT_LOWER "temperature.heat_lower" /* N mm/s */
+#define CONTACTD_PATH_TEMPERATURE_LARGEST "temperature.largest"             /* degC */
+#define CONTACTD_PATH_TEMPERATURE_X "temperature.x"                         /* mm */
+#define CONTACTD_PATH_TEMPERATURE_Y "temperature.y"                         /* mm */
+#define CONTACTD_PATH_TEMPERATURE_LARGEST_UPPER "temperature.largest_upper" /* degC */
+#define CONTACTD_PATH_TEMPERATURE_LARGEST_LOWER "temperature.largest_lower" /* degC */
+#define CONTACTD_PATH_TEMPERATURE_RISE "temperature.rise"                   /* K */
+#define CONTACTD_PATH_TEMPERATURE_HEAT_UPPER "temperature.heat_upper"       /* N mm/s */
+#define CONTACTD_PATH_TEMPERATURE_HEAT_LOWER "temperature.heat_lower"       /* N mm/s */
 #define CONTACTD_PATH_TEMPERATURE_PECLET "temperature.peclet"
 #define CONTACTD_PATH_WEAR_CAPITAL_T_GAMMA "wear.T_gamma"                     /* N */
 #define CONTACTD_PATH_WEAR_CAPITAL_T_GAMMA_WITH_SPIN "wear.T_gamma_with_spin" /* N */
@@ -787,6 +793,7 @@
 #define CONTACTD_PATH_SETUP_TEMPERATURE_LOWER_CONDUCTIVITY "setup.temperature.lower.conductivity"         /* W/(m K) */
 #define CONTACTD_PATH_SETUP_TEMPERATURE_LOWER_HEAT_CAPACITY "setup.temperature.lower.heat_capacity"       /* J/(kg K) */
 #define CONTACTD_PATH_SETUP_TEMPERATURE_LOWER_DENSITY "setup.temperature.lower.density"                   /* kg/m^3 */
+#define CONTACTD_PATH_SETUP_TEMPERATURE_PLASTIC_SHARE "setup.temperature.plastic_share"
 #define CONTACTD_PATH_SETUP_WEAR "setup.wear"
 #define CONTACTD_PATH_SETUP_WEAR_ENERGY "setup.wear.energy"
 #define CONTACTD_PATH_SETUP_WEAR_LAWS "setup.wear.laws"
@@ -881,6 +888,10 @@
 #define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE_CHANGE "setup.friction.temperature.change"
 #define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE_REFERENCE "setup.friction.temperature.reference" /* degC */
 #define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE_RANGE "setup.friction.temperature.range"         /* K */
+#define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE_MEMORY "setup.friction.temperature.memory"
+#define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE_MEMORY_DISTANCE "setup.friction.temperature.memory.distance" /* mm */
+#define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE_MEMORY_LEAST_VELOCITY \
+    "setup.friction.temperature.memory.least_velocity" /* mm/s */
 #define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE_BY_ANGLE "setup.friction.temperature_by_angle"
 #define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE_BY_ANGLE_ANGLE \
     "setup.friction.temperature_by_angle[%d].angle" /* rad */
@@ -1088,7 +1099,11 @@
 #define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_LARGEST "patches[%d].solution.temperature.largest" /* degC */
 #define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_X "patches[%d].solution.temperature.x"             /* mm */
 #define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_Y "patches[%d].solution.temperature.y"             /* mm */
-#define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_RISE "patches[%d].solution.temperature.rise"       /* K */
+#define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_LARGEST_UPPER \
+    "patches[%d].solution.temperature.largest_upper" /* degC */
+#define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_LARGEST_LOWER \
+    "patches[%d].solution.temperature.largest_lower"                                            /* degC */
+#define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_RISE "patches[%d].solution.temperature.rise" /* K */
 #define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_HEAT_UPPER "patches[%d].solution.temperature.heat_upper"
 #define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_HEAT_LOWER "patches[%d].solution.temperature.heat_lower"
 #define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_PECLET "patches[%d].solution.temperature.peclet"

@@ -81,7 +81,9 @@ void FileSetting::damping() {
 void FileSetting::heat() {
     if (digit("H") == 0) return;
     auto values = reals({"BKTEMP1", "HEATCP1", "LAMBDA1", "DENS1", "BKTEMP2", "HEATCP2", "LAMBDA2", "DENS2"});
-    int method = 3, count = 8;
+    constexpr int layered = 4;
+    if (digit("M") == layered) values.push_back(real("BETAPL"));
+    int method = 3, count = static_cast<int>(values.size());
     cntc_settemperaturedata(&ire_, &icp_, &method, &count, values.data());
     pass_on();
 }

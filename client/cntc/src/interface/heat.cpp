@@ -22,16 +22,17 @@ ThermalBody body_of(const double* values, const Units& units) {
     return body;
 }
 
+/// [4 values of each body, the share of plastic work that becomes heat: of an interfacial layer, else left out].
 ThermalBodies bodies_of(const std::vector<double>& values, const Units& units) {
-    const ThermalBodies bodies{body_of(&values[0], units), body_of(&values[4], units)};
+    ThermalBodies bodies{body_of(&values[0], units), body_of(&values[4], units)};
+    if (values.size() > 8) bodies.plastic_share = values[8];
     validate(bodies, "heat");
     return bodies;
 }
 
-/// Returns that of both surfaces in contact, which have one temperature there; 0 without heat.
-double largest_of(const ContactCase& problem) {
-    const auto& temperature = solution_of(problem).solution.temperature;
-    return temperature ? temperature->largest : 0;
+/// Zero without heat.
+ContactTemperature temperature_of(const ContactCase& problem) {
+    return solution_of(problem).solution.temperature.value_or(ContactTemperature{});
 }
 
 }  // namespace
@@ -40,7 +41,6 @@ extern "C" void cntc_settemperaturedata(int* ire, int* icp, int* imeth, int* npa
     set("cntc_settemperaturedata", ire, icp, "temperature", [&](Settings& settings) {
         const int method = integer(imeth, "imeth");
         if (method == given) {
-            // The ninth is the share of a layer's plastic work that becomes heat, which a layer that yields would need.
             settings.heat = bodies_of(numbers(rparam, nparam, 8, "rparam"), settings.units);
         } else if (method != none && method != keep) {
             throw Refused(error_code::input, "Method " + std::to_string(method) +
@@ -58,9 +58,9 @@ extern "C" void cntc_getmaximumtemperature(int* ire, int* icp, double* t1max, do
     clear(t1max);
     clear(t2max);
     get("cntc_getmaximumtemperature", ire, icp, [&](const ContactCase& problem) {
-        const double largest = largest_of(problem);
-        for (double* value : {t1max, t2max})
-            if (value != nullptr) *value = largest;
+        const ContactTemperature temperature = temperature_of(problem);
+        if (t1max != nullptr) *t1max = temperature.largest_upper;
+        if (t2max != nullptr) *t2max = temperature.largest_lower;
     });
 }
 CONTACTD_FORTRAN_NAME(cntc_getmaximumtemperature)

@@ -70,10 +70,10 @@ std::vector<double> exponential_of(const std::vector<double>& polach_law) {
 
 /// [fref, tref, dfheat, dtheat, memdst, mem_s0].
 FrictionLaw heated_of(const std::vector<double>& given) {
-    if (given[4] != 0)
-        refuse("memdst = " + number_text(given[4]) +
-               " mm: friction by temperature (method 6) has no memory here. Set memdst to 0.");
+    const double distance = given[4], least_velocity = given[5];
+    if (distance < 0 || least_velocity < 0) refuse("memdst or mem_s0 is negative.");
     FrictionLaw law{{given[0]}, {}, {}, TemperatureFriction{given[2], given[1], given[3]}};
+    if (distance > 0) law.temperature->memory = FrictionMemory{distance, least_velocity};
     validate(*law.temperature, law.mu);
     return law;
 }
@@ -122,6 +122,9 @@ GivenFriction varying_friction(int method, const std::vector<double>& given, con
         const double place = *first * (varies == along_track ? units.length : 1);
         if (!friction.varying.empty() && place <= friction.varying.back().place)
             refuse("Angles or places of friction must ascend.");
+        if (varies == by_angle && here.law.temperature && here.law.temperature->memory)
+            refuse("memdst = " + number_text(here.law.temperature->memory->distance) +
+                   " mm: friction by temperature that varies with the angle has no memory here. Set memdst to 0.");
         if (k == 0) friction = here;
         friction.varying.push_back({place, here.law});
     }

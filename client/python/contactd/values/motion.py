@@ -143,8 +143,12 @@ class TemperatureFriction:
             falls.
         reference: Temperature up to which the coefficient is that of friction (degC).
         range: Rise of the temperature over which the coefficient changes (K), > 0.
+        memory: Friction with memory: the coefficient of a particle follows that of the temperature over a distance that
+            it slips, d mu/dt = -max(v, v_0) / d (mu - mu(T)), from that of surfaces without friction where it enters
+            the contact. None, it follows at once.
     """
 
     change: float
     reference: float
     range: float
+    memory: FrictionMemory | None = None

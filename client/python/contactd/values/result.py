@@ -76,16 +76,21 @@ class ContactTemperature:
             hotter body.
         x: x of the element that has it, the first of equals (mm).
         y: y of this element (mm).
+        largest_upper: Largest temperature of the upper surface over all elements, also before and behind the contact
+            (degC).
+        largest_lower: Largest temperature of the lower surface over all elements, as largest_upper (degC).
         rise: Largest rise by friction alone (K).
         heat_upper: Frictional power that goes into the upper body (N mm/s).
         heat_lower: Frictional power that goes into the lower body (N mm/s).
-        peclet: Peclet number V L/(2 kappa) of the body that conducts heat faster, L the longest row of the contact;
-            heat spreads along the surface too where it is below 10.
+        peclet: Peclet number U L/(2 kappa), the smaller one of both bodies: U the speed of its surface through the
+            contact, L the longest row. Below 10 heat spreads along the surface as well.
     """
 
     largest: float
     x: float
     y: float
+    largest_upper: float
+    largest_lower: float
     rise: float
     heat_upper: float
     heat_lower: float

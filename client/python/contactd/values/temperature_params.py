@@ -15,6 +15,8 @@ from .thermal import ThermalBodies
 __all__ = ["temperature_params"]
 
 _ARRAYS = ("pressure", "traction_x", "traction_y", "slip_x", "slip_y")
+_OF_LAYERS = ("flow_x", "flow_y")
+"""Plastic flow, of solutions with a layer that yields."""
 
 
 def temperature_params(
@@ -24,7 +26,8 @@ def temperature_params(
     check_type("solution", solution, Solution)
     if bodies is not None:
         check_type("bodies", bodies, ThermalBodies)
-    if missing := [name for name in _ARRAYS if getattr(solution, name) is None]:
+    needed = _ARRAYS if solution.plastic_power is None else _ARRAYS + _OF_LAYERS
+    if missing := [name for name in needed if getattr(solution, name) is None]:
         raise TypeError(
             f"solution has no {', '.join(missing)}: name them in `fields` when you ask for it; slip is that of problems "
             "with friction"
@@ -38,6 +41,6 @@ def temperature_params(
         "grid": params_of(solution.grid),
         "velocity": rolling.velocity if velocity is None else velocity,
         "chi": rolling.chi or 0.0,
-        **{name: array_of(getattr(solution, name)) for name in _ARRAYS},
+        **{name: array_of(getattr(solution, name)) for name in needed},
     }
     return params if bodies is None else {**params, "temperature": params_of(bodies)}

@@ -42,7 +42,10 @@ class ThermalBodies(HasParams):
     Attributes:
         upper: The upper body; None: of steel, at 0 degrees.
         lower: The lower body; None: as the upper one.
+        plastic_share: Share of the plastic work of an interfacial layer that becomes heat (0 to 1); the rest stays in
+            the layer. Default 1.
     """
 
     upper: ThermalBody | None = None
     lower: ThermalBody | None = None
+    plastic_share: float | None = None

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contactd/fields.hpp"
+#include "contactd/fields/friction_with_memory.hpp"
 #include "contactd/friction.hpp"
 
 namespace contactd {
@@ -32,8 +33,6 @@ template <>
 const FieldType& type_of<KineticFriction>();
 template <>
 const FieldType& type_of<SecondTerm>();
-template <>
-const FieldType& type_of<FrictionMemory>();
 template <>
 const FieldType& type_of<InterfacialLayer>();
 template <>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contactd/fields.hpp"
+#include "contactd/fields/friction_with_memory.hpp"
 #include "contactd/temperature_friction.hpp"
 
 namespace contactd {

@@ -68,7 +68,7 @@ ArrayAnswer array_answer(const json& params) {
     if (!friction.contains("layer"))
         std::erase_if(fields,
                       [](SolutionField f) { return f >= SolutionField::flow_x && f <= SolutionField::yield_stress; });
-    if (!friction.contains("kinetic"))
+    if (!friction.contains("kinetic") && !friction.contains("temperature"))
         std::erase_if(fields, [](SolutionField f) { return f == SolutionField::friction_coefficient; });
     if (!params.contains("temperature"))
         std::erase_if(fields, [](SolutionField f) { return f >= SolutionField::upper_temperature; });

@@ -246,8 +246,25 @@ def test_heat_is_that_of_both_bodies_in_watt_metre_and_kilogram() -> None:
         assert isinstance(body, ThermalBody)
         values = (body.bulk_temperature, body.conductivity, body.heat_capacity, body.density)
         assert values == pytest.approx(expected)
+    assert found.plastic_share is None
     assert made(H=0, T=3, **HEAT).problem.temperature is None
     assert made(H=3, T=2, **HEAT).problem.temperature is None
+
+
+@pytest.mark.parametrize("yields", [False, True])
+def test_heat_beside_a_layer_has_its_share_of_the_plastic_work(yields: bool) -> None:
+    layer = {"M": 4, "GG3": 6500.0, "LAYTHK": 0.06, "TAU_C0": 120.0 * yields, "K_TAU": 0.0}
+    problem = made(H=3, T=3, BETAPL=0.9, **layer, **HEAT).problem
+    assert problem.temperature is not None and problem.temperature.plastic_share == 0.9
+    assert problem.friction is not None and problem.friction.layer is not None
+    assert (problem.friction.layer.yield_stress is not None) == yields
+
+
+def test_friction_by_temperature_may_have_memory() -> None:
+    sets = [{"FREF": 0.3, "TREF": 20.0, "DFHEAT": -0.18, "DTHEAT": 400.0}]
+    friction = made(H=3, T=3, FRCLAW=6, friction=sets, MEMDST=1e-3, MEM_S0=1.0, **HEAT).problem.friction
+    assert friction is not None and friction.temperature is not None
+    assert friction.temperature.memory == FrictionMemory(1e-3, 1.0)
 
 
 def test_friction_may_follow_the_temperature() -> None:

@@ -191,7 +191,7 @@ def _friction(case: Case, grid: Grid, chi: float, dq: float, force: Any) -> Fric
         xi=xi, eta=eta, phi=phi, chi=chi, dq=dq, spin_offset=values["FACPHI"], velocity=values["VELOC"], force=force,
         kind="steady" if digits["T"] == _STEADY else "transient",
     )  # fmt: skip
-    by_temperature = temperature_friction(values["FRCLAW"], case.friction)
+    by_temperature = temperature_friction(values, case.friction)
     return Friction(
         mu=mu, kinetic=kinetic, rolling=rolling, rigid_slip=extra, layer=between, temperature=by_temperature
     )

@@ -77,10 +77,7 @@ _BOTH = (
     _digit("trials of the simplified theory", "M", 6, 7),
     _Feature("friction by temperature without heat (L = 6, H = 0)",
              lambda case: case.values.get("FRCLAW") == 6 and case.digits["T"] > 0 and not _has_heat(case)),
-    _Feature("memory of friction by temperature (L = 6, MEMDST)",
-             lambda case: case.values.get("FRCLAW") == 6 and case.values.get("MEMDST", 0) > 0),
     _Feature("damping (M2)", _is_damped),
-    _Feature("heat of an interfacial layer (H, M = 4)", lambda case: _has_heat(case) and case.digits["M"] == 4),
     _Feature("surface temperature under bilinear tractions (H, C = 3)",
              lambda case: _has_heat(case) and case.values.get("INFLCF") == 3),
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from ...values.motion import TemperatureFriction
+from ...values.motion import FrictionMemory, TemperatureFriction
 from ...values.thermal import ThermalBodies, ThermalBody
 from .features import Missing
 
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 __all__ = ["temperature_by_angle", "temperature_friction", "thermal_bodies"]
 
 _STEADY = 3
+_LAYER = 4
 _BY_TEMPERATURE = 6
 _CONDUCTIVITY, _DENSITY = 1e3, 1e9  #: from W/(mm K) to W/(m K), and from kg/mm^3 to kg/m^3
 
@@ -23,7 +24,8 @@ def thermal_bodies(case: Case) -> ThermalBodies | None:
     """What both bodies have to do with heat; None where no temperatures are asked for."""
     if case.digits["H"] == 0 or case.digits["T"] != _STEADY:
         return None
-    return ThermalBodies(_body(case.values, 1), _body(case.values, 2))
+    plastic_share = case.values.get("BETAPL") if case.digits["M"] == _LAYER else None
+    return ThermalBodies(_body(case.values, 1), _body(case.values, 2), plastic_share)
 
 
 def _body(values: Mapping[str, Any], number: int) -> ThermalBody:
@@ -35,27 +37,37 @@ def _body(values: Mapping[str, Any], number: int) -> ThermalBody:
     )
 
 
-def temperature_friction(law: int, sets: Sequence[Mapping[str, float]]) -> TemperatureFriction | None:
+def temperature_friction(
+    values: Mapping[str, Any], sets: Sequence[Mapping[str, float]]
+) -> TemperatureFriction | None:
     """How friction follows the temperature, which all sets have in common. Raises Missing where they do not."""
-    if law != _BY_TEMPERATURE:
+    if values["FRCLAW"] != _BY_TEMPERATURE:
         return None
-    laws = [_law(one) for one in sets]
+    laws = [_law(one, _memory(values)) for one in sets]
     if any(one != laws[0] for one in laws):
         raise Missing("friction by temperature that is another one from row to row (V, L = 6)")
     return laws[0]
 
 
 def temperature_by_angle(
-    law: int, angles: Sequence[float], sets: Sequence[Mapping[str, float]]
+    values: Mapping[str, Any], angles: Sequence[float], sets: Sequence[Mapping[str, float]]
 ) -> dict[str, Any]:
-    """How friction follows the temperature where the rail has these angles, as keywords of WheelRailFriction."""
-    if law != _BY_TEMPERATURE:
+    """How friction follows the temperature where the rail has these angles, as keywords of WheelRailFriction. Raises
+    Missing for memory where it differs from angle to angle."""
+    if values["FRCLAW"] != _BY_TEMPERATURE:
         return {}
-    laws = [_law(one) for one in sets]
+    memory = _memory(values)
+    laws = [_law(one, memory) for one in sets]
     if all(one == laws[0] for one in laws):
         return {"temperature": laws[0]}
+    if memory is not None:
+        raise Missing("memory of friction by temperature that differs from angle to angle (V = 1, L = 6, MEMDST)")
     return {"temperature_by_angle": [(angle, one.change, one.reference, one.range) for angle, one in zip(angles, laws)]}
 
 
-def _law(one: Mapping[str, float]) -> TemperatureFriction:
-    return TemperatureFriction(one["DFHEAT"], one["TREF"], one["DTHEAT"])
+def _memory(values: Mapping[str, Any]) -> FrictionMemory | None:
+    return FrictionMemory(values["MEMDST"], values["MEM_S0"]) if values.get("MEMDST", 0) > 0 else None
+
+
+def _law(one: Mapping[str, float], memory: FrictionMemory | None) -> TemperatureFriction:
+    return TemperatureFriction(one["DFHEAT"], one["TREF"], one["DTHEAT"], memory)

@@ -187,7 +187,7 @@ def _friction(case: Case) -> WheelRailFriction:
     if values["VARFRC"] != 1:
         sets = [_at_place(case.friction, values["S_WS"])] if values["VARFRC"] == 2 else case.friction[:1]
         (mu,), kinetic = coefficients_of_sets(values, sets)
-        by_temperature = temperature_friction(values["FRCLAW"], sets)
+        by_temperature = temperature_friction(values, sets)
         return WheelRailFriction(
             float(mu), kinetic=without_memory(case, kinetic), layer=layer(case), temperature=by_temperature
         )
@@ -196,7 +196,7 @@ def _friction(case: Case) -> WheelRailFriction:
     return WheelRailFriction(
         list(zip(angles, mus)), along_profile=values["DISCNS"] == _HALF_PLANE or None,
         kinetic=without_memory(case, kinetic), layer=layer(case),
-        **temperature_by_angle(values["FRCLAW"], angles, case.friction),
+        **temperature_by_angle(values, angles, case.friction),
     )  # fmt: skip
 
 
