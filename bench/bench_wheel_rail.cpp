@@ -82,8 +82,8 @@ void full(benchmark::State& state) {
     std::vector<ContactProblem> problems;
     std::vector<ContactInfluence> influences;
     double elements = 0;
-    for (geometry::CandidatePatch& found : position.candidates(wheel.position.z)) {
-        position.measure(found, wheel.position.z);
+    for (geometry::CandidatePatch& found : position.candidates(wheel.position.height())) {
+        position.measure(found, wheel.position.height());
         problems.push_back(problem_of(setup, wheel, found, position.rail()));
         influences.push_back(cache.of(problems.back()));
         elements += static_cast<double>(found.place.grid.size());

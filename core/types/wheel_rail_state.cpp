@@ -54,6 +54,13 @@ void validate(const WheelRailState& state) {
                               "rate that brings a force");
 }
 
+void check_height_or_force(const WheelRailState& state) {
+    if (!state.Fz && !state.position.z)
+        throw InvalidArgument("Fz",
+                              "is missing, and so is position.z; give the vertical force Fz (N), which the height is "
+                              "found for, or the height position.z (mm)");
+}
+
 void validate(const WheelsetState& state) {
     check_vertical(state.Fz_left, "Fz_left");
     check_vertical(state.Fz_right, "Fz_right");

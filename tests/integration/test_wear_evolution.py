@@ -152,6 +152,17 @@ def test_warnings_of_the_rail_alone_are_among_those_of_a_step(shared):
     assert set(step.all_warnings) == {*step.warnings, *step.rail.warnings}
 
 
+def test_states_whose_wheel_climbs_on_its_flange_are_counted(shared):
+    def sentences(*states):
+        warnings = run(shared, replace(STUDY, states=states), most=2)[1].warnings
+        return [one for one in warnings if one.startswith("The wheel ")]
+
+    calm = [state(1.0, 1e-3), state(5.0, 2e-3)]
+    assert sentences(*calm) == []
+    (found,) = sentences(*calm, state(9.0, 1e-3, 2.0))
+    assert found.startswith("The wheel climbs on its flange in 1 of 3 states, 0.5 of all by weight: states[2].")
+
+
 def test_a_state_that_cannot_be_solved_is_named(shared):
     deep = WeightedState(WheelRailState(position=WheelsetPosition(z=60.0), velocity=WheelsetVelocity(x=30e3)), 1.0)
     with pytest.raises(InvalidArgument, match=r"states\[9\] cannot be solved"):

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -59,6 +60,7 @@ struct WheelRailEstimates {
     std::optional<double> rail_y{};        ///< lateral deflection of a flexible rail (mm)
     std::optional<double> slip{};          ///< the pitch rate that brings Fx, over that without creepage, less 1
     std::vector<double> balance_slopes{};  ///< derivatives of the forces that both balance, row by row
+    std::size_t regions = 0;               ///< of overlap, in all patches; 0: not known
 
     void end_step() {
         height_logarithm.end_step();

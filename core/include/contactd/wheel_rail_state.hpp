@@ -9,10 +9,13 @@ namespace contactd {
 /// tape circles on the plane of the track. Angles (rad) turn from y to z (roll), z to x (pitch) and x to y (yaw), the
 /// yaw first.
 struct WheelsetPosition {
-    double y = 0, z = 0, roll = 0, yaw = 0;
+    double y = 0;
+    std::optional<double> z{};  ///< absent where a force is given in its place; searches then begin at 0
+    double roll = 0, yaw = 0;
     double x = 0;      ///< along the track (mm), where the rail varies; forces and references are told from there on
     double pitch = 0;  ///< rotation about its axle (rad), for an out-of-round wheel; any number of revolutions
 
+    double height() const { return z.value_or(0); }
     bool operator==(const WheelsetPosition&) const = default;
 };
 
@@ -59,7 +62,7 @@ struct WheelRailState {
     double roller_pitch =
         0;  ///< pitch rate of a roller (rad/s): > 0 where the wheel on it turns as when rolling forwards
     /// Vertical force of this wheel on the rail (N, 1e-6 at least), which position.z is found for; its value then only
-    /// tells where to start. Absent: position.z is prescribed.
+    /// tells where to start. Absent: position.z is prescribed. A solve needs one of them.
     std::optional<double> Fz{};
     /// Longitudinal force on the rail (N), along the wheelset's x axis, which velocity.pitch is found for; its value
     /// then means nothing. Needs friction.
@@ -93,6 +96,8 @@ WheelRailState state_of_left_wheel(const WheelsetState& state);
 
 /// Throws InvalidArgument naming the field, e.g. "position.roll".
 void validate(const WheelRailState& state);
+/// Throws InvalidArgument ("Fz") for a state that has neither Fz nor position.z, at which no contact can be solved.
+void check_height_or_force(const WheelRailState& state);
 /// Throws InvalidArgument naming the field, e.g. "left_rail.y", "Fz_right".
 void validate(const WheelsetState& state);
 

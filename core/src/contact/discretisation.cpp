@@ -8,6 +8,7 @@
 #include "closed_forms/hertz.hpp"
 #include "closed_forms/undeformed_distance.hpp"
 #include "layer_resolution.hpp"
+#include "separate_contacts.hpp"
 #include "types/number_text.hpp"
 
 namespace contactd {
@@ -147,6 +148,20 @@ void warn_of_few_elements(const ContactProblem& problem, const ContactSolution& 
                             : ""));
 }
 
+/// The heights of a rough surface are too thin where most of its contacts are an element or two, however large one is.
+void warn_of_small_contacts(const ContactProblem& problem, const ContactSolution& solution,
+                            std::vector<std::string>& warnings) {
+    constexpr std::size_t many = 10, fewest = 9;
+    if (!problem.gap || !std::holds_alternative<std::vector<double>>(*problem.gap)) return;
+    if (solution.evidence.discretisation->elements_across < fewest_elements) return;
+    const SeparateContacts contacts = separate_contacts(problem.grid, solution.pressure);
+    if (contacts.count < many || contacts.typical >= fewest) return;
+    warnings.push_back("The gap makes " + std::to_string(contacts.count) + " separate contacts, most of them of " +
+                       std::to_string(contacts.typical) + (contacts.typical == 1 ? " element" : " elements") +
+                       " or fewer, where 3 by 3 are the least that tells their pressures: give heights at shorter "
+                       "distances, with smaller elements.");
+}
+
 void warn_of_long_step(const ContactProblem& problem, const ContactSolution& solution,
                        std::vector<std::string>& warnings) {
     const Rolling* rolling = rolling_of(solution);
@@ -206,6 +221,7 @@ std::vector<std::string> discretisation_warnings(const ContactProblem& problem, 
     warn_of_missed_contact(problem, solution, warnings);
     if (!solution.evidence.discretisation) return warnings;
     warn_of_few_elements(problem, solution, warnings);
+    warn_of_small_contacts(problem, solution, warnings);
     warn_of_long_step(problem, solution, warnings);
     const PatchSize contact = lengths_of(problem.grid, contact_size(problem.grid, solution.pressure));
     if (auto warning = layer_warning(problem, contact)) warnings.push_back(std::move(*warning));

@@ -15,6 +15,9 @@
 #include "geometry/conformal/curved_slip.hpp"
 #include "geometry/distance/heights.hpp"
 #include "geometry/motion/creepages.hpp"
+#include "geometry/profile/gauge_side.hpp"
+#include "geometry/profile/profile_warnings.hpp"
+#include "geometry/profile/wheel_landmarks.hpp"
 #include "geometry/search/locus_search.hpp"
 #include "geometry/search/mesh_search.hpp"
 #include "geometry/search/patch_grid.hpp"
@@ -132,16 +135,19 @@ class PointsOfFiles {
     std::size_t points_ = 0;
 };
 
-std::shared_ptr<const SlicedRail> sliced_rail(const WheelRailSetup& setup, const Observer& observer) {
+/// `mirrored` becomes whether all slices have their gauge side at y > 0; single ones may, of noses and wings.
+std::shared_ptr<const SlicedRail> sliced_rail(const WheelRailSetup& setup, bool& mirrored, const Observer& observer) {
     if (setup.rail_slices.empty()) return nullptr;
     std::vector<SlicedRail::Slice> slices;
     PointsOfFiles points("rail_slices");
+    mirrored = true;
     for (std::size_t i = 0; i < setup.rail_slices.size(); ++i) {
         observer.throw_if_cancelled();
         const RailSlice& slice = setup.rail_slices[i];
         slices.push_back(
             {slice.x, curve_of(slice.profile, "rail_slices[" + std::to_string(i) + "].profile"), slice.features});
         points.add(slice.profile, slices.back().curve);
+        mirrored = mirrored && has_gauge_side_at_right(slices.back().curve);
     }
     return std::make_shared<const SlicedRail>(slices, setup.rail_spline);
 }
@@ -201,9 +207,18 @@ Profiles make_profiles(const WheelRailSetup& setup, const Observer& observer) {
     Profile rail = profile_of(setup.rail, "rail");
     check_fit(setup, wheel.curve, rail.curve);
     const ProfilePoint origin = rail_origin(rail.curve, setup.track);
-    return {std::move(wheel.curve),           std::move(rail.curve),       origin,
-            sliced_rail(setup, observer),     out_of_round(setup, slices), std::move(wheel.evidence.warnings),
-            std::move(rail.evidence.warnings)};
+    bool mirrored = false;
+    auto sliced = sliced_rail(setup, mirrored, observer);
+    if (sliced) rail.evidence.warnings.clear();
+    if (mirrored) rail.evidence.warnings.push_back(gauge_side_warning("rail of rail_slices"));
+    return {std::move(wheel.curve),
+            std::move(rail.curve),
+            origin,
+            std::move(sliced),
+            out_of_round(setup, slices),
+            std::move(wheel.evidence.warnings),
+            std::move(rail.evidence.warnings),
+            slices.empty() ? wheel.evidence.wheel : wheel_landmarks(slices.front())};
 }
 
 Position::Position(const WheelRailSetup& setup, const Profiles& profiles, const WheelRailState& state,

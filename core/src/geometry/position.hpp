@@ -10,6 +10,7 @@
 #include "contactd/gap.hpp"
 #include "contactd/observer.hpp"
 #include "contactd/profile.hpp"
+#include "contactd/profile_evidence.hpp"
 #include "contactd/wheel_rail_setup.hpp"
 #include "contactd/wheel_rail_solution.hpp"
 #include "contactd/wheel_rail_state.hpp"
@@ -26,7 +27,8 @@ struct Profiles {
     ProfilePoint rail_origin;
     std::shared_ptr<const SlicedRail> slices{};        ///< in place of the rail
     std::shared_ptr<const OutOfRound> out_of_round{};  ///< beside the wheel's profile, which is that of its first slice
-    std::vector<std::string> wheel_warnings{}, rail_warnings{};  ///< as of ProfileEvidence
+    std::vector<std::string> wheel_warnings{}, rail_warnings{};  ///< as of ProfileEvidence, or of all slices
+    std::optional<WheelLandmarks> landmarks{};                   ///< of the wheel, or its first slice
 };
 
 /// Throws InvalidArgument ("wheel.points[i]", "rail.points", ...) where the setup's profiles cannot be used, and

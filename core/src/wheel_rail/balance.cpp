@@ -19,7 +19,7 @@ namespace {
 
 using Values = EquilibriumTask::Values;
 
-constexpr double farthest = 20;               // mm: laterally, from where the other forces have the rail
+constexpr double farthest = 100;              // mm: laterally, from where the other forces have the rail
 constexpr double most_usual_deflection = 20;  // mm: rails on their sleepers deflect by one or two
 
 class Balance {
@@ -171,7 +171,7 @@ class Balance {
         if (!over_rail) return solve_fixed({y, given_.rail.Fz / *springs_->z});
         HeightTask& task = *over_rail;
         task.force = [&](double& z) {
-            solve_fixed({y, given_.position.z - z});
+            solve_fixed({y, given_.position.height() - z});
             return solution_.forces.track.Fz;
         };
         task.correction = estimates_.height;

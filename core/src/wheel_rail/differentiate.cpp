@@ -34,7 +34,7 @@ struct VelocityStep {
     double size;
 };
 struct PositionStep {
-    double WheelsetPosition::* of;
+    double& (*of)(WheelsetPosition&);
     Wrench WheelRailDerivatives::ByPosition::* derivative;
     double size;
 };
@@ -69,10 +69,11 @@ class Differences {
         const double arm = wheel_.position().wheel(0).base_y(), down = 1e-3 * approach;
         const double aside = std::min(5e-3, 10 * down / std::max(incline, 0.1));
         using By = WheelRailDerivatives::ByPosition;
-        return {{&WheelsetPosition::y, &By::y, aside},
-                {&WheelsetPosition::z, &By::z, down},
-                {&WheelsetPosition::roll, &By::roll, down / arm},
-                {&WheelsetPosition::yaw, &By::yaw, 1e-5}};
+        using At = WheelsetPosition;
+        return {{[](At& at) -> double& { return at.y; }, &By::y, aside},
+                {[](At& at) -> double& { return *at.z; }, &By::z, down},
+                {[](At& at) -> double& { return at.roll; }, &By::roll, down / arm},
+                {[](At& at) -> double& { return at.yaw; }, &By::yaw, 1e-5}};
     }
 
     std::vector<VelocityStep> velocity_steps(double share) const {
@@ -86,13 +87,13 @@ class Differences {
     }
 
     Wrench forces_of(const WheelRailState& state) const {
-        return wheel_.with(fine_, state).at(state.position.z, observer_).forces.track;
+        return wheel_.with(fine_, state).at(state.position.height(), observer_).forces.track;
     }
 
     Wrench by(const PositionStep& step) const {
         WheelRailState more = state_, less = state_;
-        more.position.*step.of += step.size;
-        less.position.*step.of -= step.size;
+        step.of(more.position) += step.size;
+        step.of(less.position) -= step.size;
         return difference(forces_of(more), forces_of(less), 2 * step.size);
     }
 

@@ -33,7 +33,7 @@ WheelRailState deflected(WheelRailState state, const RailDeflection& deflection)
 std::optional<HeightTask> height_over_rail(RightWheel& unloaded, const WheelRailState& given, double stiffness) {
     if (!unloaded.first_contact_height()) return std::nullopt;
     HeightTask task = unloaded.height_task(0);
-    task.target = stiffness * (given.position.z - task.first_contact_height) - given.rail.Fz;
+    task.target = stiffness * (given.position.height() - task.first_contact_height) - given.rail.Fz;
     if (!(task.target > 0)) return std::nullopt;
     task.spring = stiffness;
     task.deepest = task.first_contact_height + std::min(deepest_penetration, task.target / stiffness);
@@ -65,7 +65,7 @@ WheelRailState expected_on_flexible_rail(const RightWheel& wheel) {
     const WheelRailState unloaded = deflected(given, {deflection.y, 0});
     RightWheel on_fixed_rail = wheel.with(setup, unloaded);
     if (const auto task = height_over_rail(on_fixed_rail, given, *springs.z))
-        deflection.z = given.position.z - find_height(*task).z;
+        deflection.z = given.position.height() - find_height(*task).z;
     return deflected(given, deflection);
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "types/number_text.hpp"
+#include "wheel_rail/warnings.hpp"
 
 namespace contactd {
 namespace {
@@ -33,10 +34,6 @@ void warn_of_flange_back(const WheelRailSetup& setup, const ProfileCurve& wheel,
                        ": the back of the flange lies between them, or the profile's origin is elsewhere.");
 }
 
-std::string name_of(const ContactReference& reference, Side side) {
-    return "The contact at y = " + short_text(side == Side::left ? -reference.y : reference.y) + " mm";
-}
-
 }  // namespace
 
 std::vector<std::string> plausibility_warnings(const WheelRailSetup& setup, const geometry::Profiles& profiles) {
@@ -45,8 +42,7 @@ std::vector<std::string> plausibility_warnings(const WheelRailSetup& setup, cons
         warnings = profiles.wheel_warnings;
         warn_of_flange_back(setup, profiles.wheel, warnings);
     }
-    if (setup.rail_slices.empty())
-        warnings.insert(warnings.end(), profiles.rail_warnings.begin(), profiles.rail_warnings.end());
+    warnings.insert(warnings.end(), profiles.rail_warnings.begin(), profiles.rail_warnings.end());
     return warnings;
 }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "closed_forms/elements/element_friction.hpp"
@@ -13,11 +14,14 @@
 #include "wheel_rail/balance.hpp"
 #include "wheel_rail/differentiate.hpp"
 #include "wheel_rail/flexible_rail.hpp"
+#include "wheel_rail/off_tread.hpp"
 #include "wheel_rail/patches/patch_solver.hpp"
 #include "wheel_rail/patches/section_strips.hpp"
 #include "wheel_rail/plausibility.hpp"
+#include "wheel_rail/position/branch.hpp"
 #include "wheel_rail/position/estimates.hpp"
 #include "wheel_rail/resultants.hpp"
+#include "wheel_rail/thin_data.hpp"
 #include "wheel_rail/warnings.hpp"
 
 namespace contactd {
@@ -61,6 +65,12 @@ WheelRailState shifted_if_slow(const WheelRailSetup& setup, WheelRailState state
     return state;
 }
 
+std::string falling_force(double z) {
+    return "The vertical force falls while the wheel is lowered near z = " + number_text(z) +
+           " mm, as where patches merge: other heights may bring the same force, and a step may change from one to "
+           "another. Smaller steps stay on one of them.";
+}
+
 std::string missed_force(double Fz, const HeightFound& found) {
     return "No height brings Fz = " + number_text(Fz) + " N: at z = " + number_text(found.z) +
            " mm the force is off by " + short_text(found.evidence.residual) + " of it after " +
@@ -102,22 +112,27 @@ RightWheel::RightWheel(const WheelRailSetup& setup, const geometry::Profiles& pr
 WheelRailSolution RightWheel::solve(Observer& observer) {
     WheelRailSolution solution;
     if (first_contact_height()) {
+        below("state", [&] { check_height_or_force(state_); });
         if (state_.Fx || setup_.track.springs) {
             WheelRailEstimates own;
             solution = solve_in_balance(*this, estimates_ ? *estimates_ : own, observer);
         } else {
-            solution = state_.Fz ? under_force(*state_.Fz, observer) : at(state_.position.z, observer);
+            solution = state_.Fz ? under_force(*state_.Fz, observer) : at(state_.position.height(), observer);
+            if (auto warning = off_tread_warning(solution, profiles_, position_.wheel(solution.z), position_.rail()))
+                solution.warnings.push_back(std::move(*warning));
         }
         if (state_.derivatives) {
             if (solution.rail_deflection)
                 differentiate_on_flexible_rail(*this, solution, observer);
             else
                 differentiate(*this, solution, observer);
+            if (solution.derivatives && solution.derivatives->position.z.Fz < 0)
+                solution.warnings.push_back(falling_force(solution.z));
         }
         for (WheelRailPatch& patch : solution.patches) add_fatigue(setup_, patch.place, patch.solution, observer);
         return solution;
     }
-    solution.z = state_.position.z;
+    solution.z = state_.position.height();
     solution.pitch_rate = state_.velocity.pitch;
     solution.warnings.emplace_back(nothing_below);
     return solution;
@@ -131,7 +146,7 @@ WheelRailGeometry RightWheel::locate() {
     }
     WheelRailGeometry geometry;
     if (!first_contact_height()) {
-        geometry.z = state_.position.z;
+        geometry.z = state_.position.height();
         geometry.warnings.emplace_back(nothing_below);
         return geometry;
     }
@@ -142,14 +157,21 @@ WheelRailGeometry RightWheel::locate() {
     for (const CandidatePatch& found : position_.candidates(geometry.z)) {
         geometry.places.push_back(found.place);
         warn(geometry, warnings_of(found, setup_, false));
-        warn(geometry,
-             plausibility_warnings(found.place.reference, setup_.side, position_.wheel(geometry.z), position_.rail()));
+        const geometry::WheelSurface wheel = position_.wheel(geometry.z);
+        warn(geometry, plausibility_warnings(found.place.reference, setup_.side, wheel, position_.rail()));
+        warn(geometry, thin_data_warnings(found, setup_, state_, wheel, position_.rail()));
     }
     return geometry;
 }
 
+std::size_t RightWheel::regions_at(double z) const {
+    std::size_t regions = 0;
+    for (const CandidatePatch& found : position_.candidates(z)) regions += found.place.regions.size();
+    return regions;
+}
+
 double RightWheel::expected_height() {
-    return state_.Fz ? find_height(height_task(*state_.Fz)).z : state_.position.z;
+    return state_.Fz ? find_height(height_task(*state_.Fz)).z : state_.position.height();
 }
 
 bool RightWheel::bends() {
@@ -205,8 +227,9 @@ Placement RightWheel::placed(double z, std::vector<CandidatePatch> candidates, O
         ContactProblem problem = problem_of(found);
         problem.previous = history.on(i, problem);
         warn(placement, warnings_of(found, setup_, setup_.friction && state_.motion != WheelRailMotion::shift));
-        warn(placement,
-             plausibility_warnings(found.place.reference, setup_.side, position_.wheel(z), position_.rail()));
+        const geometry::WheelSurface wheel = position_.wheel(z);
+        warn(placement, plausibility_warnings(found.place.reference, setup_.side, wheel, position_.rail()));
+        warn(placement, thin_data_warnings(found, setup_, state_, wheel, position_.rail()));
         placement.add(std::move(found), std::move(problem));
     }
     if (history.force_left_behind() > 0 && !candidates.empty())
@@ -334,6 +357,7 @@ WheelRailSolution RightWheel::under_force(double Fz, Observer& observer) {
     }
     solution.force = found.evidence;
     if (!found.evidence.converged) solution.warnings.push_back(missed_force(Fz, found));
+    if (found.falls) solution.warnings.push_back(falling_force(found.z));
     const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - begin;
     solution.force->seconds = duration.count();
     return solution;
@@ -356,9 +380,9 @@ HeightFound RightWheel::carry(double Fz, HeightTask& task, WheelRailSolution& so
     constexpr double finer = 0.5;  // answers from other starts then agree within the tolerance
     std::optional<Placement> placement;
     std::optional<double> share = estimates_->vertical_share.expected();
-    int solves = 0, lost = 0;
+    int solves = 0, lost = 0, most_solves = setup_.force.max_iterations;
     bool held = true;  // the last solve was at a height where its patches are as they were found
-    const auto may_solve = [&] { return solves < setup_.force.max_iterations; };
+    const auto may_solve = [&] { return solves < most_solves; };
     const auto place = [&](double z) {
         if (placement && placement->holds_at(z)) return;
         check_depth(z);
@@ -399,8 +423,59 @@ HeightFound RightWheel::carry(double Fz, HeightTask& task, WheelRailSolution& so
         z = solution.z;
         return solution.forces.track.Fz;
     };
+    // By the penetration models a force jumps by a hundredth where another element becomes the deepest one. There the
+    // patch carries what lies between, at one height.
+    const auto carries_at_jump = [&](HeightFound& at) {
+        constexpr double largest_jump = 0.03;
+        constexpr int few_rounds = 20;
+        if (at.evidence.residual > largest_jump || !placement || !placement->is_single()) return;
+        for (int round = 0; round < few_rounds && share && *share >= least_share; ++round) {
+            solve_for({.z = at.z, .Fn = Fz / *share});
+            solution.z = at.z;
+            at.evidence.residual = std::abs(solution.forces.track.Fz - Fz) / Fz;
+            if (at.evidence.residual <= task.settings.tolerance) return;
+        }
+    };
     task.settings.tolerance *= finer;
     HeightFound found = find_height(task);
+    if (!found.evidence.converged && setup_.normal_model != NormalModel::of_model) carries_at_jump(found);
+    // Where the step before had other regions, and its branch of the force still brings Fz close by, this one stays
+    // there.
+    const auto stay_on_branch = [&] {
+        constexpr double farthest_branch = 0.3;  // of the depth
+        const std::size_t before = estimates_->regions, here = regions_in(solution);
+        if (before == 0 || here == 0 || here == before) return;
+        const double reach = farthest_branch * (found.z - task.first_contact_height);
+        const bool above = here < before;
+        const auto border = nearest_height(
+            [&](double z) {
+                const std::size_t regions = regions_at(z);
+                return above ? regions > here && regions <= before : regions < here && regions >= before;
+            },
+            found.z, found.z + (above ? -reach : reach));
+        if (!border) return;
+        most_solves = solves + setup_.force.max_iterations;
+        const auto kept = std::tuple(solution, found, held, estimates_->patches);
+        place(*border);
+        solve_for({.z = *border});
+        HeightTask branch = task;
+        if (above)
+            branch.deepest = *border;
+        else
+            branch.shallowest = *border;
+        branch.correction = {estimates_->height_logarithm.expected().value_or(0), 0};
+        if ((solution.forces.track.Fz >= Fz) == above) {
+            const HeightFound other = find_height(branch);
+            if (other.evidence.converged && held && regions_in(solution) != here) {
+                found = other;
+                found.falls = true;
+                return;
+            }
+        }
+        std::tie(solution, found, held, estimates_->patches) = kept;
+    };
+    stay_on_branch();
+    estimates_->regions = regions_in(solution);
     found.evidence.iterations = solves;
     found.evidence.converged = held && found.evidence.residual <= setup_.force.tolerance;
     estimates_->vertical_share.learn(share);

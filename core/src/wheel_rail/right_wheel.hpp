@@ -60,6 +60,8 @@ class RightWheel {
     void check_depth(double z) const;
     /// Where Hertz's theory expects Fz, or position.z.
     double expected_height();
+    /// Counts the regions of overlap.
+    std::size_t regions_at(double z) const;
     WheelRailSolution at(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer);
     Placement placed(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer) const;
     /// Where a wheel is solved: at a height, or where its only patch carries a normal force.

@@ -14,11 +14,11 @@ constexpr double largest_slide = 0.5;       // longitudinal creepage of a wheel 
 constexpr double usual_angle = 0.1;         // rad: of wheelsets and rails, beyond which it may be in degrees
 constexpr double largest_curvature = 0.05;  // of the rail along the track over the wheel's, from where on it matters
 
+}  // namespace
+
 std::string name_of(const ContactReference& reference, Side side) {
     return "The contact at y = " + short_text(side == Side::left ? -reference.y : reference.y) + " mm";
 }
-
-}  // namespace
 
 std::string apart_along_normal(const ContactReference& reference, Side side) {
     return name_of(reference, side) +

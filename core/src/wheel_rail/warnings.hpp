@@ -9,6 +9,9 @@
 
 namespace contactd {
 
+/// Returns what a contact of a right wheel is called by in warnings: where it is on its own side.
+std::string name_of(const ContactReference& reference, Side side);
+
 /// Tells of a candidate patch that is left out: overlap from above, and nothing to measure along the normal.
 std::string apart_along_normal(const ContactReference& reference, Side side);
 

@@ -135,8 +135,9 @@ def test_what_is_no_profile_is_refused():
 
 
 def test_a_state_has_all_of_its_numbers():
-    sent = state_params(WheelRailState(position=WheelsetPosition(y=2, yaw=0.1)), "state")
+    sent = state_params(WheelRailState(position=WheelsetPosition(y=2, z=0, yaw=0.1)), "state")
     assert sent["position"] == {"y": 2, "z": 0, "roll": 0, "yaw": 0.1, "x": 0, "pitch": 0}
+    assert "z" not in state_params(WheelRailState(), "state")["position"]
     assert sent["roller_pitch"] == 0
     assert "Fz" not in sent
     schemas.check("wheelrail.solve.params", {"state": sent})

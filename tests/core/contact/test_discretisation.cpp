@@ -257,6 +257,22 @@ TEST_CASE("simplified models have no elements that err", "[discretisation]") {
     CHECK(solution.warnings.empty());
 }
 
+TEST_CASE("a rough surface is warned of where most of its contacts are an element, however large one is",
+          "[discretisation]") {
+    ContactProblem problem;
+    problem.grid = Grid::of_elements(40, 40, 0.1, 0.1);
+    problem.bodies = Bodies::of({steel, steel});
+    problem.approach = 0.01;
+    std::vector<double> gap = sampled(Paraboloid{50, 50}, problem.grid);
+    const int peaks = GENERATE(0, 8, 12);
+    for (int i = 0; i < peaks; ++i)
+        gap[static_cast<std::size_t>(i < 6 ? 40 + 3 + 6 * i : 38 * 40 + 3 + 6 * (i - 6))] = 0;
+    problem.gap = gap;
+    const ContactSolution solution = solve_half_spaces(problem);
+    CHECK(says(solution, "The gap makes 13 separate contacts, most of them of 1 element") == (peaks == 12));
+    CHECK(says(solution, "separate contacts") == (peaks == 12));
+}
+
 TEST_CASE("spin is evaluated ahead of the element centres by its offset", "[discretisation]") {
     const Rolling motion{
         .xi = 1e-3, .eta = -5e-4, .phi = 3e-4, .chi = GENERATE(0.0, pi / 2, 0.7), .spin_offset = 1.0 / 6};

@@ -69,8 +69,9 @@ inline WheelRailState borderline_state(Dice& dice, const WheelRailContact& conta
     };
     for (double* angle : {&state.position.roll, &state.position.yaw})
         if (dice.chance(0.2)) *angle = extreme(0.5);
-    for (double* place : {&state.position.y, &state.position.z})
-        if (dice.chance(0.2)) *place = dice.chance(0.5) ? dice.uniform(-15, 15) : extreme(1e4);
+    const auto far = [&] { return dice.chance(0.5) ? dice.uniform(-15, 15) : extreme(1e4); };
+    if (dice.chance(0.2)) state.position.y = far();
+    if (dice.chance(0.2)) state.position.z = far();
     auto& [x, y, z, roll, yaw, pitch] = state.velocity;
     for (double* velocity : {&x, &y, &z, &roll, &yaw, &pitch})
         if (dice.chance(0.2)) *velocity = extreme(1e9);

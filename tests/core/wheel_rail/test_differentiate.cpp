@@ -32,13 +32,14 @@ WheelRailSetup half_millimetres(Model model = Model::full) {
 }
 
 /// Over steps so wide that a solver's tolerance does not matter.
-template <class Struct>
+template <class Struct, class Number>
 Wrench long_difference(const WheelRailSetup& setup, WheelRailState state, Struct WheelRailState::* part,
-                       double Struct::* input, double step) {
+                       Number Struct::* input, double step) {
     state.derivatives = false;
-    (state.*part).*input += step;
+    const auto move = [&](double by) { (state.*part).*input = std::optional((state.*part).*input).value() + by; };
+    move(step);
     const Wrench more = solve(setup, state).forces.track;
-    (state.*part).*input -= 2 * step;
+    move(-2 * step);
     const Wrench less = solve(setup, state).forces.track;
     return {(more.Fx - less.Fx) / (2 * step), (more.Fy - less.Fy) / (2 * step), (more.Fz - less.Fz) / (2 * step)};
 }
@@ -60,7 +61,7 @@ TEST_CASE("Forces follow position and motion as their derivatives say") {
     state.position.z = solution.z;
     state.Fz.reset();
     const auto& [position, velocity] = *solution.derivatives;
-    const auto by_position = [&](double WheelsetPosition::* input, double step) {
+    const auto by_position = [&](auto WheelsetPosition::* input, double step) {
         return long_difference(setup, state, &WheelRailState::position, input, step);
     };
     const auto by_velocity = [&](double WheelsetVelocity::* input, double step) {

@@ -1,6 +1,7 @@
 // Set-ups that can be solved and that nobody means.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>
 #include <string>
@@ -104,4 +105,37 @@ TEST_CASE("A wheel that runs on the tip of its flange is warned of") {
     WheelRailSetup setup = simplified_setup();
     setup.track.rail_origin = ProfilePoint{694, 0};  // as if the gauge were narrower by the width of a flange
     CHECK_THAT(warnings_of(setup), ContainsSubstring("tip or the back of the wheel's flange"));
+}
+
+TEST_CASE("A rail with its gauge side at y > 0 is warned of, until mirror_y turns it") {
+    WheelRailSetup setup = simplified_setup();
+    ProfilePoints points;
+    for (const ProfilePoint& point : points_of({ProfileKind::rail, Rail60E1{GENERATE(1.0 / 40, 1.0 / 20)}}).points)
+        points.points.insert(points.points.begin(), {-point.y, point.z});
+    const auto as_given = [&] {
+        setup.rail.shape = points;
+        setup.rail_slices.clear();
+        if (!setup.track.rail_origin) return;
+        for (const double x : {-100.0, 0.0, 100.0}) setup.rail_slices.push_back({x, setup.rail});
+    };
+    setup.side = GENERATE(Side::left, Side::right);
+    SECTION("uniform") {}
+    SECTION("by slices") {
+        setup.track.rail_origin = ProfilePoint{750, 0};
+    }
+    as_given();
+    CHECK_THAT(warnings_of(setup), ContainsSubstring("gauge side at y > 0") && ContainsSubstring("mirror_y"));
+    points.mirror_y = true;
+    as_given();
+    CHECK(warnings_of(setup).find("gauge side") == std::string::npos);
+}
+
+TEST_CASE("A rail that is measured down to the gauge at y > 0 only is warned of") {
+    WheelRailSetup setup = simplified_setup();
+    setup.track.rail_origin = ProfilePoint{750, 0};
+    ProfilePoints points = points_of({ProfileKind::rail, Rail60E1{0}});
+    const bool right = GENERATE(true, false);
+    std::erase_if(points.points, [&](const ProfilePoint& point) { return (right ? -point.y : point.y) > 28; });
+    setup.rail.shape = points;
+    CHECK((warnings_of(setup).find("gauge side at y > 0") != std::string::npos) == right);
 }

@@ -65,7 +65,7 @@ extern "C" void cntc_getwheelsetposition(int* ire, int* lenarr, double* values) 
     clear(values, lenarr);
     with_rail("cntc_getwheelsetposition", ire, [&](const RailCase& rail, const Settings& common) {
         const WheelsetPosition& at = rail.settings.position;
-        const double mm = common.units.length, z = rail.current ? rail.solution->z : at.z;
+        const double mm = common.units.length, z = rail.current ? rail.solution->z : at.height();
         fill(std::array{at.x / mm, at.y / mm, z / mm, at.roll, at.yaw, at.pitch}, room(values, lenarr, 1, "values"));
     });
 }

@@ -274,6 +274,9 @@ WheelRailState state_of(const Settings& settings, const RailSettings& rail) {
     if (settings.digits(flag::normal) == 1) {
         if (!rail.Fz) throw Refused(error_code::input, "No vertical force was set; call cntc_setverticalforce.");
         state.Fz = rail.Fz;
+    } else if (!state.position.z) {
+        throw Refused(error_code::input,
+                      "No height of the wheelset was set; call cntc_setwheelsetposition, or cntc_setverticalforce.");
     }
     if (force == longitudinal) {
         if (!rail.Fx) throw Refused(error_code::input, "No longitudinal force was set; call cntc_settangentialforces.");

@@ -27,7 +27,7 @@ def placed_wheel(
     along, below = profiles.wheel_origin + profiles.wheel[:, 0], nominal_radius + profiles.wheel[:, 1]
     cosine, sine = np.cos(position.roll), out * np.sin(position.roll)
     y = out * position.y + cosine * along - sine * below
-    return np.column_stack([out * y, position.z - nominal_radius + sine * along + cosine * below])
+    return np.column_stack([out * y, (position.z or 0.0) - nominal_radius + sine * along + cosine * below])
 
 
 def placed_rail(profiles: PlacedProfiles, deviation: RailDeviation | None = None, side: Side = "right") -> Array:

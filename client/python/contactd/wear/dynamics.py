@@ -130,6 +130,10 @@ def write_states(path: Path, states: Sequence[WeightedState]) -> None:
     if not states:
         raise invalid("states", "are none; give one state at least")
     rows = [_flat(one.state) for one in states]
+    if any(row["position.z"] is not None for row in rows):
+        for row in rows:
+            if row["Fz"] is not None:  # the height is found, and begins at 0
+                row["position.z"] = row["position.z"] or 0.0
     plain = _flat(type(states[0].state)())
     names = [name for name in rows[0] if any(row[name] != plain[name] for row in rows)]
     if mixed := next((name for name in names if len({row[name] is None for row in rows}) > 1), None):

@@ -26,6 +26,7 @@ Solve = Callable[[Requests, Callable[[int], None]], list[dict[str, Any]]]
 
 _MOST_NAMED = 5  #: of the states that a sentence is of
 _FEW = 0.1  #: of the states
+_OFF_TREAD = ("climbs on its flange", "rolls on the end of its tread")  #: the words of answers' warnings
 _MOST_BY_FEW = 0.9  #: of the area that few states may carry without a warning
 
 
@@ -111,7 +112,7 @@ def next_step(first: WornStep, last: WornStep, study: WearStudy, place: StudyPla
     parts = {part: PartStep(one.rates.sum(axis=0), one.size, one.contacts, place.modulus, study.depth, study.smoothing) for part, one in wear.items()}
     distance, ended_by = common_distance(parts, study.until - last.distance, study.distance)
     T_gamma = T_gamma_with_spin = pmax = 0.0
-    warnings = _warnings_of(study, answers)
+    warnings = [*_warnings_of(study, answers), *_off_tread(answers, study)]
     for share, answer in zip(study.shares, answers):
         for patch in answer.get("patches", ()):
             reported = patch["solution"].get("wear", {})
@@ -157,6 +158,20 @@ def _warnings_of(study: WearStudy, answers: Sequence[dict[str, Any]]) -> list[st
 def _listed(states: Sequence[int]) -> str:
     more = f" and {len(states) - _MOST_NAMED} more" if len(states) > _MOST_NAMED else ""
     return f"{', '.join(f'states[{i}]' for i in states[:_MOST_NAMED])}{more}"
+
+
+def _off_tread(answers: Sequence[dict[str, Any]], study: WearStudy) -> list[str]:
+    """Counts the states whose wheel climbs or rolls on its end, as answers warn of it, one sentence for each of both."""
+    sentences = []
+    for words in _OFF_TREAD:
+        off = [i for i, answer in enumerate(answers) if any(words in one for one in answer.get("warnings", ()))]
+        if off:
+            states = sorted({study.given_index(i) for i in off})
+            share = sum(study.shares[i] for i in off)
+            sentences.append(
+                f"The wheel {words} in {len(states)} of {len(study.states)} states, {share:.2g} of all by weight: {_listed(states)}. Check their positions, or leave them out."
+            )
+    return sentences
 
 
 def _is_carried_by_few(areas: Any) -> bool:

@@ -23,7 +23,7 @@ WheelSurface::WheelSurface(ProfileCurve profile, const Wheelset& wheelset, const
       base_y_(wheelset.flange_back_distance / 2 - wheelset.flange_back_position),
       radius_(wheelset.nominal_radius),
       pitch_(position.pitch + deviation.pitch),
-      wheelset_{{0, position.y, position.z - wheelset.nominal_radius},
+      wheelset_{{0, position.y, position.height() - wheelset.nominal_radius},
                 Rotation::yaw_then_roll(position.yaw, position.roll)},
       frame_(deviating(wheelset_, {0, base_y_, radius_}, deviation)),
       out_of_round_(std::move(out_of_round)) {

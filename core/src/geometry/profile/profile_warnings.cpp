@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "geometry/profile/gauge_side.hpp"
 #include "types/number_text.hpp"
 
 namespace contactd::geometry {
@@ -97,7 +98,15 @@ std::vector<std::string> profile_warnings(const Profile& profile) {
     if (profile.evidence.cut_off == 0 && is_measured && !warn_of_rounding(profile, name, warnings))
         warn_of_scatter(profile, name, warnings);
     warn_of_smoothing(profile, name, warnings);
+    if (profile.kind == ProfileKind::rail && has_gauge_side_at_right(profile.curve))
+        warnings.push_back(gauge_side_warning("rail"));
     return warnings;
+}
+
+std::string gauge_side_warning(const std::string& name) {
+    return "The " + name +
+           " appears to have its gauge side at y > 0: it leans to that side, or is measured down to the gauge on that "
+           "side only. The gauge side lies at y < 0, also of a left rail: change mirror_y.";
 }
 
 std::string bridge_warning(ProfileKind kind, const ProfilePoint& from, const ProfilePoint& to) {

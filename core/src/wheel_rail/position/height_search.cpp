@@ -1,11 +1,14 @@
 #include "height_search.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <vector>
 
 namespace contactd {
 namespace {
@@ -25,6 +28,8 @@ class Correction {
         line_.logarithm = logarithm;
         z_ = z;
     }
+    /// What two heights beyond a fall have told is not so here.
+    void forget_slope() { line_.slope = 0; }
     double at(double z) const { return line_.logarithm + (z_ ? std::clamp(line_.slope * (z - *z_), -1.0, 1.0) : 0); }
     HeightCorrection line_at(double z) const { return {at(z), line_.slope}; }
 
@@ -38,7 +43,8 @@ class Search {
    public:
     explicit Search(const HeightTask& task)
         : task_(task),
-          low_(task.first_contact_height),
+          least_(task.shallowest.value_or(task.first_contact_height)),
+          low_(least_),
           high_(task.deepest),
           settled_(tight()),
           correction_(task.correction) {}
@@ -51,6 +57,8 @@ class Search {
             if (force > 0 && expected > 0) correction_.learn(z, std::log(force / expected));
             found = {z, {solve, std::abs(force - target) / target, false, 0}, correction_.line_at(z)};
             found.evidence.converged = found.evidence.residual <= task_.settings.tolerance;
+            solved_.push_back({z, force - target, force});
+            found.falls = falls_ = falls_ || falls_behind_last();
             if (found.evidence.converged) break;
             // The estimate, corrected once, is no guide: these are no bodies that such a force presses together.
             if (solve > 1 && force > runaway * target) break;
@@ -58,7 +66,8 @@ class Search {
             if (high_ - low_ < 1e-12 * (1 + std::abs(high_))) break;
             settled_ = std::max(tight(), loose * found.evidence.residual);
             const double last = z;
-            z = force > 0 && expected > 0 ? next() : 0.5 * (low_ + high_);
+            const auto beside = hidden();
+            z = beside ? *beside : by_forces().value_or(force > 0 && expected > 0 ? next() : 0.5 * (low_ + high_));
             if (z == last) break;
         }
         return found;
@@ -68,6 +77,66 @@ class Search {
     struct End {
         double z, excess;
     };
+    struct Solved {
+        double z, excess, force;
+    };
+
+    bool falls_behind_last() const {
+        const Solved& last = solved_.back();
+        return std::ranges::any_of(solved_, [&](const Solved& other) {
+            const Solved &upper = other.z < last.z ? other : last, &lower = other.z < last.z ? last : other;
+            return lower.force < upper.force * (1 - noise);
+        });
+    }
+
+    /// Returns a height beside the first one where the force has gone away from its target although the wheel was moved
+    /// towards it: there may be a height nearer to the first one, on either side of it. Asks for a few only.
+    std::optional<double> hidden() {
+        const Solved first = solved_.front(), last = solved_.back();
+        const bool lacks = first.excess < 0;
+        if (probed_ == 0) {
+            const bool goes_away = lacks ? last.z > first.z && last.force < first.force * (1 - noise)
+                                         : last.z < first.z && last.force > first.force * (1 + noise);
+            if (!goes_away) return std::nullopt;
+            far_ = last.z;
+        } else if (probed_ > probes.size()) {
+            return std::nullopt;
+        } else if (last.excess * first.excess < 0) {
+            // There are bounds beside the first height now: it and this one, or this one and where there is no contact.
+            const bool behind = (last.z < first.z) == lacks;
+            low_ = lacks ? (behind ? least_ : first.z) : last.z;
+            high_ = lacks ? last.z : (behind ? task_.deepest : first.z);
+            probed_ = probes.size() + 1;
+            correction_.forget_slope();
+            return std::nullopt;
+        }
+        if (probed_ == probes.size()) {
+            ++probed_;
+            low_ = lacks ? far_ : least_;
+            high_ = lacks ? task_.deepest : far_;
+            return std::nullopt;
+        }
+        low_ = least_;
+        high_ = task_.deepest;
+        return std::clamp(first.z + (far_ - first.z) * probes[probed_++], least_, task_.deepest);
+    }
+
+    /// Regula falsi between forces (Illinois), where estimates have not led there in a few solves, as those of patches
+    /// that merge do not.
+    std::optional<double> by_forces() {
+        constexpr std::size_t enough = 20;
+        const std::size_t count = solved_.size();
+        if (count < enough) return std::nullopt;
+        const auto at = [&](double z) { return std::ranges::find(solved_, z, &Solved::z); };
+        const auto low = at(low_), high = at(high_);
+        if (low == solved_.end() || high == solved_.end()) return std::nullopt;
+        same_side_ = solved_[count - 1].excess * solved_[count - 2].excess > 0 ? same_side_ + 1 : 0;
+        const double old = std::ldexp(1, -same_side_);  // what counts less of the end that stays
+        const bool is_low = solved_.back().z == low_;
+        const double below = (is_low ? 1 : old) * low->excess, above = (is_low ? old : 1) * high->excess;
+        const double z = (low_ * above - high_ * below) / (above - below);
+        return z > low_ && z < high_ ? z : std::midpoint(low_, high_);
+    }
 
     double estimate(double z) {
         const auto [known, is_new] = estimates_.try_emplace(z, 0);
@@ -150,8 +219,16 @@ class Search {
     static constexpr double first_step = 0.02;  // mm
     static constexpr double loose = 1e-3;       // of what was missing: corrections are not that good
     static constexpr double runaway = 1e3;
+    static constexpr double noise = 1e-3;  // of forces on other elements
+    static constexpr std::array probes{-0.5, 0.25,  -1.0,
+                                       0.5,  -0.25, -3.0};  // of the way to where the force has gone away
+    std::vector<Solved> solved_;
+    bool falls_ = false;
+    std::size_t probed_ = 0;
+    int same_side_ = 0;
+    double far_ = 0;
     const HeightTask& task_;
-    double low_, high_, settled_;
+    double least_, low_, high_, settled_;
     std::map<double, double> estimates_;  // those asked for, by z: from force to force they are the same
     Correction correction_;
 };

@@ -2,13 +2,16 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "contactd/contact.hpp"
 #include "contactd/wheel_rail_estimates.hpp"
 
 namespace contactd {
 
-/// Forces rise with z. The estimate is cheap and close to the shape of the force: what is left is nearly constant.
+/// Forces rise with z, but where patches merge they may fall, and several heights bring the target: then the one
+/// nearest to where the correction leads at first. The estimate is cheap and close to the shape of the force: what is
+/// left is nearly constant.
 struct HeightTask {
     std::function<double(double z)> estimate;  ///< (N), zero above `first_contact_height`
     std::function<double(double& z)> force;  ///< likewise; it may move z by little to where it is nearer to the target
@@ -20,12 +23,14 @@ struct HeightTask {
     /// Stiffness of a spring below the rail (N/mm): z is that of the wheel over the rail, and the target force falls by
     /// so much with it, from `target` where they touch.
     double spring = 0;
+    std::optional<double> shallowest{};  ///< least z that is looked at (mm); absent: that of first contact
 };
 
 struct HeightFound {
     double z = 0;  ///< where the force was computed last
     SolverEvidence evidence;
     HeightCorrection correction{};
+    bool falls = false;  ///< the force was less at one height than at another above it
 };
 
 /// Stops, without convergence, where the force is a thousand times the target although the estimate was corrected.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
 #include <vector>
@@ -117,4 +118,31 @@ TEST_CASE("A first force far beyond the prescribed one is only the estimate's fa
     const HeightFound found = find_height(task_of([&](double z) { return 1e-5 * force(z); }, force));
     CHECK(found.evidence.converged);
     CHECK_THAT(force(found.z), WithinRel(5e4, 1e-9));
+}
+
+TEST_CASE("Of several heights that bring a force the nearest to the step before is found, and the fall is told") {
+    // Rises through the target, falls to half of it over 0.004 mm, and rises again: patches that merge.
+    const auto estimate = [](double z) { return power(z - 0.3, 1.5); };
+    const double drop = GENERATE(0.437, 0.438, 0.439);
+    const auto force = [&](double z) {
+        const double merged = std::clamp((z - drop) / 0.004, 0.0, 1.0);
+        return estimate(z) * (1 - 0.3 * merged);
+    };
+    HeightTask task = task_of(estimate, force);
+    const double apart = 0.3 + std::pow(0.05, 2.0 / 3), merged = 0.3 + std::pow(0.05 / 0.7, 2.0 / 3);
+    REQUIRE(apart < drop);
+    REQUIRE(merged > drop + 0.004);
+    SECTION("before they merge, also where the first height is a little off") {
+        task.correction.logarithm = GENERATE(0.04, 0.01, 0.0, -0.01, -0.02);
+        const HeightFound found = find_height(task);
+        CHECK(found.evidence.converged);
+        CHECK_THAT(found.z, WithinRel(apart, 1e-6));
+    }
+    SECTION("after they have merged") {
+        task.correction.logarithm = std::log(0.7) + GENERATE(0.0, -0.01, 0.01);
+        const HeightFound found = find_height(task);
+        CHECK(found.evidence.converged);
+        CHECK_THAT(found.z, WithinRel(merged, 1e-6));
+        CHECK_FALSE(found.falls);
+    }
 }

@@ -30,7 +30,7 @@ class WheelsetPosition:
 
     Attributes:
         y: To the right (mm).
-        z: Down (mm); where Fz is given, only where to start.
+        z: Down (mm); a solve needs it, or Fz. Where Fz is given, only where to start.
         roll: Roll, from y to z (rad), -0.5 to 0.5.
         yaw: Yaw, from x to y, turned first (rad), -0.5 to 0.5.
         x: Along the track, where the rail varies (mm); forces and references are told from there on.
@@ -39,7 +39,7 @@ class WheelsetPosition:
     """
 
     y: float = 0.0
-    z: float = 0.0
+    z: float | None = None
     roll: float = 0.0
     yaw: float = 0.0
     x: float = 0.0

@@ -1,0 +1,19 @@
+// The side of a rail on which wheels run.
+#pragma once
+
+#include <optional>
+
+#include "contactd/profile.hpp"
+
+namespace contactd::geometry {
+
+/// Returns how far the top of a rail lies beside the middle of its head (mm), towards y > 0. Rails lean towards the
+/// middle of the track, and wear on their gauge side: both move the top to the field side. Nothing for a head that is
+/// seen to less than 2 mm below its top on either side, or rises again as beside grooves.
+std::optional<double> top_beside_middle(const ProfileCurve& rail);
+
+/// Whether the gauge side lies at y > 0, where it must lie at y < 0: the top is clearly on the side of y < 0, or only
+/// the side at y > 0 is there down to where gauges are measured.
+bool has_gauge_side_at_right(const ProfileCurve& rail);
+
+}  // namespace contactd::geometry

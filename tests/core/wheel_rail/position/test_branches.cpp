@@ -1,0 +1,71 @@
+// Steps of a wheel on a rail where the force falls as patches merge, so that several heights bring one force.
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <vector>
+
+#include "wheel_rail/position/branch.hpp"
+#include "wheel_rail/wheel_rail_cases.hpp"
+
+using namespace contactd;
+using namespace contactd::test;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+/// On a head that leans by 1/20, near the flange's throat: three regions merge to two as the load grows.
+WheelRailSetup merging() {
+    WheelRailSetup setup;
+    setup.rail.shape = Rail60E1{1.0 / 20};
+    setup.dx = setup.dy = 0.5;
+    setup.friction.reset();
+    return setup;
+}
+
+WheelRailState under(double Fz) {
+    WheelRailState state;
+    state.position.y = 5.598;
+    state.position.roll = -0.0011423;
+    state.position.yaw = -0.00061207;
+    state.Fz = Fz;
+    return state;
+}
+
+/// The last step of some loads one after the other.
+WheelRailSolution last_of(const WheelRailContact& contact, const std::vector<double>& loads) {
+    WheelRailEstimates estimates;
+    Observer observer;
+    WheelRailSolution solution;
+    for (const double Fz : loads) solution = contact.solve(under(Fz), estimates, observer);
+    return solution;
+}
+
+}  // namespace
+
+TEST_CASE("A step stays on the branch of the step before where two heights bring its force") {
+    const WheelRailContact contact(merging());
+    const WheelRailSolution apart = last_of(contact, {90000, 91000, 92000, 92500}),
+                            merged = last_of(contact, {95000, 93000, 92500});
+    REQUIRE(regions_in(apart) == 3);
+    REQUIRE(regions_in(merged) == 2);
+    for (const WheelRailSolution& solution : {apart, merged}) {
+        CHECK(solution.converged());
+        CHECK_THAT(solution.forces.track.Fz, WithinRel(92500, 1e-6));
+        // At the height that was found the force is that, too.
+        WheelRailState state = under(1);
+        state.Fz.reset();
+        state.position.z = solution.z;
+        CHECK_THAT(solve(merging(), state).forces.track.Fz, WithinRel(92500, 1e-4));
+    }
+    CHECK(merged.z > apart.z + 1e-3);
+}
+
+TEST_CASE("The height where a branch begins is found between those that are not on it") {
+    const auto beyond = nearest_height([](double z) { return z > 0.25; }, 0.1, 0.5);
+    REQUIRE(beyond);
+    CHECK_THAT(*beyond, WithinAbs(0.25, 2e-7));
+    CHECK_FALSE(nearest_height([](double z) { return z > 0.6; }, 0.1, 0.5));
+    const auto above = nearest_height([](double z) { return z < 0.2; }, 0.3, 0.1);
+    REQUIRE(above);
+    CHECK_THAT(*above, WithinAbs(0.2, 2e-7));
+}

@@ -1,0 +1,34 @@
+// Heights at which a wheel carries its load where forces jump with the height.
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+
+#include "wheel_rail/wheel_rail_cases.hpp"
+
+using namespace contactd;
+using namespace contactd::test;
+using Catch::Matchers::WithinRel;
+
+TEST_CASE("Penetration models bring the load where another element becomes the deepest one") {
+    WheelRailSetup setup;
+    setup.dx = setup.dy = 0.4;
+    setup.friction.reset();
+    for (const NormalModel model : {NormalModel::kpec, NormalModel::kp}) {
+        setup.normal_model = model;
+        const WheelRailContact contact(setup);
+        Observer observer;
+        for (double y = 2; y < 6.5; y += 0.05) {
+            WheelRailState state;
+            state.position.y = y;
+            state.Fz = 50e3;
+            const WheelRailSolution found = contact.solve(state, observer);
+            CHECK(found.converged());
+            CHECK_THAT(found.forces.track.Fz, WithinRel(50e3, 1e-6));
+            // At heights close by the force is less, and more.
+            state.Fz.reset();
+            state.position.z = found.z - 1e-6;
+            CHECK(contact.solve(state, observer).forces.track.Fz < 50e3);
+            state.position.z = found.z + 1e-6;
+            CHECK(contact.solve(state, observer).forces.track.Fz > 50e3);
+        }
+    }
+}

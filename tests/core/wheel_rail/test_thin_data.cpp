@@ -1,0 +1,127 @@
+// Profiles, slices and friction that were given at too few places for the contact that lies there.
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "contactd/make_profile.hpp"
+#include "wheel_rail/wheel_rail_cases.hpp"
+
+using namespace contactd;
+using namespace contactd::test;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+WheelRailState loaded(double y = 0) {
+    WheelRailState state;
+    state.position.y = y;
+    state.Fz = 80e3;
+    return state;
+}
+
+std::string thin_warnings(const WheelRailSetup& setup, const WheelRailState& state = loaded()) {
+    std::string all;
+    for (const std::string& warning : solve(setup, state).warnings)
+        if (warning.find("apart") != std::string::npos || warning.find("guess") != std::string::npos)
+            all += warning + "\n";
+    return all;
+}
+
+WheelRailSetup simplified() {
+    WheelRailSetup setup;
+    setup.model = Model::hertz;
+    setup.friction.reset();
+    return setup;
+}
+
+WheelRailSetup cylinder() {
+    WheelRailSetup setup = cylinder_on_arc(300);
+    setup.model = Model::hertz;
+    return setup;
+}
+
+/// Points of a curve about so far apart.
+ProfilePoints points_of(const ProfileSpec& profile, double apart) {
+    const ProfileCurve curve = make_profile(profile).curve;
+    ProfilePoints points;
+    const int count = static_cast<int>(std::ceil(curve.end() / apart));
+    for (int i = 0; i <= count; ++i) points.points.push_back(curve.at(curve.end() * i / count));
+    return points;
+}
+
+/// A cylinder on an arc of 300 mm whose height varies along the track.
+template <class Height>
+WheelRailSetup sliced(double apart, const Height& height) {
+    WheelRailSetup setup = cylinder();
+    ProfilePoints arc = points_of(setup.rail, 1);
+    for (int i = -5; i <= 5; ++i) {
+        ProfilePoints moved = arc;
+        for (ProfilePoint& point : moved.points) point.z += height(i * apart);
+        setup.rail_slices.push_back({i * apart, {ProfileKind::rail, moved}});
+    }
+    return setup;
+}
+
+}  // namespace
+
+TEST_CASE("A rail of few points is warned of, of which the contact lies between two") {
+    WheelRailSetup setup = simplified();
+    setup.side = GENERATE(Side::left, Side::right);
+    setup.track.rail_origin = ProfilePoint{750, 0};
+    const ProfileSpec rail = setup.rail;
+    setup.rail.shape = points_of(rail, 18);
+    CHECK_THAT(thin_warnings(setup),
+               ContainsSubstring("points of the rail are 16") && ContainsSubstring("Give points that are"));
+    setup.rail.shape = points_of(rail, 1);
+    CHECK(thin_warnings(setup) == "");
+}
+
+TEST_CASE("A wheel of few points is warned of where it bends, and not where it is straight") {
+    WheelRailSetup setup = simplified();
+    setup.wheel.shape = points_of(setup.wheel, 25);
+    setup.wheelset.flange_back_position = -70;
+    CHECK_THAT(thin_warnings(setup), ContainsSubstring("points of the wheel are 2"));
+    setup.wheel.shape = ProfilePoints{{{-40, 2}, {40, -2}}};
+    CHECK(thin_warnings(setup) == "");
+}
+
+TEST_CASE("Slices between which a rail bends by more than the overlap are warned of") {
+    const auto wave = [](double length) {
+        return [=](double x) { return std::cos(2 * std::numbers::pi * x / length); };
+    };
+    // Between neighbours it bends by (2 pi/1000)^2 200^2/8 = 0.2 mm, and with slices at 20 mm by 0.002 mm.
+    CHECK_THAT(thin_warnings(sliced(200, wave(1000))), ContainsSubstring("slices of the rail that are 200 mm apart"));
+    CHECK(thin_warnings(sliced(20, wave(1000))) == "");
+    CHECK(thin_warnings(sliced(200, [](double x) { return 0.01 * x; })) == "");
+}
+
+TEST_CASE("Slices between which a wheel's radius bends by more than the overlap are warned of") {
+    const auto out_of_round = [](int slices) {
+        WheelRailSetup setup = cylinder();
+        for (int i = 0; i < slices; ++i) {
+            const double angle = 2 * std::numbers::pi * i / slices, deeper = std::cos(10 * angle);
+            setup.wheel_slices.push_back({angle, {ProfileKind::wheel, ProfilePoints{{{-40, deeper}, {40, deeper}}}}});
+        }
+        return setup;
+    };
+    CHECK_THAT(thin_warnings(out_of_round(30)), ContainsSubstring("slices of the wheel that are 94.2 mm apart"));
+    CHECK(thin_warnings(out_of_round(300)) == "");
+}
+
+TEST_CASE("Coefficients of friction far apart are warned of where a contact lies between them") {
+    WheelRailSetup setup;
+    setup.dx = setup.dy = 1;
+    const auto warnings = [&](std::vector<FrictionAtAngle> mu) {
+        setup.friction = WheelRailFriction{};
+        setup.friction->mu = std::move(mu);
+        WheelRailState state = loaded(7);
+        state.velocity.x = 20e3;
+        state.velocity.pitch = -20e3 / 460;
+        return thin_warnings(setup, state);
+    };
+    CHECK_THAT(warnings({{-1.2, 0.1}, {0, 0.5}}), ContainsSubstring("between coefficients of friction of 0.1 at -1.2"));
+    CHECK(warnings({{-1.2, 0.1}, {-0.3, 0.1}, {-0.1, 0.5}}) == "");
+}
