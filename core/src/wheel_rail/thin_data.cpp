@@ -41,26 +41,26 @@ Neighbours widest_gap(const ProfileCurve& profile, double from, double to) {
 }
 
 std::optional<std::string> of_points(const ProfileCurve& profile, double from, double to, double overlap,
-                                     const std::string& name) {
+                                     const std::string& points) {
     if (from > to) std::swap(from, to);
     const Neighbours gap = widest_gap(profile, from, to);
     if (to - from >= 2 * gap.apart || gap.sagitta < std::max(least_sagitta, part_of_overlap * overlap)) return {};
     const double close = std::max((to - from) / 4, gap.apart * std::sqrt(least_sagitta / gap.sagitta));
-    return "is " + short_text(to - from) + " mm wide, where points of the " + name + " are " + short_text(gap.apart) +
+    return "is " + short_text(to - from) + " mm wide, where " + points + " are " + short_text(gap.apart) +
            " mm apart and it bends by " + short_text(gap.sagitta) +
            " mm between them: forces depend on how they are joined. Give points that are " + short_text(close) +
            " mm apart or less.";
 }
 
-std::optional<std::string> of_slices(double apart, double curvature, const ContactPlace& place, const char* what) {
+std::optional<std::string> of_slices(double apart, double curvature, const ContactPlace& place,
+                                     const std::string& what) {
     const double length = place.regions.empty() ? 0 : place.regions.front().x.to - place.regions.front().x.from;
     const double sagitta = std::abs(curvature) * apart * apart / 8;
     if (!std::isfinite(apart) || length >= 2 * apart ||
         sagitta < std::max(least_of_slices, std::max(place.penetration, 0.0)))
         return {};
-    return std::string("lies between slices of the ") + what + " that are " + short_text(apart) +
-           " mm apart, and its " + (what[0] == 'r' ? "height" : "radius") + " bends by " + short_text(sagitta) +
-           " mm between them, more than the overlap of " + short_text(place.penetration) +
+    return "lies between slices that are " + short_text(apart) + " mm apart, and the " + what + " bends by " +
+           short_text(sagitta) + " mm between them, more than the overlap of " + short_text(place.penetration) +
            " mm: forces depend on how slices are joined. Give slices at shorter distances there.";
 }
 
@@ -103,21 +103,21 @@ std::vector<std::string> thin_data_warnings(const CandidatePatch& found, const W
     for (const OverlapRegion& region : place.regions) {
         double from = 0.5 * (rail.visible().from + rail.visible().to), to = from;
         if (rail.find_y(region.y.from, from) && rail.find_y(region.y.to, to))
-            warn(of_points(rail.profile(), from, to, region.penetration, "rail"));
+            warn(of_points(rail.profile(), from, to, region.penetration, "points of the rail"));
         const auto on_wheel = [&](double y, double z) {
             return wheel.profile().s_at_y(wheel.frame().inside({region.reference.x, y, z}).y - wheel.base_y());
         };
         warn(of_points(wheel.profile(), on_wheel(region.y.from, region.z.from), on_wheel(region.y.to, region.z.to),
-                       region.penetration, "wheel"));
+                       region.penetration, "points of the wheel"));
     }
     const double upright = std::abs(std::cos(place.reference.angle));
     if (rail.is_sliced())
         warn(of_slices(distance_of_rail_slices(setup, state.position.x + place.reference.x),
-                       1 / (place.radii.rail_along * upright), place, "rail"));
+                       1 / (place.radii.rail_along * upright), place, "height of the rail"));
     if (!wheel.is_round()) {
         const double radius = wheel.nominal_radius(), pitch = state.position.pitch + state.wheel.pitch;
         warn(of_slices(radius * angle_of_wheel_slices(setup, -pitch),
-                       1 / (place.radii.wheel_along * upright) - 1 / radius, place, "wheel"));
+                       1 / (place.radii.wheel_along * upright) - 1 / radius, place, "radius of the wheel"));
     }
     if (setup.friction) warn(of_friction(setup.friction->mu, place.reference.angle));
     return warnings;

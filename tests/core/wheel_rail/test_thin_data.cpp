@@ -93,7 +93,8 @@ TEST_CASE("Slices between which a rail bends by more than the overlap are warned
         return [=](double x) { return std::cos(2 * std::numbers::pi * x / length); };
     };
     // Between neighbours it bends by (2 pi/1000)^2 200^2/8 = 0.2 mm, and with slices at 20 mm by 0.002 mm.
-    CHECK_THAT(thin_warnings(sliced(200, wave(1000))), ContainsSubstring("slices of the rail that are 200 mm apart"));
+    CHECK_THAT(thin_warnings(sliced(200, wave(1000))),
+               ContainsSubstring("slices that are 200 mm apart, and the height of the rail"));
     CHECK(thin_warnings(sliced(20, wave(1000))) == "");
     CHECK(thin_warnings(sliced(200, [](double x) { return 0.01 * x; })) == "");
 }
@@ -107,7 +108,8 @@ TEST_CASE("Slices between which a wheel's radius bends by more than the overlap 
         }
         return setup;
     };
-    CHECK_THAT(thin_warnings(out_of_round(30)), ContainsSubstring("slices of the wheel that are 94.2 mm apart"));
+    CHECK_THAT(thin_warnings(out_of_round(30)),
+               ContainsSubstring("slices that are 94.2 mm apart, and the radius of the wheel"));
     CHECK(thin_warnings(out_of_round(300)) == "");
 }
 
