@@ -70,7 +70,9 @@ std::optional<double> top_beside_middle(const ProfileCurve& rail) {
 
 bool has_gauge_side_at_right(const ProfileCurve& rail) {
     const Head head = head_of(rail.points());
-    if (head.right >= of_gauge && head.left < of_rolled_surface) return true;
+    const auto is_only = [](double one, double other) { return one >= of_gauge && other < of_rolled_surface; };
+    if (is_only(head.right, head.left)) return true;
+    if (is_only(head.left, head.right)) return false;
     const std::optional<double> beside = top_beside_middle(rail);
     return beside && *beside < -clearly;
 }

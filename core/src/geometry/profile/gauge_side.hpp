@@ -12,8 +12,8 @@ namespace contactd::geometry {
 /// seen to less than 2 mm below its top on either side, or rises again as beside grooves.
 std::optional<double> top_beside_middle(const ProfileCurve& rail);
 
-/// Whether the gauge side lies at y > 0, where it must lie at y < 0: the top is clearly on the side of y < 0, or only
-/// the side at y > 0 is there down to where gauges are measured.
+/// Whether the gauge side lies at y > 0, where it must lie at y < 0: only the side at y > 0 is there down to where
+/// gauges are measured, or both are, or neither is, and the top is clearly on the side of y < 0.
 bool has_gauge_side_at_right(const ProfileCurve& rail);
 
 }  // namespace contactd::geometry
