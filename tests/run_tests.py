@@ -179,10 +179,10 @@ def main(arguments: Sequence[str]) -> int:
         if chosen is None or any(test.target is None for test in chosen):
             fine = (0,) if chosen is None else (0, NO_TEST_LEFT)  # all that were named are left out
             run.part("Python tests", python_command(chosen, effort, options), fine)
-        if chosen is None and effort:
-            run.part("fuzzing", FUZZING)
         if with_fftw:
             run_with_fftw(run)
+        if chosen is None and effort:
+            run.part("fuzzing", FUZZING)
     print(f"\033[1m==>\033[0m {', '.join(run.took)}", file=sys.stderr)
     if run.failed:
         print(f"dev: failed: {', '.join(run.failed)}", file=sys.stderr)

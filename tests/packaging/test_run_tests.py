@@ -120,11 +120,11 @@ def test_all_ends_with_fuzzing_of_messages_in_short_form(monkeypatch, tmp_path, 
     called = []
     (tmp_path / "tests.txt").write_text(LISTED)
     monkeypatch.setattr(run_tests, "BUILD", tmp_path)
-    monkeypatch.setattr(run_tests.Run, "part", lambda run, name, command, fine=(0,): called.append(name) or True)
+    monkeypatch.setattr(run_tests.Run, "part", lambda run, name, command, fine=(0,), build=None: called.append(name) or True)
     assert run_tests.main(arguments) == 0
     assert (called[-1] == "fuzzing") == fuzzes
     for target in run_tests.FUZZING[3:]:
-        assert (run_tests.TESTS / "fuzz" / f"{target}.cpp").exists()
+        assert [ending for ending in ("cpp", "py") if (run_tests.TESTS / "fuzz" / f"{target}.{ending}").exists()]
 
 
 def test_slow_and_long_tests_are_left_out_unless_they_are_wanted():

@@ -33,7 +33,8 @@ WHEEL = {
         f"wheelset.{name}": (*SETUP, "wheelset", "properties", name)
         for name in ("flange_back_distance", "flange_back_position", "nominal_radius")
     },
-    **{f"position.{name}": (*STATE, "position", "properties", name) for name in ("x", "y", "z", "roll", "yaw")},
+    # position.z has no default: a message names it or Fz.
+    **{f"position.{name}": (*STATE, "position", "properties", name) for name in ("x", "y", "roll", "yaw")},
     **{f"deviation.{name}": (*STATE, "rail", "properties", name) for name in ("y", "z", "roll")},
     **{f"deviation_rate.{name}": (*STATE, "rail", "properties", f"{name}_velocity") for name in ("y", "z", "roll")},
     "friction.mu": ("definitions", "definitions", "wheel_rail_friction", "properties", "mu"),

@@ -24,17 +24,17 @@ class PrintedCase:
         number: Of its memory.
         reid: Result element; None: there is none.
         line: Where it begins in the file, from 1.
-        cpid: Its contact problem; None: none is named.
         numbers: Those of the whole case, by their labels; of module 3 all.
         patches: Those of each patch, by their labels.
+        cpid: Its contact problem; None: none is named.
     """
 
     number: int
     reid: int | None
     line: int
-    cpid: int | None = None
     numbers: dict[str, float] = field(default_factory=dict)
     patches: list[dict[str, float]] = field(default_factory=list)
+    cpid: int | None = None
 
 
 def printed_cases(text: str) -> list[PrintedCase]:
@@ -44,7 +44,7 @@ def printed_cases(text: str) -> list[PrintedCase]:
     for index, line in enumerate(lines):
         if begins := _CASE.match(line):
             reid, cpid = begins[2] or begins[4], begins[3]
-            cases.append(PrintedCase(int(begins[1]), _whole(reid), index + 1, _whole(cpid)))
+            cases.append(PrintedCase(int(begins[1]), _whole(reid), index + 1, cpid=_whole(cpid)))
         elif cases and _PATCH.match(line):
             cases[-1].patches.append({})
         elif cases and index + 1 < len(lines):

@@ -14,10 +14,11 @@ constexpr double clearly = 2.5;          // mm: heads of radius 200 mm that lean
 constexpr double of_gauge = 14;          // mm below the top: where gauges are measured
 constexpr double of_rolled_surface = 8;  // mm: a side that ends higher was not measured
 
-/// Where the head passes a level on one side, from its top outwards.
+/// Where the head passes a level on one side, from its top outwards; its end where rounding puts the level below that.
 double y_at(const std::vector<ProfilePoint>& points, std::size_t top, double level, bool right) {
     for (std::size_t i = top;;) {
         const std::size_t next = right ? i + 1 : i - 1;
+        if (next >= points.size()) return points[i].y;
         if (points[next].z >= level) {
             const double share = (level - points[i].z) / (points[next].z - points[i].z);
             return points[i].y + share * (points[next].y - points[i].y);
