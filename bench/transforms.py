@@ -37,7 +37,7 @@ def report(of_ducc0: Path, of_fftw: Path, quick: bool, run: Runner) -> None:
     """Runs the programs of both folders in turns, and prints medians of their times and of the ratios."""
     taken: dict[str, dict[str, list[float]]] = defaultdict(lambda: defaultdict(list))
     for program in ROWS:
-        for _ in range(1 if quick else ROUNDS):
+        for _ in range(ROUNDS):
             for name, folder in (("ducc0", of_ducc0), ("fftw", of_fftw)):
                 for row in run(folder / program, quick, dict(os.environ)):
                     if not row.get("error_occurred") and (label := named(program, row["name"])):
