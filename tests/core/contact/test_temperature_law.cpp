@@ -132,12 +132,13 @@ TEST_CASE("Bodies that differ in heat and bulk temperature are as warm as is kno
     CHECK_THAT(*solution.frictional_power, WithinRel(1775.69092e3, 1e-8));
     // The values are those of bodies that both pass at the rolling velocity; these pass at their own speeds, in each
     // row by its slip.
-    const auto by_speeds = [&](int row, double rise) {
+    const auto by_speeds = [&](int row, double rise, double warmth = 1) {
         const double w = mean_slip(problem.grid, solution, row);
         const double upper = 13.29 * std::sqrt(1 - w / 2), lower = 6.5 * std::sqrt(1 + w / 2);
-        return (20 * upper + 140 * lower + (13.29 + 6.5) * rise) / (upper + lower);
+        return (warmth * (20 * upper + 140 * lower) + (13.29 + 6.5) * rise) / (upper + lower);
     };
     const int hottest = static_cast<int>(std::lround((solution.temperature->y - problem.grid.y(0)) / problem.grid.dy));
+    CHECK_THAT(solution.temperature->rise, WithinRel(by_speeds(hottest, 38.7895558, 0), 1e-7));
     CHECK_THAT(solution.temperature->largest, WithinRel(by_speeds(hottest, 38.7895558), 1e-8));
     CHECK_THAT(by_speeds(hottest, 38.7895558), WithinRel(98.2034012, 1e-3));
     int ix = 2;
