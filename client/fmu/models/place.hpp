@@ -22,7 +22,7 @@ inline std::optional<std::filesystem::path> file_named(const std::string& name,
     return file_named(name, resources, resources);
 }
 
-/// Whether the path lies in the folder or below it, once links are followed.
+/// Returns whether the path lies in the folder or below it, once links are followed.
 bool lies_within(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 /// In small letters and without spaces: s1002 of "S 1002".

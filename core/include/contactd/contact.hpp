@@ -115,7 +115,7 @@ struct ContactSolution {
     /// Plastic flow of a layer along the tractions, over the step (mm) or per distance rolled as slip, and its yield
     /// stress behind it (N/mm^2). Empty without a layer that yields.
     std::vector<double> flow_x, flow_y, yield_stress;
-    /// Of kinetic friction, and of friction by temperature with memory; outside contact that of particles that enter.
+    /// Coefficients of kinetic friction or of friction by temperature with memory; outside contact those on entry.
     std::vector<double> friction_coefficient;
     /// Displacements of the upper body's surface less those of the lower one's under the tractions (mm): along x and y,
     /// and along z what the bodies yield, > 0 under pressure. Where asked for; elsewhere empty.

@@ -99,7 +99,7 @@ class TemperatureLaw::Row {
         return mu;
     }
 
-    // What a particle brings of the change of its coefficient since it entered.
+    // Returns the change of a particle's coefficient since it entered the contact, as it arrives at element k.
     double change_ahead(std::size_t k) const {
         const double step = std::max(all_.step_, 1.0), elements = std::floor(step), beyond = step - elements;
         const auto at = [&](double ahead) {

@@ -9,7 +9,7 @@
 
 namespace contactd {
 
-/// What the last solve found of an element's motion, at each of them.
+/// The motion of each element in the last solve.
 struct MotionOfElements {
     std::vector<double> slip_velocity;  ///< (mm/s), >= 0; 0 in adhesion
     std::vector<double> plastic_heat;   ///< of a layer that flows (N/(mm s)); empty: none
@@ -27,7 +27,7 @@ class TemperatureLaw {
 
     /// For the next solve, per element.
     const std::vector<double>& mu() const { return mu_; }
-    /// Whether coefficients are those that particles carry, and not a function of the temperature alone.
+    /// Returns whether particles carry their coefficients, which are then no function of the temperature alone.
     bool has_memory() const;
 
     /// Follows the last solve. Returns how far the coefficients were from what they become, weighted with the pressure

@@ -22,7 +22,7 @@ struct Sum {
     }
 };
 
-/// What a traction on a level plane has beside itself on a surface that rises over it by `slope` along x: per area of
+/// Returns the part that a traction on a level plane gains on a surface that rises by `slope` along x: per area of
 /// the plane a pressure acts along (-slope, 0, 1), and friction along (1, 0, slope).
 Vector3 beside_level(const Vector3& traction, double slope, SlopeForces forces) {
     if (forces == SlopeForces::none) return {};

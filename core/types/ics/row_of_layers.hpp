@@ -3,10 +3,9 @@
 
 namespace contactd {
 
-/// What is said of line_contact beside layers.
+/// The remedy in refusals of line_contact beside layers.
 inline constexpr const char* row_of_layers =
     "goes with half-spaces, not with layers. Leave it out, and take one row of long elements: grid.ny 1, and grid.dy "
-    "at "
-    "least ten times the length of the contact, over which forces are counted";
+    "at least ten times the length of the contact, over which forces are counted";
 
 }  // namespace contactd

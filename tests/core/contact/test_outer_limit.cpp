@@ -114,7 +114,7 @@ TEST_CASE("the last outer iteration of dissimilar bodies obeys the law of fricti
     allow(problem, GENERATE(1, 2, 3));
     const ContactSolution solution = solve_half_spaces(problem);
     check_last_iteration(problem, solution);
-    // Of its own pressures, however these are to change.
+    // This problem has the pressures of its own solution, even where they would still change.
     ContactProblem as_they_are = problem;
     as_they_are.Fn.reset();
     as_they_are.approach = solution.approach;

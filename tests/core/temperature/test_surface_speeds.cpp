@@ -118,7 +118,7 @@ TEST_CASE("Spin gives each row speeds of its own", "[temperature]") {
             2 * heat * std::sqrt(7.75) / (std::sqrt(std::numbers::pi) * sum_of_roots(steel, steel, slips[row]));
         CHECK_THAT(answer.upper_temperature[row * nx + 14], WithinRel(right, 1e-8));
     }
-    // What one side gives to the lower body, the other gives to the upper one.
+    // The heat of one side into the lower body equals that of the other side into the upper one.
     CHECK_THAT(answer.temperature.heat_upper, WithinRel(answer.temperature.heat_lower, 1e-12));
 }
 

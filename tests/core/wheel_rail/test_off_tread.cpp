@@ -57,7 +57,7 @@ TEST_CASE("A wheel that climbs on its flange is named with Fy/Fz and the height 
     // Without friction the force is normal to the contact.
     CHECK_THAT(behind(warning, "Fy/Fz = "),
                WithinRel(std::abs(std::tan(solution.patches[0].place.reference.angle)), 0.02));
-    // The same wheel without a flange would touch there.
+    // This is the height at which a wheel without a flange touches.
     ProfilePoints tread;
     const Profile whole = make_profile(setup.wheel);
     for (const ProfilePoint& point : whole.curve.points())
@@ -95,7 +95,7 @@ TEST_CASE("A state without a force and without a height is refused, and one with
     CHECK_THROWS_MATCHES(WheelRailContact(setup).solve(state, estimates, observer), InvalidArgument, refused);
     state.position.z = 0;
     CHECK(solve(setup, state).z == 0);
-    // What is located without a load is what stands on the plane of the track.
+    // A search for places without a load takes the wheel at z = 0.
     state.position.z.reset();
     CHECK(WheelRailContact(setup).locate(state).z == 0);
 }

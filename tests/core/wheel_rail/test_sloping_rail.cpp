@@ -56,7 +56,7 @@ WheelRailState rolling_up(double rise, double creepage) {
     return state;
 }
 
-/// What the wheelset puts into the contact (N mm/s).
+/// Returns the power of the wheelset into the contact (N mm/s).
 double power_into_contact(const WheelRailSolution& solution, const WheelRailState& state) {
     const Wrench &track = solution.forces.track, &wheelset = solution.forces.wheelset;
     return track.Fx * state.velocity.x + track.Fz * state.velocity.z + wheelset.My * state.velocity.pitch;

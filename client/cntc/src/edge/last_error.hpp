@@ -16,7 +16,7 @@ int report(const char* function) noexcept;
 /// printed before.
 void warn(const std::string& sentence) noexcept;
 
-/// Whether errors and warnings are printed on standard error; they are unless somebody says no.
+/// Turns the printing of errors and warnings on standard error on or off; it is on at first.
 void print_errors(bool enabled) noexcept;
 
 }  // namespace contactd::cntc

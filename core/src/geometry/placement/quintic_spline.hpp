@@ -37,10 +37,10 @@ class QuinticSpline {
     explicit QuinticSpline(std::vector<double> knots, double period = 0, EqualValues equal = EqualValues::stay);
 
     std::vector<DerivativeShares> shares(std::span<const SlicePoints> slices) const;
-    /// Of the values of one point at all slices, of which these are the shares.
+    /// Returns the derivatives at the knots for the values of one point at all slices.
     std::vector<KnotDerivatives> derivatives(std::span<const double> values,
                                              std::span<const DerivativeShares> shares) const;
-    /// Of slices with a single value each.
+    /// Returns the derivatives for slices with a single value each.
     std::vector<KnotDerivatives> derivatives(std::span<const double> values) const;
 
     const KnotsAlong& along() const { return knots_; }

@@ -39,7 +39,7 @@ double ShapeBounds::largest_slope(std::size_t knot) const {
     const double lesser = minmod(before, behind);
     const double left = first ? behind : before + minmod(bend(i - 1), bend(i)) * knots_.width(i - 1);
     const double right = last ? before : behind - minmod(bend(i), bend(i + 1)) * knots_.width(i);
-    // What the parabolas of narrow pieces do far away says nothing of an extremum within a wide one.
+    // The parabola of a narrow piece is no evidence of an extremum far away, within a wide piece.
     const double support = std::min(first ? 1 : knots_.support(i - 1), last ? 1 : knots_.support(i));
     const double top = support * minmod(left, right);
     const double limit = std::copysign(std::max(steepest_slope * std::abs(lesser), around_top * std::abs(top)),

@@ -16,14 +16,14 @@ class ShapeBounds {
 
     double largest_slope(std::size_t knot) const;
     double largest_curving(std::size_t knot) const;
-    /// Whether values turn between two that are equal, and so smoothly that four second differences tell.
+    /// Returns whether the values turn between two equal ones, smoothly enough for four second differences to show it.
     bool is_top(std::ptrdiff_t piece) const;
 
    private:
     double chord(std::ptrdiff_t piece) const;
     /// Second divided difference around a knot; zero where one side is missing.
     double bend(std::ptrdiff_t knot) const;
-    /// Whether second differences around a knot are those of a smooth curve: 0 where the least is a quarter of the
+    /// Measures how smooth the second differences around a knot are: 0 where the least is a quarter of the
     /// largest or less, 1 where it is a half or more.
     double smoothness(std::ptrdiff_t knot) const;
 

@@ -50,7 +50,7 @@ class SliceShape {
         double rise, width;
         KnotDerivatives from, to;  // along the chord
 
-        /// Whether it is to ascend throughout. It is not where an extremum lies in it.
+        /// Returns whether the piece must ascend throughout; a piece that contains an extremum need not.
         bool ascends() const {
             return rise > 0 && from.slope >= 0 && to.slope >= 0 && admits(from.slope) && admits(to.slope);
         }

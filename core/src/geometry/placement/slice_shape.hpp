@@ -22,8 +22,8 @@ struct DerivativeStencil {
     std::vector<double> first, second;
 };
 
-/// Whether slices that are equal are equal all between: always, or unless the second differences at four knots around
-/// agree that the slices pass an extremum there, which lie as close to each other as those beside them.
+/// The curve between two slices with equal values: it is constant, or it may pass an extremum where the two lie as
+/// close to each other as to their neighbours and the second differences at four knots around show one.
 enum class EqualValues { stay, may_flank_extremum };
 
 /// Returns the shares at all knots, as quintic_spline.hpp has them.

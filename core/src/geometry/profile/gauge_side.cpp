@@ -14,7 +14,7 @@ constexpr double clearly = 2.5;          // mm: heads of radius 200 mm that lean
 constexpr double of_gauge = 14;          // mm below the top: where gauges are measured
 constexpr double of_rolled_surface = 8;  // mm: a side that ends higher was not measured
 
-/// Where the head passes a level on one side, from its top outwards; its end where rounding puts the level below that.
+/// Returns y where the head passes a level on one side of its top, or its end where rounding puts the level below it.
 double y_at(const std::vector<ProfilePoint>& points, std::size_t top, double level, bool right) {
     for (std::size_t i = top;;) {
         const std::size_t next = right ? i + 1 : i - 1;
@@ -27,7 +27,7 @@ double y_at(const std::vector<ProfilePoint>& points, std::size_t top, double lev
     }
 }
 
-/// Whether the profile only falls from its top to a level, as those of noses with wings do not.
+/// Returns whether the profile only falls from its top to a level; noses with wings do not.
 bool falls(const std::vector<ProfilePoint>& points, std::size_t top, double level, bool right) {
     constexpr double waves = 0.1;  // mm
     double lowest = points[top].z;

@@ -12,8 +12,8 @@ namespace contactd::geometry {
 /// seen to less than 2 mm below its top on either side, or rises again as beside grooves.
 std::optional<double> top_beside_middle(const ProfileCurve& rail);
 
-/// Whether the gauge side lies at y > 0, where it must lie at y < 0: only the side at y > 0 is there down to where
-/// gauges are measured, or both are, or neither is, and the top is clearly on the side of y < 0.
+/// Returns whether the gauge side lies at y > 0; it must lie at y < 0. It does where only the side at y > 0 reaches
+/// down to the level of gauges, or where both sides or neither do and the top is clearly on the side of y < 0.
 bool has_gauge_side_at_right(const ProfileCurve& rail);
 
 }  // namespace contactd::geometry

@@ -98,8 +98,8 @@ void tell_smoothing(Profile& made, const Points& points, const geometry::Visible
     evidence.cut_off = fit.lambda > 0 ? geometry::wavelength_of(fit.lambda * evidence.spacing) : fit.length;
 }
 
-/// Of points whose y does not ascend all along, the nearest to the origin is where lengths are counted from: elements
-/// then lie where the established program has them, which takes the last of several, and wheels from the other end.
+/// Counts lengths from the point nearest to the origin where y does not ascend throughout: elements then lie where the
+/// established program has them. It takes the last of several such points, and for wheels the first.
 ProfileCurve counted(ProfileCurve curve, const Points& points, ProfileKind kind) {
     const auto recedes = [](const ProfilePoint& a, const ProfilePoint& b) { return !(b.y > a.y); };
     if (std::ranges::adjacent_find(points, recedes) == points.end()) return curve;

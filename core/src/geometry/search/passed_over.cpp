@@ -12,7 +12,7 @@ constexpr double least_depth = 0.005;           // mm: of an overlap that matter
 constexpr double part_of_depth = 0.1;           // and of the deepest one
 constexpr double known = 0.02;                  // mm: within which the locus knows the gap away from its places
 
-/// What the gap is at a place where the rail is straight as far as that, or less.
+/// Returns the gap at a place if the rail is straight from the locus to there, or less.
 double expected_gap(const Locus& locus, double x, double y) {
     double least = std::numeric_limits<double>::infinity();
     for (const LocusRow& row : locus.rows_within({y - locus.step(), y + locus.step()})) {

@@ -28,7 +28,7 @@ class Correction {
         line_.logarithm = logarithm;
         z_ = z;
     }
-    /// What two heights beyond a fall have told is not so here.
+    /// Drops the slope that two heights beyond a fall led to; it does not hold here.
     void forget_slope() { line_.slope = 0; }
     double at(double z) const { return line_.logarithm + (z_ ? std::clamp(line_.slope * (z - *z_), -1.0, 1.0) : 0); }
     HeightCorrection line_at(double z) const { return {at(z), line_.slope}; }

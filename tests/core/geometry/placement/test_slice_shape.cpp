@@ -1,4 +1,4 @@
-// What lies between slices that are copies of one profile, or equal.
+// Cross-sections between slices that are copies of one profile, or equal.
 #include "geometry/placement/slice_shape.hpp"
 
 #include <algorithm>
