@@ -274,6 +274,67 @@ def named_commands(text: str) -> set[tuple[str, ...]]:
     return found
 
 
+@pytest.fixture
+def release(machine):
+    """A checkout with commands to run before a release, whose root notes each command that it is asked for."""
+    checkout, log = machine.work / "checkout", machine.work / "commands.log"
+    (checkout / "tests").mkdir(parents=True)
+    (checkout / "configs").mkdir()
+    shutil.copytree(ROOT / "packaging", checkout / "packaging")
+    shutil.copy(ROOT / "dev", checkout)
+    shutil.copy(ROOT / "configs" / "contactd.json", checkout / "configs")
+    (checkout / "tests" / "documented_commands.txt").write_text("# Of ./dev.\n\ndemo\nserve\npaper fem\n- bench: slow\ndocs\n")
+    machine.has("id", "echo 0")
+    for name in ("seq", "sleep"):
+        (machine.programs / name).symlink_to(shutil.which(name))
+
+    def run(**ends: str) -> tuple[int, str, list[str]]:
+        """How it ends, its last line and the commands that ran; ends: scripts of commands, by their first word."""
+        cases = "".join(f"{word}) {script} ;;\n" for word, script in ends.items())
+        machine.has("bwrap", f"""while [ "$1" != -- ]; do shift; done; shift 2\necho "$@" >>{log}\ncase $1 in {cases}esac""")
+        ended = subprocess.run(
+            [checkout / "dev", "test", "--long"], env=machine.environment, capture_output=True, text=True, timeout=50,
+            start_new_session=True,
+        )  # fmt: skip
+        return ended.returncode, ended.stderr.splitlines()[-1], log.read_text().splitlines()
+
+    return run
+
+
+SERVES = "echo ready >served; exec sleep 30"
+ASKED = "[ -e served ]"  # the daemon answers once it is there
+
+
+def test_what_comes_before_a_release_runs_each_listed_command_once(release):
+    status, _, ran = release(serve=SERVES, shell=ASKED)
+    assert status == 0
+    pings = [line for line in ran if line.startswith("shell")]
+    assert len(pings) >= 2, "none may answer before ./dev serve"
+    assert [line for line in ran if line not in pings] == ["test --long", "demo", "build programs", "serve", "paper fem", "docs"]
+
+
+def test_commands_that_fail_before_a_release_are_named_and_the_others_run(release):
+    status, last, ran = release(test="exit 1", serve=SERVES, shell=ASKED, paper="exit 3")
+    assert (status, last) == (1, "dev: failed: ./dev test --long, ./dev paper fem")
+    assert ran[-1] == "docs"
+
+
+def test_another_daemon_does_not_answer_for_the_one_that_is_tried(release):
+    status, last, _ = release(serve="exec sleep 30", shell="exit 0")
+    assert (status, last) == (1, "dev: failed: ./dev serve")
+
+
+def test_a_server_that_ends_at_once_fails(release):
+    status, last, _ = release(serve="exit 1", shell="exit 1")
+    assert (status, last) == (1, "dev: failed: ./dev serve")
+
+
+def test_an_interrupt_ends_what_comes_before_a_release_though_its_command_ends_in_order(release):
+    status, last, ran = release(demo="trap 'exit 130' INT; kill -INT 0")
+    assert (status, last) == (1, "dev: interrupted")
+    assert ran == ["test --long", "demo"]
+
+
 def test_each_command_that_a_page_or_the_help_names_is_run_before_a_release(machine):
     lines = (ROOT / "tests" / "documented_commands.txt").read_text().splitlines()
     listed = [line.removeprefix("- ").partition(":")[0].split() for line in lines if line and not line.startswith("#")]
