@@ -29,10 +29,15 @@ class Explained:
 #: Kind and field are regular expressions for all of the name. An entry goes when both commits have what it speaks of.
 EXPLAINED: list[Explained] = [
     Explained(
-        "damaged request",
+        "impossible table",
         r"status\.(message|details\.violations\[\d+\]\.description)",
-        "friction.rigid_slip is new, and a sentence that lists the fields of friction names it",
-    )
+        "a refused word is answered with the word that was meant",
+    ),
+    Explained(
+        "session",
+        r"result\.warnings\[\d+\]",
+        "a contact that is a small part of its area gets a warning of units, too",
+    ),
 ]
 
 
