@@ -13,8 +13,6 @@
 namespace contactd::geometry {
 namespace {
 
-constexpr double column_width = 2;  // mm
-
 ProfilePoint turned(const ProfilePoint& point, double cosine, double sine) {
     return {cosine * point.y - sine * point.z, sine * point.y + cosine * point.z};
 }
@@ -86,6 +84,11 @@ ProfileCurve::Place RailSurface::placed(const ProfileCurve& profile, double s) c
     return place;
 }
 
+ProfilePoint RailSurface::placed(const ProfilePoint& point) const {
+    const ProfilePoint at = turned(point, cosine_, sine_);
+    return {at.y + frame_.origin.y, at.z + frame_.origin.z};
+}
+
 bool RailSurface::find_y(double y, double& s) const {
     return find_ascending(
         [this](double at) {
@@ -108,7 +111,7 @@ double RailSurface::height(double x, double y, double s) const {
 // there, because a part of it begins or ends, a straight line stands for it.
 double RailSurface::z_at(double x, double y, double z) const {
     if (!slices_) return axle_ ? z + sag(x, {y, z}) : z;
-    const double position = x / column_width;
+    const double position = x / step_along;
     const double first = std::floor(position) - 1, t = position - first;  // 1 to 2
     const auto column = [&](int k) { return column_z(static_cast<int>(first) + k, y); };
     const double before = column(1), behind = column(2);
@@ -121,7 +124,7 @@ double RailSurface::z_at(double x, double y, double z) const {
 
 double RailSurface::slope_along(double x, double y, double z) const {
     if (slices_) {
-        constexpr double step = 0.25 * column_width;
+        constexpr double step = 0.25 * step_along;
         return (z_at(x + step, y, z) - z_at(x - step, y, z)) / (2 * step);
     }
     if (!axle_) return 0;
@@ -136,15 +139,15 @@ double RailSurface::slope_along(double x, double y, double z) const {
 
 double RailSurface::curvature_along(double x, double y, double s) const {
     if (!slices_) return curvature_along();
-    const double bulge = height(x + column_width, y, s) + height(x - column_width, y, s) - 2 * height(x, y, s);
+    const double bulge = height(x + step_along, y, s) + height(x - step_along, y, s) - 2 * height(x, y, s);
     // Straight where a part of the rail begins or ends within a column.
-    return std::isnan(bulge) ? 0 : bulge / (column_width * column_width);
+    return std::isnan(bulge) ? 0 : bulge / (step_along * step_along);
 }
 
 double RailSurface::column_z(int column, double y) const {
     auto found = columns_.find(column);
     if (found == columns_.end()) {
-        const ProfileCurve profile = section(column * column_width);
+        const ProfileCurve profile = section(column * step_along);
         const Span visible = visible_part(profile);
         found = columns_.emplace(column, Column{profile, visible, 0.5 * (visible.from + visible.to)}).first;
     }

@@ -51,6 +51,13 @@ class RailSurface {
     double next_slice(double x) const {
         return slices_ ? slices_->next_slice(x_ + x) - x_ : std::numeric_limits<double>::infinity();
     }
+    /// The slices, and where x = 0 is along them; null where there are none.
+    const SlicedRail* slices() const { return slices_.get(); }
+    double along_slices() const { return x_; }
+    /// Places a point of a profile of the same rail.
+    ProfilePoint placed(const ProfilePoint& point) const;
+    /// Between columns of slices this far apart, at multiples of it, the surface is cubic along the track (mm).
+    static constexpr double step_along = 2;
     /// Returns where a place of the profile comes at x, with its first derivative: on a roller it turns.
     ProfileCurve::Place turned_to(double x, ProfileCurve::Place place) const;
 

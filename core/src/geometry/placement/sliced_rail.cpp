@@ -62,11 +62,6 @@ bool has_kink_near(const ProfileCurve& curve, double length) {
                                [&](std::size_t kink) { return std::abs(curve.knots()[kink] - length) < at_a_kink; });
 }
 
-double between(const LineAlong& line, std::size_t knot, const QuinticWeights& weights) {
-    return line.values[knot] +
-           weights.sum(line.values[knot + 1] - line.values[knot], line.derivatives[knot], line.derivatives[knot + 1]);
-}
-
 bool exists(const std::vector<double>& ends, std::size_t part) {
     return ends[part] >= 0 && ends[part + 1] >= 0;
 }
@@ -94,6 +89,7 @@ SlicedRail::SlicedRail(const std::vector<Slice>& slices, SliceSpline spline) {
         if (std::ranges::none_of(stretches_, [i](const Stretch& at) { return at.first <= i && i < at.last; }))
             throw InvalidArgument(of_slice(i + 1, "features"),
                                   "have no part in common with the slice before; there would be no rail between both");
+    find_steepest();
 }
 
 void SlicedRail::join(const std::vector<Slice>& slices, const std::vector<Ends>& ends, std::size_t part,
@@ -177,10 +173,13 @@ double SlicedRail::next_slice(double x) const {
     return next == x_.end() ? std::numeric_limits<double>::infinity() : *next;
 }
 
+std::size_t SlicedRail::slice_before(double x) const {
+    return static_cast<std::size_t>(std::upper_bound(x_.begin() + 1, x_.end() - 1, x) - x_.begin()) - 1;
+}
+
 ProfileCurve SlicedRail::at(double x) const {
     const double inside = std::clamp(x, x_.front(), x_.back());
-    const auto behind = std::upper_bound(x_.begin() + 1, x_.end() - 1, inside);
-    const auto slice = static_cast<std::size_t>(behind - x_.begin()) - 1;
+    const std::size_t slice = slice_before(inside);
     std::vector<ProfilePoint> points;
     std::vector<std::size_t> kinks;
     for (const Stretch& stretch : stretches_) {
@@ -192,7 +191,7 @@ ProfileCurve SlicedRail::at(double x) const {
         if (goes_on && (kinked_[slice][stretch.part] || kinked_[slice + 1][stretch.part]))
             kinks.push_back(points.size() - 1);
         for (std::size_t k = goes_on ? 1 : 0; k < stretch.y.size(); ++k)
-            points.push_back({between(stretch.y[k], knot, weights), between(stretch.z[k], knot, weights)});
+            points.push_back({stretch.y[k].between(knot, weights), stretch.z[k].between(knot, weights)});
     }
     return ProfileCurve(std::move(points), std::move(kinks));
 }

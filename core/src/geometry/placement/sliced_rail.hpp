@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "contactd/profile.hpp"
@@ -32,6 +33,21 @@ class SlicedRail {
     /// Returns the place of the first slice behind x; infinite behind the last one. Up to there the surface is smooth.
     double next_slice(double x) const;
 
+    /// A place along the track: the slice before it, and the weights of that one and the next.
+    struct Place {
+        std::size_t slice;
+        QuinticWeights weights;
+    };
+    Place place(double x) const;
+    /// Points that correspond lie on as many lines as this, from slice to slice.
+    std::size_t lines() const;
+    /// Returns where a line is at places along the track; not a number where that part of the profile does not exist.
+    void look_along(std::size_t line, std::span<const Place> places, std::vector<ProfilePoint>& points) const;
+    /// Returns what no line changes by more between two places of the track (mm).
+    ProfilePoint largest_change(double from, double to) const;
+    /// Returns the largest |dz/dx| of all lines between two places of the track.
+    double steepest(double from, double to) const;
+
    private:
     /// A part of the profile, from the first slice to the last of some that all have it.
     struct Stretch {
@@ -44,9 +60,12 @@ class SlicedRail {
     void join(const std::vector<Slice>& slices, const std::vector<Ends>& ends, std::size_t part, SliceSpline spline);
     void go_along(std::size_t first, std::size_t last);
     void join_at_feature(Stretch& before, Stretch& behind);
+    void find_steepest();
+    std::size_t slice_before(double x) const;
 
     std::vector<double> x_;
     std::vector<Stretch> stretches_;         // by their parts
+    std::vector<ProfilePoint> steepest_;     // largest |dy/dx| and |dz/dx| behind each slice
     std::vector<std::vector<char>> kinked_;  // of each slice: whether its profile has a kink where a part begins
 };
 

@@ -13,6 +13,11 @@ namespace contactd::geometry {
 struct LineAlong {
     std::vector<double> values;
     std::vector<KnotDerivatives> derivatives;
+
+    /// Returns the value between a knot and the next one.
+    double between(std::size_t knot, const QuinticWeights& weights) const {
+        return values[knot] + weights.sum(values[knot + 1] - values[knot], derivatives[knot], derivatives[knot + 1]);
+    }
 };
 
 /// Splines of one kind over common knots.

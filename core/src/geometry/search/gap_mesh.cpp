@@ -35,6 +35,13 @@ std::size_t squares_of(std::size_t lines) {
 
 }  // namespace
 
+// A yawed wheel's middle lies ahead of the axle's or behind it, and its flange touches ahead of that or behind.
+double reach_along(const WheelSurface& wheel) {
+    const Frame& axes = wheel.frame();
+    const double yawed = std::abs(axes.outside({0, 1, 0}).x - axes.outside({0, 0, 0}).x);
+    return (part_of_radius + std::max(0.0, steepest_flange * yawed - 0.5 * part_of_radius)) * wheel.nominal_radius();
+}
+
 GapMesh::GapMesh(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y,
                  const Observer& observer)
     : GapMesh(wheel, rail, lines_around(wheel, rail, step_x, step_y), std::nullopt, observer) {}
@@ -45,11 +52,7 @@ GapMesh::GapMesh(const WheelSurface& wheel, const RailSurface& rail, NodeMesh no
 
 GapMesh::Lines GapMesh::lines_around(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y) {
     const Span& seen = rail.visible();
-    // A yawed wheel's middle lies ahead of the axle's or behind it, and its flange touches ahead of that or behind.
-    const Frame& axes = wheel.frame();
-    const double yawed = std::abs(axes.outside({0, 1, 0}).x - axes.outside({0, 0, 0}).x);
-    const double part = part_of_radius + std::max(0.0, steepest_flange * yawed - 0.5 * part_of_radius);
-    const double beside = std::ceil(part * wheel.nominal_radius() / step_x);
+    const double beside = std::ceil(reach_along(wheel) / step_x);
     const double middle = step_x * std::round(wheel.profile_origin().x / step_x);
     check_nodes((2 * beside + 1) * ((seen.high - seen.low) / step_y + 1), step_x, step_y);
     const auto half = static_cast<std::size_t>(beside);

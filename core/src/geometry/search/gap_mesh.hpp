@@ -14,6 +14,9 @@
 
 namespace contactd::geometry {
 
+/// Returns how far to both sides of the wheel's middle the rail may reach it (mm).
+double reach_along(const WheelSurface& wheel);
+
 /// Nodes lie on lines of equal x, an eighth of the wheel's radius and more to both sides of it, and of equal y, from
 /// the first point of the rail on. Gaps are vertical distances of a wheelset at z = 0 (mm): one lower by z has gap - z.
 /// They are looked at where they may count only, in squares of nodes: the first pass takes the corners.

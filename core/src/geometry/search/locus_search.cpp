@@ -95,8 +95,10 @@ EquivalentEllipse LocusSearch::ellipse(double z, const RegionGroup& group) const
 
 std::optional<PassedOver> LocusSearch::passed_over(double z) {
     if (!rail_.is_sliced()) return std::nullopt;
-    if (!mesh_) mesh_.emplace(wheel_, rail_, observer_);
     locus_.look_below(z);
+    if (!edges_) edges_.emplace(wheel_, rail_);
+    if (!edges_->may_reach(locus_, z)) return std::nullopt;
+    if (!mesh_) mesh_.emplace(wheel_, rail_, observer_);
     return mesh_->passed_over(locus_, z);
 }
 

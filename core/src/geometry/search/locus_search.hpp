@@ -1,6 +1,7 @@
 // Overlap of wheel and rail by the locus: along the track the gap grows as the wheel is round.
 #pragma once
 
+#include "geometry/search/edges_along.hpp"
 #include "geometry/search/locus.hpp"
 #include "geometry/search/overlap_search.hpp"
 #include "geometry/search/passed_over.hpp"
@@ -32,7 +33,8 @@ class LocusSearch : public OverlapSearch {
     const Observer& observer_;
     Locus locus_;
     Ends ends_;
-    std::optional<CoarseMesh> mesh_;  // of slices, once it is asked for
+    std::optional<EdgesAlong> edges_;  // of slices, once they are asked for,
+    std::optional<CoarseMesh> mesh_;   // and where these may be edges
 };
 
 }  // namespace contactd::geometry

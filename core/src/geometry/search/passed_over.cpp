@@ -1,8 +1,8 @@
 #include "geometry/search/passed_over.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+
+#include "geometry/search/edges_along.hpp"
 
 namespace contactd::geometry {
 namespace {
@@ -10,17 +10,6 @@ namespace {
 constexpr double coarse_x = 1, coarse_y = 0.5;  // mm
 constexpr double least_depth = 0.005;           // mm: of an overlap that matters,
 constexpr double part_of_depth = 0.1;           // and of the deepest one
-constexpr double known = 0.02;                  // mm: within which the locus knows the gap away from its places
-
-/// Returns the gap at a place if the rail is straight from the locus to there, or less.
-double expected_gap(const Locus& locus, double x, double y) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const LocusRow& row : locus.rows_within({y - locus.step(), y + locus.step()})) {
-        const double ahead = x - row.x;
-        if (std::isfinite(row.gap)) least = std::min(least, row.gap + locus.curvature() * ahead * ahead);
-    }
-    return least;
-}
 
 }  // namespace
 
@@ -38,7 +27,7 @@ std::optional<PassedOver> CoarseMesh::passed_over(const Locus& locus, double z) 
             const double gap = mesh_.gap({column, row}), depth = z - gap;
             if (!(depth > std::max(least, found.depth))) continue;
             const double expected = expected_gap(locus, mesh_.x(column), mesh_.y(row));
-            if (expected > z && gap < expected - known) found = {depth, mesh_.x(column), mesh_.y(row)};
+            if (expected > z && gap < expected - known_gap) found = {depth, mesh_.x(column), mesh_.y(row)};
         }
     return found.depth > 0 ? std::optional(found) : std::nullopt;
 }

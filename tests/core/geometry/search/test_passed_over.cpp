@@ -3,30 +3,15 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <cmath>
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "contactd/make_profile.hpp"
-#include "wheel_rail/wheel_rail_cases.hpp"
+#include "geometry/search/sliced_cases.hpp"
 
 using namespace contactd;
 using namespace contactd::test;
 
 namespace {
-
-/// A cylinder of 450 mm on an arc of 300 mm by slices; `height` is positive where the rail is higher.
-WheelRailSetup on_rail_of(const std::vector<double>& places, const std::function<double(double x, double y)>& height) {
-    WheelRailSetup setup = cylinder_on_arc(300);
-    const ProfileCurve arc = make_profile(setup.rail).curve;
-    for (const double x : places) {
-        ProfilePoints points;
-        for (const ProfilePoint& point : arc.points()) points.points.push_back({point.y, point.z - height(x, point.y)});
-        setup.rail_slices.push_back({x, {ProfileKind::rail, points}});
-    }
-    setup.dx = setup.dy = 0.4;
-    return setup;
-}
 
 /// A rail that is higher by `rise` from x = `at` on, away from the axle.
 WheelRailSetup on_step(double at, double rise) {
