@@ -9,7 +9,7 @@
 #include "influence/layered/shifted_layers.hpp"
 #include "operators/convolution.hpp"
 #include "operators/shifted_operator.hpp"
-#include "operators/strips/strip_parts.hpp"
+#include "operators/strips/table_coefficients.hpp"
 #include "operators/sum_operator.hpp"
 #include "operators/sum_step.hpp"
 #include "operators/viscoelastic/viscoelastic_operator.hpp"
@@ -167,7 +167,7 @@ std::size_t influence_bytes(const Grid& grid, const Bodies& bodies) {
                                             ShiftedOperator::bytes_per_element);
     if (!bodies.any_uniform()) return flat;
     // A step that is not of whole elements has two tables of its own; one of an element reads one offset more.
-    const std::size_t strips = 3 * StripParts::bytes_of(grid.nx + 1, grid.ny);
+    const std::size_t strips = 3 * TableCoefficients::bytes_of(grid.nx + 1, grid.ny);
     const auto has_strips = [](const Body& body) { return body.section() != nullptr || body.material.is_rigid(); };
     return strips + (has_strips(bodies.upper) && has_strips(bodies.lower) ? flat : 2 * flat);
 }

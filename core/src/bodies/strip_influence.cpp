@@ -16,35 +16,11 @@
 #include "operators/shifted_operator.hpp"
 #include "operators/strips/strip_operator.hpp"
 #include "operators/strips/strip_step.hpp"
-#include "types/number_text.hpp"
+#include "operators/strips/table_coefficients.hpp"
+#include "step_along_strips.hpp"
 
 namespace contactd {
 namespace {
-
-/// A step of rolling along x, in elements; zero where the bodies do not roll.
-struct Step {
-    int whole = 0;        ///< of a step by whole elements, else the part below
-    double fraction = 0;  ///< 0 <= fraction < 1
-
-    int reach() const { return std::abs(fraction == 0 ? whole : whole + 1); }
-};
-
-Step step_along_x(const ContactProblem& problem) {
-    constexpr double rounding = 1e-9;
-    const auto [x, y] = step_of(problem);
-    if (std::abs(y) > rounding * std::abs(x))
-        throw InvalidArgument("friction.rolling.chi",
-                              "is " + number_text(std::get<Rolling>(problem.motion).chi) +
-                                  "; bodies with a cross-section are uniform along x, and roll along it: 0 or pi");
-    const double steps = x / problem.grid.dx, nearest = std::round(steps);
-    if (std::abs(steps) > problem.grid.nx)
-        throw InvalidArgument("friction.rolling.dq", "is " + number_text(std::abs(x)) +
-                                                         " mm; bodies with a cross-section roll by no more than the "
-                                                         "length of the grid along x, " +
-                                                         number_text(problem.grid.nx * problem.grid.dx) + " mm");
-    if (std::abs(steps - nearest) <= rounding) return {static_cast<int>(nearest), 0};
-    return {static_cast<int>(std::floor(steps)), steps - std::floor(steps)};
-}
 
 IcTable half_space(const ContactProblem& problem, const Body& body, int nx, const Observer& observer) {
     if (body.material.is_rigid()) return {nx, problem.grid.ny};
@@ -90,7 +66,7 @@ StripTable extended(const StripTable& table, const IcTable& near) {
 /// The table at the offsets k + step, i = x and y: that of half-spaces, and the difference to them interpolated.
 class Shifted {
    public:
-    Shifted(const StripTable& table, const IcTable& near, const ShiftedTable& near_ahead, const Step& step)
+    Shifted(const StripTable& table, const IcTable& near, const ShiftedTable& near_ahead, const StepAlongStrips& step)
         : table_(table), near_(near), near_ahead_(near_ahead), step_(step), weights_(cubic_weights(step.fraction)) {}
 
     double operator()(Axis i, Axis j, int I, int J, int k) const {
@@ -109,7 +85,7 @@ class Shifted {
     const StripTable& table_;
     const IcTable& near_;
     const ShiftedTable& near_ahead_;
-    const Step step_;
+    const StepAlongStrips step_;
     const std::array<double, 4> weights_;
 };
 
@@ -154,13 +130,14 @@ ContactInfluence strip_influence(const ContactProblem& problem, StripTable pair,
         throw InvalidArgument("grid", "has " + std::to_string(grid.ny) + " rows of " + std::to_string(grid.nx) +
                                           " elements; the table holds " + std::to_string(pair.strips) + " strips and " +
                                           std::to_string(pair.nx) + " offsets along x");
-    const Step step = step_along_x(problem);
+    const StepAlongStrips step = step_along_strips(problem);
     const int offsets = grid.nx + step.reach();
     const IcTable near = pair_of(half_space(problem, problem.bodies.upper, offsets, observer),
                                  half_space(problem, problem.bodies.lower, offsets, observer));
     if (pair.nx < offsets) pair = extended(pair, near);
     const double left_out = negligible(problem.bodies) * near(Axis::z, Axis::z, 0, 0);
-    const auto parts = std::make_shared<const StripParts>(std::move(pair), grid.nx, OffsetParity::natural, left_out);
+    const auto coefficients = std::make_shared<const TableCoefficients>(std::move(pair));
+    const auto parts = std::make_shared<const StripParts>(coefficients, grid.nx, OffsetParity::natural, left_out);
     ContactInfluence influence;
     influence.current = std::make_shared<const StripOperator>(
         parts, parts->extent(), std::make_shared<const ConvolutionOperator>(near, grid.nx, grid.ny));
@@ -173,7 +150,7 @@ ContactInfluence strip_influence(const ContactProblem& problem, StripTable pair,
             std::make_shared<const StripStep>(parts, parts->extent(), step.whole, std::move(near_step));
     else
         influence.increment = std::make_shared<const StripStep>(
-            change_of(parts->table(), Shifted(parts->table(), near, near_ahead, step), grid.nx,
+            change_of(coefficients->table(), Shifted(coefficients->table(), near, near_ahead, step), grid.nx,
                       left_out * std::min(1.0, std::abs(x) / grid.dx), observer),
             parts->extent(), parts->coupled(), std::move(near_step));
     return influence;

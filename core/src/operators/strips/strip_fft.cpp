@@ -141,4 +141,19 @@ void StripFft::symbol(std::span<const double> kernel, bool even, const PeriodicJ
     }
 }
 
+std::vector<double> StripFft::transform(std::span<const double> rows, bool even) const {
+    const auto period = static_cast<std::size_t>(period_), count = rows.size() / period, lanes = fft_->lanes();
+    const std::size_t height = filled_up(count, lanes), waves = period / 2 + 1;
+    const LaneBuffer spectrum(groups_by(lanes, period_) * height * 2 * lanes), work(fft_->work_size());
+    fft_->rows_forward(rows.data(), count, period, {spectrum.get(), height}, work.get());
+    std::vector<double> result(groups() * count * Waves::lanes);
+    for (std::size_t wave = 0; wave < waves; ++wave) {
+        const double* from = spectrum.get() + wave / lanes * height * 2 * lanes + wave % lanes + (even ? 0 : lanes);
+        double* to = &result[wave / Waves::lanes * count * Waves::lanes + wave % Waves::lanes];
+        for (std::size_t row = 0; row < count; ++row, from += 2 * lanes, to += Waves::lanes)
+            *to = even ? *from : -*from;
+    }
+    return result;
+}
+
 }  // namespace contactd

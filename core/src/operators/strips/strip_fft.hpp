@@ -64,6 +64,9 @@ class StripFft {
     void symbol(std::span<const double> kernel, bool even, const PeriodicJoint& joint, std::span<double> transform,
                 StripWork& work) const;
 
+    /// Transforms rows of a whole period each, even or odd, by the same rules; shape [groups, rows, lanes].
+    std::vector<double> transform(std::span<const double> rows, bool even) const;
+
    private:
     friend class StripWork;
     template <class Visit>

@@ -61,7 +61,7 @@ std::vector<double> StripOperator::diagonal(Axis i) const {
     std::vector<double> values;
     values.reserve(size());
     for (int strip = box_.first_y; strip < box_.first_y + box_.ny; ++strip)
-        values.insert(values.end(), static_cast<std::size_t>(box_.nx), parts_->table()(i, i, strip, strip, 0));
+        values.insert(values.end(), static_cast<std::size_t>(box_.nx), parts_->self(i, strip));
     return values;
 }
 
@@ -78,14 +78,11 @@ const CoarserGrid* StripOperator::coarser() const {
     const auto make = [&]() -> std::unique_ptr<const CoarserGrid> {
         const CoarserGrid* grid = near_->coarser();
         if (grid == nullptr) return nullptr;
-        StripTable table = parts_->coarse(box_, grid->along_x(), grid->along_y());
-        const int nx = table.nx, strips = table.strips;
+        const auto parts = parts_->coarse(box_, grid->along_x(), grid->along_y());
         const std::shared_ptr<const InfluenceOperator> near(std::shared_ptr<void>(),
                                                             &grid->influence());  // near_ owns it
-        auto parts =
-            std::make_shared<const StripParts>(std::move(table), nx, OffsetParity::natural, parts_->left_out());
-        return std::make_unique<const CoarserWith>(
-            *grid, std::make_unique<const StripOperator>(std::move(parts), ElementBox{0, 0, nx, strips}, near));
+        return std::make_unique<const CoarserWith>(*grid,
+                                                   std::make_unique<const StripOperator>(parts, parts->extent(), near));
     };
     return coarser_.get(make).get();
 }

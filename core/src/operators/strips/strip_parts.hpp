@@ -1,9 +1,10 @@
-// A strip table with the products on parts of its grid, for the operators that share them.
+// Coefficients between strips with the products on parts of their grid, for the operators that share them.
 #pragma once
 
 #include <cstddef>
 #include <memory>
 
+#include "contactd/strip_table.hpp"
 #include "operators/cached_boxes.hpp"
 #include "strip_products.hpp"
 
@@ -12,31 +13,32 @@ namespace contactd {
 /// Safe to use from several threads at once.
 class StripParts {
    public:
-    /// Makes the products of a grid of nx elements along each strip. Products read up to table.nx - nx elements ahead.
-    /// Throws InvalidArgument where the table has fewer offsets than nx. `left_out` is as for StripProducts.
+    /// Makes the products of a grid of nx elements along each strip. Products read up to reach() elements ahead. Throws
+    /// InvalidArgument where there are fewer offsets than nx. `left_out` is as for StripProducts.
+    StripParts(std::shared_ptr<const StripCoefficients> coefficients, int nx,
+               OffsetParity parity = OffsetParity::natural, double left_out = 0);
+    /// By a table.
     StripParts(StripTable table, int nx, OffsetParity parity = OffsetParity::natural, double left_out = 0);
 
-    const StripTable& table() const { return *table_; }
-    ElementBox extent() const { return {0, 0, nx_, table_->strips}; }
-    /// A[i,z] and A[z,i] of the tangential i beyond coupling_tolerance.
-    bool coupled() const { return coupled_; }
+    ElementBox extent() const { return {0, 0, nx_, coefficients_->strips()}; }
+    /// How many offsets along x there are beyond those of the grid.
+    int reach() const { return coefficients_->offsets() - nx_; }
+    bool coupled() const { return coefficients_->coupled(); }
     double left_out() const { return left_out_; }
+    double self(Axis i, int strip) const { return coefficients_->self(i, strip); }
     /// Where the box lies along x does not matter. Those of the last few boxes are cached.
     std::shared_ptr<const StripProducts> on(const ElementBox& box) const;
-    /// About what all takes in memory: table, symbols, and those of some boxes.
-    std::size_t bytes() const;
-    static std::size_t bytes_of(int nx, int strips);
+    /// About what all takes in memory: coefficients, symbols, and those of some boxes.
+    std::size_t bytes() const { return coefficients_->bytes(); }
 
-    /// Returns the table of elements of along_x x along_y: mean displacements over one for a unit traction on another.
-    /// The last may reach beyond the grid, where the surface goes on as it is before.
-    StripTable coarse(const ElementBox& box, int along_x, int along_y) const;
+    /// Those of StripCoefficients::coarse.
+    std::shared_ptr<const StripParts> coarse(const ElementBox& box, int along_x, int along_y) const;
 
    private:
-    std::shared_ptr<const StripTable> table_;
-    int nx_;
-    OffsetParity parity_;
-    bool coupled_;
-    double left_out_;
+    const std::shared_ptr<const StripCoefficients> coefficients_;
+    const int nx_;
+    const OffsetParity parity_;
+    const double left_out_;
     mutable CachedBoxes<StripProducts> cache_;
 };
 

@@ -9,14 +9,6 @@
 namespace contactd {
 namespace {
 
-using enum Axis;
-
-std::vector<double> times(double factor, std::span<const double> values) {
-    std::vector<double> result(values.begin(), values.end());
-    for (double& value : result) value *= factor;
-    return result;
-}
-
 constexpr auto copy = [](std::span<double> u, const double* values) { std::copy_n(values, u.size(), u.begin()); };
 constexpr auto add = [](std::span<double> u, const double* values) {
     for (std::size_t k = 0; k < u.size(); ++k) u[k] += values[k];
@@ -27,23 +19,25 @@ int period_of(int offsets, double left_out) {
     return smooth_size(static_cast<int>(PeriodicJoint::least_period(static_cast<std::size_t>(offsets))));
 }
 
-PeriodicJoint joint_of(int offsets, int period) {
+PeriodicJoint joint_of(int offsets, int period, double left_out) {
+    if (left_out <= 0) return {};
     return {static_cast<std::size_t>(offsets), static_cast<std::size_t>(period)};
+}
+
+SymbolExtent extent_of(const ElementBox& box, int reach, OffsetParity parity, double left_out) {
+    const int offsets = box.nx + reach, period = period_of(offsets, left_out);
+    return {box.first_y, box.ny, offsets, period, parity, joint_of(offsets, period, left_out), left_out};
 }
 
 }  // namespace
 
-StripProducts::StripProducts(std::shared_ptr<const StripTable> table, const ElementBox& box, int reach,
+StripProducts::StripProducts(std::shared_ptr<const StripCoefficients> coefficients, const ElementBox& box, int reach,
                              OffsetParity parity, double left_out)
-    : table_(std::move(table)),
+    : coefficients_(std::move(coefficients)),
       box_(box),
-      parity_(parity),
-      left_out_(left_out),
-      offsets_(box.nx + reach),
-      period_(period_of(offsets_, left_out)),
+      extent_(extent_of(box, reach, parity, left_out)),
       strips_(static_cast<std::size_t>(box.ny)),
-      joint_(left_out > 0 ? joint_of(offsets_, period_) : PeriodicJoint()),
-      fft_(box.nx, period_) {}
+      fft_(box.nx, extent_.period) {}
 
 StripProducts::~StripProducts() = default;
 
@@ -63,55 +57,6 @@ Workspaces<StripProducts::Workspace>::Lease StripProducts::workspace() const {
     return idle_.take([this] { return std::make_unique<Workspace>(fft_, strips_, fft_.groups()); });
 }
 
-// Calls set(I, J, transform) of all pairs of strips of the box, where i = j of those with J <= I.
-template <class Set>
-void StripProducts::for_pairs(Axis i, Axis j, const Set& set) const {
-    const double sign = parity(i, j).along_x;
-    const bool even = (sign > 0) == (parity_ == OffsetParity::natural);
-    std::vector<double> kernel(static_cast<std::size_t>(offsets_)), transform(fft_.groups() * Waves::lanes);
-    StripWork work(fft_, 1);
-    for (std::size_t I = 0; I < strips_; ++I)
-        for (std::size_t J = 0; J < (i == j ? I + 1 : strips_); ++J) {
-            const int at = box_.first_y + static_cast<int>(I), from = box_.first_y + static_cast<int>(J);
-            const double* here = &table_->values[table_->index(i, j, at, from, 0)];
-            const double* there = &table_->values[table_->index(j, i, from, at, 0)];
-            for (std::size_t k = 0; k < kernel.size(); ++k) kernel[k] = 0.5 * (here[k] + sign * there[k]);
-            fft_.symbol(kernel, even, joint_, transform, work);
-            set(I, J, std::span<const double>(transform));
-        }
-}
-
-// Waves of x are turned by -i on their way in and out (WavePhase). With natural parity that makes all matrices real;
-// with the opposite one they are -i times real ones.
-SymmetricSymbol StripProducts::normal_symbol() const {
-    SymmetricSymbol symbol(fft_.groups(), strips_ + strips_ % 2);
-    for_pairs(z, z, [&](std::size_t I, std::size_t J, auto transform) { symbol.set(I, J, transform); });
-    symbol.trim(left_out_);
-    return symbol;
-}
-
-// Entries of x and y are those of a strip in turns, so that what is left out lies far from the diagonal.
-SymmetricSymbol StripProducts::tangential_symbol() const {
-    SymmetricSymbol symbol(fft_.groups(), 2 * strips_);
-    for_pairs(x, x, [&](std::size_t I, std::size_t J, auto transform) { symbol.set(2 * I, 2 * J, transform); });
-    for_pairs(y, y, [&](std::size_t I, std::size_t J, auto transform) { symbol.set(2 * I + 1, 2 * J + 1, transform); });
-    for_pairs(y, x, [&](std::size_t I, std::size_t J, auto transform) {
-        symbol.set(2 * I + 1, 2 * J, times(natural() ? 1 : -1, transform));
-    });
-    symbol.trim(left_out_);
-    return symbol;
-}
-
-RectangularSymbol StripProducts::coupling_symbol() const {
-    RectangularSymbol symbol(fft_.groups(), 2 * strips_, strips_ + strips_ % 2);
-    for_pairs(x, z, [&](std::size_t I, std::size_t J, auto transform) {
-        symbol.set(2 * I, J, times(natural() ? -1 : 1, transform));
-    });
-    for_pairs(y, z, [&](std::size_t I, std::size_t J, auto transform) { symbol.set(2 * I + 1, J, transform); });
-    symbol.trim(left_out_);
-    return symbol;
-}
-
 void StripProducts::normal_waves(std::span<const double> pz, Workspace& work) const {
     fft_.forward(pz, WavePhase::plain, work.normal_in, 0, 1, work.strips);
 }
@@ -123,18 +68,27 @@ void StripProducts::in_waves(std::span<const double> px, std::span<const double>
 
 void StripProducts::tangential_waves(std::span<const double> px, std::span<const double> py, Workspace& work) const {
     in_waves(px, py, work);
-    tangential_.get([this] { return tangential_symbol(); }).multiply(work.tangential_in, work.tangential_out);
+    tangential_symbol().multiply(work.tangential_in, work.tangential_out);
     turn_back(work.tangential_out);
 }
 
 void StripProducts::coupled_waves(std::span<const double> pz, Workspace& work) const {
     normal_waves(pz, work);
-    coupling_.get([this] { return coupling_symbol(); }).multiply(work.normal_in, work.tangential_out);
+    coupling_symbol().multiply(work.normal_in, work.tangential_out);
     turn_back(work.tangential_out);
 }
 
+const SymmetricSymbol& StripProducts::tangential_symbol() const {
+    return tangential_.get([this] { return coefficients_->tangential(extent_, fft_); });
+}
+
+const RectangularSymbol& StripProducts::coupling_symbol() const {
+    return coupling_.get([this] { return coefficients_->coupling(extent_, fft_); });
+}
+
+// With the opposite parity matrices are -i times real ones.
 void StripProducts::turn_back(Waves& waves) const {
-    if (natural()) return;
+    if (extent_.natural()) return;
     std::swap(waves.re, waves.im);
     for (double& value : waves.im) value = -value;
 }
@@ -159,8 +113,8 @@ void StripProducts::read_tangential(Workspace& work, std::span<double> ux, std::
 }
 
 auto StripProducts::difference_to(int ahead) const {
-    const auto period = static_cast<std::size_t>(period_);
-    const auto shift = static_cast<std::size_t>((ahead + period_) % period_);
+    const auto period = static_cast<std::size_t>(extent_.period);
+    const auto shift = static_cast<std::size_t>((ahead + extent_.period) % extent_.period);
     return [=](std::span<double> u, const double* values) {
         for (std::size_t k = 0; k < u.size(); ++k) u[k] = values[k] - values[(k + shift) % period];
     };
@@ -169,7 +123,8 @@ auto StripProducts::difference_to(int ahead) const {
 void StripProducts::normal(std::span<const double> pz, std::span<double> uz) const {
     const auto work = workspace();
     normal_waves(pz, *work);
-    normal_.get([this] { return normal_symbol(); }).multiply((*work).normal_in, (*work).normal_out);
+    normal_.get([this] { return coefficients_->normal(extent_, fft_); })
+        .multiply((*work).normal_in, (*work).normal_out);
     read_normal(*work, uz);
 }
 
@@ -177,7 +132,7 @@ void StripProducts::normal_of_tangential(std::span<const double> px, std::span<c
                                          std::span<double> uz) const {
     const auto work = workspace();
     in_waves(px, py, *work);
-    coupling_.get([this] { return coupling_symbol(); }).multiply_transposed((*work).tangential_in, (*work).normal_out);
+    coupling_symbol().multiply_transposed((*work).tangential_in, (*work).normal_out);
     read_normal(*work, uz);
 }
 
@@ -212,14 +167,14 @@ void StripProducts::tangential_change(int ahead, std::span<const double> px, std
                                       std::span<double> ux, std::span<double> uy) const {
     const auto work = workspace();
     tangential_waves(px, py, *work);
-    read_tangential(*work, ux, uy, period_, difference_to(ahead));
+    read_tangential(*work, ux, uy, extent_.period, difference_to(ahead));
 }
 
 void StripProducts::tangential_change_of_normal(int ahead, std::span<const double> pz, std::span<double> ux,
                                                 std::span<double> uy) const {
     const auto work = workspace();
     coupled_waves(pz, *work);
-    read_tangential(*work, ux, uy, period_, difference_to(ahead));
+    read_tangential(*work, ux, uy, extent_.period, difference_to(ahead));
 }
 
 }  // namespace contactd

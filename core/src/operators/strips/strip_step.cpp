@@ -18,11 +18,9 @@ StripStep::StripStep(std::shared_ptr<const StripParts> parts, const ElementBox& 
       coupled_(increment_.natural->coupled()),
       near_(std::move(near)),
       natural_(increment_.natural->on(box)) {
-    const StripTable& table = increment_.natural->table();
-    const int nx = increment_.natural->extent().nx;
-    if (std::abs(ahead_) > table.nx - nx)
+    if (const int reach = increment_.natural->reach(), nx = increment_.natural->extent().nx; std::abs(ahead_) > reach)
         throw InvalidArgument("ahead", "is " + std::to_string(ahead_) + " elements; the table holds " +
-                                           std::to_string(table.nx) + " offsets along x, and the grid has " +
+                                           std::to_string(nx + reach) + " offsets along x, and the grid has " +
                                            std::to_string(nx) + " elements");
 }
 

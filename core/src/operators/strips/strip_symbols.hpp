@@ -26,6 +26,9 @@ class SymmetricSymbol {
 
     /// `transform` as of StripFft::symbol.
     void set(std::size_t row, std::size_t column, std::span<const double> transform);
+    /// The numbers of a group's matrix, to be filled in their order before trim: of two rows after each other, the
+    /// pairs of a column side by side, up to the diagonal; four wavenumbers each.
+    double* matrix(std::size_t group) { return values_.exact.data() + group_[group]; }
     /// Leaves out large wavenumbers of entries far from the diagonal, and rounds the others to single precision, as far
     /// as no coefficient changes by more than `left_out`. Call it once, after the last set.
     void trim(double left_out);
@@ -48,6 +51,8 @@ class RectangularSymbol {
     RectangularSymbol(std::size_t groups, std::size_t rows, std::size_t columns);
 
     void set(std::size_t row, std::size_t column, std::span<const double> transform);
+    /// The numbers of a group's matrix, to be filled before trim: [pair of rows][column][row of the pair][lane].
+    double* matrix(std::size_t group) { return values_.exact.data() + group_[group]; }
     void trim(double left_out);
     /// out = M in
     void multiply(const Waves& in, Waves& out) const;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <list>
+#include <memory>
 #include <mutex>
 #include <tuple>
 
@@ -13,6 +14,8 @@
 
 namespace contactd {
 
+struct MidwayInfluence;
+
 /// It has the operators that were used last, and one table that all are parts of. Only the sizes of a grid matter, not
 /// where it lies. Thread-safe.
 class HalfSpaceCache {
@@ -20,7 +23,8 @@ class HalfSpaceCache {
     /// Throws InvalidArgument ("bodies") unless all bodies are half-spaces in closed form, or rigid.
     explicit HalfSpaceCache(Bodies bodies);
 
-    /// Strips that are not flat are not cached: they are others at the next position. Throws InvalidArgument
+    /// Strips that turn share what does not depend on their angles, which are others at the next position. Throws
+    /// InvalidArgument
     /// ("conformal") for strips of sections, and Cancelled.
     ContactInfluence of(const ContactProblem& problem, const PatchStrips& strips = {}, const Observer& observer = {});
 
@@ -29,7 +33,10 @@ class HalfSpaceCache {
     struct Entry {
         Key key;
         ContactInfluence influence;
+        std::shared_ptr<const MidwayInfluence> midway;  ///< null until rows are turned
     };
+    /// Call it while the mutex is locked.
+    Entry& entry_of(const ContactProblem& problem, const Observer& observer);
     IcTable table_for(const Grid& grid, const Observer& observer);
 
     const Bodies bodies_;

@@ -1,16 +1,16 @@
 #include "contactd/patch_influence.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "bodies/rotated_influence.hpp"
 #include "bodies/strip_influence.hpp"
 #include "bodies/turned_influence.hpp"
 #include "contactd/error.hpp"
+#include "contactd/half_space.hpp"
 #include "contactd/strip_spectrum.hpp"
-#include "influence/rotated/rotated_half_space.hpp"
 #include "types/number_text.hpp"
 
 namespace contactd {
@@ -26,17 +26,15 @@ void check_size(const Grid& grid) {
                                         "elements of a row may be at most 5e7");
 }
 
-/// In the axes of the wheel; of the rail in the reverse order, as an upper body's strips are.
-StripTable rotated_pair(const ContactProblem& problem, std::vector<StripFrame> frames, const Observer& observer) {
+/// Takes rows that lie side by side, of half-spaces with constant loads.
+ContactInfluence flat_influence(const ContactProblem& problem, const Observer& observer) {
     const Grid& grid = problem.grid;
-    const auto table_of = [&](const Material& material) {
-        if (material.is_rigid()) return StripTable(grid.nx, grid.ny);
-        return rotated_half_space({frames, grid.dy, 0, grid.dx, grid.nx}, material, LoadShape::constant, 0, observer);
+    const auto table_of = [&](const Material& material) -> IcTable {
+        if (material.is_rigid()) return {grid.nx, grid.ny};
+        return half_space_table({Ics{}, material, grid.dx, grid.dy, grid.nx, grid.ny}, observer);
     };
     const auto [rail, wheel] = problem.bodies.materials();
-    StripTable lower = table_of(wheel);
-    std::reverse(frames.begin(), frames.end());
-    return pair_of(table_of(rail), std::move(lower));
+    return make_influence(problem, pair_of(table_of(rail), table_of(wheel)), observer);
 }
 
 StripSpectrum part_of(const StripSpectrum& whole, int first, int strips) {
@@ -76,7 +74,8 @@ ContactInfluence patch_influence(const ContactProblem& problem, const PatchStrip
     }
     check_size(grid);
     if (!strips.of_sections())
-        return strip_influence(problem, rotated_pair(problem, strips.frames, observer), observer);
+        return rotated_influence(problem, midway_influence(problem, flat_influence(problem, observer), observer),
+                                 strips.frames);
     // A rail's strips run to the right and a wheel's to the left, as those of bodies that lie on each other do; rows
     // run to the right.
     StripTable wheel = table_of(strips.wheel, grid, of_wheel, observer);

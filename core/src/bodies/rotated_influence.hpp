@@ -1,0 +1,31 @@
+// From half-spaces that turn from row to row to the operators of a contact.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "contactd/contact_influence.hpp"
+#include "operators/strips/midway_kernels.hpp"
+
+namespace contactd {
+
+/// What the operators of half-spaces have in common on all grids of one size, wherever their rows lie and however these
+/// turn.
+struct MidwayInfluence {
+    ContactInfluence flat;  ///< of rows that lie side by side
+    /// Coefficients between rows, which reach as far beyond the grid as a step of whole elements does.
+    std::shared_ptr<const MidwayKernels> current;
+    /// Their change over a step that is not of whole elements, by parity; else null.
+    std::shared_ptr<const MidwayKernels> natural, opposite;
+};
+
+/// `flat` has the operators of the problem for rows that are not turned. The bodies are half-spaces. Throws
+/// InvalidArgument: "friction.rolling.chi" and ".dq" for a step that is not along x, or longer than the grid; and
+/// Cancelled.
+MidwayInfluence midway_influence(const ContactProblem& problem, ContactInfluence flat, const Observer& observer = {});
+
+/// Returns operators of rows in these frames (shape [ny]), of which the angles count: those of rotated_half_space.
+ContactInfluence rotated_influence(const ContactProblem& problem, const MidwayInfluence& midway,
+                                   std::span<const StripFrame> frames);
+
+}  // namespace contactd

@@ -1,0 +1,60 @@
+// Coefficients between rows that are equally spaced along a surface, in axes midway between those of both rows.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "contactd/ic_table.hpp"
+#include "operators/cached_boxes.hpp"
+#include "strip_coefficients.hpp"
+
+namespace contactd {
+
+/// Transforms of these coefficients along x: real numbers by the rules of StripCoefficients, arrays of shape
+/// [groups, rows, lanes] by the distance in rows, those of sn and xn empty without coupling.
+struct MidwaySymbols {
+    std::size_t rows = 0;
+    std::vector<double> xx, xs;
+    std::vector<double> sum, difference;  ///< (nn + ss)/2 and (nn - ss)/2
+    std::vector<double> sn, xn;
+};
+
+/// Axes x, s along the surface, n. Coefficients depend on the distance of the rows only, whatever their angles: sx is
+/// xs, nx is -xn and ns is -sn. Safe to use from several threads at once.
+class MidwayKernels {
+   public:
+    enum Component { xx, xs, ss, nn, sn, xn };
+    using Values = std::array<std::vector<double>, 6>;
+
+    /// Those of a pair of half-spaces.
+    explicit MidwayKernels(IcTable pair);
+    /// `values` by component, shape [ny, nx]: offsets 0..nx-1 along x, distances 0..ny-1 (mm^3/N).
+    MidwayKernels(int nx, int ny, Values values, bool coupled, OffsetParity parity);
+
+    int nx() const { return nx_; }
+    int ny() const { return ny_; }
+    bool coupled() const { return coupled_; }
+    double at_origin(Component component) const { return values_[component][0]; }
+    std::size_t bytes() const;
+
+    /// Those of the last few extents are cached.
+    std::shared_ptr<const MidwaySymbols> symbols(const SymbolExtent& extent, const StripFft& fft) const;
+    /// Returns those on a coarser grid of so many elements. Needs a pair of half-spaces.
+    std::shared_ptr<const MidwayKernels> coarse(int nx, int ny) const;
+
+   private:
+    std::vector<double> transform(Component component, const SymbolExtent& extent, const StripFft& fft) const;
+
+    const std::optional<IcTable> pair_;
+    const int nx_, ny_;
+    const bool coupled_;
+    const OffsetParity parity_;
+    const Values values_;
+    mutable CachedBoxes<MidwaySymbols> symbols_;
+    mutable CachedBoxes<MidwayKernels> coarse_;
+};
+
+}  // namespace contactd
