@@ -16,6 +16,8 @@ from contextlib import ExitStack
 from pathlib import Path
 from statistics import median
 
+from daemon_program import daemon_program
+
 EXAMPLES = Path(__file__).resolve().parent.parent / "client" / "python" / "examples"
 TICKS = os.sysconf("SC_CLK_TCK")
 
@@ -65,7 +67,7 @@ def main() -> None:
     integrate = by_numpy
     if options.integrator == "exudyn":
         from multibody import integrate
-    program = Path(os.environ["CONTACTD_BIN"]) / "contactd" if "CONTACTD_BIN" in os.environ else "contactd"
+    program = daemon_program()
     with ExitStack() as stack:
         daemon = stack.enter_context(contactd.LocalDaemon(program, config={"log": {"level": "warn"}}))
         here = stack.enter_context(contactd.local(in_process=True))

@@ -1,6 +1,6 @@
 """What elements and steps cost: prints the tables of docs/contact.md, "How fine a grid, how long a step".
 
-    PATH=build/production/bin:$PATH PYTHONPATH=client/python python3 bench/discretisation.py       (about a minute)
+    CONTACTD_BIN=build/production/bin PYTHONPATH=client/python python3 bench/discretisation.py       (about a minute)
 
 Normal contact: steel half-spaces, ellipses with a/b from 1/4 to 4 under a prescribed approach, on grids that lie in nine
 ways to the middle of the ellipse; errors against Hertz's closed form (model="hertz").
@@ -13,13 +13,17 @@ mu Fn, errors over mu Fn. Last, oblique directions, by two notions of an element
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import product
 
 import numpy as np
 
-from contactd import Client, ContactProblem, ContactSolution, Friction, Grid, LocalDaemon, Material, Rolling, SemiAxes
+from contactd import (
+    Client, ContactProblem, ContactSolution, ContactWarning, Friction, Grid, LocalDaemon, Material, Rolling, SemiAxes,
+)  # fmt: skip
+from daemon_program import daemon_program
 
 STEEL = Material(G=82_000, nu=0.28)
 FN, SIZE = 50_000.0, 5.0  # N; sqrt(ab), mm
@@ -116,7 +120,8 @@ def oblique(client: Client) -> None:
 
 
 def main() -> None:
-    with LocalDaemon() as daemon, Client(daemon.endpoint) as client:
+    warnings.simplefilter("ignore", ContactWarning)  # coarse elements are what is measured
+    with LocalDaemon(daemon_program()) as daemon, Client(daemon.endpoint) as client:
         normal_contact(client)
         print("\nLargest error of the force of a small creepage, for dq in elements:\n")
         rolling(client, 1e-6, 1000)

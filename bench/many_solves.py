@@ -8,7 +8,6 @@ turns. Speaks ZeroMQ directly, so that no client library counts.
 from __future__ import annotations
 
 import argparse
-import os
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
@@ -16,6 +15,7 @@ from typing import Any
 import zmq
 
 from contactd import LocalDaemon
+from daemon_program import daemon_program
 from session_steps import Asker, problem, quantile
 
 PROBLEMS = 500
@@ -73,7 +73,7 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=50, help="messages of each daemon (default %(default)s)")
     parser.add_argument("--quantile", type=float, default=0.5, help="of the times; 0.1 on a busy machine (default 0.5)")
     options = parser.parse_args()
-    program = Path(os.environ["CONTACTD_BIN"]) / "contactd" if "CONTACTD_BIN" in os.environ else "contactd"
+    program = daemon_program()
     show(measure(program, options.rounds, options.quantile))
 
 

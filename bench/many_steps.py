@@ -8,7 +8,6 @@ turns, each way with sessions of its own that see the same motions. Speaks ZeroM
 from __future__ import annotations
 
 import argparse
-import os
 import statistics
 from contextlib import ExitStack
 from pathlib import Path
@@ -17,6 +16,7 @@ from typing import Any
 import zmq
 
 from contactd import LocalDaemon
+from daemon_program import daemon_program
 from session_steps import Asker, motion, problem, quantile, solver_seconds
 
 CONTACTS = 8
@@ -108,7 +108,7 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=300, help="steps of each vehicle (default %(default)s)")
     parser.add_argument("--quantile", type=float, default=0.5, help="of the times; 0.1 on a busy machine (default 0.5)")
     options = parser.parse_args()
-    program = Path(os.environ["CONTACTD_BIN"]) / "contactd" if "CONTACTD_BIN" in os.environ else "contactd"
+    program = daemon_program()
     show(measure(program, options.rounds, options.quantile))
 
 

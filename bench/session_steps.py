@@ -9,16 +9,15 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 import statistics
 import time
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import zmq
 
 from contactd import LocalDaemon
+from daemon_program import daemon_program
 
 
 class Asker:
@@ -114,7 +113,7 @@ def main() -> None:
     parser.add_argument("--change", type=float, default=0.05, help="relative change of a step (default %(default)s)")
     parser.add_argument("--quantile", type=float, default=0.5, help="of the times; 0.1 on a busy machine (default 0.5)")
     options = parser.parse_args()
-    program = Path(os.environ["CONTACTD_BIN"]) / "contactd" if "CONTACTD_BIN" in os.environ else "contactd"
+    program = daemon_program()
     print(f"{'':14}{'':16}{'round trip':>12}{'solver':>12}{'rest (us)':>12}{'iterations':>12}")
     for name, given in (("ipc", {}), ("loopback TCP", {"endpoint": "tcp://127.0.0.1:*"})):
         with LocalDaemon(program, config={"log": {"level": "warn"}, **given}) as daemon:

@@ -1,7 +1,7 @@
 """Where to evaluate the rigid slip of spin: errors of Fx, Fy and Mz of steady rolling on coarse grids, with spin
 evaluated at the element centres (spin_offset 0) and ahead of them, against the limit of fine grids.
 
-    PATH=build/production/bin:$PATH PYTHONPATH=client/python python3 bench/spin_offset.py      (about a minute)
+    CONTACTD_BIN=build/production/bin PYTHONPATH=client/python python3 bench/spin_offset.py      (about a minute)
         [--offsets 0 1/6 ...] [--cases 96] [--csv FILE]
 
 Steel, semi-axes with sqrt(ab) = 5 mm, Fn = 50 kN, mu = 0.3, n x n elements over 1.1 times the ellipse's box, the default
@@ -20,13 +20,17 @@ import argparse
 import csv
 import math
 import random
+import warnings
 from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
 import numpy.typing as npt
 
-from contactd import Client, ContactProblem, ContactSolution, Friction, Grid, LocalDaemon, Material, Rolling, SemiAxes
+from contactd import (
+    Client, ContactProblem, ContactSolution, ContactWarning, Friction, Grid, LocalDaemon, Material, Rolling, SemiAxes,
+)  # fmt: skip
+from daemon_program import daemon_program
 
 FN, MU, G, SIZE = 50_000.0, 0.3, 82_000.0, 5.0
 UNIT = MU * FN / (G * SIZE**2)  # creepage at which linear forces are of the size of mu Fn
@@ -89,7 +93,8 @@ def main() -> None:
     parser.add_argument("--csv", help="every case, one a line")
     arguments = parser.parse_args()
     offsets, all_cases = arguments.offsets, cases(arguments.cases)
-    with LocalDaemon() as daemon, Client(daemon.endpoint) as client:
+    warnings.simplefilter("ignore", ContactWarning)  # coarse elements are what is measured
+    with LocalDaemon(daemon_program()) as daemon, Client(daemon.endpoint) as client:
         coarse = {o: forces(client, [case.problem(case.n, o) for case in all_cases]) for o in offsets}
         limits = []
         for offset in (offsets[0], offsets[-1]):

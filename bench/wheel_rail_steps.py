@@ -10,16 +10,15 @@ from __future__ import annotations
 import argparse
 import json
 import math
-import os
 import statistics
 import time
-from pathlib import Path
 from typing import Any
 
 import zmq
 
 from contactd import LocalDaemon
 from contactd.wheel_rail import WheelRailSetup
+from daemon_program import daemon_program
 
 
 class Asker:
@@ -99,7 +98,7 @@ def main() -> None:
     parser.add_argument("--points", type=int, default=500, help="of each profile (default %(default)s)")
     parser.add_argument("--size", type=float, default=0.5, help="of the elements (mm, default %(default)s)")
     parser.add_argument("--steps", type=int, default=200, help="requests of each kind (default %(default)s)")
-    program = Path(os.environ["CONTACTD_BIN"]) / "contactd" if "CONTACTD_BIN" in os.environ else "contactd"
+    program = daemon_program()
     with LocalDaemon(program, config={"log": {"level": "warn"}}) as daemon:
         run(daemon, parser.parse_args())
 
