@@ -21,8 +21,17 @@ from itertools import product
 import numpy as np
 
 from contactd import (
-    Client, ContactProblem, ContactSolution, ContactWarning, Friction, Grid, LocalDaemon, Material, Rolling, SemiAxes,
-)  # fmt: skip
+    Client,
+    ContactProblem,
+    ContactSolution,
+    ContactWarning,
+    Friction,
+    Grid,
+    LocalDaemon,
+    Material,
+    Rolling,
+    SemiAxes,
+)
 from daemon_program import daemon_program
 
 STEEL = Material(G=82_000, nu=0.28)

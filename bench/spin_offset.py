@@ -28,8 +28,17 @@ import numpy as np
 import numpy.typing as npt
 
 from contactd import (
-    Client, ContactProblem, ContactSolution, ContactWarning, Friction, Grid, LocalDaemon, Material, Rolling, SemiAxes,
-)  # fmt: skip
+    Client,
+    ContactProblem,
+    ContactSolution,
+    ContactWarning,
+    Friction,
+    Grid,
+    LocalDaemon,
+    Material,
+    Rolling,
+    SemiAxes,
+)
 from daemon_program import daemon_program
 
 FN, MU, G, SIZE = 50_000.0, 0.3, 82_000.0, 5.0
