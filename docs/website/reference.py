@@ -36,7 +36,7 @@ def c() -> str:
 
 
 #: Modules with names of their own, beside those that the package itself exports.
-MODULES = ("wheel_rail", "contact_files")
+MODULES = ("wheel_rail", "contact_files", "materials")
 
 
 def python(modules: list[str]) -> str:
@@ -46,7 +46,8 @@ def python(modules: list[str]) -> str:
     parts, exported = [], _exports(contactd)
     for module in modules:
         if module in MODULES:
-            once = {"exclude-members": ", ".join(sorted(set(contactd.__all__)))}
+            of_others = set(contactd.__all__) - set(exported.get(module, ()))
+            once = {"exclude-members": ", ".join(sorted(of_others))}
             parts.append(f"## contactd.{module}\n\n" + _directive(f"automodule:: contactd.{module}", **once))
             continue
         text = ast.get_docstring(ast.parse((PACKAGE / f"{module.replace('.', '/')}.py").read_text())) or ""
@@ -101,7 +102,7 @@ def _directive(name: str, **options: str) -> str:
 
 
 #: What a page that ends with one of these words and names has, and all names that there are.
-PARTS = {"modules": (python, lambda: [*_exports(_package()), *MODULES]), "headers": (cpp, public_headers)}
+PARTS = {"modules": (python, lambda: [*(_exports(_package()).keys() - set(MODULES)), *MODULES]), "headers": (cpp, public_headers)}
 WHOLE = {"docs/reference/c": c, "docs/reference/wire": wire}
 LISTED = re.compile(r"<!-- (modules|headers): ([^>]*) -->\s*\Z")
 

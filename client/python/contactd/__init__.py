@@ -24,6 +24,7 @@ from .calls.answer_warnings import ContactWarning
 from .calls.contact_session import Session
 from .calls.wheel_rail_session import WheelRailSession
 from .client import Client
+from .direct import creep_curve, solve
 from .errors import (
     Aborted,
     Cancelled,
@@ -53,7 +54,9 @@ from .files.saved import load, save
 from .files.table_files import load_table, save_table
 from .fits.fit import fit
 from .fits.search import FitFailed
-from .local import LocalDaemon, local
+from .local import LocalDaemon, default_client, local
+from .materials import steel
+from .values.creep_curves import CreepCurve
 from .values.dictionaries import from_dict, to_dict
 from .values.evidence import (
     IcEvidence,
@@ -125,6 +128,7 @@ __all__ = [
     "ContactWarning",
     "ContactWear",
     "ContactdError",
+    "CreepCurve",
     "DaemonFailed",
     "DamageFunction",
     "DeadlineExceeded",
@@ -219,6 +223,8 @@ __all__ = [
     "ZoboryWear",
     "__version__",
     "combined_modulus",
+    "creep_curve",
+    "default_client",
     "fit",
     "from_dict",
     "load",
@@ -226,6 +232,8 @@ __all__ = [
     "local",
     "save",
     "save_table",
+    "solve",
+    "steel",
     "to_dict",
 ]
 

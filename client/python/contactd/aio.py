@@ -15,8 +15,10 @@ from .calls.comparison import ComparisonCalls
 from .calls.contact import ContactCalls, solved, solved_many
 from .calls.contact_files import ContactFileCalls
 from .calls.contact_session import AnyContactSession
+from .calls.creep_curves import CreepCurveCalls
 from .calls.server import ServerCalls
 from .calls.sessions import SessionCalls
+from .calls.stated_problems import Body, Gap
 from .calls.step_many import stepped_sessions
 from .calls.tables import TableCalls
 from .calls.wheel_rail import WheelRailCalls
@@ -82,6 +84,7 @@ class AsyncClient(
     ContactCalls,
     ComparisonCalls,
     ContactFileCalls,
+    CreepCurveCalls,
     WheelRailCalls,
     SessionCalls[AsyncSession, AsyncWheelRailSession],
     Awaits,
@@ -178,7 +181,9 @@ class AsyncClient(
     @overload
     async def solve(
         self,
-        problem: ContactProblem | None = None,
+        problem: ContactProblem | Gap | None = None,
+        upper: Body | None = None,
+        lower: Body | None = None,
         /,
         *,
         fields: None = None,
@@ -190,7 +195,9 @@ class AsyncClient(
     @overload
     async def solve(
         self,
-        problem: ContactProblem | None = None,
+        problem: ContactProblem | Gap | None = None,
+        upper: Body | None = None,
+        lower: Body | None = None,
         /,
         *,
         fields: Fields,
@@ -202,7 +209,9 @@ class AsyncClient(
     @public
     async def solve(
         self,
-        problem: ContactProblem | None = None,
+        problem: ContactProblem | Gap | None = None,
+        upper: Body | None = None,
+        lower: Body | None = None,
         /,
         *,
         fields: Fields | None = None,
@@ -212,7 +221,7 @@ class AsyncClient(
         **problem_fields: Unpack[ProblemFields],
     ) -> ContactSolution | PartialSolution:
         """Solves as Client.solve does."""
-        return await self._run(solved(self, problem, problem_fields, fields, timeout, on_progress, progress))
+        return await self._run(solved(self, problem, upper, lower, problem_fields, fields, timeout, on_progress, progress))
 
     @overload
     async def solve_many(

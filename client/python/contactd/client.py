@@ -14,8 +14,10 @@ from .calls.comparison import ComparisonCalls
 from .calls.contact import ContactCalls, solved, solved_many
 from .calls.contact_files import ContactFileCalls
 from .calls.contact_session import Session
+from .calls.creep_curves import CreepCurveCalls
 from .calls.server import ServerCalls
 from .calls.sessions import SessionCalls
+from .calls.stated_problems import Body, Gap
 from .calls.step_many import stepped_sessions
 from .calls.tables import TableCalls
 from .calls.timeouts import spin_of
@@ -47,6 +49,7 @@ class Client(
     ContactCalls,
     ComparisonCalls,
     ContactFileCalls,
+    CreepCurveCalls,
     WheelRailCalls,
     SessionCalls[Session, WheelRailSession],
     Waits,
@@ -141,7 +144,9 @@ class Client(
     @overload
     def solve(
         self,
-        problem: ContactProblem | None = None,
+        problem: ContactProblem | Gap | None = None,
+        upper: Body | None = None,
+        lower: Body | None = None,
         /,
         *,
         fields: None = None,
@@ -153,7 +158,9 @@ class Client(
     @overload
     def solve(
         self,
-        problem: ContactProblem | None = None,
+        problem: ContactProblem | Gap | None = None,
+        upper: Body | None = None,
+        lower: Body | None = None,
         /,
         *,
         fields: Fields,
@@ -165,7 +172,9 @@ class Client(
     @public
     def solve(
         self,
-        problem: ContactProblem | None = None,
+        problem: ContactProblem | Gap | None = None,
+        upper: Body | None = None,
+        lower: Body | None = None,
         /,
         *,
         fields: Fields | None = None,
@@ -174,12 +183,21 @@ class Client(
         progress: bool = False,
         **problem_fields: Unpack[ProblemFields],
     ) -> ContactSolution | PartialSolution:
-        """Solves a ContactProblem, given whole or by its fields. Look at `converged` of the solution.
+        """Solves a ContactProblem, given whole, by its gap and bodies, or by its fields. Check `converged` of the solution::
+
+            client.solve(problem)
+            client.solve(Paraboloid(50, 50), steel, Fn=100)  # both bodies are of steel
+            client.solve(gap=heights, grid=grid, upper=steel, lower=RigidBody(), approach=0.01)
+
+        `grid` is optional for half-spaces in closed form whose `gap` is a Paraboloid or SemiAxes: the solve then takes
+        40 x 40 elements over 1.25 times the ellipse of Hertz's contact. It repeats once on a larger grid where the contact
+        reaches the border, and on a smaller one where the contact has few elements. `grid` of the solution is the one that
+        was used.
 
         `fields` names the arrays wanted back, or the one, and the others are None; ``fields=[]`` brings forces, areas and
         the rest that is no array, for less. Left out, all arrays come.
         """
-        return self._run(solved(self, problem, problem_fields, fields, timeout, on_progress, progress))
+        return self._run(solved(self, problem, upper, lower, problem_fields, fields, timeout, on_progress, progress))
 
     @overload
     def solve_many(

@@ -6,6 +6,7 @@ __all__ = ["FUNCTIONS"]
 
 #: Method of a value, and the function that does it. Most need a library that is an extra, and say so where it is missing.
 FUNCTIONS = {
+    "CreepCurve.plot": "contactd.pictures.curves:draw_creep_curve",
     "Fit.plot": "contactd.pictures.fit:draw_fit",
     "IcTable.plot": "contactd.pictures.tables:draw_table",
     "IcTable.to_xarray": "contactd.xarray_datasets:table_array",

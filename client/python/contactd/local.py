@@ -21,12 +21,13 @@ from .transport.connections import ConnectionPool
 from .transport.in_process import Engine, can_solve_here
 from .transport.lifeline import Lifeline
 from .transport.programs import checked, laid_over, program_of
+from .transport.shared_client import open_by, shared_client
 from .transport.temporary import TemporaryFolder
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-__all__ = ["InProcessClient", "LocalDaemon", "local"]
+__all__ = ["InProcessClient", "LocalDaemon", "default_client", "local"]
 
 _ADVICE = (
     ' Put it on PATH, or name it: LocalDaemon(program); pip install "contactd[daemon]" brings one,'
@@ -93,6 +94,33 @@ def local(
             raise MissingExtra("Solving in process", "contactd_local", "local", "python3-contactd-local")
         return InProcessClient(folder, config)
     return _ClientOfItsOwn(LocalDaemon(program, folder=folder, config=config))
+
+
+@public
+def default_client() -> Client:
+    """Returns the client that `contactd.solve`, `contactd.creep_curve` and the other functions of the package use.
+
+    The first call opens it, by the rule of `contactctl`: where the environment has CONTACTD_ENDPOINT it is a client of
+    that daemon, with the keys that CONTACTD_SERVER_KEY and CONTACTD_OWN_KEY name; otherwise it is `contactd.local()`,
+    which solves in this process, or starts a private daemon where contactd_local is not installed. All threads share it.
+    A forked process opens its own. It is closed when the process ends; after ``default_client().close()`` the next call
+    reads the environment again and opens another.
+
+    Raises DaemonFailed where neither contactd_local nor a daemon is installed.
+    """
+    client: Client = shared_client()
+    return client
+
+
+def _client_of_environment() -> Client:
+    endpoint = os.environ.get("CONTACTD_ENDPOINT")
+    if not endpoint:
+        return local()
+    server_key, own_key = (os.environ.get(f"CONTACTD_{name}_KEY") or None for name in ("SERVER", "OWN"))
+    return Client(endpoint, server_key=server_key, own_key=own_key)
+
+
+open_by(_client_of_environment)
 
 
 def _needs_daemon(program: str | Path | None, config: Mapping[str, Any]) -> str:

@@ -1,3 +1,3 @@
 """Fixtures of tests of the Python client."""
 
-from integration.conftest import background  # noqa: F401
+from integration.conftest import background, shared_daemon  # noqa: F401

@@ -29,6 +29,16 @@ def calls(client: Client, problem: ContactProblem, session: Session) -> None:
     assert_type(client.solve_many([problem]), list[ContactSolution | StatusError])
     assert_type(client.solve_many([problem], fields=("slip_x",)), list[PartialSolution | StatusError])
     assert_type(client.step_many([(session, {"Fn": 1, "xi": 2, "again": True})]), list[StepSolution | StatusError])
+    assert_type(client.solve(Paraboloid(50, 50), steel, Fn=100), ContactSolution)
+    assert_type(client.solve(Paraboloid(50, 50), steel, RigidBody(), Fn=100, fields=[]), PartialSolution)
+    assert_type(solve(Paraboloid(50, 50), steel, Fn=100), ContactSolution)
+    assert_type(solve(problem, fields="pressure"), PartialSolution)
+    assert_type(creep_curve(problem, xi=[0, 1e-3]), CreepCurve)
+    assert_type(client.creep_curve(Paraboloid(1, 2), steel, Fn=1, friction=Friction(0.3), xi=0.1).Fx, Floats)
+    assert_type(default_client(), Client)
+    solve(Paraboloid(50, 50), "steel", Fn=100)  # type: ignore[call-overload]
+    solve(Paraboloid(50, 50), steel, Fm=100)  # type: ignore[call-overload]
+    creep_curve(problem, psi=1)  # type: ignore[call-arg]
     assert_type(client.health(), str)
     assert_type(client.session(problem), Session)
     assert_type(session.step(Fn=1.0), StepSolution)
@@ -66,6 +76,8 @@ async def awaited(client: AsyncClient, problem: ContactProblem) -> None:
     assert_type(await client.solve(problem), ContactSolution)
     assert_type(await client.solve(grid=problem.grid, fields=[]), PartialSolution)
     assert_type(await client.solve_many([problem]), list[ContactSolution | StatusError])
+    assert_type(await client.solve(Paraboloid(50, 50), steel, Fn=100), ContactSolution)
+    assert_type(await client.creep_curve(problem, xi=1e-3), CreepCurve)
     assert_type(await client.health(), str)
     async with await client.session(problem) as session:
         assert_type(session, AsyncSession)

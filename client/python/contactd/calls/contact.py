@@ -24,6 +24,7 @@ from ..values.temperature_params import temperature_params
 from ..values.thermal import ThermalBodies
 from .call import Answering, asks
 from .caller import Caller, ProgressCallback, check_shapes
+from .stated_problems import Body, Gap, on_chosen_grid, stated_problem
 
 if TYPE_CHECKING:
     from ..values.problem import ProblemFields
@@ -113,7 +114,9 @@ class ContactCalls(Caller):
 
 def solved(
     caller: Caller,
-    problem: ContactProblem | None,
+    problem: ContactProblem | Gap | None,
+    upper: Body | None,
+    lower: Body | None,
     problem_fields: ProblemFields,
     fields: Fields | None,
     timeout: float | None,
@@ -121,17 +124,17 @@ def solved(
     progress: bool,
 ) -> Answering[ContactSolution | PartialSolution]:
     """The steps of `solve`."""
-    if problem is None:
-        problem = ContactProblem(**problem_fields)
-    elif problem_fields:
-        raise TypeError(f"solve() takes a ContactProblem or its fields, not both: {', '.join(problem_fields)}")
-    check_type("problem", problem, ContactProblem)
-    names = None if fields is None else names_of(fields)
-    params = problem_params(problem, names)
-    result = yield from caller.asked(
-        "contact.solve", params, timeout=timeout, on_progress=on_progress, progress=progress
-    )
-    return read_solution(problem.grid, names, result)
+    stated = stated_problem(problem, upper, lower, problem_fields)
+
+    def solve(one: ContactProblem) -> Answering[ContactSolution | PartialSolution]:
+        names = None if fields is None else names_of(fields)
+        params = problem_params(one, names)
+        result = yield from caller.asked(
+            "contact.solve", params, timeout=timeout, on_progress=on_progress, progress=progress
+        )
+        return read_solution(one.grid, names, result)
+
+    return (yield from on_chosen_grid(stated, solve, lambda solution: [solution]))
 
 
 def solved_many(

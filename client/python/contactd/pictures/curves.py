@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import numpy.typing as npt
 
 from ..refusals import public
+from ..values.arrays import Array
+from ..values.creep_curves import CreepCurve
 from ..values.motion import Rolling
 from ..values.solution import Solution
 from .canvas import COLOURS, axes_or_new, bare
@@ -15,10 +18,11 @@ from .canvas import COLOURS, axes_or_new, bare
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["plot_creep_curves"]
+__all__ = ["draw_creep_curve", "plot_creep_curves"]
 
 _CREEPAGES = {"xi": "longitudinal creepage", "eta": "lateral creepage", "phi": "spin creepage (rad/mm)"}
 _STYLES = ("o-", "s--", "^:", "d-.")
+_ROUNDING = 1e-9  #: of forces over the normal force
 Solutions = Sequence[Solution[Any, Any]]
 
 
@@ -50,6 +54,28 @@ def plot_creep_curves(
     bare(axes)
     axes.legend(fontsize="small", frameon=False)
     return axes
+
+
+def draw_creep_curve(curve: CreepCurve, axes: Axes | None = None) -> Axes:
+    """Draws what CreepCurve.plot does."""
+    if curve.xi.ndim != 1:
+        raise ValueError(f"the curve has shape {list(curve.xi.shape)}; only one of a single dimension can be drawn")
+    by = max(_CREEPAGES, key=lambda name: _extent(getattr(curve, name)))
+    axes = axes_or_new(axes)
+    for (force, color), style in zip((("Fx", COLOURS[0]), ("Fy", COLOURS[1])), _STYLES):
+        shares = -getattr(curve, force) / curve.Fn
+        if np.any(np.abs(np.nan_to_num(shares)) > _ROUNDING):
+            axes.plot(getattr(curve, by), shares, style, ms=4, mfc="none", color=color, label=f"$-F_{force[1]}/F_n$")
+    axes.set(xlabel=_CREEPAGES[by], ylabel="force over normal force", title=f"Creep forces over the {_CREEPAGES[by].partition(' (')[0]}")
+    bare(axes)
+    if axes.get_lines():
+        axes.legend(fontsize="small", frameon=False)
+    return axes
+
+
+def _extent(values: Array) -> float:
+    there = values[np.isfinite(values)]
+    return float(np.ptp(there)) if there.size else 0.0
 
 
 def _creepage(solution: Solution[Any, Any], by: str, index: int) -> float:

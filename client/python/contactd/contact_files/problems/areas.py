@@ -11,8 +11,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ...values.grid import Grid, HalfEllipses, Paraboloid
+from ...values.hertz import Ellipse, Load, compliance_of, ellipse_of_axes, ellipse_of_curvatures, ellipse_of_ratio
 from .distances import EXCLUDED, distance, excluded, quadratic_of
-from .hertz import Ellipse, Load, compliance_of, ellipse_of_axes, ellipse_of_curvatures, ellipse_of_ratio
 
 __all__ = ["PotentialContact", "ellipse_of", "potential_contact"]
 

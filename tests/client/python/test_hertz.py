@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from contactd.contact_files.problems.hertz import (
+from contactd.values.hertz import (
     Load,
     compliance_of,
     ellipse_of_axes,

@@ -1,0 +1,104 @@
+"""Functions that need no client of your own: they ask that of `contactd.default_client`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, overload
+
+import numpy.typing as npt
+
+from .calls.caller import ProgressCallback
+from .calls.stated_problems import Body, Gap
+from .refusals import public
+from .transport.shared_client import shared_client
+from .values.creep_curves import CreepCurve
+from .values.partial_solution import PartialSolution
+from .values.problem import ContactProblem
+from .values.solution import ContactSolution, Fields
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from .values.problem import ProblemFields
+
+__all__ = ["creep_curve", "solve"]
+
+
+@overload
+def solve(
+    problem: ContactProblem | Gap | None = None,
+    upper: Body | None = None,
+    lower: Body | None = None,
+    /,
+    *,
+    fields: None = None,
+    timeout: float | None = None,
+    on_progress: ProgressCallback | None = None,
+    progress: bool = False,
+    **problem_fields: Unpack[ProblemFields],
+) -> ContactSolution: ...
+@overload
+def solve(
+    problem: ContactProblem | Gap | None = None,
+    upper: Body | None = None,
+    lower: Body | None = None,
+    /,
+    *,
+    fields: Fields,
+    timeout: float | None = None,
+    on_progress: ProgressCallback | None = None,
+    progress: bool = False,
+    **problem_fields: Unpack[ProblemFields],
+) -> PartialSolution: ...
+@public
+def solve(
+    problem: ContactProblem | Gap | None = None,
+    upper: Body | None = None,
+    lower: Body | None = None,
+    /,
+    *,
+    fields: Fields | None = None,
+    timeout: float | None = None,
+    on_progress: ProgressCallback | None = None,
+    progress: bool = False,
+    **problem_fields: Unpack[ProblemFields],
+) -> ContactSolution | PartialSolution:
+    """Solves a contact problem by the default client; arguments, answer and errors are those of Client.solve::
+
+        solution = contactd.solve(Paraboloid(50, 50), steel, Fn=100)  # radii (mm), both bodies of steel, force (N)
+        print(solution.pmax, solution.approach, solution.grid)
+
+    `default_client` says who solves. Lengths are in mm, forces in N, pressures in N/mm^2.
+    """
+    client: Any = shared_client()  # whose overloads are those of this function
+    answer: ContactSolution | PartialSolution = client.solve(
+        problem, upper, lower, fields=fields, timeout=timeout, on_progress=on_progress, progress=progress, **problem_fields
+    )
+    return answer
+
+
+@public
+def creep_curve(
+    contact: ContactProblem | Gap | None = None,
+    upper: Body | None = None,
+    lower: Body | None = None,
+    /,
+    *,
+    xi: npt.ArrayLike = 0.0,
+    eta: npt.ArrayLike = 0.0,
+    phi: npt.ArrayLike = 0.0,
+    timeout: float | None = None,
+    on_progress: ProgressCallback | None = None,
+    progress: bool = False,
+    **problem_fields: Unpack[ProblemFields],
+) -> CreepCurve:
+    """Forces of steady rolling over creepages by the default client; arguments, answer and errors are those of
+    Client.creep_curve::
+
+        curve = contactd.creep_curve(Paraboloid(460, 300), steel, Fn=80e3, friction=Friction(0.3), xi=np.linspace(0, 0.01, 21))
+        curve.plot()
+    """
+    curve: CreepCurve = shared_client().creep_curve(
+        contact, upper, lower, xi=xi, eta=eta, phi=phi, timeout=timeout, on_progress=on_progress, progress=progress,
+        **problem_fields,
+    )  # fmt: skip
+    return curve
