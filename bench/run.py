@@ -50,6 +50,13 @@ BASELINES = [
     (r"bench_fem\.table/\w+.*", "bench_fem.table/paper", "the paper's way"),
     (r"bench_request\.\w+.*", "bench_request.zeromq_echo", "ZeroMQ echos"),
 ]
+#: Ratios that rows measure themselves, in turns with what is named.
+OF_THE_ROW = {
+    "over_product": "A*p of a patch",
+    "over_solve": "plain solves of its patches",
+    "ratio": "half-spaces",
+    "of_elastic": "elastic bodies",
+}
 TO_SECONDS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 
 
@@ -71,17 +78,15 @@ def ratio(row: dict[str, Any], by_name: dict[str, dict[str, Any]]) -> tuple[floa
     """The row's time over its baseline's, and the baseline in words."""
     if "over_plain" in row:  # measured by the row itself, alternately
         return row["over_plain"], "steps by contactd.h" if row["name"].startswith("bench_cntc") else "solves without"
-    if "over_product" in row:  # measured by the row itself, in turns
-        return row["over_product"], "A*p of a patch"
-    if "over_solve" in row:  # measured by the row itself, alternately
-        return row["over_solve"], "plain solves of its patches"
-    if "ratio" in row:  # measured by the row itself, alternately
-        return row["ratio"], "half-spaces"
+    for counter, words in OF_THE_ROW.items():
+        if counter in row:
+            return row[counter], words
     for pattern, baseline, words in BASELINES:
         if match := re.fullmatch(pattern, row["name"]):
             if "A_p" in row:  # measured by the row itself, right beside the solves
                 return row["A_p"], words
-            return row["seconds"] / by_name[baseline.format(*match.groups())]["seconds"], words
+            base = by_name.get(baseline.format(*match.groups()))
+            return (row["seconds"] / base["seconds"], words) if base else None
     return None
 
 
@@ -142,9 +147,9 @@ def main() -> int:
                 rows += run(arguments.bin / name, arguments.quick, environment)
         else:
             rows += run(arguments.bin / name, arguments.quick, environment)
-    print_table(rows)
     if arguments.json:
         arguments.json.write_text(json.dumps(rows, indent=1))
+    print_table(rows)
     return any(row.get("error_occurred") for row in rows)
 
 
