@@ -33,7 +33,7 @@ HOLDS: dict[str, Callable[[Names], bool]] = {
     "Own profiles": lambda n: abs(n["solution"].patches[0].place.radii.rail_across - 300) < 0.01,
     "Equivalent conicity": lambda n: abs(n["found"].integrated - 0.155) < 0.002,
     "A creep curve": lambda n: -n["curve"][-1].Fx == pytest.approx(0.3 * 80e3, rel=1e-3) and Path("creep.png").exists(),
-    "The creepage that brings a force": lambda n: (
+    "The creepage for a prescribed force": lambda n: (
         n["solution"].Fx == pytest.approx(-8000, rel=1e-5) and n["solution"].motion.xi > 0
     ),
     "FASTSIM beside the full theory": lambda n: (
