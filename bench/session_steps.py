@@ -20,6 +20,17 @@ from contactd import LocalDaemon
 from daemon_program import daemon_program
 
 
+def answered(socket: zmq.Socket[bytes]) -> tuple[dict[str, Any], float]:
+    """An answer's envelope, behind messages of progress, of which a busy machine makes many, and when it came."""
+    while True:
+        first, *_ = socket.recv_multipart()
+        end = time.perf_counter()
+        envelope: dict[str, Any] = json.loads(first)
+        if "progress" not in envelope:
+            assert envelope["status"]["code"] == 0, envelope["status"]
+            return envelope, end
+
+
 class Asker:
     """One DEALER; `ask` returns the result and the seconds of the round trip."""
 
@@ -31,11 +42,8 @@ class Asker:
         request = json.dumps({"contactd": 1, "id": "1", "method": method, "params": params}).encode()
         start = time.perf_counter()
         self.socket.send(request)
-        answer, *_ = self.socket.recv_multipart()
-        seconds = time.perf_counter() - start
-        envelope = json.loads(answer)
-        assert envelope["status"]["code"] == 0, envelope["status"]
-        return envelope["result"], seconds
+        envelope, end = answered(self.socket)
+        return envelope["result"], end - start
 
 
 def solver_seconds(result: dict[str, Any]) -> float:

@@ -19,6 +19,7 @@ import zmq
 from contactd import LocalDaemon
 from contactd.wheel_rail import WheelRailSetup
 from daemon_program import daemon_program
+from session_steps import answered
 
 
 class Asker:
@@ -32,11 +33,8 @@ class Asker:
         start = time.perf_counter()
         request = json.dumps({"contactd": 1, "id": "1", "method": method, "params": params}).encode()
         self.socket.send_multipart([request, *frames])
-        answer, *_ = self.socket.recv_multipart()
-        seconds = time.perf_counter() - start
-        envelope = json.loads(answer)
-        assert envelope["status"]["code"] == 0, envelope["status"]
-        return envelope["result"], len(request) + sum(map(len, frames)), seconds
+        envelope, end = answered(self.socket)
+        return envelope["result"], len(request) + sum(map(len, frames)), end - start
 
 
 def profile(client: Any, points: int) -> tuple[dict[str, Any], list[bytes]]:
