@@ -69,7 +69,7 @@ def test_a_term_of_contact_is_on_a_page(term):
 
 
 #: Not the changelog, whose entries stay as they were released.
-WRITTEN_HERE = [page for folder in ("", "docs/", "docs/paper/", "client/*/") for page in ROOT.glob(f"{folder}*.md") if page.name != "CHANGELOG.md"]
+WRITTEN_HERE = [page for folder in ("", "docs/", "docs/developing/", "docs/paper/", "client/*/") for page in ROOT.glob(f"{folder}*.md") if page.name != "CHANGELOG.md"]
 #: Expressions that pages quote, and why.
 NAMED = {
     "CONTRIBUTING.md": ["bodies that differ"],  # an example of what not to write

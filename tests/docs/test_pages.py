@@ -9,13 +9,13 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 CHANGELOG = ROOT / "CHANGELOG.md"  # an entry is a sentence is a line
-FOLDERS_OF_PAGES = ("*.md", "client/*/*.md", "tests/*.md", "docs/*.md", "docs/reference/*.md", "docs/reference/*/*.md")
+FOLDERS_OF_PAGES = ("*.md", "client/*/*.md", "tests/*.md", "docs/*.md", "docs/developing/*.md", "docs/reference/*.md", "docs/reference/*/*.md")
 WRITTEN = sorted(chain(*(ROOT.glob(pattern) for pattern in FOLDERS_OF_PAGES)))
 NOTEBOOKS = sorted((ROOT / "docs" / "tutorials").glob("*.ipynb"))  # which test_notebooks.py runs
 COMPUTED = sorted((ROOT / "docs" / "paper").glob("*.md"))  # by ./dev paper
 LINE_LENGTH = 120  # lines are shorter
 FOLDERS = ("bench", "client", "configs", "core", "docs", "engine", "packaging", "proto", "server", "tests")
-GUIDES = ("CONTRIBUTING.md", "docs/architecture.md", "tests/README.md")  # which name many
+GUIDES = ("CONTRIBUTING.md", "docs/architecture.md", "docs/developing/fields.md", "docs/developing/methods.md", "docs/developing/solvers.md", "tests/README.md")  # which name many
 SOURCES = ("*.cpp", "*.hpp", "*.py", "*.json", "*.in", "*.txt", "*.service")
 
 

@@ -101,7 +101,7 @@ def test_a_configuration_is_checked_and_a_daemon_asked_as_the_page_on_operations
 
 
 def test_a_builder_is_run_by_hand_as_the_guide_to_changes_says(tmp_path):
-    (block,) = [block for block in indented(section("CONTRIBUTING.md", "A table that is not built")) if "contactd-ic" in block]
+    (block,) = [block for block in indented(section("docs/developing/debugging.md", "A table that is not built")) if "contactd-ic" in block]
     spec = re.search(r"echo '(.*?)' >", block, re.DOTALL)
     assert spec
     (tmp_path / "spec.json").write_text(spec[1])

@@ -338,7 +338,7 @@ def test_an_interrupt_ends_what_comes_before_a_release_though_its_command_ends_i
 def test_each_command_that_a_page_or_the_help_names_is_run_before_a_release(machine):
     lines = (ROOT / "tests" / "documented_commands.txt").read_text().splitlines()
     listed = [line.removeprefix("- ").partition(":")[0].split() for line in lines if line and not line.startswith("#")]
-    pages = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "tests" / "README.md", *(ROOT / "docs").glob("*.md")]
+    pages = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "tests" / "README.md", *(ROOT / "docs").glob("*.md"), *(ROOT / "docs" / "developing").glob("*.md")]
     code = [re.findall(r"`\./dev [^`]*`|^ {4}.*$", page.read_text(), re.MULTILINE) for page in pages]
     text = machine.dev("help").stdout + "\n".join("\n".join(parts) for parts in code)
     commands = named_commands(text)
