@@ -109,17 +109,19 @@ SIZES = {
     "medium": FemIcs(order=2, f=1.2, solver="direct"),
     "large": FemIcs(order=2, f=1.05, solver="direct"),
 }
+TO_BUILD = 300  # seconds that the largest of them may take on a busy machine
 MIB = 1 << 20
 LIMITS = [64, 128, 256, 380, 512, 600, 768, 1024, 2048, 4096]
 SWEEP = [(size, limit) for size in SIZES for limit in LIMITS] if LONG_FAULTS else [("small", 64), ("medium", 256)]
 
 
+@pytest.mark.timeout(TO_BUILD + 60)
 @pytest.mark.parametrize(("size", "limit"), SWEEP)
 def test_a_build_with_little_memory_ends_with_a_table_or_says_so(daemons, background, size, limit):
     daemon = daemons.start(builds={"max_memory_bytes": limit * MIB})
     with daemon.client() as client:
         caller = background(client.get_ic, STEEL, GRID, SIZES[size])
-        error = caller.exception(timeout=300)
+        error = caller.exception(timeout=TO_BUILD)
         if error is None:
             assert size == "small" or limit > (256 if size == "medium" else 768)
         else:
@@ -148,13 +150,14 @@ def test_the_kernel_would_end_a_builder_before_anything_else(daemon, client, bac
 
 
 @pytest.mark.skipif(not LONG_FAULTS, reason="takes two minutes")
+@pytest.mark.timeout(TO_BUILD + 60)
 @pytest.mark.parametrize("kilobytes", [450_000, 520_000])
 def test_a_builder_that_spins_without_getting_on_is_ended(daemons, background, kilobytes):
     # OpenBLAS asks for address space again and again when there is none.
     program = script(daemons.folder, f"ulimit -v {kilobytes}", f'exec {BIN / "contactd-ic"} "$@"')
     daemon = daemons.start(builds={"program": str(program), "stall_seconds": 2})
     with daemon.client() as client:
-        error = background(client.get_ic, STEEL, GRID, SIZES["medium"]).exception(timeout=300)
+        error = background(client.get_ic, STEEL, GRID, SIZES["medium"]).exception(timeout=TO_BUILD)
         assert error is not None
         assert "made no progress" in error.message or "memory" in error.message
         assert daemon.builders() == []
