@@ -5,7 +5,17 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from contactd import AnalyticIcs, ContactProblem, FemIcs, Friction, Grid, Material, Paraboloid, SolverSettings
+from contactd import (
+    AnalyticIcs,
+    ContactProblem,
+    FemIcs,
+    Friction,
+    Grid,
+    Material,
+    Paraboloid,
+    SolverSettings,
+    TangentialSettings,
+)
 
 Spec = dict[str, Any]
 Ics = dict[str, Any]
@@ -40,7 +50,7 @@ def ics_of(fields: Ics) -> AnalyticIcs | FemIcs:
 
 
 def contact_problem(spec: Spec) -> ContactProblem:
-    settings = SolverSettings(tolerance=spec.get("tolerance", TOLERANCE))
+    tolerance = spec.get("tolerance", TOLERANCE)
     return ContactProblem(
         grid=Grid.centred(spec["n"], spec["n"], WINDOW, WINDOW),
         upper=BODY,
@@ -48,6 +58,6 @@ def contact_problem(spec: Spec) -> ContactProblem:
         approach=APPROACH,
         ics=ics_of(spec["ics"]),
         friction=Friction(MU, (SHIFT, 0)),
-        normal=settings,
-        tangential=settings,
+        normal=SolverSettings(tolerance=tolerance),
+        tangential=TangentialSettings(tolerance=tolerance, solver="tangcg"),  # the paper's
     )

@@ -26,6 +26,7 @@ def test_the_problem_is_the_papers():
     problem = contact_problem({"n": 40, "ics": {}})
     assert problem.grid.dx * 40 == pytest.approx(2.4)
     assert problem.normal.tolerance == problem.tangential.tolerance == 1e-6
+    assert problem.tangential.solver == "tangcg"
     assert (problem.approach, problem.friction.mu, problem.friction.rigid_shift) == (0.02, 0.4, (0.00817, 0))
 
 
