@@ -24,7 +24,7 @@ ARROWS = {
     "wear": ["", "values", "values/wheel_rail", "files", "calls"],
     "demo": ["", "values", "pictures"],
     "contact_files": [
-        "", "values", "values/wheel_rail", "files", "calls", "contact_files/problems", "contact_files/answers", "contact_files/prints",
+        "", "values", "values/wheel_rail", "files", "transport", "calls", "contact_files/problems", "contact_files/answers", "contact_files/prints",
     ],
     "contact_files/problems": ["values", "values/wheel_rail"],
     "contact_files/answers": ["values", "values/wheel_rail", "contact_files/problems"],
@@ -34,7 +34,7 @@ GROUND = {"contactd._version", "contactd.errors", "contactd.refusals"}
 MOST_FLOORS = 10
 #: What values may import beside the standard library; of the libraries of extras nothing but the names of types.
 LIBRARIES_OF_VALUES = {"numpy", "typing_extensions"}
-TYPES_OF_EXTRAS = {"matplotlib", "xarray"}
+TYPES_OF_EXTRAS = {"matplotlib", "scipy", "xarray"}
 
 
 def name_of(path: Path) -> str:

@@ -17,9 +17,11 @@
 Units are N and mm, or any consistent system. contactd.errors draws the tree of exceptions.
 """
 
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from ._version import __version__
+from .callable_wheel_rail import WheelRailModule
 from .calls.answer_warnings import ContactWarning
 from .calls.contact_session import Session
 from .calls.wheel_rail_session import WheelRailSession
@@ -56,6 +58,7 @@ from .fits.fit import fit
 from .fits.search import FitFailed
 from .local import LocalDaemon, default_client, local
 from .materials import steel
+from .operators import operator
 from .values.creep_curves import CreepCurve
 from .values.dictionaries import from_dict, to_dict
 from .values.evidence import (
@@ -101,6 +104,7 @@ from .values.wear_laws import (
     ZoboryWear,
 )
 from .values.wheel_rail.comparison import ComparedModel, ModelComparison, ModelErrors
+from .values.wheel_rail.passage_wear import PassageWear
 from .values.wheel_rail.solution import WheelRailStepSolution
 from .values.wheel_rail.step_input import WheelRailStepInput
 
@@ -168,6 +172,7 @@ __all__ = [
     "Paraboloid",
     "PartialSolution",
     "Passage",
+    "PassageWear",
     "PermissionDenied",
     "ProfileFile",
     "Progress",
@@ -230,6 +235,7 @@ __all__ = [
     "load",
     "load_table",
     "local",
+    "operator",
     "save",
     "save_table",
     "solve",
@@ -239,13 +245,20 @@ __all__ = [
 
 register(FUNCTIONS)
 
+from . import wheel_rail as _wheel_rail_module  # noqa: E402
+
+#: The module of wheels on rails, which is a function, too.
+wheel_rail: WheelRailModule = _wheel_rail_module  # type: ignore[assignment]
+
 
 def __getattr__(name: str) -> Any:
-    """Imports what takes asyncio along when it is first requested."""
+    """Imports what takes asyncio along, and files of CONTACT, when they are first requested."""
     if name in ("AsyncClient", "AsyncSession", "AsyncWheelRailSession"):
         from . import aio
 
         return getattr(aio, name)
+    if name == "contact_files":
+        return import_module(f"{__name__}.{name}")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 

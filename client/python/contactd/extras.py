@@ -8,10 +8,12 @@ __all__ = ["FUNCTIONS"]
 FUNCTIONS = {
     "CreepCurve.plot": "contactd.pictures.curves:draw_creep_curve",
     "Fit.plot": "contactd.pictures.fit:draw_fit",
+    "IcTable.operator": "contactd.operators:linear_operator",
     "IcTable.plot": "contactd.pictures.tables:draw_table",
     "IcTable.to_xarray": "contactd.xarray_datasets:table_array",
     "ModelComparison.plot": "contactd.pictures.comparison:draw_comparison",
     "ProfileFile.text": "contactd.files.profile_text:read_profile_text",
+    "PassageWear.plot": "contactd.pictures.wear:draw_passage",
     "Saved.load": "contactd.files.saved:load",
     "Saved.save": "contactd.files.saved:save",
     "Solution.plot": "contactd.pictures.contact:draw_contact",
@@ -22,4 +24,5 @@ FUNCTIONS = {
     "TableIcs.from_contact_text": "contactd.files.contact_text:read_text",
     "TableIcs.to_contact_text": "contactd.files.contact_text:format_text",
     "WheelRailSolution.plot": "contactd.pictures.wheel_rail:draw_wheel_rail",
+    "WheelRailSolution.wear": "contactd.wear.passage:passage_wear",
 }

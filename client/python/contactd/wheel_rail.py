@@ -1,4 +1,8 @@
-"""A wheel on a rail: what `Client.wheel_rail` and `Client.wheelset` take, profiles, track, wheelset and where it is.
+"""A wheel on a rail. The module is a function, too, for one that rolls::
+
+    solution = contactd.wheel_rail(y=3, speed=20e3, Fz=80e3)
+
+Here are the values that `Client.wheel_rail` and `Client.wheelset` take: profiles, track, wheelset and where it is.
 
 ::
 
@@ -21,6 +25,9 @@ draws them. Forces act on the rail. What is None takes the daemon's default.
 
 from __future__ import annotations
 
+import sys
+
+from .callable_wheel_rail import WheelRailModule
 from .values.profile_shapes import (
     S1002,
     ArcProfile,
@@ -139,3 +146,5 @@ __all__ = [
     "WrenchesByPosition",
     "WrenchesByVelocity",
 ]
+
+sys.modules[__name__].__class__ = WheelRailModule

@@ -19,7 +19,8 @@ CALLS = """
 from typing import assert_type
 import numpy as np, numpy.typing as npt
 from contactd import *
-from contactd.wheel_rail import WheelRailSetup, WheelRailState
+from contactd import contact_files, wheel_rail
+from contactd.wheel_rail import WheelRailSetup, WheelRailSolution, WheelRailState
 Floats = npt.NDArray[np.float64]
 def calls(client: Client, problem: ContactProblem, session: Session) -> None:
     assert_type(client.solve(problem), ContactSolution)
@@ -36,6 +37,12 @@ def calls(client: Client, problem: ContactProblem, session: Session) -> None:
     assert_type(creep_curve(problem, xi=[0, 1e-3]), CreepCurve)
     assert_type(client.creep_curve(Paraboloid(1, 2), steel, Fn=1, friction=Friction(0.3), xi=0.1).Fx, Floats)
     assert_type(default_client(), Client)
+    assert_type(wheel_rail(y=3, speed=2e4, Fz=8e4), WheelRailSolution)
+    assert_type(wheel_rail(WheelRailSetup(), speed=2e4, Fz=8e4, wear=EnergyWear(1, source="x")).wear("rail"), PassageWear)
+    wheel_rail(y=3, Fz=8e4)  # type: ignore[call-arg]
+    assert_type(contact_files.run("x.inp"), contact_files.SolvedCases)
+    assert_type(contact_files.run("x.inp", client).compare("x.out").agrees, bool)
+    assert_type(contact_files.run("x.inp")[0].patches[0].forces.Fn, float)
     solve(Paraboloid(50, 50), "steel", Fn=100)  # type: ignore[call-overload]
     solve(Paraboloid(50, 50), steel, Fm=100)  # type: ignore[call-overload]
     creep_curve(problem, psi=1)  # type: ignore[call-arg]

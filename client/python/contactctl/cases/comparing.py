@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from contactd.contact_files.answers.compared import Compared
-from contactd.contact_files.comparison import case_differences
+from contactd.contact_files.comparison import case_differences, matched
 from contactd.contact_files.out_reader import PrintedCase
 
 __all__ = ["compared_rows"]
@@ -15,17 +15,13 @@ __all__ = ["compared_rows"]
 def compared_rows(rows: Sequence[dict[str, Any]], printed: Sequence[PrintedCase]) -> list[list[str]]:
     """The differences of each row: to the printed case with the same number of the same result element and contact problem,
     in order."""
-    waiting: dict[tuple[int, Any], list[PrintedCase]] = {}
-    for case in printed:
-        waiting.setdefault((case.number, case.reid), []).append(case)
-    return [_differences(row, waiting) for row in rows]
+    named = [row["values"] for row in rows]
+    theirs = matched(((one["number"], one["reid"], one.get("cpid")) for one in named), printed)
+    return [_differences(row, other) for row, other in zip(rows, theirs)]
 
 
-def _differences(row: dict[str, Any], waiting: dict[tuple[int, Any], list[PrintedCase]]) -> list[str]:
-    values, numbers = row["values"], row["answers"].get("numbers")
-    there = waiting.get((values["number"], values["reid"])) or waiting.get((values["number"], None), [])
-    theirs = next((case for case in there if case.cpid in (None, values.get("cpid") or 1)), None)
+def _differences(row: dict[str, Any], theirs: PrintedCase | None) -> list[str]:
     if theirs is None:
         return ["the file to compare with does not have it"]
-    there.remove(theirs)
+    numbers = row["answers"].get("numbers")
     return [] if numbers is None else case_differences(Compared(**numbers), theirs)

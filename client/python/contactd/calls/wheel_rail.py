@@ -6,7 +6,8 @@ import weakref
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from ..errors import ProtocolError
+from ..errors import ContactdError, ProtocolError
+from ..transport.shared_client import shared_client
 from ..values.answers import read
 from ..values.solution import Fields, names_of
 from ..values.wheel_rail.origins import Origin, remember
@@ -21,8 +22,9 @@ from ..values.wheel_rail.rigid_wheelset import (
 )
 from ..values.wheel_rail.setup import WheelRailSetup
 from ..values.wheel_rail.solution import WheelRailSolution, WheelsetSolution, read_wheel_rail, read_wheelset
+from ..values.wheel_rail.solved_states import remember_state
 from ..values.wheel_rail.state import WheelRailState, WheelsetState
-from .call import Answering, asks
+from .call import Answering, Waits, asks
 from .caller import Caller, ProgressCallback
 
 __all__ = ["WheelRailCalls"]
@@ -54,6 +56,7 @@ class WheelRailCalls(Caller):
         result = yield from self.asked("wheelrail.solve", params, timeout=timeout, on_progress=on_progress, progress=progress)
         solution = read_wheel_rail(names, gap, result)
         remember(solution, Origin.of(setup, state, _profiles_by(self, setup)))
+        remember_state(solution, state)
         return solution
 
     @asks
@@ -186,20 +189,27 @@ class WheelRailCalls(Caller):
 
 
 def _profiles_by(client: WheelRailCalls, setup: WheelRailSetup) -> Callable[[], PlacedProfiles | None]:
-    """Asks the client for the profiles of the side, as long as it is there, open, and answers at once."""
+    """Asks the client for the profiles of the side, or that of the package where it is gone, closed or must be awaited."""
     asked = weakref.ref(client)
 
     def profiles() -> PlacedProfiles | None:
         there: Any = asked()
-        if there is None or getattr(there, "is_closed", False):
+        if there is None or there.is_closed or not isinstance(there, Waits):  # an AsyncClient must be awaited
+            there = _shared_client()
+        if there is None:
             return None
-        both = there.placed_profiles(setup)
-        if not isinstance(both, ProfilesOfSides):  # of an AsyncClient, who must be awaited
-            both.close()
-            return None
+        both: ProfilesOfSides = there.placed_profiles(setup)
         return both.left if setup.side == "left" else both.right
 
     return profiles
+
+
+def _shared_client() -> Any:
+    """Returns the client of the package; None where nothing is installed that solves, or it may not be opened."""
+    try:
+        return shared_client()
+    except ContactdError:
+        return None
 
 
 def _of_patches(names: list[str] | None, gap: bool) -> dict[str, Any]:

@@ -2,15 +2,33 @@
 
 ::
 
-    from contactd import contact_files, local
+    from contactd import contact_files
 
-    with local() as client:
+    cases = contact_files.run("testbank.inp")
+    print(cases[0].forces, cases[0].patches[0].pressure)
+    print(cases.compare("testbank.out"))
+
+`read` reads cases without computing them::
+
+    with contactd.local() as client:
         for case in contact_files.read("testbank.inp", client):
             print(case.number, case.digits["T"], case.values.get("FN"))
 """
 
 from .case import Case, ContactFile
 from .input_file import read
+from .runner import run
 from .slice_list import read_slices
+from .solved_cases import CaseComparison, ComparedCase, SolvedCase, SolvedCases
 
-__all__ = ["Case", "ContactFile", "read", "read_slices"]
+__all__ = [
+    "Case",
+    "CaseComparison",
+    "ComparedCase",
+    "ContactFile",
+    "SolvedCase",
+    "SolvedCases",
+    "read",
+    "read_slices",
+    "run",
+]

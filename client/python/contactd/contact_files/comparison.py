@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from .answers.compared import Compared
 from .out_reader import PrintedCase
 
-__all__ = ["Difference", "case_differences", "common", "differences"]
+__all__ = ["Difference", "case_differences", "common", "differences", "matched"]
 
 _FORCES = ("FN", "FX", "FY", "FS", "MZ", "MN", "FX(TR)", "FY(TR)", "FZ(TR)", "FX(WS)", "FY(WS)", "FZ(WS)", "BAR_FN", "BAR_FX", "BAR_FS")
 _MOTIONS = ("CREEP X", "CREEP Y", "SHIFT X", "SHIFT Y", "CKSI", "CETA")
@@ -48,6 +48,22 @@ class Difference:
     def __str__(self) -> str:
         apart = abs(self.found - self.printed)
         return f"{self.name} {self.found:.6g}, printed {self.printed:.6g}: {apart:.2g} apart, {self.allowed:.2g} is in tolerance"
+
+
+def matched(cases: Iterable[tuple[int, int | None, int | None]], printed: Sequence[PrintedCase]) -> list[PrintedCase | None]:
+    """The printed case for each number, result element and contact problem: the first that has the same and is not taken yet;
+    None where there is none."""
+    waiting: dict[tuple[int, int | None], list[PrintedCase]] = {}
+    for case in printed:
+        waiting.setdefault((case.number, case.reid), []).append(case)
+    found = []
+    for number, reid, cpid in cases:
+        there = waiting.get((number, reid)) or waiting.get((number, None), [])
+        theirs = next((case for case in there if case.cpid in (None, cpid or 1)), None)
+        if theirs is not None:
+            there.remove(theirs)
+        found.append(theirs)
+    return found
 
 
 def case_differences(found: Compared, printed: PrintedCase) -> list[str]:

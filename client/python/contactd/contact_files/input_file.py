@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING
 
 from ..files.case_text import text_of
 from ..values.contact_files import ContactFile
-
-if TYPE_CHECKING:
-    from ..client import Client
+from .asked_client import AskedClient
 
 __all__ = ["read"]
 
 
-def read(path_or_text: str | os.PathLike[str], client: Client) -> ContactFile:
+def read(path_or_text: str | os.PathLike[str], client: AskedClient) -> ContactFile:
     """The cases of an input file (.inp), or of its text: a string with an end of line in it is a text.
 
     The `client` reads the text, ``contactd.local()`` as well as one of a daemon, and opens no file. What is wrong with a
@@ -23,5 +20,7 @@ def read(path_or_text: str | os.PathLike[str], client: Client) -> ContactFile:
     Raises OSError for a file that cannot be read or has more than 16 MiB.
     """
     if isinstance(path_or_text, str) and "\n" in path_or_text:
-        return client.read_contact_file(path_or_text)
-    return client.read_contact_file(text_of(path_or_text), name=os.path.basename(os.fspath(path_or_text)))
+        file: ContactFile = client.read_contact_file(path_or_text)
+    else:
+        file = client.read_contact_file(text_of(path_or_text), name=os.path.basename(os.fspath(path_or_text)))
+    return file

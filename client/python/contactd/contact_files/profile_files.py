@@ -27,9 +27,9 @@ from .problems.rails import Slices
 from .slice_list import SPLINES, placed_slices
 
 if TYPE_CHECKING:
-    from ..client import Client
     from ..values.arrays import Array
     from ..values.wheel_rail.rigid_wheelset import ProfileEvidence
+    from .asked_client import AskedClient
 
 __all__ = ["ProfileFiles"]
 
@@ -47,7 +47,7 @@ class ProfileFiles:
     """Reads each file once. Names are relative to `folder`; both kinds of separators serve. The `client` reads the text of
     lists of slices. Files outside of the folders that are `allowed` are refused; None: none is."""
 
-    def __init__(self, folder: str | os.PathLike[str], client: Client, allowed: Iterable[Path] | None = None) -> None:
+    def __init__(self, folder: str | os.PathLike[str], client: AskedClient, allowed: Iterable[Path] | None = None) -> None:
         self._folder, self._client = Path(folder), client
         self._allowed = None if allowed is None else tuple(allowed)
         self._read: dict[tuple[Any, ...], Profile | tuple[Slices, str]] = {}

@@ -3,13 +3,18 @@ wrong in one is told of those that follow from it, and other histories go on."""
 
 from __future__ import annotations
 
+import os
 import time
 from collections.abc import Iterable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from pathlib import Path
+from typing import Any, Literal, get_args
 
-from ..calls.answer_warnings import collected
-from ..errors import InvalidArgument, StatusError, TableFileError, TimeoutExpired
+from ..calls.answer_warnings import collected, give
+from ..errors import InvalidArgument, StatusError, TableFileError, TimeoutExpired, invalid
+from ..refusals import public
+from ..transport.shared_client import shared_client
 from ..values.problem import ContactProblem, Estimate
 from ..values.result import Field
 from ..values.subsurface import StressBlock, SubsurfaceStress
@@ -18,17 +23,18 @@ from ..values.wheel_rail.setup import WheelSurface
 from .answers.basic_results import BasicResult
 from .answers.rail_results import RailResult
 from .answers.subsurface import Body, Stresses
+from .asked_client import AskedClient
+from .case import Case
+from .input_file import read
 from .problems.basic import BasicContact, ReadCoefficients, State, goes_on
 from .problems.features import MOST_ELEMENTS, Missing, missing
 from .problems.mistakes import mistakes
 from .problems.rails import Profiles, RailContact
 from .problems.refusals import in_words_of
+from .profile_files import ProfileFiles
+from .solved_cases import SolvedCase, SolvedCases
 
-if TYPE_CHECKING:
-    from ..client import Client
-    from .case import Case
-
-__all__ = ["Outcome", "Runner", "Status", "chains_of", "checked"]
+__all__ = ["Outcome", "Runner", "Status", "chains_of", "checked", "run"]
 
 Status = Literal["solved", "not converged", "read", "refused", "failed", "follows", "wrong"]
 """What became of a case: read and not to be computed (R = 2, 3); refused for what contactd does not have, or for numbers that
@@ -95,7 +101,7 @@ def _refusal(case: Case, broken: Case | None, most_elements: int) -> Outcome | N
 class Runner:
     """Computes cases by a client. Threads may compute chains of their own at the same time."""
 
-    def __init__(self, client: Client, profiles: Profiles, wheel_surface: WheelSurface = "exact") -> None:
+    def __init__(self, client: AskedClient, profiles: Profiles, wheel_surface: WheelSurface = "exact") -> None:
         self._client = client
         self._profiles, self._wheel_surface = profiles, wheel_surface
         self._most_elements = client.info().limits.max_grid_elements
@@ -169,16 +175,17 @@ class Runner:
         return RailResult.of(contact, solution, self._stresses)
 
     def _stresses(self, problem: ContactProblem, acting: Estimate, body: Body, block: StressBlock) -> SubsurfaceStress:
-        return self._client.subsurface(problem, acting, body=body, block=block, displacements=True)
+        stress: SubsurfaceStress = self._client.subsurface(problem, acting, body=body, block=block, displacements=True)
+        return stress
 
     def _normal_force(self, problem: ContactProblem) -> float:
-        return self._client.solve(problem, fields=[]).Fn
+        return float(self._client.solve(problem, fields=[]).Fn)
 
 
 class _RailSteps:
     """The steps of one chain of cases, in a session that the first of them opens."""
 
-    def __init__(self, client: Client) -> None:
+    def __init__(self, client: AskedClient) -> None:
         self._client = client
         self._session: Any = None
         self._opened: object = None
@@ -216,3 +223,58 @@ def _state_of(result: BasicResult) -> State:
         result.contact.area.grid, solution.pressure, solution.traction_x, solution.traction_y, solution.yield_stress,
         solution.friction_coefficient,
     )  # fmt: skip
+
+
+@public
+def run(
+    path: str | os.PathLike[str],
+    client: AskedClient | None = None,
+    *,
+    allow_folders: Iterable[str | os.PathLike[str]] = (),
+    wheel_surface: WheelSurface = "exact",
+    workers: int | None = None,
+) -> SolvedCases:
+    """Computes all cases of an input file (.inp)::
+
+        cases = contact_files.run("testbank.inp")
+        print(cases[0].forces, cases[0].patches[0].pressure)
+        print(cases.compare("testbank.out"))
+
+    `client` solves; None: contactd.default_client(). Files that the input names are opened where they lie in its folder or
+    below it, and in `allow_folders`. Wheels are ``"exact"`` by their splines, or ``"bilinear"`` as CONTACT has them.
+    Histories that do not depend on each other are computed by as many threads as `workers` says; None: one a processor.
+
+    A case that contactd does not compute has no solution; its `status` and `sentence` say why, and a ContactWarning names it,
+    beside what the answers of the others warn of. Raises OSError for a file that cannot be read, and InvalidArgument for one
+    without cases.
+    """
+    place = Path(path)
+    asked: AskedClient = shared_client() if client is None else client
+    with collected():  # what reading warns of is told with the cases
+        file = read(place, asked)
+    if not file.cases:
+        raise invalid(os.fspath(path), f"has no cases. {' '.join(file.errors)}".strip())
+    folders = [place.parent, *map(Path, allow_folders)]
+    runner = Runner(asked, ProfileFiles(place.parent, asked, folders), wheel_surface)
+    results = _results(runner, chains_of(file.cases), workers or os.cpu_count() or 1)
+    cases = tuple(SolvedCase(results[id(case)]) for case in file.cases)
+    give([*file.errors, *file.warnings, *(sentence for case in cases for sentence in _sentences_of(case))])
+    return SolvedCases(cases, file.errors)
+
+
+def _results(runner: Runner, chains: list[list[Case]], workers: int) -> dict[int, Outcome]:
+    if workers == 1 or len(chains) == 1:
+        return {id(one.case): one for chain in chains for one in runner.run(chain)}
+    pool = ThreadPoolExecutor(min(workers, len(chains)))
+    try:
+        futures = [pool.submit(lambda chain: list(runner.run(chain)), chain) for chain in chains]
+        return {id(one.case): one for future in futures for one in future.result()}
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def _sentences_of(case: SolvedCase) -> list[str]:
+    sentences = [*case.case.warnings, *case.warnings]
+    if case.status not in ("solved", "read"):
+        sentences.append(f"{case.status}: {case.sentence}")
+    return [f"case {case.number}: {sentence}" for sentence in sentences]

@@ -12,7 +12,7 @@ from ..values.contact_files import ContactSlices
 from ..values.profile_shapes import Profile, ProfileFile
 
 if TYPE_CHECKING:
-    from ..client import Client
+    from .asked_client import AskedClient
 
 __all__ = ["SPLINES", "placed_slices", "read_slices"]
 
@@ -24,7 +24,7 @@ _WHOLE = (0.0, 1e5)
 
 def read_slices(
     path: str | os.PathLike[str],
-    client: Client,
+    client: AskedClient,
     *,
     profile: Callable[[Path], Profile] = ProfileFile,
 ) -> list[tuple[float, Profile, tuple[float, ...]]]:

@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import invalid
+from ..values.wheel_rail.passage_wear import PassageWear
 from ..wear.section import Section
-from .canvas import COLOURS, INK, plain
+from .canvas import COLOURS, INK, axes_or_new, bare, plain
 
 if TYPE_CHECKING:
     from ..wear.steps import WornStep
 
-__all__ = ["draw_competition", "draw_depths", "draw_groups", "draw_measures", "draw_shakedown", "draw_worn", "shakedown_limit"]
+__all__ = ["draw_competition", "draw_depths", "draw_groups", "draw_measures", "draw_passage", "draw_shakedown", "draw_worn", "shakedown_limit"]
 
 _WORN = "#c8553d"
 
@@ -32,6 +33,23 @@ def draw_worn(axes: Any, steps: Sequence[WornStep], magnified: float = 1.0, unit
     axes.invert_yaxis()
     axes.set(xlabel="y (mm)", ylabel="z (mm)")
     axes.legend(frameon=False)
+
+
+def draw_passage(wear: PassageWear, axes: Any = None) -> Any:
+    """Draws what PassageWear.plot does."""
+    axes = axes_or_new(axes)
+    of_wheel = wear.body == "wheel"
+    depths = wear.depths_per_km if of_wheel else wear.depths * 1e6
+    axes.plot(wear.points[:, 0], 1000 * depths, color=_WORN)
+    touched = wear.points[depths > 0, 0]
+    if touched.size:
+        margin = 0.5 * np.ptp(touched) + 1
+        axes.set_xlim(touched.min() - margin, touched.max() + margin)
+    after = "a km" if of_wheel else "a million passages"
+    axes.set(xlabel=f"y of the {wear.body}'s profile (mm)", ylabel="depth (um)", title=f"Wear of the {wear.body} after {after}")
+    axes.set_ylim(bottom=0)
+    bare(axes)
+    return axes
 
 
 def draw_depths(axes: Any, steps: Sequence[WornStep], unit: str = "km", most: int = 6) -> None:

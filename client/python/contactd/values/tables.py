@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 
 from ..refusals import public
 from .arrays import Array, array_of
@@ -20,12 +21,14 @@ from .grid import Grid
 from .ics import Ics
 from .materials import LayeredBody, Material
 from .params import whole
+from .products import displacements_by
 from .registry import extra
 from .representation import Rows, Shown, number
 
 if TYPE_CHECKING:
     import xarray
     from matplotlib.axes import Axes
+    from scipy.sparse.linalg import LinearOperator
 
 __all__ = ["IcSpec", "IcTable", "TableIcs", "check_finite", "combined_modulus"]
 
@@ -112,6 +115,29 @@ class IcTable(HasDict, Shown):
 
     def _remarks(self) -> tuple[str, ...]:
         return self.evidence.warnings
+
+    @public
+    def apply(self, tractions: npt.ArrayLike) -> Array:
+        """Displacements of the surface of this body under tractions over elements of the table's size (mm)::
+
+            table = client.get_ic(steel, grid, AnalyticIcs())
+            inward = table.apply(pressure)
+
+        Pressures (N/mm^2), shape [ny, nx], give displacements into the body, > 0 where pressures are: the component zz.
+        Tractions [3, ny, nx] along x, y and the outward normal give displacements along the same axes. Any shape up to the
+        extent of the table serves; of a longitudinally uniform body [ny, nx] and [3, ny, nx] are over its columns. By FFT,
+        to rounding. Raises InvalidArgument for other shapes, and for what is not finite.
+        """
+        return displacements_by(self.array, tractions)
+
+    @public
+    def operator(self, ny: int | None = None, nx: int | None = None, *, tractions: bool = False) -> LinearOperator:
+        """`apply` as a linear operator of scipy over ny x nx elements (None: the extent of the table): a symmetric, positive
+        definite one from pressures to displacements into the body, both flattened row by row; with `tractions` from [3, ny, nx]
+        to [3, ny, nx]. Operators of two bodies can be added. Needs scipy ("contactd[fit]").
+        """
+        made: LinearOperator = extra("IcTable.operator")(self, ny, nx, tractions)
+        return made
 
     @public
     def plot(self, components: Iterable[str] = ("xx", "yy", "zz", "xz"), axes: Axes | None = None) -> Axes:
@@ -212,6 +238,16 @@ class TableIcs(Shown):
     def _rows(self) -> Rows:
         rows: Rows = [("dx", self.dx), ("dy", self.dy), ("zz at the origin", float(self["zz"][0, 0]))]
         return rows if self.G is None else [("G", self.G), *rows]
+
+    @public
+    def apply(self, tractions: npt.ArrayLike) -> Array:
+        """Differences of displacements, upper less lower body, under tractions on the upper one; of a table of one body as
+        IcTable.apply (mm).
+
+        Pressures (N/mm^2), shape [ny, nx], give by how much both surfaces yield, > 0 under pressure: the component zz.
+        Tractions [3, ny, nx] along x, y and z give differences along these axes. Any shape up to that of the table serves.
+        """
+        return displacements_by(self.array, tractions)
 
     @property
     def shape(self) -> tuple[int, int]:

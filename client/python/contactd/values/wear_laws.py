@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from .params import HasParams
+from .wear_law_methods import StatedWear
 
 __all__ = [
     "ArchardWear",
@@ -56,7 +57,7 @@ class SeizureWear:
 
 
 @dataclass(frozen=True)
-class ArchardWear:
+class ArchardWear(StatedWear):
     """Archard: depth per length of path k p |s|/H, with k by a map of sliding velocity and pressure.
 
     Attributes:
@@ -64,63 +65,103 @@ class ArchardWear:
         mild: k where neither of the others holds (>= 0).
         severe: Wear where the sliding velocity is between two; None: none.
         seizure: Wear where the pressure is above a share of the hardness, whatever the velocity; None: none.
+        source: Where the coefficients come from, for `wear` of contactd.wheel_rail, which asks for it.
+        body: The body that wears, likewise; None: the wheel.
+        range: Range that the law was tested in, as of WearLaw, likewise; None: not stated, so that nothing warns.
+        name: What the law is called, likewise; None: by its kind.
     """
 
     hardness: float
     mild: float
     severe: SevereWear | None = None
     seizure: SeizureWear | None = None
+    source: str | None = None
+    body: Literal["wheel", "rail"] | None = None
+    range: tuple[float, float] | None = None
+    name: str | None = None
 
 
 @dataclass(frozen=True)
-class EnergyWear:
+class EnergyWear(StatedWear):
     """Depth per length of path in proportion to the dissipation, c |t s|.
 
     Attributes:
         coefficient: c, the volume that a unit of energy takes off (mm^3/J), >= 0.
+        source: Where the coefficients come from, for `wear` of contactd.wheel_rail, which asks for it.
+        body: The body that wears, likewise; None: the wheel.
+        range: Range that the law was tested in, as of WearLaw, likewise; None: not stated, so that nothing warns.
+        name: What the law is called, likewise; None: by its kind.
     """
 
     coefficient: float
+    source: str | None = None
+    body: Literal["wheel", "rail"] | None = None
+    range: tuple[float, float] | None = None
+    name: str | None = None
 
 
 @dataclass(frozen=True)
-class UsfdWear:
+class UsfdWear(StatedWear):
     """Sheffield's function: mass per area and length of path by |t s| (N/mm^2).
 
     Attributes:
         pieces: K (ug/(m mm^2)), by |t s| (N/mm^2): pieces from an argument on, the first from 0, of value + slope
             (argument - from).
         density: Density of the body (kg/m^3), >= 1e-12.
+        source: Where the coefficients come from, for `wear` of contactd.wheel_rail, which asks for it.
+        body: The body that wears, likewise; None: the wheel.
+        range: Range that the law was tested in, as of WearLaw, likewise; None: not stated, so that nothing warns.
+        name: What the law is called, likewise; None: by its kind.
     """
 
     pieces: Sequence[tuple[float, float, float]] = field(metadata={"keys": ("from", "value", "slope")})
     density: float
+    source: str | None = None
+    body: Literal["wheel", "rail"] | None = None
+    range: tuple[float, float] | None = None
+    name: str | None = None
 
 
 @dataclass(frozen=True)
-class BrWear:
+class BrWear(StatedWear):
     """British Rail's function of a whole patch, by T gamma without spin (N); spread over its rows by |t s|.
 
     Attributes:
         pieces: D times the area that a wheel of diameter D loses of its section per distance (mm mm^2/km), by T gamma
             (N): pieces from an argument on, the first from 0, of value + slope (argument - from).
+        source: Where the coefficients come from, for `wear` of contactd.wheel_rail, which asks for it.
+        body: The body that wears, likewise; None: the wheel.
+        range: Range that the law was tested in, as of WearLaw, likewise; None: not stated, so that nothing warns.
+        name: What the law is called, likewise; None: by its kind.
     """
 
     pieces: Sequence[tuple[float, float, float]] = field(metadata={"keys": ("from", "value", "slope")})
+    source: str | None = None
+    body: Literal["wheel", "rail"] | None = None
+    range: tuple[float, float] | None = None
+    name: str | None = None
 
 
 @dataclass(frozen=True)
-class ZoboryWear:
+class ZoboryWear(StatedWear):
     """Zobory's function: mass by energy, by the power V |t s| (W/mm^2).
 
     Attributes:
         pieces: k (kg/J), by the power (W/mm^2): pieces from an argument on, the first from 0, of value + slope
             (argument - from).
         density: Density of the body (kg/m^3), >= 1e-12.
+        source: Where the coefficients come from, for `wear` of contactd.wheel_rail, which asks for it.
+        body: The body that wears, likewise; None: the wheel.
+        range: Range that the law was tested in, as of WearLaw, likewise; None: not stated, so that nothing warns.
+        name: What the law is called, likewise; None: by its kind.
     """
 
     pieces: Sequence[tuple[float, float, float]] = field(metadata={"keys": ("from", "value", "slope")})
     density: float
+    source: str | None = None
+    body: Literal["wheel", "rail"] | None = None
+    range: tuple[float, float] | None = None
+    name: str | None = None
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from ...values.wheel_rail.forces import Wrench
 from ...values.wheel_rail.places import ContactReference
-from ...values.wheel_rail.solution import WheelRailSolution
+from ...values.wheel_rail.result import WheelRailSolution
 from ..problems.rails import RailContact
 
 __all__ = ["moment_about_normal", "on_rail", "on_wheel", "rail_frame", "wheel_frame"]

@@ -1,0 +1,93 @@
+"""What the passage of a wheel takes off it, or off the rail."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from ...errors import invalid
+from ...refusals import public
+from ..arrays import Array
+from ..registry import extra
+from ..representation import Rows, Shown
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+__all__ = ["PassageWear"]
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class PassageWear(Shown):
+    """The wear of a wheel or a rail by one law, of all patches together. Depths are along the normals of the surface.
+
+    Attributes:
+        body: Which of the two wears.
+        law: Name of the law.
+        T_gamma: T gamma of all patches, without spin (N).
+        depth_per_passage: The largest depth that one passage takes off a row (mm).
+        area_per_passage: The area that one passage takes off the section, the volume per distance rolled (mm^2).
+        passages_per_km: How often a point of the section is passed in a km of this contact: of a wheel 1e6/(2 pi r), r the
+            radius where it wears most; of a rail NaN, as traffic decides it.
+        points: (y, z) of the section in the coordinates of its profile, z down (mm), shape [n, 2].
+        depths: The depth that one passage takes off at each of these points (mm), shape [n].
+        depths_per_km: The same of a km (mm), shape [n]; of a rail NaN.
+        normals: Unit vectors at the points, into the body, shape [n, 2].
+    """
+
+    body: Literal["wheel", "rail"]
+    law: str
+    T_gamma: float
+    depth_per_passage: float
+    area_per_passage: float
+    passages_per_km: float
+    points: Array
+    depths: Array
+    depths_per_km: Array
+    normals: Array
+
+    @property
+    def depth_per_km(self) -> float:
+        """The largest depth of a wheel after a km with this contact (mm). Raises InvalidArgument of a rail, which wears by
+        passages: see depth_per_passage."""
+        self._check_wheel("depth_per_km")
+        return self.depth_per_passage * self.passages_per_km
+
+    @public
+    def section(self, *, km: float | None = None, passages: float | None = None) -> Array:
+        """The worn section, (y, z) in the coordinates of the profile (mm), shape [n, 2]: of a wheel after `km` with this
+        contact, of either body after so many `passages`. The contact does not follow the wear; `contactd.wear.evolve` lets
+        it."""
+        if (km is None) == (passages is None):
+            raise TypeError("section() takes either km or passages")
+        if km is not None:
+            self._check_wheel("km")
+        name, many = ("passages", passages) if km is None else ("km", km)
+        if many is None or not (math.isfinite(many) and many >= 0):
+            raise invalid(name, f"is {many}; it must be at least 0 and finite")
+        depths = (self.depths if km is None else self.depths_per_km) * many
+        return np.asarray(self.points + depths[:, None] * self.normals)
+
+    @public
+    def plot(self, axes: Axes | None = None) -> Axes:
+        """Draws the depth over y of the profile: of a wheel after a km, of a rail after a million passages.
+
+        Into `axes`, or a figure of its own; returns the axes. Needs matplotlib ("contactd[pictures]").
+        """
+        drawn: Axes = extra("PassageWear.plot")(self, axes)
+        return drawn
+
+    def _check_wheel(self, name: str) -> None:
+        if self.body == "rail":
+            raise invalid(name, "is that of a wheel; a rail wears by passages. Use depth_per_passage, or section(passages=...)")
+
+    def _title(self) -> str:
+        return f"PassageWear of the {self.body} by {self.law}"
+
+    def _rows(self) -> Rows:
+        rows: Rows = [("T gamma", self.T_gamma), ("depth per passage", self.depth_per_passage)]
+        rows.append(("area per passage", self.area_per_passage))
+        return [*rows, ("depth per km", self.depth_per_km)] if self.body == "wheel" else rows
