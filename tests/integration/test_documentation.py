@@ -18,7 +18,9 @@ import pytest
 import zmq
 import zmq.auth
 
+import contactd
 from contactd import Client, ContactWarning, Unauthenticated
+from support.contact_hertz import write_case
 from support.daemons import BIN, eventually
 
 ROOT = Path(__file__).parents[2]
@@ -39,13 +41,20 @@ def run_examples(guide: str, client: Any) -> dict[str, Any]:
 @pytest.mark.parametrize("page", ["README.md", "client/python/README.md"])
 def test_the_first_calls_of_a_readme(shared_daemon, page, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)  # where an example draws
+    write_case(tmp_path)
     monkeypatch.setenv("MPLBACKEND", "Agg")
+    monkeypatch.delenv("CONTACTD_ENDPOINT", raising=False)
     text = (ROOT / page).read_text()
     names: dict[str, Any] = {}
     for example in re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL):
         exec(compile(example.replace("tcp://127.0.0.1:5555", shared_daemon.endpoint), page, "exec"), names)
+    contactd.default_client().close()
     assert "tcp://127.0.0.1:5555" in text
     assert names["solution"].converged
+    if page == "README.md":  # tests/docs/test_five_programs.py has the rest
+        assert names["table"].evidence.errors.zz.largest < 1e-3
+        assert 0 < -names["solution"].forces.track.Fx < 0.3 * 80e3
+        return
     assert 0 < -names["solution"].Fx < 0.4 * names["solution"].Fn
 
 
@@ -58,11 +67,18 @@ def test_the_guide_to_tables(shared, tmp_path, monkeypatch):
 @pytest.mark.timeout(300)
 def test_the_guide_to_python(shared, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
+    write_case(tmp_path)
     monkeypatch.setenv("MPLBACKEND", "Agg")
+    monkeypatch.delenv("CONTACTD_ENDPOINT", raising=False)
     names = run_examples("python.md", shared)
+    contactd.default_client().close()
     plt = sys.modules["matplotlib.pyplot"]
     plt.close("all")
-    assert {path.name for path in tmp_path.iterdir()} == {"contact.png", "creep.png", "wheel.h5", "solution.h5"}
+    assert {path.name for path in tmp_path.iterdir()} == {
+        "x.inp", "x.out", "hertz.png", "wheel.png", "wear.png", "contact.png", "creep.png", "wheel.h5", "solution.h5",
+    }  # fmt: skip
+    assert names["ended"] == 0
+    assert names["punch"].min() > 0
     assert names["full"][-1].Fx < -0.29 * 80e3
     assert [len(run) > 5 for run in names["history"].stages["pcg"]] == [True, True], "two load cases"
 
