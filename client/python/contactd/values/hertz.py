@@ -19,7 +19,13 @@ _SLENDEREST = 1e6  #: ratio of semi-axes; of what is longer a line should be mad
 
 @dataclass(frozen=True)
 class Load:
-    """What presses: a normal force (N), or an approach (mm); `compliance` is 1/E* (mm^2/N)."""
+    """A normal force or an approach.
+
+    Attributes:
+        value: Normal force (N), or approach (mm).
+        is_force: Which of the two it is.
+        compliance: 1/E* (mm^2/N).
+    """
 
     value: float
     is_force: bool
@@ -28,7 +34,15 @@ class Load:
 
 @dataclass(frozen=True)
 class Ellipse:
-    """Curvatures (1/mm) and semi-axes (mm) along x and y, and the approach (mm)."""
+    """The ellipse of Hertz's contact.
+
+    Attributes:
+        a1: Half the curvature along x (1/mm).
+        b1: Half the curvature along y (1/mm).
+        aa: Semi-axis along x (mm).
+        bb: Semi-axis along y (mm).
+        approach: Approach (mm).
+    """
 
     a1: float
     b1: float
