@@ -234,7 +234,7 @@ def run(
     wheel_surface: WheelSurface = "exact",
     workers: int | None = None,
 ) -> SolvedCases:
-    """Computes all cases of an input file (.inp)::
+    """Computes all cases of an input file (.inp), or of its text: a string with an end of line in it is a text::
 
         cases = contact_files.run("testbank.inp")
         print(cases[0].forces, cases[0].patches[0].pressure)
@@ -248,12 +248,13 @@ def run(
     beside what the answers of the others warn of. Raises OSError for a file that cannot be read, and InvalidArgument for one
     without cases.
     """
-    place = Path(path)
+    is_text = isinstance(path, str) and "\n" in path
+    place = Path("text") if is_text else Path(path)
     asked: AskedClient = shared_client() if client is None else client
     with collected():  # what reading warns of is told with the cases
-        file = read(place, asked)
+        file = read(path, asked)
     if not file.cases:
-        raise invalid(os.fspath(path), f"has no cases. {' '.join(file.errors)}".strip())
+        raise invalid(os.fspath(place), f"has no cases. {' '.join(file.errors)}".strip())
     folders = [place.parent, *map(Path, allow_folders)]
     runner = Runner(asked, ProfileFiles(place.parent, asked, folders), wheel_surface)
     results = _results(runner, chains_of(file.cases), workers or os.cpu_count() or 1)

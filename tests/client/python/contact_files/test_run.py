@@ -54,6 +54,25 @@ def test_a_number_that_is_not_in_tolerance_is_named(client, folder):
     assert str(compared).splitlines()[0] == "0 of 1 cases agree"
 
 
+def test_a_text_is_computed_as_a_file(client, folder):
+    by_text, by_file = contact_files.run(INPUT, client), contact_files.run("x.inp", client)
+    assert np.array_equal(by_text[0].patches[0].traction_x, by_file[0].patches[0].traction_x)
+
+
+def test_files_that_an_input_names_are_opened_where_they_may_be(client, folder):
+    (folder / "below").mkdir()
+    named = INPUT.replace("022020 L-D-C", "029020 L-D-C").replace(" 0.28 0.28 82000.", " '../ics.txt'\n 0.28 0.28 82000.")
+    (folder / "below" / "c9.inp").write_text(named)
+    grid = contactd.Grid(60, 60, 2 * 1.1 * 7 / 60, 2 * 1.1 * 5.5 / 60)
+    table = client.get_ic(contactd.steel, grid, contactd.AnalyticIcs())
+    contactd.save_table(folder / "ics.txt", table)
+    with pytest.warns(ContactWarning, match="it lies outside of the folder"):
+        (refused,) = contact_files.run(folder / "below" / "c9.inp", client)
+    assert refused.status == "wrong"
+    (opened,) = contact_files.run(folder / "below" / "c9.inp", client, allow_folders=[folder])
+    assert opened.forces.Fn == pytest.approx(80e3)
+
+
 def test_several_cases_are_told_apart_by_their_numbers(client, folder):
     two = INPUT.replace("0 MODULE\n", "") + INPUT.replace("80000.0 0.1", "40000.0 0.1")
     (folder / "two.inp").write_text(two)
