@@ -126,7 +126,7 @@ def _reasons(cases: Sequence[Row]) -> str:
             over = [row["over"] for row in rows if row["over"] != ""]
             largest = _over(max(over)) if over else _NONE
             lines.append([reason.what, _where(whole, reason), largest, reason.why, reason.shown or _NONE])
-    return markdown(["what", "cases", "largest difference over tolerance", "how much, and why", "shown by"], lines)
+    return markdown(["Kind", "Cases", "Largest difference over tolerance", "Difference and reason", "Evidence"], lines)
 
 
 def _where(whole: Sequence[Row], reason: Reason) -> str:
@@ -145,7 +145,7 @@ def _listed(head: str, rows: Sequence[Row]) -> str:
     if not rows:
         return ""
     lines = [[_case(row), _over(row["over"]), str(row["note"])] for row in rows]
-    return "\n" + markdown([head, "of the whole, over tolerance", "remark"], lines)
+    return "\n" + markdown([head, "Difference over tolerance", "Remark"], lines)
 
 
 def _missing(whole: Sequence[Row]) -> str:
@@ -156,11 +156,11 @@ def _missing(whole: Sequence[Row]) -> str:
         if row["status"] == "refused" and note.startswith(_MISSING):
             counts.update(_BETWEEN.split(note.removeprefix(_MISSING).rstrip(".")))
         elif row["status"] == "follows":
-            counts["goes on from a case that is not computed"] += 1
+            counts["continues from a case that is not computed"] += 1
         elif row["status"] not in ("agrees", "differs"):
             known = [reason.what for reason in REASONS if reason.name == row["reason"]]
             counts[f"{_case(row)}: {(known or [note.rstrip('.')])[0]}"] += 1
-    return markdown(["what is missing", "cases"], [[name, str(count)] for name, count in counts.most_common()])
+    return markdown(["Missing feature", "Cases"], [[name, str(count)] for name, count in counts.most_common()])
 
 
 def _on_wheels(cases: Sequence[Row]) -> dict[str, str]:

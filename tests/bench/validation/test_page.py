@@ -92,7 +92,7 @@ def test_what_is_missing_is_counted_by_feature():
         [*refused, case(number=3.0, status="follows", over="", Fx_over="", note="It goes on.")], [timed()], "validation"
     )
     assert "| transient contact on rails (T = 1, 2) | 2 |\n| interfacial layer (M = 4) | 2 |" in values["missing"]
-    assert "| goes on from a case that is not computed | 1 |" in values["missing"]
+    assert "| continues from a case that is not computed | 1 |" in values["missing"]
 
 
 def test_a_family_that_is_computed_again_takes_the_place_of_its_rows(tmp_path):
