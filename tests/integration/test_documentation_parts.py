@@ -40,7 +40,7 @@ def run(command: str, **replaced: str) -> subprocess.CompletedProcess[str]:
 
 
 def test_bodies_of_layers_are_asked_for_as_the_page_says(shared):
-    python, *_ = indented(section("docs/layers.md", "How to ask"))
+    python, *_ = indented(section("docs/layers.md", "Inputs"))
     assert "LayeredBody" in python
     names: dict[str, Any] = {name: getattr(contactd, name) for name in contactd.__all__}
     names |= {"client": shared, "grid": Grid.centred(32, 32, 8, 8)}
@@ -58,7 +58,7 @@ def test_a_sphere_near_an_edge_is_solved_as_the_page_on_sections_says(shared):
 
 
 def test_the_wire_form_of_a_body_of_layers_is_taken(shared):
-    _, wire, *_ = indented(section("docs/layers.md", "How to ask"))
+    _, wire, *_ = indented(section("docs/layers.md", "Inputs"))
     lower = json.loads("{" + wire + "}")["lower"]
     params = {
         "grid": {"nx": 16, "ny": 16, "dx": 0.5, "dy": 0.5},
