@@ -6,8 +6,8 @@ import pytest
 
 from contactctl.cases.comparing import compared_rows
 from contactd.contact_files.answers.compared import Compared
-from contactd.contact_files.comparison import case_differences
-from contactd.contact_files.out_reader import printed_cases
+from contactd.contact_files.comparison import case_differences, matched
+from contactd.contact_files.out_reader import PrintedCase, printed_cases
 
 PRINTED = """\
  Case     7, result element   3
@@ -92,3 +92,9 @@ def test_cases_of_contact_problems_that_number_alike_are_compared_with_their_own
 
     assert compared_rows([row(2, 200.0), row(1, 100.0)], printed) == [[], []]
     assert compared_rows([row(3, 200.0)], printed) == [["the file to compare with does not have it"]]
+
+
+def test_a_printed_case_is_taken_once_and_by_its_result_element():
+    first, second, other = PrintedCase(1, None, 1), PrintedCase(1, None, 9), PrintedCase(1, 4, 20, cpid=2)
+    cases = [(1, None, None), (1, 4, 2), (1, None, None), (1, None, None), (1, 4, 1)]
+    assert matched(cases, [first, second, other]) == [first, other, second, None, None]
