@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import gc
 import subprocess
 import sys
@@ -10,7 +11,7 @@ import matplotlib
 import pytest
 
 import contactd
-from contactd import ConnectionFailed, InvalidArgument, wheel_rail
+from contactd import AsyncClient, ConnectionFailed, InvalidArgument, wheel_rail
 from contactd.wheel_rail import (
     Track,
     WheelRailSetup,
@@ -98,6 +99,19 @@ def test_the_picture_needs_no_open_client():
     del client
     gc.collect()
     assert open_picture == closed_picture == profiles_drawn(solution.plot()) == 2
+    matplotlib.pyplot.close("all")
+
+
+def test_the_picture_of_a_coroutine_has_the_profiles_too(shared_daemon):
+    state = WheelRailState(velocity=WheelsetVelocity(x=2e4, pitch=-2e4 / 460), Fz=8e4)
+
+    async def solved():
+        async with AsyncClient(shared_daemon.endpoint) as client:
+            solution = await client.wheel_rail(WheelRailSetup(), state)
+            return solution, await asyncio.to_thread(lambda: profiles_drawn(solution.plot()))
+
+    solution, while_open = asyncio.run(solved())
+    assert (while_open, profiles_drawn(solution.plot()), solution.state) == (2, 2, state)
     matplotlib.pyplot.close("all")
 
 
