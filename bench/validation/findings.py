@@ -78,7 +78,7 @@ def _families(cases: Sequence[Row], times: Sequence[Row]) -> str:
             "differ",
             "not computed",
             "largest difference over tolerance",
-            "our time / printed",
+            "contactd's time / printed",
         ],
         lines,
     )
