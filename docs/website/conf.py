@@ -32,8 +32,8 @@ extensions = [
 ]  # fmt: skip
 root_doc = "docs/index"
 include_patterns = [
-    "*.md", "docs/*.md", "docs/paper/*.md", "docs/reference/*.md", "docs/reference/*/*.md", "docs/tutorials/*.ipynb",
-    "client/*/README.md", "tests/README.md",
+    "*.md", "docs/*.md", "docs/developing/*.md", "docs/paper/*.md", "docs/reference/*.md", "docs/reference/*/*.md",
+    "docs/tutorials/*.ipynb", "client/*/README.md", "tests/README.md",
 ]  # fmt: skip
 exclude_patterns = ["build", ".git", "**/.*"]
 suppress_warnings: list[str] = []  # none: warnings are errors
