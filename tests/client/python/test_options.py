@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Mapping
-from dataclasses import fields
+from dataclasses import KW_ONLY, fields
 from pathlib import Path
 from typing import Any, Literal, get_args, get_origin, get_type_hints
 
@@ -24,6 +24,7 @@ from contactd import (
     SessionSummary,
     StoredIc,
 )
+from contactd.values.type_hints import hints_of
 
 ROOT = Path(__file__).parents[3]
 SCHEMA = json.loads((ROOT / "proto" / "schema" / "definitions.json").read_text())["definitions"]["ics"]
@@ -91,3 +92,9 @@ def test_an_answer_has_every_field_of_its_schema(kind, schema, place):
     described = document["properties"][place] if place else document
     properties = described.get("items", described)["properties"]
     assert set(properties) <= {field.name for field in fields(kind)}
+
+
+def test_fields_that_are_given_by_name_are_read_by_every_version_of_python():
+    """Python 3.10 takes their mark for no type, and refuses the class."""
+    assert KW_ONLY not in hints_of(FemIcs).values()
+    assert hints_of(FemIcs).keys() >= {field.name for field in fields(FemIcs)}

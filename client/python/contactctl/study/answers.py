@@ -6,9 +6,10 @@ import types
 from collections.abc import Iterator
 from dataclasses import is_dataclass
 from functools import cache
-from typing import Any, TypeVar, Union, get_args, get_origin, get_type_hints
+from typing import Any, TypeVar, Union, get_args, get_origin
 
 from contactd import ContactSolution
+from contactd.values.type_hints import hints_of
 from contactd.wheel_rail import WheelRailSolution
 
 from ..paths import parts
@@ -39,5 +40,5 @@ def _inside(kind: Any, part: str | int) -> Iterator[Any]:
     elif isinstance(part, int):
         if origin in (tuple, list):
             yield from (item for item in get_args(kind) if item is not Ellipsis)
-    elif is_dataclass(origin) and part in (hints := get_type_hints(origin)):
+    elif is_dataclass(origin) and part in (hints := hints_of(origin)):
         yield hints[part]

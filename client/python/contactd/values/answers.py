@@ -8,11 +8,12 @@ import dataclasses
 import functools
 import types
 from collections.abc import Callable
-from typing import Any, Literal, NamedTuple, TypeVar, Union, cast, get_args, get_origin, get_type_hints
+from typing import Any, Literal, NamedTuple, TypeVar, Union, cast, get_args, get_origin
 
 import numpy as np
 
 from ..errors import ProtocolError
+from .type_hints import hints_of
 
 __all__ = ["read"]
 
@@ -23,7 +24,7 @@ Convert = Callable[[Any], Any]
 @functools.cache
 def _hints(kind: Any) -> dict[str, Any]:
     """The types of the fields; what a generic base leaves open is as the class says."""
-    hints = get_type_hints(kind)
+    hints = hints_of(kind)
     for base in getattr(kind, "__orig_bases__", ()):
         meant = dict(zip(getattr(get_origin(base), "__parameters__", ()), get_args(base), strict=False))
         hints = {name: meant.get(hint, hint) for name, hint in hints.items()}

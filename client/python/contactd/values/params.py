@@ -6,13 +6,14 @@ import functools
 import types
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import MISSING, Field, fields, is_dataclass
-from typing import Any, NamedTuple, Union, get_args, get_origin, get_type_hints
+from typing import Any, NamedTuple, Union, get_args, get_origin
 
 import numpy as np
 
 from ..errors import invalid
 from ..refusals import check_type, did_you_mean
 from .arrays import array_of
+from .type_hints import hints_of
 
 __all__ = [
     "Checked", "HasParams", "array_of", "check_fields", "fields_of", "instead", "names_of_fields", "params_of", "whole", "with_objects",
@@ -72,7 +73,7 @@ def with_objects(kind: type, given: Any, field: str = "") -> Any:
     if not isinstance(given, Mapping):
         return given
     found = dict(given)
-    hints = get_type_hints(kind)
+    hints = hints_of(kind)
     for one in fields(kind):
         if (value := given.get(one.name)) is None:
             continue
@@ -104,7 +105,7 @@ def names_of_fields(kind: type) -> frozenset[str]:
 @functools.cache
 def _members(kind: type) -> dict[str, _Member]:
     """How the fields of a dataclass are written, looked at once: steps are told thousands of times a second."""
-    hints = get_type_hints(kind)
+    hints = hints_of(kind)
     return {one.name: _member(kind, one, hints[one.name]) for one in fields(kind)}
 
 
@@ -240,7 +241,7 @@ def _checked(kind: type) -> list[tuple[str, tuple[type, ...], bool, bool, Any]]:
     defaults."""
     found = []
     for one in fields(kind):
-        hint = get_type_hints(kind)[one.name]
+        hint = hints_of(kind)[one.name]
         is_list = get_origin(hint) is tuple
         kinds = tuple(_kinds(get_args(hint)[0] if is_list else hint)) or ((bool,) if hint is bool else ())
         if kinds and "array" not in one.metadata:
