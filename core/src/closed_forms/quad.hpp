@@ -14,6 +14,10 @@ struct Quad {
     /// Where something holds of the four.
     struct Mask {
         decltype(Four{} > Four{}) value;
+
+        CONTACTD_INLINE friend Mask operator&(const Mask& a, const Mask& b) { return {a.value & b.value}; }
+        CONTACTD_INLINE friend Mask operator|(const Mask& a, const Mask& b) { return {a.value | b.value}; }
+        CONTACTD_INLINE friend Mask operator^(const Mask& a, const Mask& b) { return {a.value ^ b.value}; }
     };
 
     Quad() = default;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "closed_forms/quad.hpp"
@@ -35,7 +36,7 @@ struct Lines {
 
 struct Sample {
     Quad px, py;
-    Quad slip;                // length of the last step that slipped
+    Quad::Mask slips;         // in the last step
     Quad excess_x, excess_y;  // what took the trial traction beyond the bound, per length: the slip is -L times this
 };
 
@@ -45,6 +46,23 @@ struct FourLines {
     Quad longest_step;
     FastsimPoint<Quad> point;
     std::vector<Quad> along;
+    std::vector<Sample> samples;
+
+    /// Where lines are shorter than others the last element stands for those that there are not.
+    void extend(std::size_t length) {
+        along.resize(length, along.back());
+        samples.resize(length);
+    }
+};
+
+// Three of them take turns at each step, since each waits for its own square roots.
+constexpr std::size_t together = 3;
+
+// The way of four lines to their next elements.
+struct NextElement {
+    Quad begin, x, way, steps, per_step;
+    TractionAt<Quad> last;
+    Quad::Mask slips;
 };
 
 CONTACTD_INLINE Quad ceil(const Quad& a) {
@@ -57,61 +75,116 @@ CONTACTD_INLINE TractionAt<Quad> chosen(const Quad::Mask& first, const TractionA
 
 }  // namespace
 
+namespace {
+
+CONTACTD_INLINE NextElement next_element(const FourLines& four, std::size_t i) {
+    const Quad begin = four.point.traction.x, x = four.along[i], way = begin - x, none = 0, one = 1;
+    const Quad needed = ceil(way / four.longest_step), steps = chosen(needed > one, needed, one);
+    return {begin, x, way, steps, one / steps, four.point.traction, none > none};
+}
+
+CONTACTD_INLINE void go_on(const FastsimLaw<Quad>& law, const Quad& step_number, const Quad::Mask& between,
+                           FourLines& four, NextElement& to) {
+    const Quad next = chosen(between, to.begin - to.way * (step_number * to.per_step), to.x);
+    const auto moves = four.point.traction.x > next;
+    const FastsimStep<Quad> taken = step(law, four.slice, four.point, next);
+    to.last = chosen(moves, four.point.traction, to.last);
+    four.point.traction = chosen(moves, taken.end.traction, four.point.traction);
+    four.point.slips = four.point.slips ^ ((four.point.slips ^ taken.end.slips) & moves);
+    to.slips = to.slips ^ ((to.slips ^ taken.end.slips) & moves);
+}
+
+CONTACTD_INLINE Sample sample_of(const FastsimLaw<Quad>& law, const FourLines& four, const NextElement& to) {
+    const TractionAt<Quad> trial = adhering(law, four.slice, to.last, to.x);
+    const Quad none = 0, one = 1, length = chosen(to.slips, to.last.x - to.x, one);
+    const Quad unit = chosen(to.slips, one, none) / length;
+    const TractionAt<Quad>& at = four.point.traction;
+    return {at.px, at.py, to.slips, (trial.px - at.px) * unit, (trial.py - at.py) * unit};
+}
+
+}  // namespace
+
 CONTACTD_SIMD
-static void march(const FastsimLaw<Quad>& law, FourLines& four, std::span<Sample> samples) {
-    const Quad none = 0, one = 1;
-    FastsimPoint<Quad> point = four.point;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        const Quad begin = point.traction.x, x = four.along[i], way = begin - x;
-        const Quad needed = ceil(way / four.longest_step), steps = chosen(needed > one, needed, one);
-        TractionAt<Quad> last = point.traction;
-        Quad slip = none;
+static void march(const FastsimLaw<Quad>& law, std::array<FourLines, together>& groups) {
+    for (std::size_t i = 0; i < groups[0].along.size(); ++i) {
+        std::array<NextElement, together> next;
+        for (std::size_t k = 0; k < together; ++k) next[k] = next_element(groups[k], i);
         for (Quad step_number = 1;; step_number += 1) {
-            const auto between = steps > step_number;
-            const Quad next = chosen(between, begin - way * (step_number / steps), x);
-            const auto moves = point.traction.x > next;
-            const FastsimStep<Quad> taken = step(law, four.slice, point, next);
-            last = chosen(moves, point.traction, last);
-            point.traction = chosen(moves, taken.end.traction, point.traction);
-            point.room = chosen(moves, taken.end.room, point.room);
-            slip = chosen(moves, taken.slip_start - next, slip);
-            if (!any(between)) break;
+            Quad::Mask between[together];
+            for (std::size_t k = 0; k < together; ++k) {
+                between[k] = next[k].steps > step_number;
+                go_on(law, step_number, between[k], groups[k], next[k]);
+            }
+            if (!any(between[0] | between[1] | between[2])) break;
         }
-        const TractionAt<Quad> trial = adhering(law, four.slice, last, x);
-        const auto slips = slip > none;
-        const Quad length = chosen(slips, last.x - x, one);
-        samples[i] = {point.traction.px, point.traction.py, slip,
-                      chosen(slips, (trial.px - point.traction.px) / length, none),
-                      chosen(slips, (trial.py - point.traction.py) / length, none)};
+        for (std::size_t k = 0; k < together; ++k) groups[k].samples[i] = sample_of(law, groups[k], next[k]);
     }
 }
 
 namespace {
 
-Lines lines_of(const Grid& grid, const RollingFrame& frame) {
-    const bool rows = frame.s == 0, columns = frame.c == 0;
+std::size_t index_of(const Grid& grid, int ix, int iy) {
+    return static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(ix);
+}
+
+/// Where the rolling direction is that of rows or of columns, these are the lines. The place along depends on the place
+/// in the line alone, so that elements of a line are those between two that change little from line to line.
+void add_rows(const Grid& grid, const RollingFrame& frame, Lines& lines) {
+    const bool columns = frame.c == 0, backwards = (columns ? frame.s : frame.c) > 0;
     const int count = columns ? grid.nx : grid.ny, length = columns ? grid.ny : grid.nx;
-    const bool backwards = (columns ? frame.s : frame.c) > 0;
+    const auto place = [&](int number, int k) {
+        const int at = backwards ? length - 1 - k : k;
+        return columns ? std::pair{number, at} : std::pair{at, number};
+    };
+    std::vector<double> along, square;  // the latter of the place along over the semi-axis
+    int middle = 0;
+    for (int k = 0; k < length; ++k) {
+        const auto [ix, iy] = place(0, k);
+        along.push_back(frame.along(grid.x(ix), grid.y(iy)));
+        const double X = along.back() / frame.axes.a;
+        square.push_back(X * X);
+        if (square.back() < square[static_cast<std::size_t>(middle)]) middle = k;
+    }
+    int first = middle, last = middle;
+    for (int number = 0; number < count; ++number) {
+        const auto [x, y] = place(number, 0);
+        const double across = frame.across(grid.x(x), grid.y(y)), Y = across / frame.axes.b, square_across = Y * Y;
+        const auto is_inside = [&](int k) { return square[static_cast<std::size_t>(k)] + square_across < 1; };
+        if (!is_inside(middle)) continue;
+        while (first > 0 && is_inside(first - 1)) --first;
+        while (!is_inside(first)) ++first;
+        while (last < length - 1 && is_inside(last + 1)) ++last;
+        while (!is_inside(last)) --last;
+        lines.lines.push_back({across, lines.elements.size(), static_cast<std::size_t>(last - first + 1)});
+        for (int k = first; k <= last; ++k) {
+            const auto [ix, iy] = place(number, k);
+            lines.elements.push_back({index_of(grid, ix, iy), along[static_cast<std::size_t>(k)]});
+        }
+    }
+}
+
+Lines lines_of(const Grid& grid, const RollingFrame& frame) {
     Lines result;
     result.elements.reserve(grid.size());
-    result.lines.reserve(rows || columns ? static_cast<std::size_t>(count) : grid.size());
-    for (int number = 0; number < count; ++number) {
-        bool begins = true;
-        for (int k = 0; k < length; ++k) {
-            const int at = backwards ? length - 1 - k : k;
-            const int ix = columns ? number : at, iy = columns ? at : number;
+    if (frame.s == 0 || frame.c == 0) {
+        add_rows(grid, frame, result);
+        return result;
+    }
+    for (int iy = 0; iy < grid.ny; ++iy)
+        for (int ix = 0; ix < grid.nx; ++ix) {
             const double along = frame.along(grid.x(ix), grid.y(iy)), across = frame.across(grid.x(ix), grid.y(iy));
             const double X = along / frame.axes.a, Y = across / frame.axes.b;
             if (X * X + Y * Y >= 1) continue;
-            if (begins || !(rows || columns)) result.lines.push_back({across, result.elements.size(), 0});
-            begins = false;
-            ++result.lines.back().count;
-            result.elements.push_back(
-                {static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(ix),
-                 along});
+            result.lines.push_back({across, result.elements.size(), 1});
+            result.elements.push_back({index_of(grid, ix, iy), along});
         }
-    }
     return result;
+}
+
+/// Lines at the same distance from the middle are about as long, and so side by side.
+void pair_lines(std::vector<Line>& lines) {
+    const std::vector<Line> given = lines;
+    for (std::size_t j = 0; j < given.size(); ++j) lines[j] = given[j % 2 == 0 ? j / 2 : given.size() - 1 - j / 2];
 }
 
 void place(const Lines& all, std::span<const Line> lines, const FastsimEllipse& ellipse,
@@ -141,29 +214,39 @@ void sample(const Grid& grid, const RollingFrame& frame, const FastsimEllipse& e
     const FastsimCreepages<Quad> shared{creepages.xi, creepages.eta, creepages.phi};
     const FastsimLaw<Quad> law = ellipse.law(shared);
     const Flexibilities& L = ellipse.L();
-    const Lines all = lines_of(grid, frame);
-    FourLines four;
-    std::vector<Sample> samples;
-    for (std::size_t first = 0; first < all.lines.size(); first += lanes) {
-        const std::span<const Line> some(&all.lines[first], std::min(lanes, all.lines.size() - first));
-        place(all, some, ellipse, shared, steps, four);
-        samples.resize(four.along.size());
-        march(law, four, samples);
-        for (std::size_t k = 0; k < some.size(); ++k) {
-            std::size_t j = 0;
-            for (const Element& element : all.of(some[k])) {
-                const std::size_t i = element.index;
-                const Sample& found = samples[j++];
-                const auto of = [&](const Quad& values) { return values.value[k]; };
-                const double px = of(found.px), py = of(found.py);
-                const double sx = -L.L1 * of(found.excess_x), sy = -L.L2 * of(found.excess_y);
-                result.traction_x[i] = frame.x_of(px, py);
-                result.traction_y[i] = frame.y_of(px, py);
-                result.slip_x[i] = frame.x_of(sx, sy);
-                result.slip_y[i] = frame.y_of(sx, sy);
-                result.element_division[i] = of(found.slip) > 0 ? ElementState::slip : ElementState::adhesion;
-            }
+    Lines all = lines_of(grid, frame);
+    pair_lines(all.lines);
+    std::array<FourLines, together> groups;
+    constexpr std::size_t at_once = together * lanes;
+    for (std::size_t first = 0; first < all.lines.size(); first += at_once) {
+        std::array<std::span<const Line>, together> lines;
+        for (std::size_t g = 0; g < together; ++g) {
+            const std::size_t from = std::min(first + g * lanes, all.lines.size());
+            lines[g] = {all.lines.data() + from, std::min(lanes, all.lines.size() - from)};
+            // With no lines left it is like the one before.
+            place(all, lines[g].empty() ? lines[0] : lines[g], ellipse, shared, steps, groups[g]);
         }
+        std::size_t longest = 0;
+        for (const FourLines& four : groups) longest = std::max(longest, four.along.size());
+        for (FourLines& four : groups) four.extend(longest);
+        march(law, groups);
+        for (std::size_t g = 0; g < together; ++g)
+            for (std::size_t k = 0; k < lines[g].size(); ++k) {
+                const Sample* found = groups[g].samples.data();
+                for (const Element& element : all.of(lines[g][k])) {
+                    const std::size_t i = element.index;
+                    const auto of = [&](const Quad& values) { return values.value[k]; };
+                    const double px = of(found->px), py = of(found->py);
+                    const double sx = -L.L1 * of(found->excess_x), sy = -L.L2 * of(found->excess_y);
+                    result.traction_x[i] = frame.x_of(px, py);
+                    result.traction_y[i] = frame.y_of(px, py);
+                    result.slip_x[i] = frame.x_of(sx, sy);
+                    result.slip_y[i] = frame.y_of(sx, sy);
+                    result.element_division[i] =
+                        found->slips.value[k] != 0 ? ElementState::slip : ElementState::adhesion;
+                    ++found;
+                }
+            }
     }
 }
 

@@ -34,11 +34,14 @@ struct TractionAt {
     Number x, px, py;
 };
 
+template <class Number>
+using FastsimMask = decltype(Number{} > Number{});
+
 // Where the march through a slice stands: it begins at the leading edge with zeros.
 template <class Number>
 struct FastsimPoint {
     TractionAt<Number> traction;
-    Number room{};  // of the traction to its bound: none where it slips
+    FastsimMask<Number> slips{};  // or adheres
 };
 
 template <class Number>
@@ -69,14 +72,22 @@ CONTACTD_INLINE FastsimStep<Number> step(const FastsimLaw<Number>& law, const Fa
                                          const FastsimPoint<Number>& from, const Number& x) {
     using std::sqrt;
     const TractionAt<Number> t = adhering(law, slice, from.traction, x);
-    const Number none{}, one(1), g = bound_at(law, slice, x);
-    const Number squared = t.px * t.px + t.py * t.py, beyond = sqrt(squared) - g;
-    const auto slips = beyond > none;
-    FastsimStep<Number> taken{{t, -beyond}, x};
+    const Number none{}, one(1), g = bound_at(law, slice, x), squared = t.px * t.px + t.py * t.py;
+    const auto slips = squared > g * g;
+    FastsimStep<Number> taken{{t, slips}, x};
     if (!any(slips)) return taken;
 
-    const Number crossed = chosen(slips, from.room + beyond, one);
-    const Number start = from.traction.x - (from.traction.x - x) * (from.room / crossed);
+    const Number beyond = chosen(slips, Number(sqrt(squared) - g), none);
+    taken.slip_start = chosen(slips, from.traction.x, x);
+    if (const auto begins = slips & (slips ^ from.slips); any(begins)) {
+        // Where the traction comes to its bound, both taken to be straight.
+        const Number& px = from.traction.px;
+        const Number& py = from.traction.py;
+        const Number room = bound_at(law, slice, from.traction.x) - Number(sqrt(px * px + py * py));
+        const Number free = chosen(room > none, room, none), crossed = chosen(begins, Number(free + beyond), one);
+        const Number start = from.traction.x - (from.traction.x - x) * (free / crossed);
+        taken.slip_start = chosen(begins, start, taken.slip_start);
+    }
     const auto returns = chosen(slips, g, none) > none;
     const Number slope = chosen(returns, g * (t.px * t.px * law.stiff_x + t.py * t.py * law.stiff_y), one);
     const Number m = squared * beyond / slope;
@@ -84,8 +95,6 @@ CONTACTD_INLINE FastsimStep<Number> step(const FastsimLaw<Number>& law, const Fa
     const Number back = g / chosen(returns, Number(sqrt(px * px + py * py)), one);
     taken.end.traction.px = chosen(slips, Number(px * back), t.px);
     taken.end.traction.py = chosen(slips, Number(py * back), t.py);
-    taken.end.room = chosen(slips, none, taken.end.room);
-    taken.slip_start = chosen(slips, start, x);
     return taken;
 }
 
