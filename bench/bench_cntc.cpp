@@ -1,6 +1,6 @@
 // Cost of a step by the functions of libcontactd-cntc beside the same by contactd.h: a contact of 25 x 25 elements in
-// steady rolling, and a wheel under its load that hunts. Counter over_plain: the median time of a step over that of one
-// by contactd.h, which alternates with it; counter more_us: by how much it is longer.
+// steady rolling, and a wheel under its load that hunts, by full theory and by KPEC. Counter over_plain: the median
+// time of a step over that of one by contactd.h, which alternates with it; counter more_us: by how much it is longer.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -102,11 +102,13 @@ void contact(benchmark::State& state) {
     contactd_close(connection);
 }
 
-/// S1002 on 60E1 under 80 kN, elements of half a millimetre.
-void wheel(benchmark::State& state) {
+enum class Theory { full, kpec };
+
+/// S1002 on 60E1 under 80 kN, elements of half a millimetre. `estimate` is that of flag 1983.
+void hunt(benchmark::State& state, Theory theory, int estimate) {
     RailCase cntc = manchester_wheel(2, Side::right);
     cntc.whole.potential(-1, {0.5, 0.5, 1.5707963267948966, 8, 4, 12});
-    cntc.whole.flag(1983, 3);
+    cntc.whole.flag(1983, estimate);
     cntc.vertical_force(80000);
     contactd_connection* connection;
     contactd_wheel* plain;
@@ -115,6 +117,15 @@ void wheel(benchmark::State& state) {
     set(plain, "setup.dx", 0.5);
     set(plain, "setup.dy", 0.5);
     set(plain, "state.Fz", 80000);
+    if (theory == Theory::kpec) {
+        cntc.whole.flag(1971, 5);
+        cntc.whole.flag(1979, 3);
+        check(contactd_set_word(plain, "setup.model", "fastsim"), plain);
+        check(contactd_set_word(plain, "setup.normal_model", "kpec"), plain);
+        check(contactd_set_word(plain, "setup.simplified.coefficients", "printed"), plain);
+        set(plain, "setup.simplified.blended", 1);
+        set(plain, "setup.simplified.on_elements", 1);
+    }
     for (const auto& [path, points] : {std::pair{"setup.rail.points", contactd::cntc::test::rail_60e1()},
                                        {"setup.wheel.points", contactd::cntc::test::s1002()}})
         check(contactd_set_array(plain, path, points.data(), static_cast<std::int32_t>(points.size())), plain);
@@ -133,7 +144,7 @@ void wheel(benchmark::State& state) {
             set(plain, "state.position.yaw", 0.002 * std::cos(0.05 * k));
             set(plain, "state.velocity.x", 20000);
             set(plain, "state.velocity.pitch", -43.48);
-            check(contactd_wheel_solve(plain), plain);
+            check(contactd_wheel_solve_many(&plain, 1, 1), plain);
             check(contactd_get_array(plain, "forces.track", forces, 6), plain);
             benchmark::DoNotOptimize(forces);
         });
@@ -141,9 +152,18 @@ void wheel(benchmark::State& state) {
     contactd_close(connection);
 }
 
+void wheel(benchmark::State& state) {
+    hunt(state, Theory::full, 3);
+}
+
+void wheel_by_kpec(benchmark::State& state) {
+    hunt(state, Theory::kpec, static_cast<int>(state.range(0)));
+}
+
 }  // namespace
 
 BENCHMARK(contact)->Unit(benchmark::kMicrosecond);
 BENCHMARK(wheel)->Unit(benchmark::kMicrosecond);
+BENCHMARK(wheel_by_kpec)->ArgName("estimate")->Arg(0)->Arg(3)->Unit(benchmark::kMicrosecond);
 
 BENCHMARK_MAIN();

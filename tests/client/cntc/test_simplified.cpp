@@ -1,4 +1,5 @@
 // The simplified theory and pressures from the overlap of surfaces, by the flags that ask for them.
+#include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -7,7 +8,9 @@
 #include <vector>
 
 #include "client/cntc/calls.hpp"
+#include "client/cntc/rail_calls.hpp"
 
+using contactd::Side;
 using namespace contactd::cntc::test;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -29,7 +32,75 @@ Case published() {
     return contact;
 }
 
+constexpr double load = 80000;
+
+/// A wheel by KPEC with FASTSIM under its load, on elements of half a millimetre.
+RailCase wheel_by_kpec(int ire) {
+    RailCase rail = manchester_wheel(ire, Side::right);
+    rail.whole.potential(-1, {0.5, 0.5, 1.5707963267948966, 8, 4, 12});
+    rail.whole.flag(1971, 5);
+    rail.whole.flag(1979, 3);
+    rail.vertical_force(load);
+    return rail;
+}
+
+void roll(RailCase& rail, double y) {
+    rail.position(2, {0, y, 0, 0, 1e-3 * y, 0});
+    rail.velocity(2, {20000, 0, 0, 0, 0, -43.48});
+}
+
+/// Forces and moments of the wheel on the track, after a solve.
+Values solved(RailCase& rail) {
+    REQUIRE(rail.whole.calculate() == 0);
+    return rail.global_forces();
+}
+
+/// The largest difference of the forces, over the load.
+double difference(const Values& a, const Values& b) {
+    double most = 0;
+    for (std::size_t i = 0; i < 3; ++i) most = std::max(most, std::abs(a[i] - b[i]));
+    return most / load;
+}
+
 }  // namespace
+
+TEST_CASE("a wheel by KPEC finds after other places what it finds as the first one") {
+    RailCase hunting = wheel_by_kpec(20);
+    for (const double y : {0.0, 0.2, 0.4, -3.0, 4.0, 7.0, -6.0}) {
+        CAPTURE(y);
+        roll(hunting, y);
+        const Values found = solved(hunting);
+        RailCase alone = wheel_by_kpec(21);
+        roll(alone, y);
+        CHECK(difference(found, solved(alone)) < 1e-5);
+        CHECK(std::abs(hunting.wheelset_position()[2] - alone.wheelset_position()[2]) < 1e-6);
+    }
+}
+
+TEST_CASE("a wheel by KPEC sees what was set since the last case") {
+    using Set = void (*)(RailCase&);
+    const Set set = GENERATE(
+        Set([](RailCase& rail) { rail.vertical_force(40000); }), Set([](RailCase& rail) { rail.whole.coulomb(0.1); }),
+        Set([](RailCase& rail) { rail.whole.material(0.28, 0.28, 41000, 41000); }),
+        Set([](RailCase& rail) { rail.whole.flag(1971, 6); }),
+        Set([](RailCase& rail) { rail.wheelset(3, {1363, -70, 460}); }), Set([](RailCase& rail) {
+            Values lifted = rail_60e1();
+            for (std::size_t i = 1; i < lifted.size(); i += 2) lifted[i] -= 0.5;
+            rail.profile(false, lifted);
+        }),
+        Set([](RailCase& rail) { rail.whole.potential(-1, {1, 1, 1.5707963267948966, 8, 4, 12}); }),
+        Set([](RailCase& rail) { rail.velocity(2, {20000, 100, 0, 0, 0, -43.48}); }));
+    RailCase rail = wheel_by_kpec(20), other = wheel_by_kpec(21);
+    roll(rail, 2);
+    const Values before = solved(rail);
+    const double z = rail.wheelset_position()[2];
+    set(rail);
+    roll(other, 2);
+    set(other);
+    const Values after = solved(rail);
+    CHECK(difference(after, solved(other)) < 1e-5);
+    CHECK(std::max(difference(after, before), std::abs(rail.wheelset_position()[2] - z)) > 1e-4);
+}
 
 TEST_CASE("the simplified theory has the forces that are printed of it") {
     struct Row {

@@ -28,6 +28,8 @@ enum Previous { go_on = 0, from_pressures = 1, again = 3 };
 
 /// Returns what a step starts from. Tractions are a history only where the step is not steady.
 SharedEstimates start_of(const RailCase& rail, const Settings& common, const WheelRailState& state) {
+    // Simplified models have no tractions to start from: the last case tells where to search for the height.
+    if (rail.contact->setup().model != Model::full) return rail.estimates;
     const bool is_steady = state.motion == WheelRailMotion::steady_rolling;
     const bool has_estimate = common.digits(flag::estimate) != 0;
     const int previous = common.digits(flag::previous);
