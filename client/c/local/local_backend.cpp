@@ -1,11 +1,11 @@
 // Contacts in process: the engine that the daemon has, without the daemon.
 #include <algorithm>
-#include <atomic>
 #include <chrono>
+#include <functional>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <optional>
-#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -15,6 +15,7 @@
 #include "engine/engine.hpp"
 #include "engine/environment.hpp"
 #include "engine/ics/problem_tables.hpp"
+#include "helping_threads.hpp"
 #include "wheel_cache.hpp"
 
 namespace contactd::c {
@@ -166,13 +167,17 @@ class LocalWheel final : public OpenWheel {
         const WheelRailStepInput request = step_of(steps_->setup(), input);
         const StepStatePtr from = history_.start_of(input.again);
         StepState after;
+        const auto begin = std::chrono::steady_clock::now();
         WheelRailSolution solution = observed(control, timeout_, [&](LocalObserver& observer) {
             return engine_->solve(*steps_, *from, request, after, observer);
         });
         history_.went_on(from, std::move(after));
         keep_requested(input, solution);
+        seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return solution;
     }
+    /// Returns how long the last step took.
+    double seconds() const { return seconds_; }
     std::string save(const WheelRailSetup& setup, const Control&) override {
         if (!goes_on_with(setup)) open(setup);
         return history_.save();
@@ -210,6 +215,7 @@ class LocalWheel final : public OpenWheel {
     const std::chrono::milliseconds timeout_;
     std::unique_ptr<engine::WheelRailSteps> steps_;
     LocalHistory history_;
+    double seconds_ = 0;
     std::optional<WheelsetSetup> wheelset_;  // that the estimates are of
     WheelsetEstimates wheelset_estimates_;
 };
@@ -241,20 +247,14 @@ class LocalBackend final : public Backend {
     }
     std::vector<WheelResult> solve_many(std::span<const WheelCall> calls, int threads) const override {
         std::vector<WheelResult> results(calls.size());
-        std::atomic<std::size_t> next = 0;
-        const auto work = [&] {
-            for (std::size_t i = next++; i < calls.size(); i = next++) results[i] = result_of(calls[i]);
-        };
+        // What takes longest is begun first, so that no thread is left with it in the end.
+        std::vector<std::size_t> order(calls.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        const auto expected = [&](std::size_t i) { return static_cast<const LocalWheel&>(calls[i].wheel).seconds(); };
+        std::ranges::stable_sort(order, std::ranges::greater(), expected);
         const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
-        const std::size_t workers = threads == 0 ? processors : static_cast<std::size_t>(threads);
-        {
-            std::vector<std::jthread> others;
-            try {
-                for (std::size_t i = 1; i < std::min(workers, calls.size()); ++i) others.emplace_back(work);
-            } catch (const std::system_error&) {  // there are no more threads, and those that are here do it all
-            }
-            work();
-        }
+        helpers_.share(calls.size(), threads == 0 ? processors : static_cast<std::size_t>(threads),
+                       [&](std::size_t i) { results[order[i]] = result_of(calls[order[i]]); });
         return results;
     }
     void ping(const Settings&) const override {}
@@ -267,6 +267,7 @@ class LocalBackend final : public Backend {
     }
 
     const std::shared_ptr<Engine> engine_ = std::make_shared<Engine>(engine::settings_of_environment());
+    mutable HelpingThreads helpers_;
 };
 
 }  // namespace

@@ -1,4 +1,7 @@
 // Wheels of the C interface as they go from step to step.
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -155,6 +158,26 @@ TEST_CASE("Wheels of a vehicle have the same answers on any number of threads, t
                 CHECK(get(together[i], result) == get(alone[i], result));
     }
 }
+
+#ifndef __SANITIZE_THREAD__  // which ends a forked process that starts threads
+TEST_CASE("A forked process solves wheels on threads of its own", "[c]") {
+    const Place place("local");
+    const WheelHandle one(place), other(place);
+    contactd_wheel* handles[] = {one, other};
+    const auto solve = [&](double y) {
+        for (const WheelHandle* wheel : {&one, &other}) set_rolling(*wheel, y);
+        return contactd_wheel_solve_many(handles, 2, 2);
+    };
+    REQUIRE(solve(0.5) == CONTACTD_OK);
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(solve(0.52) == CONTACTD_OK && get(one, "z") == get(other, "z") ? 0 : 1);
+    int status = -1;
+    REQUIRE(::waitpid(child, &status, 0) == child);
+    CHECK(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 0);
+    CHECK(solve(0.52) == CONTACTD_OK);
+}
+#endif
 
 TEST_CASE("A wheel of a vehicle that fails does not keep the others from being solved", "[c]") {
     const Place here("local");
