@@ -246,6 +246,7 @@ def test_a_timeout_out_of_range_is_refused(fake, timeout):
         b'{"contactd": 1, "id": "ID", "status": 3, "result": {}}',
         b'{"contactd": 1, "id": "ID", "status": {"code": 3, "message": "", "details": {"violations": [1]}}}',
         b'{"contactd": 1, "id": "ID", "status": {"code": 0, "name": "OK", "message": ""}, "result": {"state": 1}}',
+        b'{"contactd": 1, "id": "ID", "status": {"code": 0, "name": "OK", "message": ""}, "result": {"state": "serving", "n": NaN}}',
     ],
 )
 def test_a_malformed_answer_breaks_the_protocol_and_the_client_stays_usable(fake, answer):

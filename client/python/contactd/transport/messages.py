@@ -23,11 +23,20 @@ __all__ = [
     "status_error_of",
 ]
 
+
 PROTOCOL_VERSION = 1
 CLIENT = f"contactd-python {__version__}"  #: as the daemon's log names this client
 
 
 Buffer = bytes | memoryview  #: what arrays and envelopes come in
+
+
+def _refuse(word: str) -> Any:
+    raise ValueError(f"{word} is no number of JSON")
+
+
+_READER = json.JSONDecoder(parse_constant=_refuse)
+_WRITER = json.JSONEncoder(allow_nan=False, separators=(",", ":"))
 
 
 @dataclass(frozen=True)
@@ -60,7 +69,7 @@ class Request:
 
     def message(self) -> list[bytes]:
         """All frames."""
-        return [json.dumps(self.envelope, allow_nan=False).encode(), *self.frames]
+        return [_WRITER.encode(self.envelope).encode(), *self.frames]
 
 
 @dataclass(frozen=True)
@@ -86,7 +95,7 @@ def cancellation(name: str) -> bytes:
 def parsed(text: Buffer) -> dict[str, Any]:
     """The envelope of an answer. Raises ProtocolError."""
     try:
-        answer = json.loads(bytes(text))
+        answer = _READER.decode(str(text, "utf-8"))
     except (ValueError, RecursionError):
         raise ProtocolError(f"The answer is no JSON: {bytes(text[:80])!r}") from None
     version = answer.get("contactd") if isinstance(answer, dict) else None
