@@ -5,7 +5,7 @@ function(contactd_warnings target)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
   if(CONTACTD_SANITIZE)
-    # With sanitizers gcc finds false positives in std::regex (valijson).
+    # With sanitizers gcc finds false positives in std::regex.
     target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)
     target_compile_options(${target} PRIVATE -fsanitize=${CONTACTD_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=${CONTACTD_SANITIZE})

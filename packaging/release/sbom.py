@@ -16,7 +16,7 @@ __all__ = ["bill_of", "libraries_in"]
 
 REQUIREMENTS = Path(__file__).parents[1] / "ducc0" / "requirements.txt"
 #: What the binaries of Debian packages have inside, beside what they depend on: headers of Debian, and ducc0's FFT.
-_NUMERICS, _MESSAGES = ("ducc0", "libeigen3-dev"), ("libvalijson-dev", "nlohmann-json3-dev")
+_NUMERICS, _MESSAGES = ("ducc0", "libeigen3-dev"), ("nlohmann-json3-dev",)
 INSIDE_PACKAGES = {
     "contactd": (*_NUMERICS, *_MESSAGES, "cppzmq-dev", "libcli11-dev", "libspdlog-dev"),
     "python3-contactd-local": (*_NUMERICS, *_MESSAGES),

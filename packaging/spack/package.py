@@ -25,7 +25,6 @@ class Contactd(CMakePackage):
     depends_on("hdf5+cxx~mpi")
     depends_on("libsodium")
     depends_on("nlohmann-json")
-    depends_on("valijson")
     depends_on("reproc")
     depends_on("fftw@3:~mpi", when="+fftw")
     depends_on("libzmq")

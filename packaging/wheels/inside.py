@@ -14,7 +14,7 @@ OF_THE_SYSTEM = {"libc.so.6", "libm.so.6", "ld-linux-x86-64.so.2", "ld-linux-aar
 #: Archives and headers of Debian that are inside.
 INSIDE = [f"lib{name}.a" for name in ("sodium", "z")]
 _WINDOWS = "x86_64-w64-mingw32ucrt"
-HEADERS = [Path("/usr/include") / name for name in ("eigen3/Eigen/Core", "nlohmann/json.hpp", "valijson/validator.hpp")]
+HEADERS = [Path("/usr/include") / name for name in ("eigen3/Eigen/Core", "nlohmann/json.hpp")]
 
 
 def refuse_links(module: Path) -> None:

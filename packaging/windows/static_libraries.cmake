@@ -8,10 +8,7 @@ foreach(target hdf5-static hdf5_cpp-static)
   set_target_properties(${target} PROPERTIES INTERFACE_COMPILE_DEFINITIONS "")
 endforeach()
 # Headers of Debian that lie in /usr/include beside those of Linux's C library, which a compiler for Windows must not see.
-file(COPY /usr/include/nlohmann /usr/include/valijson DESTINATION ${CMAKE_BINARY_DIR}/headers)
+file(COPY /usr/include/nlohmann DESTINATION ${CMAKE_BINARY_DIR}/headers)
 find_package(nlohmann_json REQUIRED)
-find_package(valijson REQUIRED)
-foreach(target nlohmann_json::nlohmann_json valijson)
-  set_target_properties(${target} PROPERTIES INTERFACE_INCLUDE_DIRECTORIES ${CMAKE_BINARY_DIR}/headers
-    INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "")
-endforeach()
+set_target_properties(nlohmann_json::nlohmann_json PROPERTIES INTERFACE_INCLUDE_DIRECTORIES ${CMAKE_BINARY_DIR}/headers
+  INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "")

@@ -9,7 +9,7 @@ set(CMAKE_RC_COMPILER ${triple}-windres)
 set(CMAKE_FIND_ROOT_PATH /usr/${triple} $ENV{CONTACTD_STATIC_LIBRARIES})
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
-# Eigen, nlohmann-json and valijson are headers, and Debian's own.
+# Eigen and nlohmann-json are headers, and Debian's own.
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE BOTH)
 # GCC takes stack slots of 32 bytes for aligned, and Windows aligns them to 16 (its bug 54412): moves that do not ask for it.

@@ -306,7 +306,7 @@ TEST_CASE("A step of a wheel on its rail arrives as it was sent, and so does its
     WheelRailSolution solution;
     solution.z = 0.5;
     ArrayWriter arrays(ArrayEncoding::frame);
-    const json result = json::parse(dump(encode_step_reply(4, solution, PatchFields{{}, false}, arrays)));
+    const json result = json::parse(write_step_reply(4, solution, PatchFields{{}, false}, arrays));
     CHECK(violations_of("session.step.result", result).empty());
     const WheelRailStepReply reply = decode_wheel_rail_step_reply(result, {});
     CHECK(reply.step == 4);
@@ -327,7 +327,7 @@ TEST_CASE("An answer without patches tells how many there are, and what of them 
     solution.patches[1].solution.frictional_power = 4.0;
     solution.patches[1].solution.evidence.normal.converged = false;
     ArrayWriter arrays(ArrayEncoding::frame);
-    const json result = json::parse(dump(encode_step_reply(4, solution, PatchFields{{}, false, false}, arrays)));
+    const json result = json::parse(write_step_reply(4, solution, PatchFields{{}, false, false}, arrays));
     CHECK(violations_of("session.step.result", result).empty());
     CHECK_FALSE(result["wheelrail"].contains("patches"));
     const WheelRailSolution arrived = decode_wheel_rail_step_reply(result, {}).solution;

@@ -160,8 +160,8 @@ SolveReply Client::solve(const ContactProblem& problem, const CallOptions& optio
     validate(problem);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
     json params = proto::encode_problem(problem, arrays, fields);
-    const Reply reply =
-        impl_->call("contact.solve", std::move(params), arrays.take_frames(), options, wait_of(problem));
+    const Answer reply =
+        impl_->answer_to("contact.solve", std::move(params), arrays.take_frames(), options, wait_of(problem));
     return decoded([&] {
         SolveReply result = proto::decode_solve_reply(reply.result, reply.frames);
         check_size(result, problem, fields);

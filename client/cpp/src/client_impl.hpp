@@ -39,6 +39,12 @@ inline Wait wait_of(const WheelsetSetup& setup) {
     return setup.left && wait_of(*setup.left) == Wait::for_build ? Wait::for_build : wait_of(setup.setup);
 }
 
+/// The result of a call, with the frames its arrays refer to.
+struct Reply {
+    json result;
+    proto::Frames frames;
+};
+
 class Client::Impl {
    public:
     Impl(const std::string& endpoint, ClientOptions options)
@@ -49,6 +55,12 @@ class Client::Impl {
 
     Reply call(const std::string& method, json params, proto::Frames frames, const CallOptions& options,
                Wait wait = Wait::for_answer) {
+        Answer answer = answer_to(method, std::move(params), std::move(frames), options, wait);
+        return {answer.result.json(), std::move(answer.frames)};
+    }
+    /// The same, for answers that are read as they came.
+    Answer answer_to(const std::string& method, json params, proto::Frames frames, const CallOptions& options,
+                     Wait wait = Wait::for_answer) {
         const bool builds = wait == Wait::for_build;
         std::string build;
         ProgressHandler on_progress;
@@ -59,7 +71,7 @@ class Client::Impl {
             };
         const auto timeout = options.timeout.value_or(builds ? options_.build_timeout : options_.timeout);
         try {
-            Reply reply =
+            Answer reply =
                 connection_.call(method, std::move(params), std::move(frames), timeout, on_progress, options.stop);
             tell(warnings_in(method, reply.result));
             return reply;

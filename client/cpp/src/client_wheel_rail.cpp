@@ -38,8 +38,8 @@ WheelRailSolution Client::wheel_rail(const WheelRailSetup& setup, const WheelRai
     validate_below("state", state);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
     json params = proto::encode_wheel_rail_request(setup, state, {fields, gap}, arrays);
-    const Reply reply =
-        impl_->call("wheelrail.solve", std::move(params), arrays.take_frames(), options, wait_of(setup));
+    const Answer reply =
+        impl_->answer_to("wheelrail.solve", std::move(params), arrays.take_frames(), options, wait_of(setup));
     return decoded([&] {
         WheelRailSolution solution = proto::decode_wheel_rail_solution(reply.result, reply.frames);
         check_pressures(solution, fields);

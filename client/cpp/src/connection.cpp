@@ -59,20 +59,20 @@ void check_limits(const std::string& envelope, const proto::Frames& frames, cons
     check_limit("the number of bytes of the message", total, limits.max_message_bytes);
 }
 
-void check_schema(std::string_view name, const json& document) {
+void check_schema(std::string_view name, const proto::AnswerValue& document) {
     const auto violations = proto::violations_of(name, document);
     if (violations.empty()) return;
     throw ProtocolError("The daemon's answer does not conform to " + std::string(name) + ": " + violations[0].field +
                         " " + violations[0].description + ".");
 }
 
-void check_version(const json& answer) {
+void check_version(const proto::AnswerValue& answer) {
     const auto version = answer.find("contactd");
-    if (version == answer.end() || !version->is_number_integer() || *version == proto::protocol_version) return;
-    throw ProtocolError("The daemon answers in version " + version->dump() +
+    if (!version || !version->is_number_integer() || version->integer() == proto::protocol_version) return;
+    throw ProtocolError("The daemon answers in version " + std::to_string(version->integer()) +
                         " of the protocol; this client, contactd " CONTACTD_VERSION ", speaks version " +
                         std::to_string(proto::protocol_version) + ": upgrade the " +
-                        (*version > proto::protocol_version ? "client." : "daemon."));
+                        (version->integer() > proto::protocol_version ? "client." : "daemon."));
 }
 
 json call_envelope(const std::string& id, const std::string& method, json params, milliseconds timeout) {
@@ -82,6 +82,11 @@ json call_envelope(const std::string& id, const std::string& method, json params
                           {"timeout_ms", timeout.count()},
                           {"metadata", proto::object({{"client", "contactd-cpp " CONTACTD_VERSION}})},
                           {"params", std::move(params)}});
+}
+
+proto::AnswerValue no_result() {
+    static const auto empty = proto::AnswerText::parsed("{}");
+    return empty->root();
 }
 
 }  // namespace
@@ -137,8 +142,8 @@ void Connection::connect() {
     }
 }
 
-Reply Connection::call(const std::string& method, json params, proto::Frames frames, milliseconds timeout,
-                       const ProgressHandler& on_progress, const std::stop_token& stop) {
+Answer Connection::call(const std::string& method, json params, proto::Frames frames, milliseconds timeout,
+                        const ProgressHandler& on_progress, const std::stop_token& stop) {
     const OneAtATime guard(user_,
                            "A call of this client runs, in another thread or in whose on_progress this is; use one "
                            "client per thread, and another one in on_progress.");
@@ -163,8 +168,8 @@ Reply Connection::call(const std::string& method, json params, proto::Frames fra
     }
 }
 
-Reply Connection::await(const std::string& id, const std::string& method, milliseconds timeout,
-                        const ProgressHandler& on_progress, const std::stop_token& stop) {
+Answer Connection::await(const std::string& id, const std::string& method, milliseconds timeout,
+                         const ProgressHandler& on_progress, const std::stop_token& stop) {
     const auto deadline = Clock::now() + timeout + grace;
     while (true) {
         const auto until = stop.stop_possible() ? std::min(deadline, Clock::now() + stop_interval) : deadline;
@@ -176,18 +181,20 @@ Reply Connection::await(const std::string& id, const std::string& method, millis
         if (message.empty())
             throw TimeoutError("No answer to " + method + " from " + endpoint_ + " within " +
                                std::to_string(timeout.count()) + " ms.");
-        json answer = envelope_for(id, message[0].bytes());
-        if (answer.is_null()) continue;
-        if (answer.contains("progress")) {
-            if (on_progress) on_progress(answer["progress"]);
+        proto::Frame text = message[0];
+        auto document = envelope_for(id, text.bytes());
+        if (!document) continue;
+        const proto::AnswerValue answer = document->root();
+        if (const auto progress = answer.find("progress")) {
+            if (on_progress) on_progress(progress->json());
             continue;
         }
-        const Status status = proto::status_from_json(answer["status"]);
+        const Status status = proto::status_from_json(answer["status"].json());
         if (!status.ok()) throw StatusError(status);
-        json result = answer.contains("result") ? std::move(answer["result"]) : json::object();
+        const proto::AnswerValue result = answer.find("result").value_or(no_result());
         check_schema(method + ".result", result);
         message.erase(message.begin());
-        return {std::move(result), std::move(message)};
+        return {std::move(text), std::move(document), result, std::move(message)};
     }
 }
 
@@ -282,17 +289,18 @@ bool Connection::receive_part(zmq::message_t& part) {
     }
 }
 
-json Connection::envelope_for(const std::string& id, std::string_view text) const {
-    json answer = json::parse(text, nullptr, false);
-    if (!answer.is_object())
+std::shared_ptr<const proto::AnswerText> Connection::envelope_for(const std::string& id, std::string_view text) const {
+    auto document = proto::AnswerText::parsed(text);
+    if (!document || !document->root().is_object())
         throw ProtocolError("What " + endpoint_ + " sent is no JSON object; is a contactd daemon listening there?");
+    const proto::AnswerValue answer = document->root();
     const auto answered = answer.find("id");
     // An error whose id is null answers a request that the daemon could not read: ours, as the last one sent.
-    const bool unreadable = answered != answer.end() && answered->is_null();
-    if (answered != answer.end() && !unreadable && *answered != id) return nullptr;
+    const bool is_ours = !answered || answered->is_null() || (answered->is_string() && answered->text() == id);
+    if (!is_ours) return nullptr;
     check_version(answer);
     check_schema(answer.contains("progress") ? "progress" : "reply", answer);
-    return answer;
+    return document;
 }
 
 }  // namespace contactd::client

@@ -15,14 +15,17 @@
 #include <nlohmann/json.hpp>
 #include <zmq.hpp>
 
+#include "contactd/proto/answer_text.hpp"
 #include "contactd/proto/message.hpp"
 #include "curve.hpp"
 
 namespace contactd::client {
 
-/// The result of a call with the frames its arrays refer to.
-struct Reply {
-    nlohmann::json result;
+/// The result of a call, as it came, with the frames its arrays refer to.
+struct Answer {
+    proto::Frame text;
+    std::shared_ptr<const proto::AnswerText> document;  ///< of the text
+    proto::AnswerValue result;                          ///< in the document
     proto::Frames frames;
 };
 
@@ -40,8 +43,8 @@ class Connection {
     /// Sends a request and waits for its reply, which has passed the schemas. Answers to earlier calls that were given
     /// up are discarded. Throws ConnectionError, TimeoutError, ProtocolError, StatusError, and ConcurrencyError while
     /// another call runs.
-    Reply call(const std::string& method, nlohmann::json params, proto::Frames frames,
-               std::chrono::milliseconds timeout, const ProgressHandler& on_progress, const std::stop_token& stop);
+    Answer call(const std::string& method, nlohmann::json params, proto::Frames frames,
+                std::chrono::milliseconds timeout, const ProgressHandler& on_progress, const std::stop_token& stop);
 
    private:
     using Clock = std::chrono::steady_clock;
@@ -56,8 +59,8 @@ class Connection {
     /// wait for those.
     void start_over();
     void check_process() const;
-    Reply await(const std::string& id, const std::string& method, std::chrono::milliseconds timeout,
-                const ProgressHandler& on_progress, const std::stop_token& stop);
+    Answer await(const std::string& id, const std::string& method, std::chrono::milliseconds timeout,
+                 const ProgressHandler& on_progress, const std::stop_token& stop);
     /// Tells the daemon that the request is abandoned; its answers are dropped as they come.
     void cancel(const std::string& id) noexcept;
     void connect();
@@ -69,7 +72,7 @@ class Connection {
     /// False when the time is over or a signal came in between.
     bool receive_part(zmq::message_t& part);
     /// The envelope, when the message belongs to request `id`, else null.
-    nlohmann::json envelope_for(const std::string& id, std::string_view text) const;
+    std::shared_ptr<const proto::AnswerText> envelope_for(const std::string& id, std::string_view text) const;
 
     std::string endpoint_;
     std::chrono::milliseconds connect_timeout_;

@@ -101,7 +101,8 @@ AnyStepOrStatus AnySession::Impl::step(std::variant<const StepInput*, const Whee
     const proto::StepAsked step = asked({*this, input});
     const json params = proto::encode_step(step, arrays);
     const proto::Frames frames = arrays.take_frames();
-    const Reply reply = insist([&] { return client_.impl_->call("session.step", params, frames, options, wait_); });
+    const Answer reply =
+        insist([&] { return client_.impl_->answer_to("session.step", params, frames, options, wait_); });
     AnyStepOrStatus answer = decoded([&] { return proto::decode_step_reply(reply.result, reply.frames, step); });
     note(step, answer);
     return answer;
@@ -131,7 +132,8 @@ std::vector<AnyStepOrStatus> AnySession::Impl::step_many(std::span<const Step> s
     const bool builds =
         std::ranges::any_of(steps, [](const Step& step) { return step.session.wait_ == Wait::for_build; });
     const Wait wait = builds ? Wait::for_build : Wait::for_answer;
-    const Reply reply = insist([&] { return client.impl_->call("session.step_many", params, frames, options, wait); });
+    const Answer reply =
+        insist([&] { return client.impl_->answer_to("session.step_many", params, frames, options, wait); });
     std::vector<AnyStepOrStatus> answers =
         decoded([&] { return proto::decode_step_replies(reply.result, reply.frames, all); });
     for (std::size_t i = 0; i < steps.size(); ++i) steps[i].session.note(all[i], answers[i]);

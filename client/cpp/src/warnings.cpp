@@ -7,8 +7,6 @@
 namespace contactd::client {
 namespace {
 
-using nlohmann::json;
-
 struct Part {
     const char* name;   ///< in answers
     const char* shown;  ///< what the request calls it; empty: it is of the whole
@@ -34,15 +32,16 @@ constexpr Part parts[] = {{"result", ""},
 
 class Collected {
    public:
-    void collect(const json& value, const std::string& part) {
+    void collect(const proto::AnswerValue& value, const std::string& part) {
         if (value.is_array()) {
-            for (std::size_t i = 0; i < value.size(); ++i) collect(value[i], part + "[" + std::to_string(i) + "]");
+            std::size_t place = 0;
+            for (const auto element : value) collect(element, part + "[" + std::to_string(place++) + "]");
         } else if (value.is_object()) {
-            if (const auto warnings = value.find("warnings"); warnings != value.end() && warnings->is_array())
-                for (const json& sentence : *warnings)
-                    if (sentence.is_string()) add(sentence, part);
+            if (const auto warnings = value.find("warnings"); warnings && warnings->is_array())
+                for (const auto sentence : *warnings)
+                    if (sentence.is_string()) add(std::string(sentence.text()), part);
             for (const auto& [name, shown] : parts)
-                if (const auto at = value.find(name); at != value.end()) collect(*at, below(part, shown));
+                if (const auto at = value.find(name)) collect(*at, below(part, shown));
         }
     }
     std::vector<std::string> take() { return std::move(found_); }
@@ -64,7 +63,7 @@ class Collected {
 
 }  // namespace
 
-std::vector<std::string> warnings_in(const std::string& method, const json& answer) {
+std::vector<std::string> warnings_in(const std::string& method, const proto::AnswerValue& answer) {
     // These tell what lies in the store, and use none of it.
     if (method == "ic.list" || method == "ic.import") return {};
     Collected collected;

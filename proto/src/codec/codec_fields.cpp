@@ -5,6 +5,8 @@
 #include "contactd/fields/contact.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/field_codec.hpp"
+#include "field_text.hpp"
+#include "wire/json_access.hpp"
 
 namespace contactd::proto {
 namespace {
@@ -76,20 +78,48 @@ void encode_arrays(const ContactSolution& solution, const SolutionFields& fields
     }
 }
 
-void decode_arrays(const json& result, const Frames& frames, std::vector<std::size_t> shape,
-                   ContactSolution& solution) {
+void append_arrays(std::string& text, const ContactSolution& solution, const SolutionFields& fields, const Grid& grid,
+                   ArrayWriter& arrays) {
+    if (fields.empty()) return;
+    json written = json::object();
+    encode_arrays(solution, fields, grid, arrays, written);
+    for (const auto& [name, array] : written.items()) {
+        append_name(text, name);
+        text += dump(array);
+    }
+}
+
+namespace {
+
+template <class Source>
+void read_arrays(const Source& result, const Frames& frames, std::vector<std::size_t>& shape,
+                 ContactSolution& solution) {
     for (const SolutionField field : all_solution_fields) {
         const std::string name(name_of(field));
-        if (!result.contains(name)) continue;
-        if (shape.empty()) shape = claimed_shape(result[name], 2);
+        const auto given = member_of(result, name);
+        if (!given) continue;
+        const json& array = as_json(*given);
+        if (shape.empty()) shape = claimed_shape(array, 2);
         if (shape.size() != 2)
             throw invalid_field(name, "has " + std::to_string(shape.size()) + " dimensions; it must have 2",
                                 reason::array_invalid);
         if (field == SolutionField::element_division)
-            solution.element_division = states_of(read_byte_array(result[name], frames, shape, name));
+            solution.element_division = states_of(read_byte_array(array, frames, shape, name));
         else
-            numbers_of(name, solution) = read_array(result[name], frames, shape, name);
+            numbers_of(name, solution) = read_array(array, frames, shape, name);
     }
+}
+
+}  // namespace
+
+void decode_arrays(const json& result, const Frames& frames, std::vector<std::size_t> shape,
+                   ContactSolution& solution) {
+    read_arrays(result, frames, shape, solution);
+}
+
+void decode_arrays(const AnswerValue& result, const Frames& frames, std::vector<std::size_t> shape,
+                   ContactSolution& solution) {
+    read_arrays(result, frames, shape, solution);
 }
 
 }  // namespace contactd::proto

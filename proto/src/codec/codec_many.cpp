@@ -56,25 +56,28 @@ ResultOrStatus encode_outcome(const SolveReply& reply, const Grid& grid, ArrayEn
     try {
         ArrayWriter arrays(encoding);
         json result = encode_solve_reply(reply, grid, arrays, fields);
-        return Result{std::move(result), arrays.take_frames()};
+        return Result{std::make_shared<const std::string>(dump(result)), arrays.take_frames()};
     } catch (const Error& error) {
         return Status{StatusCode::internal, error.what(), std::string(reason::unexpected), {}, 0};
     }
 }
 
-json encode_results(std::string_view list, std::vector<ResultOrStatus> results, Frames& frames) {
-    json encoded = json::array();
+std::string encode_results(std::string_view list, std::vector<ResultOrStatus> results, Frames& frames) {
+    const std::string success = dump(to_json(Status{}));
+    std::string text = "{\"" + std::string(list) + "\":[";
     for (ResultOrStatus& outcome : results) {
+        if (text.back() != '[') text += ',';
         if (const auto* status = std::get_if<Status>(&outcome)) {
-            encoded.push_back({{"status", to_json(*status)}});
+            text += "{\"status\":" + dump(to_json(*status)) + "}";
             continue;
         }
         Result& one = std::get<Result>(outcome);
-        move_frames(one.result, frames.size());
+        text += "{\"status\":" + success + ",\"result\":";
+        append_moved(text, *one.text, frames.size());
+        text += '}';
         std::move(one.frames.begin(), one.frames.end(), std::back_inserter(frames));
-        encoded.push_back({{"status", to_json(Status{})}, {"result", std::move(one.result)}});
     }
-    return {{list, std::move(encoded)}};
+    return text + "]}";
 }
 
 std::vector<ReplyOrStatus> decode_solve_replies(const json& result, const Frames& frames) {

@@ -15,6 +15,7 @@
 #include "contactd/ic_spec.hpp"
 #include "contactd/ic_table.hpp"
 #include "contactd/material.hpp"
+#include "contactd/proto/answer_text.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/grid.hpp"
 
@@ -75,12 +76,19 @@ ContactProblem decode_opening(const nlohmann::json& params, const Frames& frames
 
 /// Fields of a solution in a result, but for its arrays. Throws Error for numbers that are not finite.
 nlohmann::json encode_summary(const ContactSolution& solution, const Grid& grid);
+/// Appends the same as text to the object at the end of `text`, which stays open.
+void append_summary(std::string& text, const ContactSolution& solution, const Grid& grid);
 void decode_summary(const nlohmann::json& result, ContactSolution& solution);
+void decode_summary(const AnswerValue& result, ContactSolution& solution);
 /// Adds those of `fields` that the solution has.
 void encode_arrays(const ContactSolution& solution, const SolutionFields& fields, const Grid& grid, ArrayWriter& arrays,
                    nlohmann::json& result);
+void append_arrays(std::string& text, const ContactSolution& solution, const SolutionFields& fields, const Grid& grid,
+                   ArrayWriter& arrays);
 /// Reads those that there are; an empty `shape` is that of the first one. Throws StatusError (ARRAY_INVALID).
 void decode_arrays(const nlohmann::json& result, const Frames& frames, std::vector<std::size_t> shape,
+                   ContactSolution& solution);
+void decode_arrays(const AnswerValue& result, const Frames& frames, std::vector<std::size_t> shape,
                    ContactSolution& solution);
 
 /// Motion as it stands in a result.

@@ -9,6 +9,7 @@
 #include "contactd/fields/session.hpp"
 #include "contactd/proto/field_codec.hpp"
 #include "contactd/proto/status.hpp"
+#include "wire/json_access.hpp"
 
 namespace contactd::proto {
 namespace {
@@ -123,12 +124,25 @@ json encode_step_reply(long long step, const ContactSolution& solution, const Gr
     return result;
 }
 
-StepReply decode_step_reply(const json& result, const Frames& frames, const Grid& grid) {
+namespace {
+
+template <class Source>
+StepReply read_step_reply(const Source& result, const Frames& frames, const Grid& grid) {
     StepReply reply;
-    reply.step = result["step"].get<long long>();
+    reply.step = integer_of(result["step"]);
     decode_summary(result, reply.solution);
     decode_arrays(result, frames, shape_of(grid), reply.solution);
     return reply;
+}
+
+}  // namespace
+
+StepReply decode_step_reply(const json& result, const Frames& frames, const Grid& grid) {
+    return read_step_reply(result, frames, grid);
+}
+
+StepReply decode_step_reply(const AnswerValue& result, const Frames& frames, const Grid& grid) {
+    return read_step_reply(result, frames, grid);
 }
 
 }  // namespace contactd::proto

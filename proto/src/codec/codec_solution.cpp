@@ -7,6 +7,8 @@
 #include "contactd/proto/field_codec.hpp"
 #include "contactd/proto/object.hpp"
 #include "contactd/proto/status.hpp"
+#include "field_text.hpp"
+#include "wire/json_access.hpp"
 
 namespace contactd::proto {
 namespace {
@@ -34,9 +36,43 @@ json encode_summary(const ContactSolution& solution, const Grid& grid) {
     return result;
 }
 
-void decode_summary(const json& result, ContactSolution& solution) {
+void append_summary(std::string& text, const ContactSolution& solution, const Grid& grid) {
+    append_members(text, solution, MemberPath("solution"));
+    append_name(text, "converged");
+    text += solution.converged() ? "true" : "false";
+    if (!solution.motion) return;
+    append_name(text, "motion");
+    text += dump(encode_motion_of(*solution.motion, grid));
+}
+
+namespace {
+
+template <class Source>
+void read_summary(const Source& result, ContactSolution& solution) {
     read_fields(result, solution, MemberPath("solution"));
-    if (result.contains("motion")) solution.motion = decode_motion(result["motion"]);
+    if (const auto motion = member_of(result, "motion")) solution.motion = decode_motion(as_json(*motion));
+}
+
+template <class Source>
+SolveReply read_solve_reply(const Source& result, const Frames& frames) {
+    SolveReply reply;
+    decode_summary(result, reply.solution);
+    decode_arrays(result, frames, {}, reply.solution);
+    const Source& evidence = result["evidence"];
+    read_fields(evidence["ics"], reply.ics, MemberPath("ics"));
+    if (const auto operators = member_of(evidence, "operators"))
+        read_fields(*operators, reply.operators.emplace(), MemberPath("operators"));
+    return reply;
+}
+
+}  // namespace
+
+void decode_summary(const json& result, ContactSolution& solution) {
+    read_summary(result, solution);
+}
+
+void decode_summary(const AnswerValue& result, ContactSolution& solution) {
+    read_summary(result, solution);
 }
 
 json encode_solve_reply(const SolveReply& reply, const Grid& grid, ArrayWriter& arrays, const SolutionFields& fields) {
@@ -48,14 +84,11 @@ json encode_solve_reply(const SolveReply& reply, const Grid& grid, ArrayWriter& 
 }
 
 SolveReply decode_solve_reply(const json& result, const Frames& frames) {
-    SolveReply reply;
-    decode_summary(result, reply.solution);
-    decode_arrays(result, frames, {}, reply.solution);
-    const json& evidence = result["evidence"];
-    read_fields(evidence["ics"], reply.ics, MemberPath("ics"));
-    if (evidence.contains("operators"))
-        read_fields(evidence["operators"], reply.operators.emplace(), MemberPath("operators"));
-    return reply;
+    return read_solve_reply(result, frames);
+}
+
+SolveReply decode_solve_reply(const AnswerValue& result, const Frames& frames) {
+    return read_solve_reply(result, frames);
 }
 
 }  // namespace contactd::proto

@@ -3,6 +3,7 @@
 
 #include "contactd/proto/session.hpp"
 #include "contactd/proto/status.hpp"
+#include "wire/json_access.hpp"
 
 namespace contactd::proto {
 
@@ -14,10 +15,40 @@ json encode_step(const StepAsked& asked, ArrayWriter& arrays) {
     return encode_step(asked.session, asked.step, *std::get<const StepInput*>(asked.input), *asked.grid, arrays);
 }
 
-AnyStepOrStatus decode_step_reply(const json& result, const Frames& frames, const StepAsked& asked) {
+namespace {
+
+template <class Source>
+AnyStepOrStatus read_step_reply(const Source& result, const Frames& frames, const StepAsked& asked) {
     if (std::holds_alternative<const WheelRailStepInput*>(asked.input))
         return decode_wheel_rail_step_reply(result, frames);
     return decode_step_reply(result, frames, *asked.grid);
+}
+
+template <class Source>
+std::vector<AnyStepOrStatus> read_step_replies(const Source& result, const Frames& frames,
+                                               std::span<const StepAsked> asked) {
+    const Source& steps = result["steps"];
+    if (steps.size() != asked.size())
+        throw StatusError(StatusCode::unknown, reason::unexpected, "The reply answers another number of steps.");
+    std::vector<AnyStepOrStatus> replies;
+    for (const auto& step : steps) {
+        Status status = status_from_json(as_json(step["status"]));
+        if (status.ok())
+            replies.push_back(read_step_reply<Source>(step["result"], frames, asked[replies.size()]));
+        else
+            replies.emplace_back(std::move(status));
+    }
+    return replies;
+}
+
+}  // namespace
+
+AnyStepOrStatus decode_step_reply(const json& result, const Frames& frames, const StepAsked& asked) {
+    return read_step_reply(result, frames, asked);
+}
+
+AnyStepOrStatus decode_step_reply(const AnswerValue& result, const Frames& frames, const StepAsked& asked) {
+    return read_step_reply(result, frames, asked);
 }
 
 json encode_steps(std::span<const StepAsked> steps, ArrayWriter& arrays) {
@@ -28,18 +59,12 @@ json encode_steps(std::span<const StepAsked> steps, ArrayWriter& arrays) {
 
 std::vector<AnyStepOrStatus> decode_step_replies(const json& result, const Frames& frames,
                                                  std::span<const StepAsked> asked) {
-    const json& steps = result["steps"];
-    if (steps.size() != asked.size())
-        throw StatusError(StatusCode::unknown, reason::unexpected, "The reply answers another number of steps.");
-    std::vector<AnyStepOrStatus> replies;
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-        Status status = status_from_json(steps[i]["status"]);
-        if (status.ok())
-            replies.push_back(decode_step_reply(steps[i]["result"], frames, asked[i]));
-        else
-            replies.emplace_back(std::move(status));
-    }
-    return replies;
+    return read_step_replies(result, frames, asked);
+}
+
+std::vector<AnyStepOrStatus> decode_step_replies(const AnswerValue& result, const Frames& frames,
+                                                 std::span<const StepAsked> asked) {
+    return read_step_replies(result, frames, asked);
 }
 
 }  // namespace contactd::proto

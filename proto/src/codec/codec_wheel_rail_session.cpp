@@ -71,13 +71,18 @@ WheelRailStepInput decode_wheel_rail_step(const json& params) {
     return input;
 }
 
-json encode_step_reply(long long step, const WheelRailSolution& solution, const PatchFields& fields,
-                       ArrayWriter& arrays) {
-    return object({{"step", step}, {"wheelrail", encode_wheel_rail_solution(solution, fields, arrays)}});
+std::string write_step_reply(long long step, const WheelRailSolution& solution, const PatchFields& fields,
+                             ArrayWriter& arrays) {
+    return "{\"step\":" + std::to_string(step) +
+           ",\"wheelrail\":" + write_wheel_rail_solution(solution, fields, arrays) + "}";
 }
 
 WheelRailStepReply decode_wheel_rail_step_reply(const json& result, const Frames& frames) {
     return {result["step"].get<long long>(), decode_wheel_rail_solution(result["wheelrail"], frames)};
+}
+
+WheelRailStepReply decode_wheel_rail_step_reply(const AnswerValue& result, const Frames& frames) {
+    return {result["step"].integer(), decode_wheel_rail_solution(result["wheelrail"], frames)};
 }
 
 }  // namespace contactd::proto

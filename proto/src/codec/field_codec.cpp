@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "codec_parts.hpp"
+#include "field_presence.hpp"
+#include "wire/json_access.hpp"
 
 namespace contactd::proto {
 
@@ -13,24 +15,6 @@ namespace {
 
 json write_number(double number, const MemberPath& path) {
     return std::isfinite(number) ? number : finite_field(number, path.text().c_str());
-}
-
-bool is_left_to_the_message(const FieldType& type) {
-    const FieldHook* hook = hook_of(type);
-    return hook != nullptr && hook->write == nullptr && hook->read == nullptr;
-}
-
-bool is_empty_list(const FieldType& type, const void* value) {
-    return type.kind == FieldKind::list && type.size(value) == 0;
-}
-
-/// Returns whether a field that is there says nothing all the same.
-bool is_none(const Field& field, const void* value) {
-    const FieldType& type = field.type();
-    if (type.kind == FieldKind::number) return *static_cast<const double*>(value) == field.none;
-    if (field.present_by_default || field.required) return false;
-    return is_empty_list(type, value) ||
-           (type.kind == FieldKind::text && static_cast<const std::string*>(value)->empty());
 }
 
 json write_list(const FieldType& type, const void* list, const MemberPath& path, const Writing& with) {
@@ -52,26 +36,96 @@ json write_tuple(const FieldType& type, const void* owner, const MemberPath& pat
     return any ? result : json(json::value_t::discarded);
 }
 
-void read_tuple(const json& source, const FieldType& type, void* owner) {
-    for (std::size_t i = 0; i < type.fields.size(); ++i) {
-        const Field& field = type.fields[i];
-        if (source[i].is_null())
-            field.clear(owner);
-        else
-            *static_cast<double*>(field.make(owner)) = source[i].get<double>();
+std::int64_t value_of_keyword(std::string_view keyword, const FieldType& type) {
+    const auto at = std::ranges::find(type.keywords, keyword);
+    if (at == type.keywords.end()) throw Error("The word \"" + std::string(keyword) + "\" is unknown.");
+    return at - type.keywords.begin();
+}
+
+/// Calls visit(field, value) for each field that a message holds.
+template <class Visit>
+void each_given_field(const json& source, const FieldType& type, const Visit& visit) {
+    for (const Field& field : type.fields)
+        if (const auto given = source.find(field.name); given != source.end()) visit(field, *given);
+}
+/// Names mostly come in the order of the fields: each is looked for from behind the last one on.
+template <class Visit>
+void each_given_field(const AnswerValue& source, const FieldType& type, const Visit& visit) {
+    std::size_t after = 0;
+    for (const AnswerValue name : source) {
+        const auto begin = type.fields.begin(), middle = begin + static_cast<std::ptrdiff_t>(after);
+        auto field = std::find_if(middle, type.fields.end(), [&](const Field& one) { return one.name == name.text(); });
+        if (field == type.fields.end())
+            field = std::find_if(begin, middle, [&](const Field& one) { return one.name == name.text(); });
+        if (field == middle && (middle == type.fields.end() || field->name != name.text())) continue;
+        after = static_cast<std::size_t>(field - begin) + 1;
+        visit(*field, name.value_of_name());
     }
 }
 
-void read_list(const json& source, const FieldType& type, void* list, const MemberPath& path, const Reading& with) {
-    type.empty(list);
-    for (std::size_t i = 0; i < source.size(); ++i)
-        read_fields(source[i], type.element(), type.add(list), MemberPath(path, i), with);
+template <class Source>
+void read_value_of(const Source& source, const FieldType& type, void* value, const MemberPath& path,
+                   const Reading& with);
+
+template <class Source>
+void read_tuple(const Source& source, const FieldType& type, void* owner) {
+    auto field = type.fields.begin();
+    for (const auto& element : source) {
+        if (field == type.fields.end()) return;
+        if (element.is_null())
+            field->clear(owner);
+        else
+            *static_cast<double*>(field->make(owner)) = number_of(element);
+        ++field;
+    }
 }
 
-std::int64_t value_of_keyword(const json& keyword, const FieldType& type) {
-    const auto at = std::ranges::find(type.keywords, keyword.get_ref<const std::string&>());
-    if (at == type.keywords.end()) throw Error("The word " + keyword.dump() + " is unknown.");
-    return at - type.keywords.begin();
+template <class Source>
+void read_list(const Source& source, const FieldType& type, void* list, const MemberPath& path, const Reading& with) {
+    type.empty(list);
+    std::size_t place = 0;
+    for (const auto& element : source)
+        read_value_of(element, type.element(), type.add(list), MemberPath(path, place++), with);
+}
+
+template <class Source>
+void read_members(const Source& source, const FieldType& type, void* owner, const MemberPath& path,
+                  const Reading& with) {
+    each_given_field(source, type, [&](const Field& field, const auto& given) {
+        if (is_left_to_the_message(field.type())) return;
+        if (given.is_null() && field.clear)
+            field.clear(owner);
+        else
+            read_value_of(given, field.type(), field.make(owner), MemberPath(path, field.name), with);
+    });
+}
+
+template <class Source>
+void read_value_of(const Source& source, const FieldType& type, void* value, const MemberPath& path,
+                   const Reading& with) {
+    const FieldHook* hook = hook_of(type);
+    if (hook != nullptr && hook->read != nullptr) return hook->read(as_json(source), value, path, with);
+    switch (type.kind) {
+        case FieldKind::number:
+            *static_cast<double*>(value) = number_of(source);
+            return;
+        case FieldKind::integer:
+            return type.set_integer(value, integer_of(source));
+        case FieldKind::flag:
+            return type.set_integer(value, flag_of(source) ? 1 : 0);
+        case FieldKind::text:
+            *static_cast<std::string*>(value) = text_of(source);
+            return;
+        case FieldKind::keyword:
+            return type.set_integer(value, value_of_keyword(text_of(source), type));
+        case FieldKind::list:
+            return read_list(source, type, value, path, with);
+        case FieldKind::object:
+            return type.is_tuple ? read_tuple(source, type, value) : read_members(source, type, value, path, with);
+        case FieldKind::custom:
+            break;
+    }
+    throw Error("The field " + path.text() + " has no form on the wire.");
 }
 
 }  // namespace
@@ -126,40 +180,16 @@ json write_fields(const FieldType& type, const void* value, const MemberPath& pa
 }
 
 void read_object(const json& source, const FieldType& type, void* owner, const MemberPath& path, const Reading& with) {
-    for (const Field& field : type.fields) {
-        const auto given = source.find(field.name);
-        if (given == source.end() || is_left_to_the_message(field.type())) continue;
-        if (given->is_null() && field.clear)
-            field.clear(owner);
-        else
-            read_fields(*given, field.type(), field.make(owner), MemberPath(path, field.name), with);
-    }
+    read_members(source, type, owner, path, with);
 }
 
 void read_fields(const json& source, const FieldType& type, void* value, const MemberPath& path, const Reading& with) {
-    const FieldHook* hook = hook_of(type);
-    if (hook != nullptr && hook->read != nullptr) return hook->read(source, value, path, with);
-    switch (type.kind) {
-        case FieldKind::number:
-            *static_cast<double*>(value) = source.get<double>();
-            return;
-        case FieldKind::integer:
-            return type.set_integer(value, source.get<std::int64_t>());
-        case FieldKind::flag:
-            return type.set_integer(value, source.get<bool>() ? 1 : 0);
-        case FieldKind::text:
-            *static_cast<std::string*>(value) = source.get<std::string>();
-            return;
-        case FieldKind::keyword:
-            return type.set_integer(value, value_of_keyword(source, type));
-        case FieldKind::list:
-            return read_list(source, type, value, path, with);
-        case FieldKind::object:
-            return type.is_tuple ? read_tuple(source, type, value) : read_object(source, type, value, path, with);
-        case FieldKind::custom:
-            break;
-    }
-    throw Error("The field " + path.text() + " has no form on the wire.");
+    read_value_of(source, type, value, path, with);
+}
+
+void read_fields(const AnswerValue& source, const FieldType& type, void* value, const MemberPath& path,
+                 const Reading& with) {
+    read_value_of(source, type, value, path, with);
 }
 
 }  // namespace contactd::proto

@@ -68,8 +68,7 @@ class Explainer {
     void visit_text(const json& schema, const std::string& value, const std::string& path) {
         const std::size_t length = characters(value);
         const auto least = schema.value("minLength", std::size_t{0});
-        if (least > 0 && value.starts_with('\0'))  // valijson takes the text for one that ends there
-            report(path, "begins with a byte that is zero; it must be text");
+        if (least > 0 && value.starts_with('\0')) report(path, "begins with a byte that is zero; it must be text");
         if (length < least)
             report(path,
                    "has " + std::to_string(length) + " characters; it must have at least " + std::to_string(least));

@@ -1,5 +1,4 @@
-// Sentences for what is wrong with a document that valijson has found not to conform to its schema: valijson's own name
-// neither the value nor what would be right.
+// Sentences for what is wrong with a document that does not conform to its schema.
 #pragma once
 
 #include <vector>

@@ -6,13 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validator.hpp>
-
 #include "explain.hpp"
 #include "references.hpp"
+#include "rules.hpp"
 #include "schema_texts.hpp"
 #include "shown.hpp"
 
@@ -20,11 +16,10 @@ namespace contactd::proto {
 namespace {
 
 using nlohmann::json;
-using valijson::adapters::NlohmannJsonAdapter;
 
 struct CompiledSchema {
     json document;
-    valijson::Schema rules;
+    Rules rules{document};
 };
 using Registry = std::map<std::string, CompiledSchema, std::less<>>;
 
@@ -36,30 +31,18 @@ struct ListSchema {
 };
 using ListSchemas = std::map<std::string, ListSchema, std::less<>>;
 
-void compile(CompiledSchema& entry) {
-    valijson::SchemaParser(valijson::SchemaParser::kDraft7)
-        .populateSchema(NlohmannJsonAdapter(entry.document), entry.rules);
-}
-
 Registry compile_all() {
     Documents documents;
     for (const SchemaText& source : schema_texts()) documents.emplace(source.name, json::parse(source.text));
     Registry registry;
-    for (const auto& [name, document] : documents) {
-        CompiledSchema& entry = registry[name];
-        entry.document = inlined(document, documents);
-        compile(entry);
-    }
+    for (const auto& [name, document] : documents) registry.emplace(name, CompiledSchema{inlined(document, documents)});
     return registry;
 }
 
-void compile_list(const json& document, ListSchema& entry) {
-    entry.name = document.at("properties").begin().key();
-    entry.shape.document = document;
-    json& items = entry.shape.document["properties"][entry.name]["items"];
-    entry.member.document = std::exchange(items, json::object());
-    compile(entry.shape);
-    compile(entry.member);
+ListSchema list_of(json document) {
+    std::string name = document.at("properties").begin().key();
+    json member = std::exchange(document["properties"][name]["items"], json::object());
+    return {std::move(name), {std::move(document)}, {std::move(member)}};
 }
 
 const Registry& registry() {
@@ -77,7 +60,7 @@ const ListSchema& list_schema(const std::string& method) {
     static const ListSchemas schemas = [] {
         ListSchemas lists;
         for (const auto& [name, schema] : registry())
-            if (name.ends_with("_many.params")) compile_list(schema.document, lists[name]);
+            if (name.ends_with("_many.params")) lists.emplace(name, list_of(schema.document));
         return lists;
     }();
     return schemas.at(method + ".params");
@@ -95,31 +78,11 @@ std::vector<std::string> methods_in_order() {
     return names;
 }
 
-bool conforms(const CompiledSchema& schema, const json& document, valijson::ValidationResults* results) {
-    valijson::Validator validator(valijson::Validator::kStrongTypes);
-    return validator.validate(schema.rules, NlohmannJsonAdapter(document), results);
-}
-
-/// valijson's own words, for what `explain` has none for.
-std::vector<Violation> plain_violations(const CompiledSchema& schema, const json& document) {
-    valijson::ValidationResults results;
-    conforms(schema, document, &results);
-    std::vector<Violation> violations;
-    for (const auto& error : results) {
-        std::string path;
-        for (std::size_t i = 1; i < error.context.size(); ++i) path += error.context[i];
-        violations.push_back({path, error.description});
-        if (violations.size() == max_violations) break;
-    }
-    if (violations.empty()) violations.push_back({"", "does not conform to its schema"});
-    return violations;
-}
-
-std::vector<Violation> violations(const CompiledSchema& rules, const json& document) {
-    // Without a place for results valijson stops at the first violation, however many a hostile document has.
-    if (conforms(rules, document, nullptr)) return {};
-    std::vector<Violation> found = explain(rules.document, document);
-    return found.empty() ? plain_violations(rules, document) : found;
+std::vector<Violation> violations(const CompiledSchema& schema, const json& document) {
+    if (schema.rules.conform(document)) return {};
+    std::vector<Violation> found = explain(schema.document, document);
+    if (found.empty()) found.push_back({"", "does not conform to its schema"});
+    return found;
 }
 
 }  // namespace
@@ -137,11 +100,16 @@ std::vector<Violation> violations_of(std::string_view schema_name, const json& d
     return violations(compiled(schema_name), document);
 }
 
+std::vector<Violation> violations_of(std::string_view schema_name, const AnswerValue& document) {
+    const CompiledSchema& schema = compiled(schema_name);
+    if (schema.rules.conform(document)) return {};
+    std::vector<Violation> found = violations(schema, document.json());
+    if (found.empty()) found.push_back({"", "holds an object that names a field twice"});
+    return found;
+}
+
 std::vector<Violation> violations_against(const json& schema, const json& document) {
-    CompiledSchema rules;
-    rules.document = schema;
-    compile(rules);
-    return violations(rules, document);
+    return violations(CompiledSchema{schema}, document);
 }
 
 void check_params(const std::string& method, const json& params) {
@@ -164,11 +132,11 @@ void check_params(const std::string& method, const json& params) {
 
 ListCheck::ListCheck(const std::string& method, const json& params) : method_(method) {
     const ListSchema& schema = list_schema(method_);
-    if (proto::conforms(schema.shape, params, nullptr)) members_ = &params[schema.name];
+    if (schema.shape.rules.conform(params)) members_ = &params[schema.name];
 }
 
 bool ListCheck::member_conforms(std::size_t index) const {
-    return proto::conforms(list_schema(method_).member, (*members_)[index], nullptr);
+    return list_schema(method_).member.rules.conform((*members_)[index]);
 }
 
 }  // namespace contactd::proto

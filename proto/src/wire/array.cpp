@@ -253,14 +253,18 @@ std::vector<unsigned char> read_byte_array(const json& source, const Frames& fra
     return ArrayReader<unsigned char>(frames, shape, field).read(source);
 }
 
-void move_frames(json& message, std::size_t count) {
-    if (count == 0 || !message.is_structured()) return;
-    if (const auto reference = message.find("$array"); message.is_object() && reference != message.end()) {
-        json& frame = (*reference)["frame"];
-        frame = frame.get<std::size_t>() + count;
-        return;
+void append_moved(std::string& text, std::string_view message, std::size_t count) {
+    // Within a text of JSON quotes have a backslash before them, so that this is found where it is a name only.
+    constexpr std::string_view reference = "\"$array\":{", number = "\"frame\":";
+    for (std::size_t at = count == 0 ? message.npos : message.find(reference); at != message.npos;
+         at = message.find(reference)) {
+        const std::size_t begin = message.find(number, at) + number.size();
+        const std::size_t end = message.find_first_not_of("0123456789", begin);
+        text += message.substr(0, begin);
+        text += std::to_string(std::stoull(std::string(message.substr(begin, end - begin))) + count);
+        message.remove_prefix(end);
     }
-    for (json& child : message) move_frames(child, count);
+    text += message;
 }
 
 std::vector<bool> frames_used(const json& params, std::size_t count) {

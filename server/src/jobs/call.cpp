@@ -48,11 +48,17 @@ void check_limits(const std::string& text, const proto::Frames& frames, const Me
 }  // namespace
 
 bool Call::succeed(const json& result, proto::Frames frames) {
+    return !answered_ && succeed_with(proto::dump(result), std::move(frames));
+}
+
+bool Call::succeed_with(std::string_view result, proto::Frames frames) {
     if (answered_) return false;
     json reply = envelope(request.id);
     reply["status"] = proto::to_json(Status{});
     std::string text = proto::dump(reply);
-    text.replace(text.size() - 1, 1, ",\"result\":" + proto::dump(result) + "}");  // without a copy of it
+    text.pop_back();
+    text.reserve(text.size() + result.size() + 16);
+    text.append(",\"result\":").append(result).append("}");
     try {
         // The limits do not bound what the daemon reports of itself.
         if (!request.method.starts_with("server.")) check_limits(text, frames, limits_);

@@ -85,8 +85,8 @@ void answer(const SolveBatch& batch, std::vector<proto::ResultOrStatus> results)
     if (batch.call->answered()) return;
     guarded(batch.call, [&] {
         proto::Frames frames;
-        const json result = proto::encode_results("solutions", std::move(results), frames);
-        batch.call->succeed(result, std::move(frames));
+        const std::string result = proto::encode_results("solutions", std::move(results), frames);
+        batch.call->succeed_with(result, std::move(frames));
     });
 }
 

@@ -102,7 +102,7 @@ void step(const CallPtr& call, const DaemonParts& parts) {
     const auto check_rest = [&] { proto::check_frames_used(call->request.params, call->request.frames); };
     const auto send = [&](const StepAnswer& answer) {
         job->end();
-        return call->succeed(answer.result, answer.frames);
+        return call->succeed_with(*answer.text, answer.frames);
     };
     session->step({call->request.params, call, job, [&](const JobProgress& p) { reporter.report(p); }, check_rest, send,
                    parts.recent_solves},

@@ -47,8 +47,8 @@ void check_limits(const StepBatch& batch) {
 void answer(StepBatch& batch) {
     guarded(batch.call, [&] {
         proto::Frames frames;
-        const json result = proto::encode_results("steps", std::move(batch.results), frames);
-        batch.call->succeed(result, std::move(frames));
+        const std::string result = proto::encode_results("steps", std::move(batch.results), frames);
+        batch.call->succeed_with(result, std::move(frames));
     });
 }
 
@@ -56,7 +56,7 @@ proto::ResultOrStatus solved(StepBatch& batch, std::size_t index) {
     const std::shared_ptr<Job> job = batch.parts.jobs.create(origin_of(*batch.call, "step"), [] {});
     proto::ResultOrStatus result;
     const auto send = [&](const StepAnswer& answer) {
-        result = proto::Result{answer.result, answer.frames};
+        result = proto::Result{answer.text, answer.frames};
         return !batch.call->answered();
     };
     try {

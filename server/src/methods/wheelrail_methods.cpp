@@ -34,6 +34,11 @@ class WorkOnCall {
         job_->end();
         call_->succeed(result, std::move(frames));
     }
+    /// The same, with the text of a result as JSON.
+    void succeed_with(std::string_view result, proto::Frames frames) {
+        job_->end();
+        call_->succeed_with(result, std::move(frames));
+    }
 
    private:
     const CallPtr call_;
@@ -66,9 +71,8 @@ void solve_wheel(const CallPtr& call, const DaemonParts& parts) {
     const WheelRailSolution solution = parts.engine.solve(setup, state, work.observer());
     parts.recent_solves.add(*call, begun, solution);
     proto::ArrayWriter arrays(call->request.arrays);
-    const nlohmann::json result =
-        proto::encode_wheel_rail_solution(solution, proto::decode_patch_fields(params), arrays);
-    work.succeed(result, arrays.take_frames());
+    const std::string result = proto::write_wheel_rail_solution(solution, proto::decode_patch_fields(params), arrays);
+    work.succeed_with(result, arrays.take_frames());
 }
 
 void solve_wheelset(const CallPtr& call, const DaemonParts& parts) {

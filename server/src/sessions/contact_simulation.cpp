@@ -32,9 +32,9 @@ class ContactSimulation final : public Simulation {
         const auto begun = RecentSolves::Clock::now();
         ContactSolution solution = engine.solve(*steps_, before, set_inputs, observer);
         request.recent.add(*request.call, begun, solution, opened().grid);
-        nlohmann::json result = proto::encode_step_reply(before.step + 1, solution, opened().grid,
-                                                         proto::decode_fields(request.params, {}), arrays);
-        return {std::move(result), engine::ContactSteps::after(before, std::move(solution))};
+        std::string text = proto::dump(proto::encode_step_reply(before.step + 1, solution, opened().grid,
+                                                                proto::decode_fields(request.params, {}), arrays));
+        return {std::move(text), engine::ContactSteps::after(before, std::move(solution))};
     }
 
     SessionInfo common() const override {

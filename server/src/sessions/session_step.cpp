@@ -17,7 +17,7 @@ namespace {
 /// Tells one request from another with the same number; of a message with several steps only its own arrays count.
 std::size_t hash_of(const json& params, const proto::Frames& frames) {
     const std::hash<std::string_view> hash;
-    std::size_t value = hash(proto::dump(params));
+    std::size_t value = std::hash<json>()(params);
     const std::vector<bool> used = proto::frames_used(params, frames.size());
     for (std::size_t i = 0; i < frames.size(); ++i)
         if (used[i]) value = value * 31 + hash(frames[i].bytes());
@@ -85,7 +85,7 @@ void Session::solve_step(const std::shared_ptr<const engine::StepState>& before,
     Simulation::Solved solved = simulation_->solve(*before, request, arrays, observer, engine);
 
     auto after = std::make_shared<SessionState>();
-    after->answer = {hash, std::move(solved.result), arrays.take_frames()};
+    after->answer = {hash, std::make_shared<const std::string>(std::move(solved.text)), arrays.take_frames()};
     after->last = std::make_shared<const engine::StepState>(std::move(solved.after));
     after->before = before;
     // First, since whoever has the answer may ask at once how far the session is.

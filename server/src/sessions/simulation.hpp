@@ -16,8 +16,8 @@ namespace contactd::server {
 
 /// The answer to a step, kept to be sent again.
 struct StepAnswer {
-    std::size_t request = 0;  ///< hash of what was asked
-    nlohmann::json result;
+    std::size_t request = 0;                  ///< hash of what was asked
+    std::shared_ptr<const std::string> text;  ///< of the result, as JSON
     proto::Frames frames;
 };
 
@@ -41,7 +41,7 @@ class Simulation {
     virtual engine::StepState start() const = 0;
 
     struct Solved {
-        nlohmann::json result;
+        std::string text;  ///< of the result, as JSON
         engine::StepState after;
     };
     /// The step after `before`. Throws what the engine does, and StatusError for a step of the other kind.

@@ -41,8 +41,8 @@ class WheelRailSimulation final : public Simulation {
         const WheelRailSolution solution =
             below_wheel_rail([&] { return engine.solve(*steps_, before, input, solved.after, observer); });
         request.recent.add(*request.call, begun, solution);
-        solved.result =
-            proto::encode_step_reply(before.step + 1, solution, {input.fields, input.gap, input.patches}, arrays);
+        solved.text =
+            proto::write_step_reply(before.step + 1, solution, {input.fields, input.gap, input.patches}, arrays);
         return solved;
     }
 

@@ -65,7 +65,8 @@ inline std::vector<Frames> echo_gaps(const nlohmann::json& request, const Frames
             results.emplace_back(Status{StatusCode::internal, "No.", "UNEXPECTED", {}, 0});
     }
     Frames arrays;
-    Frames message{reply(request, proto::encode_results("solutions", std::move(results), arrays))};
+    Frames message{
+        reply(request, nlohmann::json::parse(proto::encode_results("solutions", std::move(results), arrays)))};
     message.insert(message.end(), arrays.begin(), arrays.end());
     return {message};
 }

@@ -40,7 +40,7 @@ std::vector<Frames> warn_of_some(const json& request, const Frames& frames) {
         results.push_back(proto::encode_outcome(warning_of(read, warnings), read.grid, proto::ArrayEncoding::frame));
     }
     Frames arrays;
-    Frames message{fake::reply(request, proto::encode_results("solutions", std::move(results), arrays))};
+    Frames message{fake::reply(request, json::parse(proto::encode_results("solutions", std::move(results), arrays)))};
     message.insert(message.end(), arrays.begin(), arrays.end());
     return {message};
 }

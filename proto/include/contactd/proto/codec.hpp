@@ -2,6 +2,7 @@
 // written and read in one place.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 
 #include "contactd/contact.hpp"
 #include "contactd/ic_reply.hpp"
+#include "contactd/proto/answer_text.hpp"
 #include "contactd/proto/message.hpp"
 #include "contactd/proto/status.hpp"
 #include "contactd/solve_reply.hpp"
@@ -48,6 +50,7 @@ SolutionFields decode_fields(const nlohmann::json& params, const SolutionFields&
 nlohmann::json encode_solve_reply(const SolveReply& reply, const Grid& grid, ArrayWriter& arrays,
                                   const SolutionFields& fields = all_solution_fields);
 SolveReply decode_solve_reply(const nlohmann::json& result, const Frames& frames);
+SolveReply decode_solve_reply(const AnswerValue& result, const Frames& frames);
 
 // --- contact.solve_many ----------------------------------------------------------------------------------------------
 nlohmann::json encode_problems(std::span<const ContactProblem> problems, ArrayWriter& arrays,
@@ -59,16 +62,16 @@ void check_referred_elements(const nlohmann::json& problems, const MessageLimits
 
 /// A result with its frames, or why there is none.
 struct Result {
-    nlohmann::json result;
+    std::shared_ptr<const std::string> text;  ///< of the result, as JSON
     Frames frames;
 };
 using ResultOrStatus = std::variant<Result, Status>;
 /// A reply that cannot be sent, because a number in it is not finite, becomes INTERNAL.
 ResultOrStatus encode_outcome(const SolveReply& reply, const Grid& grid, ArrayEncoding encoding,
                               const SolutionFields& fields = all_solution_fields);
-/// {list: [{status, result}, ...]}, of a method that does several things at once. Takes the frames, which then stand
-/// one behind the other in `frames`.
-nlohmann::json encode_results(std::string_view list, std::vector<ResultOrStatus> results, Frames& frames);
+/// The text of {list: [{status, result}, ...]}, of a method that does several things at once. Takes the frames, which
+/// then stand one behind the other in `frames`.
+std::string encode_results(std::string_view list, std::vector<ResultOrStatus> results, Frames& frames);
 std::vector<ReplyOrStatus> decode_solve_replies(const nlohmann::json& result, const Frames& frames);
 
 // --- contact.subsurface ----------------------------------------------------------------------------------------------

@@ -12,6 +12,7 @@
 #include "contactd/error.hpp"
 #include "contactd/fields.hpp"
 #include "contactd/grid.hpp"
+#include "contactd/proto/answer_text.hpp"
 #include "contactd/proto/message.hpp"
 
 namespace contactd::proto {
@@ -66,12 +67,15 @@ void read_fields(const nlohmann::json& source, const FieldType& type, void* valu
 void read_object(const nlohmann::json& source, const FieldType& type, void* owner, const MemberPath& path,
                  const Reading& with);
 
+void read_fields(const AnswerValue& source, const FieldType& type, void* value, const MemberPath& path,
+                 const Reading& with);
+
 template <class T>
 nlohmann::json write_fields(const T& value, const MemberPath& path, const Writing& with = {}) {
     return write_fields(type_of<T>(), &value, path, with);
 }
-template <class T>
-void read_fields(const nlohmann::json& source, T& value, const MemberPath& path, const Reading& with = {{}}) {
+template <class Source, class T>
+void read_fields(const Source& source, T& value, const MemberPath& path, const Reading& with = {{}}) {
     read_fields(source, type_of<T>(), &value, path, with);
 }
 

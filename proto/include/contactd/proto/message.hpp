@@ -96,8 +96,9 @@ UnsetArray read_unset_array(const nlohmann::json& json, const Frames& frames, co
 std::vector<unsigned char> read_byte_array(const nlohmann::json& json, const Frames& frames,
                                            const std::vector<std::size_t>& shape, const std::string& field);
 
-/// Lets the arrays of `message` refer to frames that come `count` places later, behind those of another message.
-void move_frames(nlohmann::json& message, std::size_t count);
+/// Appends a text that `dump` has made, whose arrays then refer to frames that come `count` places later, behind those
+/// of another message.
+void append_moved(std::string& text, std::string_view message, std::size_t count);
 
 /// Which of `count` frames the arrays of `params` refer to.
 std::vector<bool> frames_used(const nlohmann::json& params, std::size_t count);

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "contactd/proto/answer_text.hpp"
 #include "contactd/proto/status.hpp"
 
 namespace contactd::proto {
@@ -22,6 +23,7 @@ const nlohmann::json& schema(std::string_view name);
 /// Violations of `document`, by path, each description saying what the value is and what would be right; empty
 /// when it conforms. Thread-safe.
 std::vector<Violation> violations_of(std::string_view schema_name, const nlohmann::json& document);
+std::vector<Violation> violations_of(std::string_view schema_name, const AnswerValue& document);
 /// Violations of a schema that is given, without references.
 std::vector<Violation> violations_against(const nlohmann::json& schema, const nlohmann::json& document);
 

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "contactd/proto/answer_text.hpp"
 #include "contactd/proto/message.hpp"
 #include "contactd/proto/status.hpp"
 #include "contactd/proto/wheel_rail.hpp"
@@ -51,12 +52,16 @@ nlohmann::json encode_steps(std::span<const StepAsked> steps, ArrayWriter& array
 
 /// The answer to a step that was solved.
 AnyStepOrStatus decode_step_reply(const nlohmann::json& result, const Frames& frames, const StepAsked& asked);
+AnyStepOrStatus decode_step_reply(const AnswerValue& result, const Frames& frames, const StepAsked& asked);
 std::vector<AnyStepOrStatus> decode_step_replies(const nlohmann::json& result, const Frames& frames,
+                                                 std::span<const StepAsked> asked);
+std::vector<AnyStepOrStatus> decode_step_replies(const AnswerValue& result, const Frames& frames,
                                                  std::span<const StepAsked> asked);
 
 nlohmann::json encode_step_reply(long long step, const ContactSolution& solution, const Grid& grid,
                                  const SolutionFields& fields, ArrayWriter& arrays);
 StepReply decode_step_reply(const nlohmann::json& result, const Frames& frames, const Grid& grid);
+StepReply decode_step_reply(const AnswerValue& result, const Frames& frames, const Grid& grid);
 
 // --- of wheels on rails ----------------------------------------------------------------------------------------------
 /// Params of session.open and session.step, and results of steps, where they are of a wheel on its rail.
@@ -71,8 +76,10 @@ WheelRailSessionSpec decode_wheel_rail_session_spec(const nlohmann::json& params
 nlohmann::json encode_step(const std::string& session, long long step, const WheelRailStepInput& input);
 WheelRailStepInput decode_wheel_rail_step(const nlohmann::json& params);
 
-nlohmann::json encode_step_reply(long long step, const WheelRailSolution& solution, const PatchFields& fields,
-                                 ArrayWriter& arrays);
+/// The text of the result as JSON.
+std::string write_step_reply(long long step, const WheelRailSolution& solution, const PatchFields& fields,
+                             ArrayWriter& arrays);
 WheelRailStepReply decode_wheel_rail_step_reply(const nlohmann::json& result, const Frames& frames);
+WheelRailStepReply decode_wheel_rail_step_reply(const AnswerValue& result, const Frames& frames);
 
 }  // namespace contactd::proto

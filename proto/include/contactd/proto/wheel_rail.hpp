@@ -9,6 +9,7 @@
 
 #include "contactd/conicity.hpp"
 #include "contactd/contact.hpp"
+#include "contactd/proto/answer_text.hpp"
 #include "contactd/proto/message.hpp"
 #include "contactd/wheel_rail_setup.hpp"
 #include "contactd/wheel_rail_solution.hpp"
@@ -36,10 +37,13 @@ nlohmann::json encode_wheel_rail_friction(const WheelRailFriction& friction);
 WheelRailFriction decode_wheel_rail_friction(const nlohmann::json& friction);
 PatchFields decode_patch_fields(const nlohmann::json& params);
 
-/// Throws Error for numbers that are not finite.
+/// The text of a solution as JSON. Throws Error for numbers that are not finite.
+std::string write_wheel_rail_solution(const WheelRailSolution& solution, const PatchFields& fields,
+                                      ArrayWriter& arrays);
 nlohmann::json encode_wheel_rail_solution(const WheelRailSolution& solution, const PatchFields& fields,
                                           ArrayWriter& arrays);
 WheelRailSolution decode_wheel_rail_solution(const nlohmann::json& result, const Frames& frames);
+WheelRailSolution decode_wheel_rail_solution(const AnswerValue& result, const Frames& frames);
 
 // --- wheelrail.wheelset ----------------------------------------------------------------------------------------------
 nlohmann::json encode_wheelset_request(const WheelsetSetup& setup, const WheelsetState& state,
