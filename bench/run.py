@@ -34,6 +34,7 @@ PROGRAMS = [
     "bench_simplified",
     "bench_friction",
     "bench_wheel_rail",
+    "bench_conformal",
     "bench_vehicle",
     "bench_embedding",
     "bench_cntc",
@@ -52,6 +53,7 @@ BASELINES = [
 ]
 #: Ratios that rows measure themselves, in turns with what is named.
 OF_THE_ROW = {
+    "over_plane": "plane contact there",
     "over_product": "A*p of a patch",
     "over_solve": "plain solves of its patches",
     "ratio": "half-spaces",

@@ -11,6 +11,7 @@
 
 #include "contactd/contact.hpp"
 #include "contactd/observer.hpp"
+#include "contactd/patch_influence.hpp"
 #include "contactd/solve_reply.hpp"
 #include "engine/ics/cache/influence_cache.hpp"
 #include "engine/ics/ic_service.hpp"
@@ -96,6 +97,7 @@ class Engine {
     EngineCounters counters_;
     JobTable jobs_;
     InfluenceCache influences_;
+    RotatedPatches rotated_patches_;
     IcCache closed_forms_;  // of those who wait, and of wheels on rails
     PreparedContacts wheels_on_rails_;
     std::mutex mutex_;  // guards what follows

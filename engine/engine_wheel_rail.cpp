@@ -132,7 +132,8 @@ ContactInfluence Engine::patch_influence(const ContactProblem& problem, const Pa
     if (strips.of_sections()) return sections_influence(problem, strips, observer);
     if (!strips.flat())
         return with_warnings(influences_.of(rotated_key(problem, strips), [&] {
-            return contactd::patch_influence(problem, strips, nullptr, nullptr, observer);
+            if (strips.along_loaded_row) return contactd::patch_influence(problem, strips, nullptr, nullptr, observer);
+            return rotated_patches_.of(problem, strips, observer);
         }));
     ContactSetup larger = problem;
     larger.grid.nx = rounded_up(problem.grid.nx);

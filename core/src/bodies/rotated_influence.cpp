@@ -1,5 +1,6 @@
 #include "rotated_influence.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -9,13 +10,20 @@
 
 #include "contactd/half_space.hpp"
 #include "influence/shifted_half_space.hpp"
-#include "operators/strips/rotated_coefficients.hpp"
+#include "operators/rotated/rotated_coefficients.hpp"
 #include "operators/strips/strip_operator.hpp"
 #include "operators/strips/strip_step.hpp"
 #include "step_along_strips.hpp"
 
 namespace contactd {
 namespace {
+
+/// By how much products may change a coefficient, over zz of an element on itself. Of a patch whose symbols the nearest
+/// caches hold nothing is gained.
+double change_of_coefficients(const Grid& grid) {
+    constexpr double few = 16'384;  // offsets along x times pairs of rows
+    return static_cast<double>(grid.nx) * grid.ny * grid.ny > few ? largest_change : 0;
+}
 
 IcTable pair_table(const ContactProblem& problem, int nx, const Observer& observer) {
     const auto table_of = [&](const Material& material) -> IcTable {
@@ -100,9 +108,12 @@ ContactInfluence rotated_influence(const ContactProblem& problem, const MidwayIn
                                    std::span<const StripFrame> frames) {
     std::vector<double> angles;
     for (const StripFrame& frame : frames) angles.push_back(frame.angle);
+    const double left_out = change_of_coefficients(problem.grid) * midway.current->at_origin(MidwayKernels::nn);
     const auto parts_of = [&](const std::shared_ptr<const MidwayKernels>& kernels, OffsetParity parity) {
+        const double share =
+            kernels == midway.current ? 1 : std::min(1.0, std::abs(step_of(problem)[0]) / problem.grid.dx);
         return std::make_shared<const StripParts>(std::make_shared<const RotatedCoefficients>(kernels, angles),
-                                                  problem.grid.nx, parity);
+                                                  problem.grid.nx, parity, share * left_out);
     };
     const auto parts = parts_of(midway.current, OffsetParity::natural);
     ContactInfluence influence;

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "contactd/contact_influence.hpp"
-#include "operators/strips/midway_kernels.hpp"
+#include "operators/rotated/midway_kernels.hpp"
 
 namespace contactd {
 
@@ -19,12 +19,17 @@ struct MidwayInfluence {
     std::shared_ptr<const MidwayKernels> natural, opposite;
 };
 
+/// A thousandth of the error that half-spaces which turn have anyway.
+inline constexpr double largest_change = 1e-6;
+
 /// `flat` has the operators of the problem for rows that are not turned. The bodies are half-spaces. Throws
 /// InvalidArgument: "friction.rolling.chi" and ".dq" for a step that is not along x, or longer than the grid; and
 /// Cancelled.
 MidwayInfluence midway_influence(const ContactProblem& problem, ContactInfluence flat, const Observer& observer = {});
 
-/// Returns operators of rows in these frames (shape [ny]), of which the angles count: those of rotated_half_space.
+/// Returns operators of rows in these frames (shape [ny]), of which the angles count: those of rotated_half_space. No
+/// coefficient of large patches is changed by more than `largest_change` of zz of an element on itself, where products
+/// leave out large wavenumbers of distant rows; patches of few rows have none that is worth it.
 ContactInfluence rotated_influence(const ContactProblem& problem, const MidwayInfluence& midway,
                                    std::span<const StripFrame> frames);
 

@@ -6,9 +6,9 @@
 #include "contactd/half_space.hpp"
 #include "influence/shifted_table.hpp"
 #include "operators/convolution.hpp"
+#include "operators/rotated/turned_operator.hpp"
+#include "operators/rotated/turned_step.hpp"
 #include "operators/shifted_operator.hpp"
-#include "operators/strips/turned_operator.hpp"
-#include "operators/strips/turned_step.hpp"
 
 namespace contactd {
 namespace {

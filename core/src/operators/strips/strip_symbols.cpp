@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace contactd {
 namespace {
@@ -67,7 +68,8 @@ std::size_t numbers_before(std::size_t row) {
 class Packing {
    public:
     Packing(SymbolNumbers& values, std::size_t groups, double left_out)
-        : values_(values), rounds_(largest_coefficient(values.exact, groups) * unit_roundoff <= 0.5 * left_out) {}
+        : values_(values),
+          rounds_(SymbolNumbers::may_be_rounded(largest_coefficient(values.exact, groups), left_out)) {}
     Packing(const Packing&) = delete;
     Packing& operator=(const Packing&) = delete;
 
@@ -87,13 +89,34 @@ class Packing {
     }
 
    private:
-    static constexpr double unit_roundoff = 0.5 * std::numeric_limits<float>::epsilon();
     SymbolNumbers& values_;
     const bool rounds_;
     std::size_t size_ = 0;
 };
 
+SymbolNumbers zeros(std::size_t size, bool rounded) {
+    if (rounded) return {{}, std::vector<float>(size)};
+    return {std::vector<double>(size), {}};
+}
+
 }  // namespace
+
+bool SymbolNumbers::may_be_rounded(double largest, double left_out) {
+    constexpr double unit_roundoff = 0.5 * std::numeric_limits<float>::epsilon();
+    return largest * unit_roundoff <= 0.5 * left_out;
+}
+
+SymmetricSymbol::SymmetricSymbol(std::size_t groups, std::size_t entries, std::vector<std::size_t> begin, bool rounded)
+    : groups_(groups), entries_(entries), begin_(std::move(begin)), group_(groups) {
+    const std::size_t pairs = entries / 2;
+    std::size_t size = 0;
+    for (std::size_t group = 0; group < groups; ++group) {
+        group_[group] = size;
+        for (std::size_t pair = 0; pair < pairs; ++pair)
+            size += (4 * pair + 3 - 2 * begin_[group * pairs + pair]) * lanes;
+    }
+    values_ = zeros(size, rounded);
+}
 
 SymmetricSymbol::SymmetricSymbol(std::size_t groups, std::size_t entries)
     : groups_(groups),
@@ -146,6 +169,21 @@ RectangularSymbol::RectangularSymbol(std::size_t groups, std::size_t rows, std::
       ranges_(groups * rows / 2, {0, columns}),
       group_(groups) {
     for (std::size_t group = 0; group < groups; ++group) group_[group] = group * rows * columns * lanes;
+}
+
+RectangularSymbol::RectangularSymbol(std::size_t groups, std::size_t rows, std::size_t columns,
+                                     std::vector<EntryRange> ranges, bool rounded)
+    : groups_(groups), rows_(rows), columns_(columns), ranges_(std::move(ranges)), group_(groups) {
+    const std::size_t pairs = rows / 2;
+    std::size_t size = 0;
+    for (std::size_t group = 0; group < groups; ++group) {
+        group_[group] = size;
+        for (std::size_t pair = 0; pair < pairs; ++pair) {
+            const EntryRange& kept = ranges_[group * pairs + pair];
+            size += 2 * (kept.end - kept.begin) * lanes;
+        }
+    }
+    values_ = zeros(size, rounded);
 }
 
 void RectangularSymbol::set(std::size_t row, std::size_t column, std::span<const double> transform) {

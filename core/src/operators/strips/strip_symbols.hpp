@@ -16,6 +16,9 @@ struct SymbolNumbers {
     std::vector<float> rounded;  // empty when they are exact
 
     std::size_t size() const { return exact.size() + rounded.size(); }
+    /// Tells whether single precision changes no coefficient by more than half of `left_out`, the other half of which
+    /// is for what is not kept; no coefficient is larger than `largest`.
+    static bool may_be_rounded(double largest, double left_out);
 };
 
 /// Symmetric matrices, each number once. Entries are an even number, as those of waves.
@@ -23,12 +26,23 @@ class SymmetricSymbol {
    public:
     SymmetricSymbol() = default;
     SymmetricSymbol(std::size_t groups, std::size_t entries);
+    /// Trimmed already: `begin` as begin_ below. The numbers of the matrices are zeros, to be filled by fill().
+    SymmetricSymbol(std::size_t groups, std::size_t entries, std::vector<std::size_t> begin, bool rounded);
+
+    /// Calls each(group, begin of its pairs of rows, double* or float* of its numbers) of each group.
+    template <class Each>
+    void fill(const Each& each) {
+        for (std::size_t group = 0; group < groups_; ++group) {
+            const std::size_t* begin = begin_.data() + group * entries_ / 2;
+            if (values_.rounded.empty())
+                each(group, begin, values_.exact.data() + group_[group]);
+            else
+                each(group, begin, values_.rounded.data() + group_[group]);
+        }
+    }
 
     /// `transform` as of StripFft::symbol.
     void set(std::size_t row, std::size_t column, std::span<const double> transform);
-    /// The numbers of a group's matrix, to be filled in their order before trim: of two rows after each other, the
-    /// pairs of a column side by side, up to the diagonal; four wavenumbers each.
-    double* matrix(std::size_t group) { return values_.exact.data() + group_[group]; }
     /// Leaves out large wavenumbers of entries far from the diagonal, and rounds the others to single precision, as far
     /// as no coefficient changes by more than `left_out`. Call it once, after the last set.
     void trim(double left_out);
@@ -49,10 +63,23 @@ class RectangularSymbol {
    public:
     RectangularSymbol() = default;
     RectangularSymbol(std::size_t groups, std::size_t rows, std::size_t columns);
+    /// Trimmed already: `ranges` as ranges_ below. The numbers of the matrices are zeros, to be filled by fill().
+    RectangularSymbol(std::size_t groups, std::size_t rows, std::size_t columns, std::vector<EntryRange> ranges,
+                      bool rounded);
+
+    /// Calls each(group, ranges of its pairs of rows, double* or float* of its numbers) of each group.
+    template <class Each>
+    void fill(const Each& each) {
+        for (std::size_t group = 0; group < groups_; ++group) {
+            const EntryRange* ranges = ranges_.data() + group * rows_ / 2;
+            if (values_.rounded.empty())
+                each(group, ranges, values_.exact.data() + group_[group]);
+            else
+                each(group, ranges, values_.rounded.data() + group_[group]);
+        }
+    }
 
     void set(std::size_t row, std::size_t column, std::span<const double> transform);
-    /// The numbers of a group's matrix, to be filled before trim: [pair of rows][column][row of the pair][lane].
-    double* matrix(std::size_t group) { return values_.exact.data() + group_[group]; }
     void trim(double left_out);
     /// out = M in
     void multiply(const Waves& in, Waves& out) const;

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "bodies/rotated_influence.hpp"
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
-#include "contactd/patch_influence.hpp"
 
 namespace contactd {
 namespace {
@@ -41,24 +39,23 @@ ContactInfluence HalfSpaceCache::of(const ContactProblem& problem, const PatchSt
         throw InvalidArgument("conformal",
                               "is fem, whose tables take finite elements; give a source of operators that has them");
     if (strips.along_loaded_row) return patch_influence(problem, strips, nullptr, nullptr, observer);
-    const std::lock_guard lock(mutex_);
-    Entry& entry = entry_of(problem, observer);
-    if (strips.flat()) return entry.influence;
-    if (!entry.midway)
-        entry.midway = std::make_shared<const MidwayInfluence>(midway_influence(problem, entry.influence, observer));
-    return rotated_influence(problem, *entry.midway, strips.frames);
+    const auto flat = [&] {
+        const std::lock_guard lock(mutex_);
+        return flat_influence(problem, observer);
+    };
+    return strips.flat() ? flat() : rotated_.of(problem, strips, observer, flat);
 }
 
-HalfSpaceCache::Entry& HalfSpaceCache::entry_of(const ContactProblem& problem, const Observer& observer) {
+const ContactInfluence& HalfSpaceCache::flat_influence(const ContactProblem& problem, const Observer& observer) {
     const Grid& grid = problem.grid;
     const auto [step_x, step_y] = step_of(problem);
     const Key key{grid.nx, grid.ny, grid.dx, grid.dy, step_x, step_y};
     const auto found = std::find_if(cache_.begin(), cache_.end(), [&](const Entry& entry) { return entry.key == key; });
     if (found != cache_.end()) {
         cache_.splice(cache_.begin(), cache_, found);
-        return *found;
+        return found->influence;
     }
-    cache_.push_front({key, make_influence(problem, table_for(grid, observer), observer), nullptr});
+    cache_.push_front({key, make_influence(problem, table_for(grid, observer), observer)});
     std::size_t elements = 0, count = 0;
     for (auto entry = cache_.begin(); entry != cache_.end();) {
         elements +=
@@ -66,7 +63,7 @@ HalfSpaceCache::Entry& HalfSpaceCache::entry_of(const ContactProblem& problem, c
         const bool goes = ++count > 1 && (count > most_cached || elements > most_cached_elements);
         entry = goes ? cache_.erase(entry) : std::next(entry);
     }
-    return cache_.front();
+    return cache_.front().influence;
 }
 
 IcTable HalfSpaceCache::table_for(const Grid& grid, const Observer& observer) {

@@ -3,18 +3,16 @@
 
 #include <cstdint>
 #include <list>
-#include <memory>
 #include <mutex>
 #include <tuple>
 
 #include "contactd/contact_influence.hpp"
 #include "contactd/ic_table.hpp"
 #include "contactd/observer.hpp"
+#include "contactd/patch_influence.hpp"
 #include "contactd/patch_strips.hpp"
 
 namespace contactd {
-
-struct MidwayInfluence;
 
 /// It has the operators that were used last, and one table that all are parts of. Only the sizes of a grid matter, not
 /// where it lies. Thread-safe.
@@ -24,8 +22,7 @@ class HalfSpaceCache {
     explicit HalfSpaceCache(Bodies bodies);
 
     /// Strips that turn share what does not depend on their angles, which are others at the next position. Throws
-    /// InvalidArgument
-    /// ("conformal") for strips of sections, and Cancelled.
+    /// InvalidArgument ("conformal") for strips of sections, and Cancelled.
     ContactInfluence of(const ContactProblem& problem, const PatchStrips& strips = {}, const Observer& observer = {});
 
    private:
@@ -33,13 +30,13 @@ class HalfSpaceCache {
     struct Entry {
         Key key;
         ContactInfluence influence;
-        std::shared_ptr<const MidwayInfluence> midway;  ///< null until rows are turned
     };
     /// Call it while the mutex is locked.
-    Entry& entry_of(const ContactProblem& problem, const Observer& observer);
+    const ContactInfluence& flat_influence(const ContactProblem& problem, const Observer& observer);
     IcTable table_for(const Grid& grid, const Observer& observer);
 
     const Bodies bodies_;
+    RotatedPatches rotated_;
     std::mutex mutex_;        // guards what follows
     std::list<Entry> cache_;  // used last first
     IcTable table_{1, 1};

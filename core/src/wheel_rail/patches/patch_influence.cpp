@@ -5,37 +5,13 @@
 #include <utility>
 #include <vector>
 
-#include "bodies/rotated_influence.hpp"
 #include "bodies/strip_influence.hpp"
 #include "bodies/turned_influence.hpp"
-#include "contactd/error.hpp"
-#include "contactd/half_space.hpp"
 #include "contactd/strip_spectrum.hpp"
-#include "types/number_text.hpp"
+#include "wheel_rail/patches/curved_size.hpp"
 
 namespace contactd {
 namespace {
-
-constexpr double most_values = 5e7;  // of each of nine components: 3.6 GB
-
-void check_size(const Grid& grid) {
-    if (static_cast<double>(grid.nx) * grid.ny * grid.ny > most_values)
-        throw InvalidArgument("dy", "is " + number_text(grid.dy) + ", which makes a patch of " +
-                                        std::to_string(grid.ny) + " rows of " + std::to_string(grid.nx) +
-                                        " elements; where coefficients differ from row to row, rows squared times "
-                                        "elements of a row may be at most 5e7");
-}
-
-/// Takes rows that lie side by side, of half-spaces with constant loads.
-ContactInfluence flat_influence(const ContactProblem& problem, const Observer& observer) {
-    const Grid& grid = problem.grid;
-    const auto table_of = [&](const Material& material) -> IcTable {
-        if (material.is_rigid()) return {grid.nx, grid.ny};
-        return half_space_table({Ics{}, material, grid.dx, grid.dy, grid.nx, grid.ny}, observer);
-    };
-    const auto [rail, wheel] = problem.bodies.materials();
-    return make_influence(problem, pair_of(table_of(rail), table_of(wheel)), observer);
-}
 
 StripSpectrum part_of(const StripSpectrum& whole, int first, int strips) {
     StripSpectrum part = whole;
@@ -72,10 +48,8 @@ ContactInfluence patch_influence(const ContactProblem& problem, const PatchStrip
         for (const StripFrame& frame : strips.frames) angles.push_back(frame.angle);
         return turned_influence(problem, angles, observer);
     }
-    check_size(grid);
-    if (!strips.of_sections())
-        return rotated_influence(problem, midway_influence(problem, flat_influence(problem, observer), observer),
-                                 strips.frames);
+    if (!strips.of_sections()) return RotatedPatches().of(problem, strips, observer);
+    check_curved_size(grid);
     // A rail's strips run to the right and a wheel's to the left, as those of bodies that lie on each other do; rows
     // run to the right.
     StripTable wheel = table_of(strips.wheel, grid, of_wheel, observer);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "contactd/given_ics.hpp"
+#include "kept_distances.hpp"
 #include "rotated_matrices.hpp"
 
 namespace contactd {
@@ -14,6 +15,23 @@ namespace {
 bool are_turned(const std::vector<double>& angles) {
     const auto [least, greatest] = std::minmax_element(angles.begin(), angles.end());
     return *greatest - *least > coupling_tolerance;
+}
+
+const std::vector<double>* or_none(const std::vector<double>& values) {
+    return values.empty() ? nullptr : &values;
+}
+
+/// The first entries that pairs of rows keep, as SymmetricSymbol takes them: a pair of its rows are so many rows of the
+/// grid, of which each has so many entries.
+std::vector<std::size_t> first_kept(const KeptDistances& kept, std::size_t groups, std::size_t pairs, std::size_t rows,
+                                    std::size_t entries) {
+    std::vector<std::size_t> begin;
+    for (std::size_t group = 0; group < groups; ++group)
+        for (std::size_t pair = 0; pair < pairs; ++pair) {
+            const std::size_t row = pair * rows, before = std::min(row, kept.of(group) - 1);
+            begin.push_back((row - before) * entries);
+        }
+    return begin;
 }
 
 }  // namespace
@@ -39,31 +57,46 @@ std::span<const double> RotatedCoefficients::angles_of(const SymbolExtent& exten
 
 SymmetricSymbol RotatedCoefficients::normal(const SymbolExtent& extent, const StripFft& fft) const {
     const auto symbols = midway_->symbols(extent, fft);
+    const KeptDistances kept(*symbols, {{&symbols->sum, &symbols->difference, or_none(symbols->sn)}}, extent.left_out);
     const PairRotations whole(angles_of(extent), 1);
-    SymmetricSymbol symbol(fft.groups(), symbols->rows + symbols->rows % 2);
-    for (std::size_t group = 0; group < fft.groups(); ++group)
-        fill_normal(*symbols, group, whole, symbol.matrix(group));
-    if (extent.left_out > 0) symbol.trim(extent.left_out);
+    const std::size_t entries = symbols->rows + symbols->rows % 2;
+    SymmetricSymbol symbol(fft.groups(), entries, first_kept(kept, fft.groups(), entries / 2, 2, 1), kept.rounded());
+    symbol.fill([&](std::size_t group, const std::size_t* begin, auto* matrix) {
+        fill_normal(*symbols, group, whole, begin, matrix);
+    });
     return symbol;
 }
 
 SymmetricSymbol RotatedCoefficients::tangential(const SymbolExtent& extent, const StripFft& fft) const {
     const auto symbols = midway_->symbols(extent, fft);
+    const KeptDistances kept(*symbols,
+                             {{&symbols->xx},
+                              {&symbols->xs, or_none(symbols->xn)},
+                              {&symbols->sum, &symbols->difference, or_none(symbols->sn)}},
+                             extent.left_out);
     const PairRotations whole(angles_of(extent), 1), half(angles_of(extent), 0.5);
-    SymmetricSymbol symbol(fft.groups(), 2 * symbols->rows);
-    for (std::size_t group = 0; group < fft.groups(); ++group)
-        fill_tangential(*symbols, group, whole, half, symbol.matrix(group));
-    if (extent.left_out > 0) symbol.trim(extent.left_out);
+    const std::size_t rows = symbols->rows;
+    SymmetricSymbol symbol(fft.groups(), 2 * rows, first_kept(kept, fft.groups(), rows, 1, 2), kept.rounded());
+    symbol.fill([&](std::size_t group, const std::size_t* begin, auto* matrix) {
+        fill_tangential(*symbols, group, whole, half, begin, matrix);
+    });
     return symbol;
 }
 
 RectangularSymbol RotatedCoefficients::coupling(const SymbolExtent& extent, const StripFft& fft) const {
     const auto symbols = midway_->symbols(extent, fft);
+    const KeptDistances kept(*symbols, {{&symbols->xs, or_none(symbols->xn)}, {&symbols->sum, or_none(symbols->sn)}},
+                             extent.left_out);
     const PairRotations whole(angles_of(extent), 1), half(angles_of(extent), 0.5);
-    RectangularSymbol symbol(fft.groups(), 2 * symbols->rows, symbols->rows + symbols->rows % 2);
+    const std::size_t rows = symbols->rows;
+    std::vector<EntryRange> ranges;
     for (std::size_t group = 0; group < fft.groups(); ++group)
-        fill_coupling(*symbols, group, whole, half, symbol.matrix(group));
-    if (extent.left_out > 0) symbol.trim(extent.left_out);
+        for (std::size_t I = 0; I < rows; ++I)
+            ranges.push_back({I + 1 - std::min(I + 1, kept.of(group)), std::min(I + kept.of(group), rows)});
+    RectangularSymbol symbol(fft.groups(), 2 * rows, rows + rows % 2, std::move(ranges), kept.rounded());
+    symbol.fill([&](std::size_t group, const EntryRange* range, auto* matrix) {
+        fill_coupling(*symbols, group, whole, half, range, matrix);
+    });
     return symbol;
 }
 

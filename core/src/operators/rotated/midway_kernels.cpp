@@ -63,7 +63,7 @@ std::vector<double> MidwayKernels::transform(Component component, const SymbolEx
 }
 
 std::shared_ptr<const MidwaySymbols> MidwayKernels::symbols(const SymbolExtent& extent, const StripFft& fft) const {
-    return symbols_.get({0, 0, extent.offsets, extent.strips}, [&] {
+    return symbols_.get({extent.period, 0, extent.offsets, extent.strips}, [&] {
         const auto of = [&](Component component) { return transform(component, extent, fft); };
         const auto half_sum = [](const std::vector<double>& a, double sign, const std::vector<double>& b) {
             std::vector<double> result(a.size());

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "midway_kernels.hpp"
-#include "strip_coefficients.hpp"
+#include "operators/strips/strip_coefficients.hpp"
 
 namespace contactd {
 

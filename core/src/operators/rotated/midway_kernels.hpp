@@ -9,7 +9,7 @@
 
 #include "contactd/ic_table.hpp"
 #include "operators/cached_boxes.hpp"
-#include "strip_coefficients.hpp"
+#include "operators/strips/strip_coefficients.hpp"
 
 namespace contactd {
 
@@ -20,6 +20,8 @@ struct MidwaySymbols {
     std::vector<double> xx, xs;
     std::vector<double> sum, difference;  ///< (nn + ss)/2 and (nn - ss)/2
     std::vector<double> sn, xn;
+
+    std::size_t groups() const { return xx.size() / (rows * Waves::lanes); }
 };
 
 /// Axes x, s along the surface, n. Coefficients depend on the distance of the rows only, whatever their angles: sx is

@@ -1,0 +1,100 @@
+// Conformal contact of S1002 on 60E1, in steps along y, beside plane contact at the same places: a session of each,
+// step by step in turns. Counter over_plane: processor time of the conformal steps over that of the plane ones; cpu_ms:
+// that of a conformal step; elements: those of the last patch; Fx, Fy: its forces (N).
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <ctime>
+
+#include "contactd/solve_wheel_rail.hpp"
+
+namespace {
+
+using namespace contactd;
+
+struct Place {
+    double Fz;
+    double y, step;  ///< where steps begin, and how far apart they lie (mm)
+    int steps;       ///< of an iteration
+};
+
+constexpr Place gauge_corner{10'000, 6.2, 0.05, 12}, gauge_corner_slowly{10'000, 6.2, 0.0005, 12},
+    flange_root{80'000, 6.6, 0.05, 4};
+
+WheelRailContact contact_of(Conformal conformal, double element) {
+    WheelRailSetup setup;
+    setup.dx = setup.dy = element;
+    setup.conformal = conformal;
+    return WheelRailContact(setup);
+}
+
+WheelRailState at(const Place& place, int step) {
+    WheelRailState state;
+    state.Fz = place.Fz;
+    state.position.y = place.y + place.step * step;
+    state.position.yaw = 0.0072;
+    state.velocity.x = 30000;
+    state.velocity.pitch = -30000 / 460.0;
+    return state;
+}
+
+double processor_seconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// Sessions go on from step to step; other solves start from nothing.
+void steps(benchmark::State& state, const Place& place, bool session) {
+    const double element = 0.01 * static_cast<double>(state.range(0));
+    const WheelRailContact conformal = contact_of(Conformal::rotated, element),
+                           plane = contact_of(Conformal::off, element);
+    WheelRailEstimates of_conformal, of_plane;
+    Observer observer;
+    WheelRailSolution last;
+    const auto solve = [&](const WheelRailContact& contact, WheelRailEstimates& estimates, int step) {
+        const WheelRailState wheel = at(place, step);
+        return session ? contact.solve(wheel, estimates, observer) : contact.solve(wheel, observer);
+    };
+    double conformal_seconds = 0, plane_seconds = 0;
+    for (auto _ : state) {
+        double seconds = 0;
+        for (int step = 0; step < place.steps; ++step) {
+            const auto start = std::chrono::steady_clock::now();
+            const double before = processor_seconds();
+            last = solve(conformal, of_conformal, step);
+            const double between = processor_seconds();
+            seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            benchmark::DoNotOptimize(solve(plane, of_plane, step));
+            conformal_seconds += between - before;
+            plane_seconds += processor_seconds() - between;
+        }
+        state.SetIterationTime(seconds / place.steps);
+    }
+    if (!last.converged()) state.SkipWithError("the last step has not converged");
+    const Grid& grid = last.patches.at(0).place.grid;
+    state.counters["over_plane"] = conformal_seconds / plane_seconds;
+    state.counters["elements"] = static_cast<double>(grid.size());
+    state.counters["cpu_ms"] = 1e3 * conformal_seconds / static_cast<double>(state.iterations()) / place.steps;
+    state.counters["Fx"] = last.forces.track.Fx;
+    state.counters["Fy"] = last.forces.track.Fy;
+}
+
+// Elements of 0.4 and 0.2 mm; of the large patch, which has 20,000 of them and more, of 0.15.
+void rows(benchmark::internal::Benchmark* rows) {
+    rows->ArgName("hundredths")->Arg(40)->Arg(20)->UseManualTime()->Unit(benchmark::kMillisecond);
+}
+
+BENCHMARK_CAPTURE(steps, gauge_corner, gauge_corner, true)->Apply(rows);
+BENCHMARK_CAPTURE(steps, gauge_corner_slowly, gauge_corner_slowly, true)->Apply(rows);
+BENCHMARK_CAPTURE(steps, gauge_corner_from_nothing, gauge_corner, false)->Apply(rows);
+BENCHMARK_CAPTURE(steps, flange_root, flange_root, true)->Apply(rows);
+BENCHMARK_CAPTURE(steps, flange_root_from_nothing, flange_root, false)->Apply(rows);
+BENCHMARK_CAPTURE(steps, large, flange_root, true)
+    ->ArgName("hundredths")
+    ->Arg(15)
+    ->UseManualTime()
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,19 @@
+#include "wheel_rail/patches/curved_size.hpp"
+
+#include <string>
+
+#include "contactd/error.hpp"
+#include "types/number_text.hpp"
+
+namespace contactd {
+
+void check_curved_size(const Grid& grid) {
+    constexpr double most_values = 5e7;  // of each of nine components: 3.6 GB
+    if (static_cast<double>(grid.nx) * grid.ny * grid.ny > most_values)
+        throw InvalidArgument("dy", "is " + number_text(grid.dy) + ", which makes a patch of " +
+                                        std::to_string(grid.ny) + " rows of " + std::to_string(grid.nx) +
+                                        " elements; where coefficients differ from row to row, rows squared times "
+                                        "elements of a row may be at most 5e7");
+}
+
+}  // namespace contactd
