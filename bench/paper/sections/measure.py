@@ -108,15 +108,13 @@ class Solver:
 
     def _finest_of(self, spec: Spec) -> tuple[float, Any]:
         """The finest accuracy that is not refused, and its table."""
+        try:
+            return FINEST, self._built(spec, FINEST)
+        except InternalError as error:
+            if "is not reached" not in error.message:
+                raise
         coarser = min(ACCURACIES)
-        table = self._built(spec, coarser)
-        if table.evidence.section.reciprocity_defect / 2 < FINEST:
-            try:
-                return FINEST, self._built(spec, FINEST)
-            except InternalError as error:
-                if "is not reached" not in error.message:
-                    raise
-        return coarser, table
+        return coarser, self._built(spec, coarser)
 
     def _processor_seconds(self, spec: Spec) -> float:
         """Of a builder by itself, whose start and end are in them: wall time would be that of whatever else runs."""

@@ -47,17 +47,16 @@ def test_a_table_is_compared_with_the_finest_one(monkeypatch):
     assert found["found"] == pytest.approx(1e-2 - FINEST)
 
 
-@pytest.mark.parametrize("client", [FakeClient(defect=0.02), FakeClient(refusal="The accuracy of 0.0001 is not reached")])
-def test_where_the_finest_is_refused_the_next_one_stands_in(client, monkeypatch):
-    found = measured(client, monkeypatch)
+def test_where_the_finest_is_refused_the_next_one_stands_in(monkeypatch):
+    found = measured(FakeClient(refusal="The accuracy of 0.0001 is not reached"), monkeypatch)
     assert found["finest_asked"] == 1e-3
     assert found["found"] == pytest.approx(9e-3)
 
 
-def test_a_defect_that_no_mesh_makes_less_is_not_tried_in_vain(monkeypatch):
-    client = FakeClient(defect=0.02)
-    assert measured(client, monkeypatch)["reciprocity"] == 0.01
-    assert FINEST not in client.asked
+def test_a_defect_of_reciprocity_is_stated_and_refuses_no_accuracy(monkeypatch):
+    found = measured(FakeClient(defect=0.02), monkeypatch)
+    assert found["reciprocity"] == 0.01
+    assert found["finest_asked"] == FINEST
 
 
 def test_any_other_failure_ends_the_run(monkeypatch):
