@@ -13,9 +13,9 @@ PAGE = (DOCS / "benchmarks.md").read_text()
     ("page", "stated", "collected"),
     [
         ("validation", r"Of (\d+) cases that are computed (\d+) agree and (\d+) differ",
-         r"(\d+) of its public cases \| (\d+) agree within tolerances of printing, (\d+) differ"),
+         r"(\d+) of its public cases \| (\d+) agree within printing tolerances, (\d+) differ"),
         ("validation", r"contactd takes (1/[\d.]+) of the printed time", r"\[(1/[\d.]+)\]\(validation.md#by-family\)"),
-        ("validation", r"For (\d+) of them no independent result", r"\* Of (\d+) of the cases that differ"),
+        ("validation", r"For (\d+) of them no independent result", r"\* For (\d+) of the cases that differ"),
     ],
     ids=["cases", "times", "undecided"],
 )  # fmt: skip
