@@ -71,6 +71,13 @@ std::string falling_force(double z) {
            "another. Smaller steps stay on one of them.";
 }
 
+std::string jumping_force(const HeightFound& found) {
+    return "The vertical force jumps from " + short_text(found.jump->above) + " to " + short_text(found.jump->below) +
+           " N at z = " + number_text(found.z) +
+           " mm, where other elements or regions count: the contact carries what lies between. Smaller elements jump "
+           "less.";
+}
+
 std::string missed_force(double Fz, const HeightFound& found) {
     return "No height brings Fz = " + number_text(Fz) + " N: at z = " + number_text(found.z) +
            " mm the force is off by " + short_text(found.evidence.residual) + " of it after " +
@@ -120,6 +127,8 @@ WheelRailSolution RightWheel::solve(Observer& observer) {
             solution = state_.Fz ? under_force(*state_.Fz, observer) : at(state_.position.height(), observer);
             if (auto warning = off_tread_warning(solution, profiles_, position_.wheel(solution.z), position_.rail()))
                 solution.warnings.push_back(std::move(*warning));
+            if (!state_.Fz && !state_.derivatives && falls_where_regions_merge(solution, observer))
+                solution.warnings.push_back(falling_force(solution.z));
         }
         if (state_.derivatives) {
             if (solution.rail_deflection)
@@ -168,6 +177,27 @@ std::size_t RightWheel::regions_at(double z) const {
     std::size_t regions = 0;
     for (const CandidatePatch& found : position_.candidates(z)) regions += found.place.regions.size();
     return regions;
+}
+
+bool RightWheel::falls_where_regions_merge(const WheelRailSolution& solution, Observer& observer) const {
+    constexpr double step = 0.005, noise = 1e-3;  // of the approach; of forces on other elements
+    double approach = 0;
+    for (const WheelRailPatch& patch : solution.patches)
+        if (std::ranges::any_of(patch.place.shares, [](double share) { return share < 1; }))
+            approach = std::max(approach, patch.place.approach);
+    if (!(approach > 0)) return false;
+    WheelRailSetup setup = setup_;
+    setup.friction.reset();
+    setup.temperature.reset();
+    setup.wear.reset();
+    setup.fatigue.reset();
+    WheelRailState state = state_;
+    state.motion = WheelRailMotion::steady_rolling;
+    state.displacements = false;
+    RightWheel above(setup, profiles_, influences_, state, observer_),
+        below(setup, profiles_, influences_, state, observer_);
+    const double more = below.at(solution.z + step * approach, observer).forces.track.Fz;
+    return more < above.at(solution.z - step * approach, observer).forces.track.Fz * (1 - noise);
 }
 
 double RightWheel::expected_height() {
@@ -248,7 +278,8 @@ WheelRailSolution RightWheel::solve(const Placement& placement, const Load& load
     for (const Placement::Patch& placed : placement.patches) {
         observer.throw_if_cancelled();
         ContactProblem problem = placed.problem;
-        if (load.Fn) {
+        const bool carries = load.Fn && solution.patches.size() == load.patch;
+        if (carries) {
             problem.approach.reset();
             problem.Fn = load.Fn;
         } else {
@@ -256,7 +287,7 @@ WheelRailSolution RightWheel::solve(const Placement& placement, const Load& load
         }
         solution.patches.push_back(solve(placed.found, std::move(problem), placed.kept(influences_), observer));
         WheelRailPatch& patch = solution.patches.back();
-        if (load.Fn) solution.z = placement.height_of(patch.solution.approach, placed);
+        if (carries && placement.is_single()) solution.z = placement.height_of(patch.solution.approach, placed);
         patch.forces = forces_of(patch, placed.found, solution.z);
         if (estimates_ && setup_.model == Model::full)
             estimates.push_back(estimate_of(placed.found, state_.position.x, patch.solution));
@@ -423,22 +454,36 @@ HeightFound RightWheel::carry(double Fz, HeightTask& task, WheelRailSolution& so
         z = solution.z;
         return solution.forces.track.Fz;
     };
-    // By the penetration models a force jumps by a hundredth where another element becomes the deepest one. There the
-    // patch carries what lies between, at one height.
+    // Forces jump where other elements or regions count, by the penetration models by a hundredth where another element
+    // becomes the deepest one. There the largest patch carries what lies between, at one height.
     const auto carries_at_jump = [&](HeightFound& at) {
-        constexpr double largest_jump = 0.03;
+        constexpr double small_jump = 0.03;
         constexpr int few_rounds = 20;
-        if (at.evidence.residual > largest_jump || !placement || !placement->is_single()) return;
-        for (int round = 0; round < few_rounds && share && *share >= least_share; ++round) {
-            solve_for({.z = at.z, .Fn = Fz / *share});
+        const bool is_small = setup_.normal_model != NormalModel::of_model && at.evidence.residual <= small_jump;
+        if (!(at.jump || is_small) || solution.patches.empty()) return;
+        const auto normal_force = [](const WheelRailPatch& patch) { return patch.solution.forces.Fn; };
+        const auto index = static_cast<std::size_t>(std::ranges::max_element(solution.patches, {}, normal_force) -
+                                                    solution.patches.begin());
+        const auto kept = std::tuple(solution, estimates_->patches);
+        for (int round = 0; round < few_rounds; ++round) {
+            const WheelRailPatch& patch = solution.patches[index];
+            const auto part = share_of(patch);
+            if (!part || *part < least_share) break;
+            const double Fn = patch.solution.forces.Fn + (Fz - solution.forces.track.Fz) / *part;
+            if (!(Fn > 0)) break;
+            solve_for({.z = at.z, .Fn = Fn, .patch = index});
             solution.z = at.z;
-            at.evidence.residual = std::abs(solution.forces.track.Fz - Fz) / Fz;
-            if (at.evidence.residual <= task.settings.tolerance) return;
+            const double residual = std::abs(solution.forces.track.Fz - Fz) / Fz;
+            if (residual > task.settings.tolerance) continue;
+            at.evidence.residual = residual;
+            if (at.jump && !is_small) solution.warnings.push_back(jumping_force(at));
+            return;
         }
+        std::tie(solution, estimates_->patches) = kept;
     };
     task.settings.tolerance *= finer;
     HeightFound found = find_height(task);
-    if (!found.evidence.converged && setup_.normal_model != NormalModel::of_model) carries_at_jump(found);
+    if (!found.evidence.converged) carries_at_jump(found);
     // Where the step before had other regions, and its branch of the force still brings Fz close by, this one stays
     // there.
     const auto stay_on_branch = [&] {

@@ -60,14 +60,18 @@ class RightWheel {
     void check_depth(double z) const;
     /// Where Hertz's theory expects Fz, or position.z.
     double expected_height();
+    /// Returns whether the force falls while the wheel is lowered from where it was solved, where regions have a
+    /// weighted interaction; by normal contact alone.
+    bool falls_where_regions_merge(const WheelRailSolution& solution, Observer& observer) const;
     /// Counts the regions of overlap.
     std::size_t regions_at(double z) const;
     WheelRailSolution at(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer);
     Placement placed(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer) const;
-    /// Where a wheel is solved: at a height, or where its only patch carries a normal force.
+    /// Where a wheel is solved: at a height, or where one of its patches carries a normal force.
     struct Load {
-        double z;  ///< then about where that is
+        double z;  ///< of a single patch with a force about where that is
         std::optional<double> Fn{};
+        std::size_t patch = 0;  ///< which carries Fn
     };
     WheelRailSolution solve(const Placement& placement, const Load& load, Observer& observer);
     /// Without forces on the wheel.

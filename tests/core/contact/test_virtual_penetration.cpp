@@ -74,6 +74,29 @@ TEST_CASE("A force that is prescribed has the approach that brings it", "[penetr
     CHECK_THAT(found.forces.Fn, WithinRel(*problem.Fn, 1e-8));
 }
 
+TEST_CASE("Every force has an approach, also where other rows and elements make it jump", "[penetration]") {
+    const NormalModel normal = GENERATE(NormalModel::kp, NormalModel::kpec, NormalModel::analyn);
+    ContactProblem problem = pressed(normal, 15, 13, 1, 1);
+    problem.gap = heights(problem.grid, [](double x, double y) {
+        return 0.002 * x * x + (y < 0.7 ? 0.0004 : 0.002) * (y - 0.7) * (y - 0.7) + (y > 2 ? 0.004 * (y - 2) : 0);
+    });
+    for (double Fn = 100; Fn < 60000; Fn *= 1.02) {
+        problem.Fn = Fn;
+        problem.approach.reset();
+        const ContactSolution found = solved(problem);
+        CAPTURE(static_cast<int>(normal), Fn);
+        CHECK(found.converged());
+        CHECK_THAT(found.forces.Fn, WithinRel(Fn, 1e-8));
+        double sum = 0, least = 0;
+        for (const double p : found.pressure) {
+            sum += p;
+            least = std::min(least, p);
+        }
+        CHECK_THAT(sum, WithinRel(Fn, 1e-8));
+        CHECK(least == 0);
+    }
+}
+
 TEST_CASE("KPEC and ANALYN give Hertz's contact of paraboloids", "[penetration]") {
     const NormalModel normal = GENERATE(NormalModel::kpec, NormalModel::analyn);
     const double Ry = GENERATE(250.0, 500.0, 1000.0);

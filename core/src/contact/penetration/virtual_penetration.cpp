@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "closed_forms/hertz.hpp"
 #include "penetration_models.hpp"
@@ -57,6 +58,12 @@ class Penetration {
     }
 
     const PenetrationPressures& found() const { return found_; }
+    /// Takes a share of other pressures, and of those found the rest.
+    void blend(const PenetrationPressures& others, double share) {
+        for (std::size_t i = 0; i < found_.pressure.size(); ++i)
+            found_.pressure[i] += share * (others.pressure[i] - found_.pressure[i]);
+        found_.is_beyond = found_.is_beyond || others.is_beyond;
+    }
 
    private:
     /// Gives the pressures the size whose displacement at the deepest element is `overlap`.
@@ -110,9 +117,11 @@ class Penetration {
     PenetrationPressures found_;
 };
 
-/// d for a force, by the rule of false position on a force that grows as d^(3/2), within brackets that grow from
-/// `start` on, the faster the longer it takes.
-double depth_for(Penetration& penetration, double Fn, double start, SolverEvidence& evidence) {
+/// Finds d for a force, by the rule of false position on a force that grows as d^(3/2), within brackets that grow from
+/// `start` on, the faster the longer it takes. Where the force jumps over what is asked for, because other rows or
+/// another deepest element count, the pressures are those between both sides that carry it.
+double carry(Penetration& penetration, double Fn, double start, SolverEvidence& evidence) {
+    constexpr int enough = 40;
     const auto excess = [&](double d) {
         ++evidence.iterations;
         const double force = penetration.solve(d);
@@ -130,7 +139,8 @@ double depth_for(Penetration& penetration, double Fn, double start, SolverEviden
     double d = high;
     int same = 0;
     while (evidence.residual > tolerance && evidence.iterations < most_rounds && high - low > 1e-15 * high) {
-        d = (low * at_high - high * at_low) / (at_high - at_low);
+        d = evidence.iterations < enough ? (low * at_high - high * at_low) / (at_high - at_low)
+                                         : std::midpoint(low, high);
         const double here = excess(d);
         const bool is_low = here < 0;
         // An end that stays counts half, or it would stay for ever.
@@ -145,7 +155,15 @@ double depth_for(Penetration& penetration, double Fn, double start, SolverEviden
             if (same < -1) at_low *= 0.5;
         }
     }
-    return d;
+    constexpr double closed = 1e-9;
+    if (evidence.residual <= tolerance || !(high - low < closed * high)) return d;
+    const double less = penetration.solve(low);
+    const PenetrationPressures before = penetration.found();
+    const double more = penetration.solve(high);
+    if (!(less < Fn && Fn < more)) return high;
+    penetration.blend(before, (more - Fn) / (more - less));
+    evidence.residual = 0;
+    return high;
 }
 
 void warn(const ContactProblem& problem, const PenetrationPressures& found, std::vector<std::string>& warnings) {
@@ -177,7 +195,7 @@ PenetrationContact penetration_contact(const ContactProblem& problem, std::span<
     contact.pressure.resize(problem.grid.size());
     double d = problem.approach ? *problem.approach - penetration.least() : 0;
     if (problem.Fn && *problem.Fn > 0) {
-        d = depth_for(penetration, *problem.Fn, penetration.expected_depth(*problem.Fn), contact.evidence);
+        d = carry(penetration, *problem.Fn, penetration.expected_depth(*problem.Fn), contact.evidence);
         contact.evidence.converged = contact.evidence.residual <= tolerance;
     } else if (d > penetration.rounding()) {
         penetration.solve(d);

@@ -70,6 +70,7 @@ class Search {
             z = beside ? *beside : by_forces().value_or(force > 0 && expected > 0 ? next() : 0.5 * (low_ + high_));
             if (z == last) break;
         }
+        if (!found.evidence.converged) found.jump = jump();
         return found;
     }
 
@@ -119,6 +120,14 @@ class Search {
         low_ = least_;
         high_ = task_.deepest;
         return std::clamp(first.z + (far_ - first.z) * probes[probed_++], least_, task_.deepest);
+    }
+
+    std::optional<HeightFound::Jump> jump() const {
+        constexpr double close = 1e-6;  // mm
+        const auto low = std::ranges::find(solved_, low_, &Solved::z),
+                   high = std::ranges::find(solved_, high_, &Solved::z);
+        if (low == solved_.end() || high == solved_.end() || !(high_ - low_ < close)) return std::nullopt;
+        return HeightFound::Jump{low->force, high->force};
     }
 
     /// Regula falsi between forces (Illinois), where estimates have not led there in a few solves, as those of patches

@@ -31,6 +31,12 @@ struct HeightFound {
     SolverEvidence evidence;
     HeightCorrection correction{};
     bool falls = false;  ///< the force was less at one height than at another above it
+    /// Forces (N) on both sides of the height, where they jump over the target there: they were computed less than
+    /// 1e-6 mm apart.
+    struct Jump {
+        double above, below;
+    };
+    std::optional<Jump> jump{};
 };
 
 /// Stops, without convergence, where the force is a thousand times the target although the estimate was corrected.

@@ -1,6 +1,8 @@
 // Steps of a wheel on a rail where the force falls as patches merge, so that several heights bring one force.
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <string>
 #include <vector>
 
 #include "wheel_rail/position/branch.hpp"
@@ -58,6 +60,30 @@ TEST_CASE("A step stays on the branch of the step before where two heights bring
         CHECK_THAT(solve(merging(), state).forces.track.Fz, WithinRel(92500, 1e-4));
     }
     CHECK(merged.z > apart.z + 1e-3);
+}
+
+TEST_CASE("A given height at which the force falls is warned of") {
+    const WheelRailContact contact(merging());
+    Observer observer;
+    const double apart = last_of(contact, {90000, 91000, 92000, 92500}).z, merged = last_of(contact, {95000, 92500}).z;
+    const auto at = [&](double z) {
+        WheelRailState state = under(1);
+        state.Fz.reset();
+        state.position.z = z;
+        return contact.solve(state, observer);
+    };
+    const auto warned = [](const WheelRailSolution& solution) {
+        return std::ranges::any_of(solution.warnings, [](const std::string& warning) {
+            return warning.starts_with("The vertical force falls while the wheel is lowered near z = ");
+        });
+    };
+    const auto border = nearest_height([&](double z) { return regions_in(at(z)) < 3; }, apart, merged);
+    REQUIRE(border);
+    REQUIRE(at(*border + 1e-5).forces.track.Fz < at(*border - 1e-5).forces.track.Fz - 1000);
+    CHECK(warned(at(*border - 1e-4)));
+    CHECK(warned(at(*border + 1e-4)));
+    CHECK_FALSE(warned(at(apart - 0.02)));
+    CHECK_FALSE(warned(at(merged + 0.02)));
 }
 
 TEST_CASE("The height where a branch begins is found between those that are not on it") {

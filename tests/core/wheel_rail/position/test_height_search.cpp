@@ -146,3 +146,18 @@ TEST_CASE("Of several heights that bring a force the nearest to the step before 
         CHECK_FALSE(found.falls);
     }
 }
+
+TEST_CASE("A force that jumps over its target is found where it jumps, with the forces on both sides") {
+    const auto estimate = [](double z) { return power(z - 0.3, 1.5); };
+    // The height of the jump is below that of the target by the estimate, and above it.
+    for (const double at : {0.42, 0.44}) {
+        const HeightFound found =
+            find_height(task_of(estimate, [&](double z) { return (z < at ? 0.7 : 1.3) * estimate(z); }));
+        CHECK(!found.evidence.converged);
+        CHECK(std::abs(found.z - at) < 1e-6);
+        REQUIRE(found.jump);
+        CHECK_THAT(found.jump->above, WithinRel(0.7 * estimate(at), 1e-4));
+        CHECK_THAT(found.jump->below, WithinRel(1.3 * estimate(at), 1e-4));
+    }
+    CHECK(!find_height(task_of(estimate, estimate)).jump);
+}
