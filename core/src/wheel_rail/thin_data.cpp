@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "types/number_text.hpp"
 #include "wheel_rail/warnings.hpp"
@@ -80,14 +81,44 @@ double angle_of_wheel_slices(const WheelRailSetup& setup, double angle) {
     return (next == slices.end() ? first + turn : next->angle) - (next - 1)->angle;
 }
 
+/// Returns the entry before an angle and the one behind it, where these are far apart; else nothing.
+template <class Entry>
+std::optional<std::pair<Entry, Entry>> far_apart(const std::vector<Entry>& table, double angle) {
+    const auto next = std::ranges::upper_bound(table, angle, {}, &Entry::angle);
+    if (next == table.begin() || next == table.end() || next->angle - (next - 1)->angle <= widest_interval) return {};
+    return std::pair(*(next - 1), *next);
+}
+
+std::string lies_between(double angle, const char* what, double one, double other) {
+    return "leans by " + short_text(angle) + " rad, between " + what + " at " + short_text(one) + " and " +
+           short_text(other) + " rad";
+}
+
 std::optional<std::string> of_friction(const std::vector<FrictionAtAngle>& mu, double angle) {
-    const auto next = std::ranges::upper_bound(mu, angle, {}, &FrictionAtAngle::angle);
-    if (next == mu.begin() || next == mu.end()) return {};
-    const FrictionAtAngle &one = *(next - 1), &other = *next;
-    if (other.angle - one.angle <= widest_interval || std::abs(other.mu - one.mu) <= largest_difference) return {};
+    const auto around = far_apart(mu, angle);
+    if (!around || std::abs(around->second.mu - around->first.mu) <= largest_difference) return {};
+    const auto& [one, other] = *around;
     return "leans by " + short_text(angle) + " rad, between coefficients of friction of " + short_text(one.mu) +
            " at " + short_text(one.angle) + " and " + short_text(other.mu) + " at " + short_text(other.angle) +
            " rad: a straight line between these is a guess. Give friction.mu at more angles.";
+}
+
+/// Laws of temperature differ the most where one of them bends.
+std::optional<std::string> of_heated_friction(const std::vector<TemperatureFrictionAtAngle>& laws, double angle) {
+    const auto around = far_apart(laws, angle);
+    if (!around) return {};
+    const auto& [one, other] = *around;
+    double difference = 0, at = 0;
+    for (const double T : {one.reference, one.reference + one.range, other.reference, other.reference + other.range}) {
+        const double here = std::abs(friction_coefficient(one.law(), 0, T) - friction_coefficient(other.law(), 0, T));
+        if (here > difference) at = T;
+        difference = std::max(difference, here);
+    }
+    if (difference <= largest_difference) return {};
+    return lies_between(angle, "laws of friction by temperature", one.angle, other.angle) + " that differ by " +
+           short_text(difference) + " at " + short_text(at) +
+           " degrees Celsius: a straight line between these is a guess. Give friction.temperature_by_angle at more "
+           "angles.";
 }
 
 }  // namespace
@@ -119,7 +150,17 @@ std::vector<std::string> thin_data_warnings(const CandidatePatch& found, const W
         warn(of_slices(radius * angle_of_wheel_slices(setup, -pitch),
                        1 / (place.radii.wheel_along * upright) - 1 / radius, place, "radius of the wheel"));
     }
-    if (setup.friction) warn(of_friction(setup.friction->mu, place.reference.angle));
+    if (!setup.friction) return warnings;
+    // Rows take friction by their own angles, which reach from the first to the last.
+    std::vector<double> angles{place.reference.angle};
+    if (setup.friction->along_profile && !place.rows.empty())
+        angles = {place.rows[place.rows.size() / 2].angle, place.rows.front().angle, place.rows.back().angle};
+    const auto warn_once = [&](const auto& sentence_at) {
+        for (const double angle : angles)
+            if (const auto sentence = sentence_at(angle)) return warn(sentence);
+    };
+    warn_once([&](double angle) { return of_friction(setup.friction->mu, angle); });
+    warn_once([&](double angle) { return of_heated_friction(setup.friction->temperature_by_angle, angle); });
     return warnings;
 }
 

@@ -127,3 +127,42 @@ TEST_CASE("Coefficients of friction far apart are warned of where a contact lies
     CHECK_THAT(warnings({{-1.2, 0.1}, {0, 0.5}}), ContainsSubstring("between coefficients of friction of 0.1 at -1.2"));
     CHECK(warnings({{-1.2, 0.1}, {-0.3, 0.1}, {-0.1, 0.5}}) == "");
 }
+
+TEST_CASE("Laws of friction by temperature far apart are warned of where a contact lies between them") {
+    WheelRailSetup setup;
+    setup.dx = setup.dy = 1;
+    setup.temperature = ThermalBodies{};
+    const auto warnings = [&](std::vector<TemperatureFrictionAtAngle> laws) {
+        setup.friction = WheelRailFriction{};
+        setup.friction->temperature_by_angle = std::move(laws);
+        WheelRailState state = loaded(7);
+        state.velocity.x = 20e3;
+        state.velocity.pitch = -20e3 / 460;
+        return thin_warnings(setup, state);
+    };
+    // The coefficient falls by 0.2 at 300 degrees by the one, and not yet by the other, or as both do everywhere.
+    CHECK_THAT(
+        warnings({{-1.2, -0.2, 100, 200}, {0, -0.2, 300, 200}}),
+        ContainsSubstring("between laws of friction by temperature at -1.2 and 0 rad that differ by 0.2 at 300"));
+    CHECK(warnings({{-1.2, -0.2, 100, 200}, {0, -0.15, 100, 200}}) == "");
+    CHECK(warnings({{-1.2, -0.2, 100, 200}, {-0.3, -0.2, 100, 200}, {-0.1, -0.2, 300, 200}}) == "");
+}
+
+TEST_CASE("Rows that take friction by their own angles are warned of by any of these") {
+    WheelRailSetup setup;
+    setup.dx = setup.dy = 0.5;
+    setup.conformal = Conformal::half_space;
+    WheelRailState state = loaded(5.5);
+    state.velocity.x = 20e3;
+    state.velocity.pitch = -20e3 / 460;
+    setup.friction = WheelRailFriction{};
+    const ContactPlace place = solve(setup, state).patches.front().place;
+    REQUIRE(place.rows.size() > 8);
+    const auto [least, largest] = std::minmax(place.rows.front().angle, place.rows.back().angle);
+    const double middle = 0.5 * (place.rows[place.rows.size() / 2].angle + least);
+    // The middle lies in the dense part of the table, the steepest rows do not.
+    setup.friction->mu = {{least - 0.4, 0.1}, {middle, 0.5}, {largest + 0.01, 0.5}};
+    CHECK(thin_warnings(setup, state) == "");
+    setup.friction->along_profile = true;
+    CHECK_THAT(thin_warnings(setup, state), ContainsSubstring("Give friction.mu at more angles."));
+}
