@@ -102,6 +102,19 @@ void warn_of_friction_in_percent(const ContactProblem& problem, Sentences& warni
     if (problem.friction->kinetic) warn_of("friction.kinetic.mu", problem.friction->kinetic->mu);
 }
 
+constexpr double largest_of_vehicles = 0.05;
+
+/// Slides everywhere at the speed of a vehicle, without anything that would change by so much sliding: neither heat nor
+/// friction that falls. Forces are not prescribed, and creepages so small in percent would leave adhesion.
+bool slides_as_a_vehicle_never_does(const ContactProblem& problem, const Rolling& rolling,
+                                    const ContactSolution& solution) {
+    constexpr double of_vehicles = 1e4;  // mm/s
+    const FrictionLaw& friction = *problem.friction;
+    return rolling.velocity >= of_vehicles && rolling.steady() && rolling.force.empty() && !friction.kinetic &&
+           !friction.layer && !problem.temperature && !friction.follows_temperature() &&
+           solution.elements.adhesion == 0 && solution.elements.slip > 0;
+}
+
 /// Surfaces that roll hardly slide: what is given in percent, or in another unit of length, is far from small.
 void warn_of_large_creepages(const ContactProblem& problem, const ContactSolution& solution, Sentences& warnings) {
     constexpr double largest_creepage = 0.5;  // as of wheels on rails
@@ -112,6 +125,14 @@ void warn_of_large_creepages(const ContactProblem& problem, const ContactSolutio
             warnings.push_back(std::string("friction.rolling.") + name + " is " + short_text(creepage) +
                                ": surfaces part by " + short_text(100 * std::abs(creepage)) +
                                " % of what they roll. Give creepages as ratios, not in percent.");
+    if (slides_as_a_vehicle_never_does(problem, *rolling, solution))
+        for (const auto& [name, creepage] : {std::pair("xi", rolling->xi), std::pair("eta", rolling->eta)})
+            if (std::abs(creepage) > largest_of_vehicles && std::abs(creepage) <= largest_creepage)
+                warnings.push_back(std::string("friction.rolling.") + name + " is " + short_text(creepage) + ": at " +
+                                   short_text(rolling->velocity / 1000) + " m/s surfaces slide by " +
+                                   short_text(std::abs(creepage) * rolling->velocity / 1000) +
+                                   " m/s, which no wheel does for long. Give creepages as ratios, not in percent: "
+                                   "0.2 % is 0.002.");
     const double size = std::sqrt(solution.area.contact / std::numbers::pi);
     if (std::abs(rolling->phi) * size > 1)
         warnings.push_back("friction.rolling.phi is " + short_text(rolling->phi) + ", which parts surfaces by " +

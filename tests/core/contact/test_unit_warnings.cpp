@@ -76,6 +76,24 @@ TEST_CASE("Creepages in percent and spin in 1/m are warned of", "[contact]") {
     CHECK_FALSE(warns_of(solve(problem), "friction.rolling"));
 }
 
+TEST_CASE("Creepages of a tenth of a percent's size are warned of at a vehicle's speed, where nothing speaks for them",
+          "[contact]") {
+    ContactProblem problem = wheels();
+    problem.model = GENERATE(Model::full, Model::fastsim);
+    problem.motion = Rolling{.xi = 0.2, .velocity = 20e3};
+    CHECK(warns_of(solve(problem), "friction.rolling.xi is 0.2: at 20 m/s surfaces slide by 4 m/s"));
+    problem.motion = Rolling{.xi = 0.002, .eta = -0.1, .velocity = 20e3};
+    CHECK(warns_of(solve(problem), "friction.rolling.eta is -0.1"));
+    // A creep curve, a slow test rig, a slip law that such creepages are there for.
+    for (const Rolling& rolling : {Rolling{.xi = 0.02, .velocity = 20e3}, Rolling{.xi = 0.2, .velocity = 1e3}}) {
+        problem.motion = rolling;
+        CHECK_FALSE(warns_of(solve(problem), "friction.rolling"));
+    }
+    problem.motion = Rolling{.xi = 0.2, .velocity = 20e3};
+    problem.friction->kinetic = KineticFriction{SlipLaw::exponential, 0.1, 300.0};
+    CHECK_FALSE(warns_of(solve(problem), "friction.rolling"));
+}
+
 TEST_CASE("Moduli of steel in Pa, and Young's in place of the shear modulus, are warned of", "[contact]") {
     ContactProblem problem = wheels();
     const auto warned = [&](double G, const std::string& part) {
