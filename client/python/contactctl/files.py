@@ -20,10 +20,11 @@ from .array_files import read_array
 from .yaml_files import parse_yaml
 
 __all__ = [
-    "allowed_folders", "check_own", "may_overwrite", "named_file", "read_document", "read_named", "read_object", "with_arrays",
+    "COMMENT", "allowed_folders", "check_own", "may_overwrite", "named_file", "read_document", "read_named", "read_object", "with_arrays",
     "writable", "writable_folder", "write_text",
 ]  # fmt: skip
 
+COMMENT = "$comment"  #: of an object: text that is no field of it
 _DEEPEST = 50  #: levels of fields; no request has a quarter of them
 _MOST_BYTES = 1 << 25  #: of a document; what is larger is arrays, which have files of their own
 _MOST_VALUES = 2_000_000  #: of a document of JSON
@@ -33,8 +34,8 @@ def read_object(path: str) -> dict[str, Any]:
     """The object that a file holds, "-" being standard input; the ending .json, .yaml or .yml says how it is written.
 
     ``{"$file": "gap.npy"}`` stands for the array of that file, beside this one: .npy, or text with a row a line; a profile's
-    ``file: wheel.whl``, or ``file: {name: wheel.whl, unit: 25.4}``, for the text of that file. Raises click.UsageError with
-    the file and the line.
+    ``file: wheel.whl``, or ``file: {name: wheel.whl, unit: 25.4}``, for the text of that file. Text named ``$comment`` is left
+    out: JSON has no other comments. Raises click.UsageError with the file and the line.
     """
     found: dict[str, Any] = with_arrays(read_named(path), path)
     return found
@@ -45,6 +46,8 @@ def read_named(path: str) -> dict[str, Any]:
     document = read_document(path)
     if not isinstance(document, dict):
         raise click.UsageError(f"{path} holds {_kind(document)}; it must hold an object, fields with their values.")
+    if isinstance(document.get(COMMENT), str):
+        del document[COMMENT]
     return document
 
 

@@ -22,7 +22,7 @@ from contactd.files.whole import read_whole
 from ..asking import reports_of_rounds
 from ..codes import Code, Ended, code_of
 from ..common import Command, connected, setting
-from ..files import read_object, writable, write_text
+from ..files import COMMENT, read_object, writable, write_text
 from ..output import emit, facts, listing, number, plain_json, warn
 from ..paths import changed
 from ..progress import Bar
@@ -178,7 +178,7 @@ def _write(found: Fit, plot: str | None, table: Path | None, output: str | None)
 
 def _case_text(path: Path, params: Any) -> str:
     if path.suffix == ".json":
-        return json.dumps(params, allow_nan=False) + "\n"
+        return json.dumps({COMMENT: f"{written_by().capitalize()}.", **params}, allow_nan=False) + "\n"
     import yaml
 
     return f"# {written_by().capitalize()}.\n{yaml.safe_dump(params, sort_keys=False, default_flow_style=None, width=120)}"

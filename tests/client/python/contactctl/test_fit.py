@@ -106,6 +106,9 @@ def test_the_case_with_the_values_is_written_and_can_be_solved(files):
     assert (files.folder / "fit.png").read_bytes().startswith(b"\x89PNG")
     assert files("fit", "curve.csv", "--case", "case.yaml", *MU, "--output", "fitted.json").code == 0
     assert json.loads((files.folder / "fitted.json").read_text())["Fn"] == 30000
+    # It has contactd's mark, which is no field of the case: it is written over, and solved.
+    assert files("fit", "curve.csv", "--case", "fitted.json", *MU, "--output", "fitted.json").code == 0
+    assert files("solve", "fitted.json", "--set", "friction.rolling.xi=1e-3").code == 0
 
 
 def test_a_parameter_at_its_bound_is_said(files):
