@@ -1,5 +1,6 @@
-"""What a simulated second costs: one wheelset with linear creep forces, and the bogie of the examples by each kind of contact,
-in process, by a daemon and by FMUs. They alternate, each a piece of a run; seconds by the clock and of processors, the daemon's, too.
+"""Measures the cost of a simulated second: one wheelset with linear creep forces, and the bogie of the examples with
+each kind of contact, in process, with a daemon and with FMUs. Pieces of the runs alternate. Times are wall-clock
+seconds and processor seconds, including those of the daemon.
 
     python3 bench/bogie_cost.py [--seconds 0.1] [--rounds 3] [--integrator exudyn] [--fmu FILE]    (CONTACTD_BIN names contactd;
                                                            contactd_local on PYTHONPATH, exudyn and fmpy for the latter two)
@@ -28,7 +29,7 @@ def processor_seconds(pid: int) -> float:
 
 
 def one_wheelset(integrator: str, seconds: float) -> Callable[[], None]:
-    """By Kalker's linear theory in numpy, as the textbooks have it: no request at all."""
+    """Returns a simulation of one wheelset by Kalker's linear theory in numpy, as in textbooks, without requests."""
     sys.path.insert(0, str(EXAMPLES / "wheelset"))
     import numpy as np
     from contact import LinearContact
@@ -42,7 +43,7 @@ def one_wheelset(integrator: str, seconds: float) -> Callable[[], None]:
         load=54500, normal_stiffness=1.4e6, half_distance=750, radius=460, conicity=0.15, angle=0.05, creep=ellipse
     )  # fmt: skip
     wheelset = Wheelset(Vehicle(), law, 40e3, 0.0)
-    # The other example has modules of the same names.
+    # The other example has modules with the same names.
     sys.path.remove(str(EXAMPLES / "wheelset"))
     for name in [name for name, found in sys.modules.items() if str(getattr(found, "__file__", "")).startswith(str(EXAMPLES / "wheelset"))]:
         del sys.modules[name]

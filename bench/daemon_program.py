@@ -1,4 +1,4 @@
-"""Which contactd the programs of this folder start."""
+"""Chooses the contactd program that the benchmarks start."""
 
 from __future__ import annotations
 
@@ -7,5 +7,5 @@ from pathlib import Path
 
 
 def daemon_program() -> Path | str:
-    """That in the folder CONTACTD_BIN of the environment; without it, that on PATH."""
+    """Returns contactd from the folder in the environment variable CONTACTD_BIN, or its name, to be found on PATH."""
     return Path(os.environ["CONTACTD_BIN"]) / "contactd" if "CONTACTD_BIN" in os.environ else "contactd"

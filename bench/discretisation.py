@@ -1,13 +1,14 @@
-"""What elements and steps cost: prints the tables of docs/contact.md, "How fine a grid, how long a step".
+"""Measures discretisation errors: prints the tables of docs/contact.md, "How fine a grid, how long a step".
 
     CONTACTD_BIN=build/production/bin PYTHONPATH=client/python python3 bench/discretisation.py       (about a minute)
 
-Normal contact: steel half-spaces, ellipses with a/b from 1/4 to 4 under a prescribed approach, on grids that lie in nine
-ways to the middle of the ellipse; errors against Hertz's closed form (model="hertz").
+Normal contact: steel half-spaces, ellipses with a/b from 1/4 to 4 at a prescribed approach, on grids in nine positions
+relative to the centre of the ellipse. Errors are relative to Hertz's closed form (model="hertz").
 
-Rolling: a/b = 0.3, 1 and 3, a small creepage along or across, no slip anywhere, so that the force is Kalker's linear
-one; errors against its limit, extrapolated from 80 and 160 elements across. Then creepages whose force is about half of
-mu Fn, errors over mu Fn. Last, oblique directions, by two notions of an element's size along them.
+Rolling: a/b = 0.3, 1 and 3, with a small longitudinal or lateral creepage and no slip, so that the force is Kalker's
+linear one. Errors are relative to its limit, extrapolated from 80 and 160 elements across. A second table has
+creepages whose force is about half of mu Fn, with errors over mu Fn. The last has oblique directions, with two
+definitions of the element size along them.
 """
 
 from __future__ import annotations
@@ -58,7 +59,7 @@ def semi_axes(ratio: float) -> SemiAxes:
 
 
 def pressed(ratio: float, across: int, place: tuple[float, float]) -> ContactProblem:
-    """An ellipse of `across` elements each way, its middle `place` elements off the middle of one."""
+    """Returns an ellipse with `across` elements per axis and its centre `place` elements from that of an element."""
     axes, n = semi_axes(ratio), 2 * math.ceil(0.6 * across + 1) + 1
     dx, dy = 2 * axes.a / across, 2 * axes.b / across
     grid = Grid(n, n, dx, dy, -(0.5 * n + place[0]) * dx, -(0.5 * n + place[1]) * dy)
@@ -107,7 +108,7 @@ def rolling(client: Client, creepage: float, mu: float) -> None:
 
 
 def oblique(client: Client) -> None:
-    """What an element's size along an oblique chi had better be: of the ellipse with its diameters, or of itself."""
+    """Compares element sizes along an oblique chi: of the ellipse with the element's diameters, and of the element."""
     print("| elements across | ellipse | longest way through the element |\n|---|---|---|")
     cases = list(product((0.3, 1, 3), (0.2, math.pi / 6, math.pi / 4, 1.2), (False, True)))  # a/b, chi, lateral
 
@@ -129,7 +130,7 @@ def oblique(client: Client) -> None:
 
 
 def main() -> None:
-    warnings.simplefilter("ignore", ContactWarning)  # coarse elements are what is measured
+    warnings.simplefilter("ignore", ContactWarning)  # coarse elements are measured on purpose
     with LocalDaemon(daemon_program()) as daemon, Client(daemon.endpoint) as client:
         normal_contact(client)
         print("\nLargest error of the force of a small creepage, for dq in elements:\n")

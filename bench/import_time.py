@@ -1,4 +1,5 @@
-"""How long `import contactd` takes, beside the libraries that it needs: seconds, the least of several alternate runs.
+"""Measures the time of `import contactd` and of the libraries that it requires: seconds, the minimum of alternating
+runs.
 
     ./dev shell python3 bench/import_time.py [RUNS]
 """

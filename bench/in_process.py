@@ -1,5 +1,6 @@
-"""What a call of contactd.local() costs in process and by its private daemon: both alternately, through the same client and
-with the same problems, forces only and with all arrays. A ratio is of the two calls of one round.
+"""Compares the cost of a call of contactd.local() in process and through its private daemon. Both alternate, with the
+same client and the same problems, with forces only and with all arrays. Each ratio is that of the two calls of one
+round.
 
     python3 bench/in_process.py [--rounds 500]     (CONTACTD_BIN names the programs, contactd_local lies beside them; part of
                                                     ./dev bench --service)
@@ -35,7 +36,7 @@ PROBLEMS = {
 
 
 def ways(client: Client) -> dict[str, Callable[[int], Any]]:
-    """What is measured of a client, by name; called with the number of the round."""
+    """Returns the measured calls of a client by name. Each takes the number of the round."""
     found: dict[str, Callable[[int], Any]] = {}
     for name, problem in PROBLEMS.items():
         found[f"{name}, forces"] = lambda _, problem=problem: client.solve(problem, fields=[]).Fn
@@ -52,7 +53,7 @@ def timed(call: Callable[[int], Any], number: int) -> tuple[Any, float]:
 
 
 def measure(programs: Path, rounds: int, part: float = 0.5) -> list[dict[str, Any]]:
-    """Seconds of each way, in process and by a daemon, and the median of their ratios."""
+    """Returns the seconds in process and through a daemon, and the median of their ratios."""
     sys.path.insert(0, str(programs.parent / "lib" / "python"))
     rows = []
     with contactd.local(in_process=True) as here, contactd.local(programs / "contactd") as there:

@@ -1,7 +1,7 @@
 """Computes Kalker's creepage coefficients and prints them as core/src/closed_forms/kalker_table.hpp.
 
     python3 bench/kalker_coefficients.py > core/src/closed_forms/kalker_table.hpp        (about five minutes)
-    python3 bench/kalker_coefficients.py --converge                         (how they settle with the order)
+    python3 bench/kalker_coefficients.py --converge                         (their convergence with the order)
 
 Linear theory of rolling (Kalker 1967; 1990, section 3.1 and appendix E): no slip anywhere, so that du/dx = w with
 u = A p, w = (xi - phi y, eta + phi x), rolling along +x, and no traction at the leading edge. On the ellipse
@@ -10,13 +10,14 @@ X^2 + Y^2 = 1, X = x/a, Y = y/b, the tractions are
     p = sqrt((l - X)/(l + X)) q(X, Y),   l = sqrt(1 - Y^2),   q a polynomial of total order M:
 
 zero at the leading edge, with the square-root singularity at the trailing one. With s along the straight line through
-the point at the angle alpha the singularity of the half-space's kernel cancels,
+the point at the angle alpha, the singularity of the half-space's kernel cancels:
 
     u(X0, Y0) = ab/(pi G) I_0^pi K(alpha)/r(alpha) I p ds dalpha,   r^2 = (a cos alpha)^2 + (b sin alpha)^2,
 
-where K_xx = 1 - nu + nu (a cos alpha/r)^2, K_xy = nu ab cos alpha sin alpha/r^2. Gauss-Chebyshev points serve s, equally
-spaced ones alpha. u = w x + f(y), f an unknown polynomial, is met in the sense of least squares; forces are integrals
-of p. C23 = -C32 holds for the exact solution; the table has their mean, and their difference shows the error.
+where K_xx = 1 - nu + nu (a cos alpha/r)^2, K_xy = nu ab cos alpha sin alpha/r^2. The integration uses Gauss-Chebyshev
+points for s and equally spaced ones for alpha. u = w x + f(y), with an unknown polynomial f, is solved by least
+squares; forces are integrals of p. C23 = -C32 holds for the exact solution. The table has their mean, and their
+difference shows the error.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ NUS = [0.0, 0.125, 0.25, 0.375, 0.5]
 
 
 def legendre(order: int, x: Array) -> list[Array]:
-    """P_0 .. P_order at x."""
+    """Returns P_0 .. P_order at x."""
     values = [np.ones_like(x), x]
     for k in range(1, order):
         values.append(((2 * k + 1) * x * values[k] - k * values[k - 1]) / (k + 1))
@@ -41,7 +42,7 @@ def legendre(order: int, x: Array) -> list[Array]:
 
 
 def shapes(order: int, X: Array, Y: Array) -> tuple[list[Array], int]:
-    """p sqrt(1 - X^2 - Y^2) of each shape, first those even in Y, and the number of these."""
+    """Returns p sqrt(1 - X^2 - Y^2) for each shape, those even in Y first, and the number of these."""
     lead = np.sqrt(np.maximum(1 - Y * Y, 0)) - X
     PX, PY = legendre(order, X), legendre(order, Y)
     halves = [[lead * PX[i] * PY[j] for j in range(odd, order + 1, 2) for i in range(order + 1 - j)] for odd in (0, 1)]
@@ -50,7 +51,7 @@ def shapes(order: int, X: Array, Y: Array) -> tuple[list[Array], int]:
 
 @dataclass
 class Ellipse:
-    """Displacements and forces of all shapes on the ellipse with a/b = ratio and ab = 1, for G = 1."""
+    """Computes displacements and forces of all shapes on the ellipse with a/b = ratio and ab = 1, for G = 1."""
 
     ratio: float
     order: int
@@ -62,7 +63,7 @@ class Ellipse:
         self._integrate_forces()
 
     def _place_points(self) -> None:
-        # The upper half of the disc; the lower one follows by parity. Equal weights by area along the angle.
+        # These points cover the upper half of the disc, with equal weights by area. The lower half follows by parity.
         node, weight = np.polynomial.legendre.leggauss(self.order)
         angle = (np.arange(2 * self.order) + 0.5) / (2 * self.order) * np.pi
         radius = np.sqrt((node + 1) / 2)
@@ -95,7 +96,7 @@ class Ellipse:
         )
 
     def coefficients(self, nu: float) -> tuple[float, float, float, float, float]:
-        """C11, C22, C23, -C32, C33."""
+        """Returns C11, C22, C23, -C32, C33."""
         even, odd = slice(0, self.even), slice(self.even, None)
         x, y, none = self.a * self.X, self.b * self.Y, 0 * self.X
         p, _ = self._solve(nu, even, odd, x, none)
@@ -110,11 +111,11 @@ class Ellipse:
         return -(self.a * self.force_x[even] @ p[1] - self.b * self.force_y[odd] @ p[0])
 
     def _solve(self, nu: float, px: slice, py: slice, ux: Array, uy: Array) -> tuple[Array, Array]:
-        """Shapes' shares in px and py, of the parities named, such that u = (ux, uy) + (f(y), g(y))."""
+        """Returns the shares of shapes of the given parities in px and py so that u = (ux, uy) + (f(y), g(y))."""
         one, cc, cs = self.integrals
         xx, yy, xy = (1 - nu) * one + nu * cc, one - nu * cc, nu * cs
         PY = legendre(self.order + 2, self.Y)
-        # u has in each direction the parity of the traction there.
+        # In each direction u has the parity of the traction in that direction.
         f, g = (np.stack(PY[int(part.start > 0) :: 2], 1) for part in (px, py))
         zero_f, zero_g = np.zeros_like(f), np.zeros_like(g)
         system = np.block([[xx[:, px], xy[:, py], f, zero_g], [xy[:, px], yy[:, py], zero_f, g]])

@@ -1,6 +1,7 @@
-"""What a problem costs in one contact.solve_many beside the same problem in a contact.solve of its own: 500 solves by
-the simplified model `hertz`, without arrays, over ipc, with the encoding and reading of the JSON. One worker and two, in
-turns. Speaks ZeroMQ directly, so that no client library counts.
+"""Compares the cost of a problem in one contact.solve_many with that of the same problem in a separate contact.solve.
+
+It runs 500 solves by the simplified model `hertz`, without arrays, over ipc, including encoding and reading of the
+JSON. One worker and two alternate. The program uses ZeroMQ directly, to exclude the cost of client libraries.
 
     python3 bench/many_solves.py [--rounds 50]     (PATH or CONTACTD_BIN names contactd; part of ./dev bench --service)
 """
@@ -22,14 +23,14 @@ PROBLEMS = 500
 
 
 def problems() -> list[dict[str, Any]]:
-    """They differ in their loads. Without spin, which the closed form does not have."""
+    """Returns problems with different loads, and without spin, which the closed form does not support."""
     friction = {"mu": 0.3, "rolling": {"xi": 0.002, "eta": 0.001}}
     common = {**problem(25), "friction": friction, "model": "hertz", "fields": []}
     return [{**common, "Fn": 50e3 * (1 + 1e-4 * i)} for i in range(PROBLEMS)]
 
 
 class Trial:
-    """A daemon with so many workers."""
+    """Starts a daemon with this number of workers."""
 
     def __init__(self, stack: ExitStack, program: Path | str, workers: int) -> None:
         daemon = stack.enter_context(LocalDaemon(program, config={"workers": workers, "log": {"level": "warn"}}))
@@ -49,7 +50,7 @@ class Trial:
 
 
 def measure(program: Path | str, rounds: int, part: float = 0.5) -> list[dict[str, Any]]:
-    """Quantiles of seconds for one problem, by workers."""
+    """Returns quantiles of the seconds for one problem, by workers."""
     with ExitStack() as stack:
         trials = {workers: Trial(stack, program, workers) for workers in (1, 2)}
         for _ in range(rounds):

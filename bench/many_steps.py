@@ -1,6 +1,8 @@
-"""What the contacts of a vehicle cost: eight warm steps of steady rolling in one session.step_many, the same in eight
-session.step one after the other, and the solves themselves, as the daemon says of both. One worker and two, over ipc; all in
-turns, each way with sessions of its own that see the same motions. Speaks ZeroMQ directly, so that no client library counts.
+"""Measures the cost of the contacts of a vehicle: eight warm steps of steady rolling in one session.step_many, the
+same steps in eight consecutive session.step, and the solves alone, as the daemon reports them for both.
+
+One worker and two are measured over ipc. All variants alternate, with separate sessions and the same motions. The
+program uses ZeroMQ directly, to exclude the cost of client libraries.
 
     python3 bench/many_steps.py [--rounds 300]     (PATH or CONTACTD_BIN names contactd; part of ./dev bench --service)
 """
@@ -20,11 +22,11 @@ from daemon_program import daemon_program
 from session_steps import Asker, motion, problem, quantile, solver_seconds
 
 CONTACTS = 8
-CHANGE = 0.05  # of the creepages, relative, from step to step
+CHANGE = 0.05  # relative change of the creepages from step to step
 
 
 class Vehicle:
-    """Eight contacts that differ in their loads, on 25 x 25 elements, each a session."""
+    """Eight contacts with different loads on 25 x 25 elements, each in its own session."""
 
     def __init__(self, asker: Asker) -> None:
         self.asker = asker
@@ -32,7 +34,7 @@ class Vehicle:
         self.step = 0
 
     def inputs(self) -> list[dict[str, Any]]:
-        """Of the next step."""
+        """Returns the messages of the next step."""
         self.step += 1
         friction = {"rolling": motion(self.step, CHANGE)}
         return [
@@ -51,7 +53,7 @@ class Vehicle:
 
 
 class Trial:
-    """A daemon with so many workers, and a vehicle for each way."""
+    """Starts a daemon with this number of workers, and a vehicle for each variant."""
 
     def __init__(self, stack: ExitStack, program: Path | str, workers: int) -> None:
         config = {"workers": workers, "log": {"level": "warn"}}
@@ -73,7 +75,7 @@ class Trial:
 
 
 def measure(program: Path | str, rounds: int, part: float = 0.5) -> dict[str, Any]:
-    """Quantiles of seconds by workers, and medians of the ratios of one round."""
+    """Returns quantiles of seconds by workers, and medians of the ratios of one round."""
     with ExitStack() as stack:
         trials = {workers: Trial(stack, program, workers) for workers in (1, 2)}
         for _ in range(rounds):

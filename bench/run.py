@@ -1,12 +1,12 @@
 """Runs every benchmark and prints one table: times, and ratios to a baseline measured in the same run.
 
-Machines are noisy and differ: compare the ratios, not the times.
+Times depend on the machine and its load. Compare the ratios.
 
     ./dev bench [--quick] [--only PROGRAM ...] [--json FILE]
-    ./dev bench --service what the daemon adds to a solve and to the steps of many sessions, and solves per second with one
-                          worker and two
+    ./dev bench --service overhead of the daemon for a solve and for the steps of many sessions, and solves per second
+                          with one worker and two
     ./dev bench --plot    cost against grid size instead: docs/performance.csv and docs/performance.png (some minutes)
-    ./dev bench --transforms [--quick]  times with FFTW's transforms over those with ducc0's, both programs in turns
+    ./dev bench --transforms [--quick]  times with FFTW's transforms over those with ducc0's, alternating both programs
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ PROGRAMS = [
     "bench_fem",
     "bench_request",
 ]
-#: Rows whose name matches the first are divided by the row that the second names (groups filled in).
+#: Rows whose name matches the first pattern are divided by the row with the second name (groups filled in).
 BASELINES = [
     (r"(bench_(?:core|rolling|contact))\.\w+/n:(\d+).*", "{0}.A_p/n:{1}", "A*p"),
     (r"bench_simplified\.\w+/n:(\d+)", "bench_core.A_p/n:{0}", "A*p"),
@@ -51,7 +51,7 @@ BASELINES = [
     (r"bench_fem\.table/\w+.*", "bench_fem.table/paper", "the paper's way"),
     (r"bench_request\.\w+.*", "bench_request.zeromq_echo", "ZeroMQ echos"),
 ]
-#: Ratios that rows measure themselves, in turns with what is named.
+#: Ratios that rows measure themselves, alternating with the named baseline.
 OF_THE_ROW = {
     "over_plane": "plane contact there",
     "over_product": "A*p of a patch",
@@ -63,7 +63,7 @@ TO_SECONDS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 
 
 def run(program: Path, quick: bool, environment: dict[str, str]) -> list[dict[str, Any]]:
-    """The rows of one Google Benchmark program, their names cleared of its own suffixes."""
+    """Returns the rows of one Google Benchmark program, without the suffixes that it adds to names."""
     print(f"running {program.name} ...", file=sys.stderr, flush=True)
     with tempfile.NamedTemporaryFile(suffix=".json") as result:
         command = [str(program), f"--benchmark_out={result.name}", "--benchmark_out_format=json"]
@@ -77,15 +77,15 @@ def run(program: Path, quick: bool, environment: dict[str, str]) -> list[dict[st
 
 
 def ratio(row: dict[str, Any], by_name: dict[str, dict[str, Any]]) -> tuple[float, str] | None:
-    """The row's time over its baseline's, and the baseline in words."""
-    if "over_plain" in row:  # measured by the row itself, alternately
+    """Returns the row's time over that of its baseline, and a description of the baseline."""
+    if "over_plain" in row:  # measured by the row itself, alternating with the baseline
         return row["over_plain"], "steps by contactd.h" if row["name"].startswith("bench_cntc") else "solves without"
     for counter, words in OF_THE_ROW.items():
         if counter in row:
             return row[counter], words
     for pattern, baseline, words in BASELINES:
         if match := re.fullmatch(pattern, row["name"]):
-            if "A_p" in row:  # measured by the row itself, right beside the solves
+            if "A_p" in row:  # measured by the row itself, in the same run
                 return row["A_p"], words
             base = by_name.get(baseline.format(*match.groups()))
             return (row["seconds"] / base["seconds"], words) if base else None

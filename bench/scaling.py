@@ -1,4 +1,4 @@
-"""Cost against grid size: docs/performance.csv and the picture of it, docs/performance.png."""
+"""Measures the cost for each grid size and writes docs/performance.csv and its picture, docs/performance.png."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 DOCS = Path(__file__).resolve().parent.parent / "docs"
-#: Row of bench_scaling, its name in the picture, its limit in products A p where the aims name one.
+#: Row of bench_scaling, its name in the picture, its colour, and its targets in products A p (n and limit).
 CURVES = [
     ("A_p", "one product $A_{zz}\\,p$", "#222222", []),
     ("NORM", "NORM, cold", "#1f6fb4", [(40, 25), (160, 25), (320, 25)]),
@@ -24,7 +24,7 @@ SIZES = [16, 25, 40, 64, 100, 160, 256, 400, 640]
 
 
 def table_of(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """One line a row: the solver, n, processor nanoseconds per element, products A p, iterations."""
+    """Returns one line per row: the solver, n, processor nanoseconds per element, products A p, iterations."""
     product = {}
     lines = []
     for row in rows:

@@ -1,6 +1,8 @@
-"""What the tables of a section cost: a head of 60E1 with 80 strips of 0.5 mm, three directions, 200 offsets. Builds to
-1e-2, 1e-3 and 1e-4 by one process and by two, the start of a builder that meshes nothing, and the same table from the
-daemon's memory and from its store. All alternate; the least of the rounds counts, of which a busy machine lets few be quiet.
+"""Measures the cost of tables of a section: a head of 60E1 with 80 strips of 0.5 mm, three directions, 200 offsets.
+
+It measures builds to 1e-2, 1e-3 and 1e-4 with one process and with two, the start of a builder that meshes nothing,
+and the same table from the daemon's memory and from its store. All variants alternate. The result is the minimum over
+the rounds, because a busy machine disturbs most of them.
 
     python3 bench/section_tables.py [--rounds 3] [--accuracy 1e-2 1e-3]    (PATH or CONTACTD_BIN names contactd)
 """
@@ -33,7 +35,7 @@ def spec(ics: dict[str, Any], nx: int, ny: int) -> dict[str, Any]:
 
 
 def build(program: Path, request: dict[str, Any], processes: int) -> Row:
-    """One run of the builder, with all that a program's start takes."""
+    """Measures one run of the builder, including the start of the program."""
     environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
     environment |= {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
     launcher = ["mpirun", "--oversubscribe", "-np", str(processes)] if processes > 1 else []
@@ -52,12 +54,12 @@ def processor_seconds() -> float:
 
 
 def answered(binaries: Path, accuracy: float, rounds: int) -> dict[str, Row]:
-    """The least time of ic.get, from the request to the array in Python; the daemon's processor time is not known."""
+    """Returns the minimum time of ic.get, from request to array in Python, without the daemon's processor time."""
     grid = Grid.centred(OFFSETS, STRIPS, OFFSETS * WIDTH, STRIPS * WIDTH)
     ics = FemIcs(body="longitudinally_uniform", section=SECTION, accuracy=accuracy)
     least: dict[str, Row] = {}
     with tempfile.TemporaryDirectory() as store:
-        for _ in range(2 * rounds):  # quicker than builds
+        for _ in range(2 * rounds):  # faster than builds
             with LocalDaemon(binaries / "contactd", config={"store": {"folder": store}}) as daemon, daemon.client() as client:
                 client.health()
                 for _ in range(3):

@@ -1,10 +1,10 @@
-"""What the daemon costs: latency of a request over the solve itself, how solves per second grow with workers, and the
-steps of many contacts in one message (many_steps.py), many problems in one (many_solves.py), and the calls of Python in
-process (in_process.py).
+"""Measures the overhead of the daemon: the latency of a request beyond its solve, solves per second by number of
+workers, the steps of many contacts in one message (many_steps.py), many problems in one message (many_solves.py), and
+Python calls in process (in_process.py).
 
     ./dev bench --service [--quick] [--json FILE]
 
-Latency is measured by bench_service. For the throughput one client keeps two requests for each worker on their way.
+bench_service measures the latency. For the throughput, one client keeps two requests per worker in flight.
 """
 
 from __future__ import annotations
@@ -27,9 +27,9 @@ import many_steps
 from contactd import LocalDaemon
 from session_steps import motion, problem
 
-#: One and two workers alternate, so that other work of the machine disturbs both alike.
+#: One and two workers alternate, so that other work on the machine disturbs both equally.
 ROUNDS = 7
-#: How long daemon and client look for messages before they sleep (us): latency is measured with each.
+#: Times that daemon and client poll for messages before they sleep (us). Latency is measured with each.
 SPINS = (0, 2000)
 
 
@@ -38,7 +38,7 @@ def message(slot: int, method: str, params: dict[str, Any]) -> bytes:
 
 
 class Solves:
-    """The paper's Cattaneo problem on n x n elements, again and again."""
+    """Repeats the paper's Cattaneo problem on n x n elements."""
 
     def __init__(self, n: int) -> None:
         self.name = f"{n} x {n}, shift: solves/s"
@@ -52,14 +52,14 @@ class Solves:
         }
 
     def open(self, socket: zmq.Socket[bytes], slots: int) -> None:
-        """There is nothing to open."""
+        """Does nothing, because single solves need no session."""
 
     def request(self, slot: int) -> bytes:
         return message(slot, "contact.solve", self.params)
 
 
 class Steps:
-    """Warm steps of steady rolling, each in a session of its slot; the problem is that of session_steps.py."""
+    """Repeats warm steps of steady rolling, each in the session of its slot, for the problem of session_steps.py."""
 
     def __init__(self, n: int) -> None:
         self.name = f"{n} x {n}, warm steps of sessions/s"
@@ -101,7 +101,7 @@ def answer(socket: zmq.Socket[bytes]) -> dict[str, Any]:
 
 
 def answers_per_second(socket: zmq.Socket[bytes], work: Solves | Steps, slots: int, seconds: float) -> float:
-    """With one request of each slot on its way."""
+    """Measures with one request of each slot in flight."""
     for slot in range(slots):
         socket.send(work.request(slot))
     start = time.perf_counter()
@@ -121,7 +121,7 @@ def processor_seconds(pid: int) -> float:
 
 
 def throughput(binaries: Path, kind: type[Solves] | type[Steps], n: int, seconds: float) -> dict[str, Any]:
-    """Answers per second of one and of two workers, which alternate."""
+    """Returns answers per second of one and of two workers, which alternate."""
     rates: dict[int, list[float]] = {1: [], 2: []}
     processor: list[float] = []
     with ExitStack() as stack:
@@ -149,7 +149,7 @@ def throughput(binaries: Path, kind: type[Solves] | type[Steps], n: int, seconds
 
 
 def latency(binaries: Path, rounds: int, spin: int) -> list[dict[str, Any]]:
-    """Of one request at a time, for which one worker is enough. `spin`: of daemon and client (us)."""
+    """Measures one request at a time with one worker. `spin` is the polling time of daemon and client (us)."""
     with tempfile.TemporaryDirectory() as folder, ExitStack() as stack:
         endpoints = []
         for name, endpoint in (("tcp", "tcp://127.0.0.1:*"), ("ipc", None)):

@@ -1,6 +1,6 @@
-"""What a step of a session costs beside its solve: round trips of warm steps, of their answers sent again, of the same
-problems by contact.solve, and of a request that does nothing, over ipc and loopback TCP. Speaks ZeroMQ directly, so
-that no client library counts.
+"""Measures the overhead of a session's step beyond its solve: round trips of warm steps, of their answers sent again,
+of the same problems by contact.solve, and of an empty request, over ipc and loopback TCP. The program uses ZeroMQ
+directly, to exclude the cost of client libraries.
 
     python3 bench/session_steps.py [--n 25] [--steps 400]     (PATH or CONTACTD_BIN names contactd)
 """
@@ -21,7 +21,7 @@ from daemon_program import daemon_program
 
 
 def answered(socket: zmq.Socket[bytes]) -> tuple[dict[str, Any], float]:
-    """An answer's envelope, behind messages of progress, of which a busy machine makes many, and when it came."""
+    """Returns an answer's envelope and its arrival time. Skips progress messages, which a busy machine sends often."""
     while True:
         first, *_ = socket.recv_multipart()
         end = time.perf_counter()
@@ -51,7 +51,7 @@ def solver_seconds(result: dict[str, Any]) -> float:
 
 
 def problem(n: int) -> dict[str, Any]:
-    """Steady rolling of an ellipse of 6 x 4 mm under 50 kN, the case of docs/performance.md."""
+    """Returns steady rolling of an ellipse of 6 x 4 mm under 50 kN, the case of docs/performance.md."""
     return {
         "grid": {"nx": n, "ny": n, "dx": 14.4 / n, "dy": 9.6 / n},
         "bodies": {"upper": {"G": 82000, "nu": 0.28}},
@@ -62,7 +62,7 @@ def problem(n: int) -> dict[str, Any]:
 
 
 def motion(step: int, change: float) -> dict[str, Any]:
-    """Creepages that go up and down between one and two times the first, by `change` a step."""
+    """Returns creepages that vary up and down between one and two times the first, by `change` per step."""
     period = round(0.7 / change)
     growth = (1 + change) ** min(step % (2 * period), 2 * period - step % (2 * period))
     return {"xi": 0.002 * growth, "eta": 0.001 * growth, "phi": 1e-4 * growth}

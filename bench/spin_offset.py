@@ -1,17 +1,19 @@
-"""Where to evaluate the rigid slip of spin: errors of Fx, Fy and Mz of steady rolling on coarse grids, with spin
-evaluated at the element centres (spin_offset 0) and ahead of them, against the limit of fine grids.
+"""Compares places for the evaluation of the rigid slip of spin: errors of Fx, Fy and Mz in steady rolling on coarse
+grids, with spin evaluated at the element centres (spin_offset 0) and ahead of them, relative to the limit of fine
+grids.
 
     CONTACTD_BIN=build/production/bin PYTHONPATH=client/python python3 bench/spin_offset.py      (about a minute)
         [--offsets 0 1/6 ...] [--cases 96] [--csv FILE]
 
-Steel, semi-axes with sqrt(ab) = 5 mm, Fn = 50 kN, mu = 0.3, n x n elements over 1.1 times the ellipse's box, the default
-dq. 96 cases, drawn with a fixed seed: a/b from 1/4 to 4, creepages and spin of both signs from a tenth of what slides
-fully up to nearly that, chi along the axes and oblique, nu from 0 to 0.45, n from 15 to 50. The error of a case is
+Steel, semi-axes with sqrt(ab) = 5 mm, Fn = 50 kN, mu = 0.3, n x n elements over 1.1 times the ellipse's box, the
+default dq. 96 cases, drawn with a fixed seed: a/b from 1/4 to 4, creepages and spin of both signs from a tenth of
+those of full slip up to nearly full slip, chi along the axes and oblique, nu from 0 to 0.45, n from 15 to 50. The
+error of a case is
 
     e = sqrt(dFx^2 + dFy^2 + dMz^2/(ab)) / (mu Fn),
 
 so that forces near zero do not dominate. Limits are extrapolated from n = 96 and 192 (the error falls with the element
-size), for each offset by itself; what they differ by is how well the limit is known, and is printed too.
+size), for each offset separately. Their difference shows the accuracy of the limit, and is printed too.
 """
 
 from __future__ import annotations
@@ -70,7 +72,7 @@ class Case:
 
 
 def cases(number: int) -> list[Case]:
-    """Four kinds of creepage and five grids alternately, so that every grid meets every kind."""
+    """Returns cases that alternate four kinds of creepage and five grids, in every combination."""
     dice = random.Random(1990)
     kinds = [(0, 0), (1, 0), (0, 1), (1, 1)]  # whether there is a longitudinal and a lateral creepage
     result = []

@@ -1,10 +1,11 @@
-"""What two workers gain over one in a study: shares of the creep tables of the examples, by processes of contactctl that
-solve by themselves. Processor time of the processes and time by the clock, alternately.
+"""Measures the gain of two workers over one in a study: shares of the creep tables of the examples, in processes of
+contactctl that solve in process. It reports processor time of the processes and wall-clock time of alternating runs.
 
     python3 bench/study_shares.py [--rows 10000] [--rounds 3]     (the packages contactd, contactctl and contactd_local on PYTHONPATH)
 
-By the clock two workers gain what the machine has: another busy process takes it away. Processor time tells what they cost
-each other, and `gain` is what a quiet machine with two cores would make of that: twice one worker's time over both's.
+By wall-clock time, the gain of two workers depends on other busy processes. Processor time shows how much they slow
+each other down. `gain` is the resulting gain on an idle machine with two cores: twice one worker's time over that of
+both.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ COMMAND = [sys.executable, "-m", "contactctl", "--local", "study", "--workers", 
 
 
 def part_of(rows: int) -> str:
-    """The study with so many values of friction and creepage that it has `rows` rows at least."""
+    """Returns the study with enough values of friction and creepage for at least `rows` rows."""
     ellipses, creepages = 10, 100  # of the ellipses and spin, and of xi
     count = max(1, round(rows / ellipses / creepages))
     lines = []
@@ -38,7 +39,7 @@ def part_of(rows: int) -> str:
 
 
 def timed(study: Path, workers: int) -> tuple[float, float]:
-    """Seconds by the clock, and of processors."""
+    """Returns wall-clock seconds and processor seconds."""
     before, began = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
     tasks = [
         subprocess.Popen([*COMMAND, study, "--share", f"{index}/{workers}", "--rows", f"{study}.{workers}"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)

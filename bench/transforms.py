@@ -1,4 +1,5 @@
-"""The same benchmarks with the transforms of ducc0 and of FFTW, both programs in turns: ./dev bench --transforms.
+"""Runs the same benchmarks with the transforms of ducc0 and of FFTW, alternating both programs: ./dev bench
+--transforms.
 
 Prints the table of docs/performance.md.
 """
@@ -15,7 +16,7 @@ from typing import Any
 
 Runner = Callable[[Path, bool, dict[str, str]], list[dict[str, Any]]]
 
-#: The rows of each program, and what the table calls them; {} are the groups of the pattern.
+#: The rows of each program and their names in the table; {} are the groups of the pattern.
 ROWS = {
     "bench_core": [(r"A_p/n:(\d+)", "product, n = {}"), (r"NORM/n:(\d+)", "normal contact, n = {}")],
     "bench_rolling": [(r"steady_cold/n:(\d+)", "steady rolling, n = {}")],
@@ -26,7 +27,7 @@ ROUNDS = 3
 
 
 def named(program: str, row: str) -> str | None:
-    """The row's name in the table; None for a row that it leaves out."""
+    """Returns the row's name in the table, or None for a row that the table omits."""
     for pattern, name in ROWS[program]:
         if match := re.fullmatch(rf"{program}\.{pattern}", row):
             return name.format(*(group.replace("_", " ") for group in match.groups()))
@@ -34,7 +35,7 @@ def named(program: str, row: str) -> str | None:
 
 
 def report(of_ducc0: Path, of_fftw: Path, quick: bool, run: Runner) -> None:
-    """Runs the programs of both folders in turns, and prints medians of their times and of the ratios."""
+    """Runs the programs of both folders alternately, and prints medians of their times and of the ratios."""
     taken: dict[str, dict[str, list[float]]] = defaultdict(lambda: defaultdict(list))
     for program in ROWS:
         for _ in range(ROUNDS):

@@ -1,5 +1,5 @@
-"""What a step of the eight wheels of a vehicle costs by who asks for it: the C interface in process and with a daemon (rows of
-bench_vehicle), and Python in one session.step_many; medians and 99th percentiles, in one run.
+"""Measures the cost of a step of the eight wheels of a vehicle for each interface: C in process and with a daemon
+(rows of bench_vehicle), and Python in one session.step_many. It prints medians and 99th percentiles of one run.
 
     python3 bench/vehicle_steps.py --bin build/production/bin [--steps 300]
 """
@@ -26,7 +26,7 @@ SPEED, RADIUS, STATIC_FZ = 20e3, 460.0, 70e3  # mm/s, mm, N
 
 
 def states(step: int) -> Iterator[WheelRailState]:
-    """The hunting vehicle of bench/vehicle.hpp."""
+    """Yields the wheels of the hunting vehicle of bench/vehicle.hpp."""
     for wheel in range(WHEELS):
         left = wheel % 2
         way = 2 * math.pi * step / 300 + 0.7 * (wheel // 2)
@@ -39,7 +39,7 @@ def states(step: int) -> Iterator[WheelRailState]:
 
 
 def by_python(client: Client, model: str, steps: int) -> list[float]:
-    """Seconds of each step, after twenty that warm up."""
+    """Returns the seconds of each step, after twenty warm-up steps."""
     setups = [
         WheelRailSetup(model=model, side="left" if wheel % 2 else "right", dx=0.5, dy=0.5, friction=WheelRailFriction(0.3))
         for wheel in range(WHEELS)

@@ -1,9 +1,10 @@
-"""What a state of a collective costs, of processor time: a solve, wear by two laws, fatigue, and stresses of a passage.
+"""Measures the processor time of a state of a collective: a solve, wear by two laws, fatigue, and stresses of a
+passage.
 
 Run:  python3 bench/wear_states.py [--states 64] [--element 0.5]       (where contactd_local can be imported)
 
-Every state is solved on the new profiles, with its force prescribed, in process. Figures of a development build are higher
-than those of production.
+Every state is solved in process on the new profiles, with a prescribed force. Times of a development build are longer
+than those of a production build.
 """
 
 from __future__ import annotations
@@ -39,7 +40,7 @@ DAMAGE = DamageFunction("life", "a bench", (0, 1e6), [(0, 0, 0), (15, 0, 2e-7), 
 
 
 def states(count: int) -> Iterator[WheelRailState]:
-    """Straight track, and a fifth of the states in curves."""
+    """Yields states on straight track, and a fifth of them in curves."""
     chance = random.Random(1)
     for i in range(count):
         side = chance.choice((-1, 1))

@@ -1,6 +1,6 @@
-"""What a step of a wheel on its rail costs in a session, beside the same by wheelrail.solve: round trips and bytes sent, in
-turns, over ipc. Both have profiles of points, as they are measured. Speaks ZeroMQ directly, so that no client library
-counts.
+"""Compares the cost of a step of a wheel on its rail in a session with that of wheelrail.solve: round trips and bytes
+sent, alternating, over ipc. Both have profiles given by points, like measured ones. The program uses ZeroMQ directly,
+to exclude the cost of client libraries.
 
     python3 bench/wheel_rail_steps.py [--model fastsim] [--points 500] [--steps 200]     (CONTACTD_BIN names contactd)
 """
@@ -38,7 +38,7 @@ class Asker:
 
 
 def profile(client: Any, points: int) -> tuple[dict[str, Any], list[bytes]]:
-    """S1002 and 60E1 as points, with their frames."""
+    """Returns S1002 and 60E1 as points, with their frames."""
     side = client.placed_profiles(WheelRailSetup()).right
     frames, parts = [], {}
     for name, curve in (("wheel", side.wheel), ("rail", side.rail)):
@@ -49,7 +49,7 @@ def profile(client: Any, points: int) -> tuple[dict[str, Any], list[bytes]]:
 
 
 def state(step: int) -> dict[str, Any]:
-    """Hunting by 3 mm at 20 m/s, a millisecond a step, under a force that sways."""
+    """Returns a state of hunting by 3 mm at 20 m/s, one millisecond per step, under an oscillating force."""
     way = 2 * math.pi * step / 300
     return {
         "position": {"y": 3 * math.sin(way), "yaw": 2e-3 * math.cos(way), "roll": -1.5e-4 * math.sin(way)},
