@@ -37,14 +37,17 @@ void check_patch(const Grid& grid, std::size_t most) {
                                    proto::reason::limit_exceeded);
 }
 
-/// Where coefficients differ from row to row they are as many as offsets along a row and pairs of rows.
+/// Memory grows with the pairs of rows where coefficients differ from row to row.
 void check_rows(const ContactProblem& problem, const PatchStrips& strips, std::size_t most_bytes) {
     const Grid& grid = problem.grid;
-    const auto [rail, wheel] = problem.bodies.materials();
-    // Tables of sections are cut out of larger ones.
-    const int tables = (rail.is_rigid() ? 0 : 1) + (wheel.is_rigid() ? 0 : 1) + (strips.of_sections() ? 1 : 0);
-    const double pairs = static_cast<double>(grid.nx) * grid.ny * grid.ny,
-                 bytes = strip_bytes(pairs, tables, strip_rolling(step_of(problem)[0] / grid.dx));
+    const double elements = static_cast<double>(grid.size()), pairs = elements * grid.ny;
+    double bytes = rotated_bytes(elements, pairs);
+    if (strips.of_sections()) {
+        const auto [rail, wheel] = problem.bodies.materials();
+        // Tables of sections are cut out of larger ones.
+        const int tables = (rail.is_rigid() ? 0 : 1) + (wheel.is_rigid() ? 0 : 1) + 1;
+        bytes = strip_bytes(pairs, tables, strip_rolling(step_of(problem)[0] / grid.dx));
+    }
     if (bytes > static_cast<double>(most_bytes))
         throw proto::invalid_field(
             "setup.dy",

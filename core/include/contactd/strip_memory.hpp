@@ -13,4 +13,8 @@ StripRolling strip_rolling(double elements);
 /// and pairs of strips. `tables` bodies have tables of their own, whose sum is that of the pair.
 double strip_bytes(double pairs, int tables, StripRolling step);
 
+/// Returns the bytes of a patch of half-spaces that rotate from row to row, for nx*ny `elements` and nx*ny*ny `pairs`.
+/// Such a patch needs no tables.
+double rotated_bytes(double elements, double pairs);
+
 }  // namespace contactd

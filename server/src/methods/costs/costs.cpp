@@ -116,10 +116,12 @@ WorkCost cost_of_wheel_rail(const json& params, const Config& config) {
     const double nx = length / dx, ny = width / dy, elements = std::min(nx * ny, most);
     double bytes = elements * (bytes_of_rolling + bytes_of_answer);
     // Rows of half-spaces that lie flat, or along the loaded row, have the coefficients of one.
-    if (const std::string conformal = setup.value("conformal", "off");
-        conformal == "rotated" || conformal == "automatic" || conformal == "fem") {
-        const double dq = setup.value("dq", dx);
-        bytes += strip_bytes(nx * ny * ny, conformal == "fem" ? 3 : 2, strip_rolling(dq / dx));
+    if (const std::string conformal = setup.value("conformal", "off"); conformal == "fem") {
+        constexpr int tables = 3;
+        const double dq = setup.value("dq", 0.0);  // 0: an element
+        bytes += strip_bytes(nx * ny * ny, tables, strip_rolling(dq > 0 ? dq / dx : 1));
+    } else if (conformal == "rotated" || conformal == "auto") {
+        bytes += rotated_bytes(elements, elements * ny);
     }
     const double product = seconds_of_product * elements * std::log2(4 * elements + 2);
     // A patch is seldom as large as this guess, which refuses nothing; that of another size is checked when it is
