@@ -19,7 +19,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-COPIED = ["core/include", "core/types", "proto/schema", "proto/generate", "proto/include", "proto/src/codec", "client/fmu/variables"]
+COPIED = ["core/include", "core/types", "proto/schema", "proto/generate", "proto/include", "proto/src/codec", "proto/src/wire", "client/fmu/variables"]
 COPIED += ["client/python/contactd"]
 PROGRAM = """
 #include <iostream>
@@ -188,9 +188,9 @@ def test_a_new_field_follows_from_its_struct_and_its_schema(tree: Path) -> None:
     assert '.path = "setup.track.probe"' in variables
     assert '.path = "rail_deflection.probe"' in variables
     (tree / "probe.cpp").write_text(PROGRAM)
-    sources = ["probe.cpp", "proto/src/codec/field_codec.cpp", "core/types/field_path.cpp", "core/types/fields.cpp"]
+    sources = ["probe.cpp", "proto/src/codec/field_codec.cpp", "proto/src/wire/answer_text.cpp", "core/types/field_path.cpp", "core/types/fields.cpp"]
     sources += [str(path.relative_to(tree)) for path in (tree / "core" / "types" / "fields").glob("*.cpp")]
-    include = [f"-I{folder}" for folder in ("core/include", "core/types", "proto/include")]
+    include = [f"-I{folder}" for folder in ("core/include", "core/types", "proto/include", "proto/src")]
     # One by one, so that ccache has them from the last time.
     compiler = ["ccache", "c++"] if shutil.which("ccache") else ["c++"]
     environment = {**os.environ, "CCACHE_BASEDIR": str(tree), "CCACHE_NOHASHDIR": "1"}

@@ -25,7 +25,7 @@ HelpingThreads::~HelpingThreads() {
         const std::lock_guard lock(mutex_);
         ends_ = true;
     }
-    wanted_.notify_all();
+    called_.notify_all();
     for (std::thread& thread : threads_) thread.join();
 }
 
@@ -56,9 +56,9 @@ void HelpingThreads::share(std::size_t count, std::size_t threads, const std::fu
         at = works_.insert(works_.end(), &work);
     }
     if (work.places == 1)
-        wanted_.notify_one();
+        called_.notify_one();
     else
-        wanted_.notify_all();
+        called_.notify_all();
     work.do_it();
     std::unique_lock lock(mutex_);
     works_.erase(at);
@@ -69,7 +69,7 @@ void HelpingThreads::help() {
     std::unique_lock lock(mutex_);
     for (;;) {
         std::list<Work*>::iterator at;
-        wanted_.wait(lock, [&] {
+        called_.wait(lock, [&] {
             at = std::ranges::find_if(works_, [](const Work* work) { return work->places > 0; });
             return ends_ || at != works_.end();
         });

@@ -30,7 +30,7 @@ class HelpingThreads {
     void leave_to_parent();
 
     std::mutex mutex_;  // guards what follows
-    std::condition_variable wanted_, left_;
+    std::condition_variable called_, left_;
     std::list<Work*> works_;  // that take more helpers
     std::vector<std::thread> threads_;
     bool ends_ = false;

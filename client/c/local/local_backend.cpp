@@ -247,7 +247,7 @@ class LocalBackend final : public Backend {
     }
     std::vector<WheelResult> solve_many(std::span<const WheelCall> calls, int threads) const override {
         std::vector<WheelResult> results(calls.size());
-        // What takes longest is begun first, so that no thread is left with it in the end.
+        // The wheel that took longest begins first, so that no thread is left with it in the end.
         std::vector<std::size_t> order(calls.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
         const auto expected = [&](std::size_t i) { return static_cast<const LocalWheel&>(calls[i].wheel).seconds(); };
