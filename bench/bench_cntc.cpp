@@ -1,6 +1,7 @@
-// Cost of a step by the functions of libcontactd-cntc beside the same by contactd.h: a contact of 25 x 25 elements in
-// steady rolling, and a wheel under its load that hunts, by full theory and by KPEC. Counter over_plain: the median
-// time of a step over that of one by contactd.h, which alternates with it; counter more_us: by how much it is longer.
+// Compares the cost of a step through the functions of libcontactd-cntc with that through contactd.h. The problems are
+// steady rolling on 25 x 25 elements, and a hunting wheel under its load, by full theory and by KPEC. Counter
+// over_plain is the median time of a step over that of an alternating step through contactd.h; counter more_us is the
+// difference.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -29,7 +30,7 @@ void set(Handle* handle, const char* path, double value) {
     check(contactd_set(handle, path, value), handle);
 }
 
-/// Both count the steps that were made.
+/// A step of either library; its argument is the number of the step.
 using Step = std::function<void(int)>;
 
 void alternate(benchmark::State& state, const Step& cntc, const Step& plain) {
@@ -104,7 +105,7 @@ void contact(benchmark::State& state) {
 
 enum class Theory { full, kpec };
 
-/// S1002 on 60E1 under 80 kN, elements of half a millimetre. `estimate` is that of flag 1983.
+/// Runs S1002 on 60E1 under 80 kN, with elements of half a millimetre. `estimate` is the value of flag 1983.
 void hunt(benchmark::State& state, Theory theory, int estimate) {
     RailCase cntc = manchester_wheel(2, Side::right);
     cntc.whole.potential(-1, {0.5, 0.5, 1.5707963267948966, 8, 4, 12});

@@ -1,6 +1,7 @@
-// Conformal contact of S1002 on 60E1, in steps along y, beside plane contact at the same places: a session of each,
-// step by step in turns. Counter over_plane: processor time of the conformal steps over that of the plane ones; cpu_ms:
-// that of a conformal step; elements: those of the last patch; Fx, Fy: its forces (N).
+// Compares conformal contact of S1002 on 60E1, in steps along y, with planar contact at the same places. A session of
+// each makes alternating steps. Counter over_plane is the processor time of the conformal steps over that of the
+// planar ones, cpu_ms that of a conformal step. Counters elements, Fx and Fy are the elements and forces (N) of the
+// last patch.
 #include <benchmark/benchmark.h>
 
 #include <chrono>
@@ -42,7 +43,7 @@ double processor_seconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Sessions go on from step to step; other solves start from nothing.
+/// Sessions continue from step to step; other solves start from zero.
 void steps(benchmark::State& state, const Place& place, bool session) {
     const double element = 0.01 * static_cast<double>(state.range(0));
     const WheelRailContact conformal = contact_of(Conformal::rotated, element),
@@ -78,7 +79,7 @@ void steps(benchmark::State& state, const Place& place, bool session) {
     state.counters["Fy"] = last.forces.track.Fy;
 }
 
-// Elements of 0.4 and 0.2 mm; of the large patch, which has 20,000 of them and more, of 0.15.
+// Uses elements of 0.4 and 0.2 mm. The large patch below has elements of 0.15 mm, at least 20,000 of them.
 void rows(benchmark::internal::Benchmark* rows) {
     rows->ArgName("hundredths")->Arg(40)->Arg(20)->UseManualTime()->Unit(benchmark::kMillisecond);
 }

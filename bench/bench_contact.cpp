@@ -1,5 +1,5 @@
-// Whole contact problems as a request brings them, normal and tangential: solve_contact with its operators made.
-// Counter A_p: time of the row in products A p (one scalar convolution), measured in the same run.
+// Measures whole contact problems, normal and tangential, as in a request: solve_contact with existing operators.
+// Counter A_p is the time of the row in products A p (one scalar convolution), measured in the same run.
 #include "contact_cases.hpp"
 #include "contactd/solve_contact.hpp"
 
@@ -63,8 +63,8 @@ void run(benchmark::State& state, const ContactProblem& problem) {
                              [&] { return evidence_of(solve_contact(problem, influence, observer)); });
 }
 
-// Cost of derivatives: the row is the solve with them. Counters: their own cost in products and over that of the solve
-// without, run alternately with it; and their products.
+// Measures the cost of derivatives; the row is the solve with them. Counters are their own cost, in products and
+// relative to an alternating solve without them, and the number of their products.
 void run_derivatives(benchmark::State& state, ContactProblem problem) {
     Observer observer;
     const ContactInfluence influence = make_influence(problem, pair_of_bodies(problem));
@@ -91,8 +91,8 @@ void run_derivatives(benchmark::State& state, ContactProblem problem) {
     state.counters["derivatives_iterations"] = solution.evidence.derivatives->iterations;
 }
 
-// Pressures of bodies that creep as they roll. Counters: their time over that of NORM on the same bodies without creep,
-// alternately with it, and iterations of both.
+// Measures pressures of viscoelastic bodies in rolling. Counters are their time over that of alternating runs of NORM
+// on the same bodies without creep, and the iterations of both.
 void run_creep(benchmark::State& state, const ContactProblem& problem) {
     Observer observer;
     ContactProblem elastic = problem;
@@ -134,7 +134,7 @@ void normal_of_bodies_that_creep(benchmark::State& state) {
     motion.velocity = 1000;
     ContactProblem problem = on_ellipse(size_of(state), motion);
     problem.friction->mu = {0};
-    // Where a contact resists rolling most.
+    // These parameters are near the maximum of the rolling resistance.
     for (Body* body : {&problem.bodies.upper, &problem.bodies.lower}) body->viscoelastic = Viscoelasticity{1, 6e-3};
     run_creep(state, problem);
 }
@@ -158,7 +158,7 @@ void steady_rolling(benchmark::State& state) {
     run(state, on_ellipse(size_of(state), rolling()));
 }
 
-// Creepages 5 % larger than those of the step before, whose pressures and tractions are the start.
+// Uses creepages 5 % larger than those of the previous step, and starts from its pressures and tractions.
 void steady_rolling_warm(benchmark::State& state) {
     ContactProblem problem = on_ellipse(size_of(state), rolling());
     const ContactSolution last = solved(problem);
@@ -169,7 +169,7 @@ void steady_rolling_warm(benchmark::State& state) {
     run(state, problem);
 }
 
-// Creepages 5 % larger than those of the steady state that the step starts from.
+// Uses creepages 5 % larger than those of the steady state at the start of the step.
 void transient_step(benchmark::State& state) {
     ContactProblem problem = on_ellipse(size_of(state), rolling());
     const ContactSolution last = solved(problem);
@@ -180,7 +180,7 @@ void transient_step(benchmark::State& state) {
     run(state, problem);
 }
 
-// Ten steps from rest in one problem.
+// Solves ten steps from rest in one problem.
 void transient_march(benchmark::State& state) {
     Rolling motion = rolling();
     motion.kind = RollingKind::transient;

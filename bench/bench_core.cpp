@@ -1,5 +1,5 @@
-// Products and the contact solvers on the paper's Cattaneo problem (section 4), n x n elements over the same window.
-// Counter A_p: time of the row in products A p (one scalar convolution), measured in the same run.
+// Measures products and the contact solvers on the paper's Cattaneo problem (section 4), with n x n elements over the
+// same window. Counter A_p is the time of the row in products A p (one scalar convolution), measured in the same run.
 #include "contact_cases.hpp"
 #include "contactd/closed_form_record.hpp"
 
@@ -48,7 +48,8 @@ void TangCG(benchmark::State& state) {
     bench::count_in_products(state, problem.influence, [&] { return problem.tangential().evidence; });
 }
 
-// From the solution of a shift 5 % shorter along x, with one along y and a rotation; `turned`: those shrink instead.
+// Starts from the solution of shifts and a rotation 5 % smaller. With `turned`, the shift along y and the rotation
+// decrease instead.
 void TangCG_warm(benchmark::State& state) {
     const Cattaneo problem(static_cast<int>(state.range(0)));
     const double sideways = state.range(1) != 0 ? 0.95 : 1.05;
@@ -64,7 +65,7 @@ void closed_form_table(benchmark::State& state) {
     for (auto _ : state) benchmark::DoNotOptimize(bench::pair_table(grid, {200, 0.42}));
 }
 
-// The table of three layers, with its estimated errors.
+// Computes the table of three layers, with its estimated errors.
 void layers_table(benchmark::State& state) {
     const int n = static_cast<int>(state.range(0));
     IcSpec spec;

@@ -1,7 +1,7 @@
-// Cost of a step in process beside its solve: by contactd.h, by the engine, and by the solver alone.
+// Compares the cost of a step in process by contactd.h, by the engine, and by the solver alone.
 //
-// Steady rolling on 25 x 25 elements whose creepage goes up and down by 5 %, each step from where the last one ended;
-// and the same by FASTSIM.
+// The problem is steady rolling on 25 x 25 elements with a creepage that varies up and down by 5 %, by full theory and
+// by FASTSIM. Each step starts from the end of the previous one.
 #include <benchmark/benchmark.h>
 
 #include <stdexcept>
@@ -43,7 +43,7 @@ Model model_of(const benchmark::State& state) {
     return state.range(0) == 0 ? Model::full : Model::fastsim;
 }
 
-// The solver alone: operators at hand, tractions moved on.
+// Runs the solver alone, with existing operators and the tractions of the previous step.
 void solver(benchmark::State& state) {
     ContactProblem problem = problem_of(model_of(state));
     Observer observer;

@@ -1,5 +1,6 @@
-// Tables by accuracy against the paper's own way (TEST 3, L = 1024 mm, BoomerAMG, three load cases, 1e-8), and the
-// stages of a build, for steel, h = 0.8 mm. One build a configuration; every row shows its time as the evidence has it.
+// Compares tables by accuracy with the paper's method (TEST 3, L = 1024 mm, BoomerAMG, three load cases, 1e-8), and
+// measures the stages of a build, for steel, h = 0.8 mm. It makes one build per configuration. Every row shows the
+// time from its evidence.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
@@ -47,7 +48,7 @@ double peak_mebibytes() {
     return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-/// The whole of one build. Its peak memory is that of the process so far: cheaper builds run first.
+/// Measures one whole build. Its peak memory is that of the process so far, so cheaper builds run first.
 void whole_build(benchmark::State& state, const IcSpec& spec) {
     for ([[maybe_unused]] const auto iteration : state) {
         Observer observer;
@@ -78,7 +79,7 @@ void register_accuracies() {
         spec.fem = fem_preset("paper-test3").value();
         spec.fem.L_over_h = 1024 / spec.dx;
         spec.fem.solver = solver;
-        // The mirror image spares the load along y where dx = dy; the paper's way solves all three.
+        // With dx = dy, symmetry would replace the load along y, but the paper's method solves all three.
         spec.dy *= 1 + 1e-9;
         row(solver == Solver::direct ? "paper_direct" : "paper", spec);
     }

@@ -1,7 +1,7 @@
-// Layers, memory, temperature and models of virtual penetration, and how much they add to a solve of steady rolling:
-// the elliptic contact of the reference values, n x n elements, from nothing. Counter over_plain: the median time of a
-// solve over that of a plain one, by the same law of Coulomb without them, which alternates with it. Row curve:
-// products a point of a creep curve.
+// Measures the cost that layers, memory, temperature and models of virtual penetration add to a solve of steady
+// rolling. The problem is the elliptic contact of the reference values on n x n elements, from zero. Counter
+// over_plain is the median time of a solve over that of an alternating plain solve, by the same law of Coulomb without
+// them. Row curve shows products per point of a creep curve.
 #include <algorithm>
 #include <functional>
 #include <memory>
@@ -18,7 +18,7 @@ using bench::Values;
 
 constexpr Material steel{82000, 0.28};
 
-/// 50 kN on semi-axes of about 6 x 4 mm; half of the contact slips.
+/// Returns a contact under 50 kN with semi-axes of about 6 x 4 mm, half of which slips.
 ContactProblem rolling_problem(int n) {
     ContactProblem problem;
     problem.grid = Grid::of_elements(n, n, 13.2 / n, 8.8 / n);
@@ -139,12 +139,12 @@ void solve(benchmark::State& state, Change change) {
 void simplified(benchmark::State& state, Change change) {
     run(state, change, fastsim);
 }
-/// Without the search for the approach that brings the force.
+/// Measures without the search for the approach that produces the force.
 void simplified_by_approach(benchmark::State& state, Change change) {
     run(state, change, fastsim_by_approach);
 }
 
-/// Counts the products of the operators that it stands before.
+/// Counts the products of the operators that it wraps.
 class CountedInfluence final : public InfluenceOperator {
    public:
     CountedInfluence(std::shared_ptr<const InfluenceOperator> inner, long& products)
@@ -196,7 +196,7 @@ class CountedStep final : public StepOperator {
     long& products_;
 };
 
-/// Sixty creepages up to 1 %, each from the tractions of the one before.
+/// Solves for sixty creepages up to 1 %, each from the tractions of the previous one.
 void curve(benchmark::State& state, Change change) {
     constexpr int points = 60;
     ContactProblem problem = rolling_problem(static_cast<int>(state.range(0)));

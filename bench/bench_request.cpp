@@ -1,5 +1,5 @@
-// The time of a request that does nothing, against the least any request over the same transport can take: an echo
-// between two ZeroMQ sockets. Wants a daemon's endpoint in CONTACTD_ENDPOINT (bench/run.py starts one).
+// Compares the time of an empty request with the lower bound for the same transport: an echo between two ZeroMQ
+// sockets. Requires a daemon's endpoint in CONTACTD_ENDPOINT (bench/run.py starts one).
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// Rolling on the elliptic contact of the reference values, n x n elements.
-// Counter A_p: time of the row in products A p (one scalar convolution), measured in the same run.
+// Measures rolling on the elliptic contact of the reference values, with n x n elements.
+// Counter A_p is the time of the row in products A p (one scalar convolution), measured in the same run.
 #include "contact_cases.hpp"
 
 namespace {
@@ -14,7 +14,7 @@ void steady_cold(benchmark::State& state) {
     bench::count_in_products(state, problem.influence, [&] { return problem.steady(w).evidence; });
 }
 
-// From the solution for other creepages: all of them 5 % smaller; `turned`: lateral and spin larger.
+// Starts from the solution for creepages 5 % smaller; with `turned`, lateral creepage and spin were larger instead.
 void steady_warm(benchmark::State& state) {
     const Elliptic problem(static_cast<int>(state.range(0)));
     const double sideways = state.range(1) != 0 ? 0.95 : 1.05;

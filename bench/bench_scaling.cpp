@@ -1,4 +1,4 @@
-// Cost against grid size, n x n elements from 16 to 640: what docs/performance.png shows (./dev bench --plot).
+// Measures the cost for n x n elements from 16 to 640, which docs/performance.png shows (./dev bench --plot).
 #include "contact_cases.hpp"
 
 namespace {

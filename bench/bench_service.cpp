@@ -1,9 +1,10 @@
-// Time that the daemon adds to a solve: that of a request less that of the same solve in this process, beside a bare
-// ZeroMQ echo of the same frames. They alternate, so that a busy machine disturbs them alike.
+// Measures the overhead of the daemon: the time of a request minus that of the same solve in this process. A bare
+// ZeroMQ echo of the same frames is measured for comparison. All alternate, so that a busy machine disturbs them
+// equally.
 //
 //     bench_service ROUNDS SPIN ENDPOINT...     prints one JSON object; bench/service.py starts the daemons
 //
-// SPIN: how long the client looks for an answer before it sleeps (us), as the daemons do.
+// SPIN is the time that the client polls for an answer before it sleeps (us), as for the daemons.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -26,7 +27,7 @@ using namespace contactd;
 using nlohmann::json;
 using proto::Frames;
 
-/// The paper's Cattaneo problem on n x n elements.
+/// Returns the paper's Cattaneo problem on n x n elements.
 ContactProblem cattaneo(int n, bool friction) {
     ContactProblem problem;
     problem.grid = Grid::of_elements(n, n, 2.4 / n, 2.4 / n);
@@ -51,7 +52,7 @@ ContactInfluence influence_of(const ContactProblem& problem) {
     return make_influence(problem, pair_of(body, body));
 }
 
-/// The frames of a request and of its answer, as long as the daemon's.
+/// Frames of a request and of its answer, with the same lengths as the daemon's.
 struct Sizes {
     Frames request, reply;
 };
@@ -60,7 +61,7 @@ Sizes sizes_of(const ContactProblem& problem, const SolveReply& reply) {
     proto::ArrayWriter sent(proto::ArrayEncoding::frame), received(proto::ArrayEncoding::frame);
     const std::string request = proto::dump(proto::encode_problem(problem, sent));
     const std::string result = proto::dump(proto::encode_solve_reply(reply, problem.grid, received));
-    Sizes sizes{{request + std::string(90, ' ')}, {result + std::string(90, ' ')}};  // 90: what the envelope adds
+    Sizes sizes{{request + std::string(90, ' ')}, {result + std::string(90, ' ')}};  // the envelope adds 90 bytes
     for (auto& frame : sent.take_frames()) sizes.request.push_back(std::move(frame));
     for (auto& frame : received.take_frames()) sizes.reply.push_back(std::move(frame));
     return sizes;
@@ -83,7 +84,7 @@ std::size_t receive(zmq::socket_t& socket, Frames& frames) {
     return frames.size();
 }
 
-/// A ROUTER that answers each message with given frames, and a DEALER that asks it.
+/// A ROUTER that answers each message with given frames, and a DEALER that sends it messages.
 class Echo {
    public:
     Echo(const std::string& endpoint, Frames request, Frames reply) : request_(std::move(request)) {
@@ -124,7 +125,7 @@ double milliseconds(const Act& act) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Time that the solvers measured themselves.
+/// Returns the time that the solvers measured themselves.
 double solver_milliseconds(const ContactSolution& solution) {
     return 1e3 * (solution.evidence.normal.seconds +
                   (solution.evidence.tangential ? solution.evidence.tangential->seconds : 0));
@@ -136,7 +137,7 @@ json summary(std::vector<double> values) {
     return {{"min", values.front()}, {"median", at(0.5)}, {"p99", at(0.99)}};
 }
 
-/// One endpoint: request, echo and health, alternately with the solve in this process.
+/// Measures one endpoint: request, echo and health, alternating with the solve in this process.
 json measure(const std::string& endpoint, std::chrono::microseconds spin, const ContactProblem& problem, int rounds) {
     client::ClientOptions options;
     options.spin = spin;

@@ -1,5 +1,6 @@
-// The simplified contact models on the reference case of steady rolling (semi-axes 6 x 4 mm, 25 x 25 elements), cold.
-// Counter A_p: time of the row in products A p (one scalar convolution) on the same grid, measured in the same run.
+// Measures the simplified contact models on the reference case of steady rolling (semi-axes 6 x 4 mm, 25 x 25
+// elements), from zero. Counter A_p is the time of the row in products A p (one scalar convolution) on the same grid,
+// measured in the same run.
 #include <benchmark/benchmark.h>
 
 #include <ctime>
@@ -30,7 +31,7 @@ double seconds_of(std::clock_t ticks) {
     return static_cast<double>(ticks) / CLOCKS_PER_SEC;
 }
 
-// Seconds of one product on the grid.
+// Returns the seconds of one product on the grid.
 double product_seconds(const Grid& grid) {
     IcSpec spec;
     spec.material = steel;

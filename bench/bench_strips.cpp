@@ -1,6 +1,7 @@
-// Steady rolling on a longitudinally uniform body, by strips, and on half-spaces, in one run: an elliptic contact on
-// nx x ny elements, the lower body a half-space, or the head of a rail with its strips across the top.
-// Counter ratio: the median time of a solve, or a product, with strips over that with half-spaces; both alternate.
+// Compares steady rolling on a longitudinally uniform body, by strips, with that on half-spaces. The problem is an
+// elliptic contact on nx x ny elements. The lower body is a half-space, or a rail head with strips across its top.
+// Counter ratio is the median time of a solve, or a product, with strips over that of an alternating one with
+// half-spaces.
 #include <utility>
 
 #include "contact_cases.hpp"
@@ -14,7 +15,7 @@ using namespace contactd;
 using bench::Values;
 
 struct Rolled {
-    static constexpr Material steel{41000, 0.28};  // on a rigid body what two of steel are
+    static constexpr Material steel{41000, 0.28};  // on a rigid body, equivalent to two steel bodies
     static constexpr double Fn = 50000;
 
     ContactProblem problem;
@@ -43,7 +44,7 @@ struct Rolled {
         problem.bodies.lower.ics = ics;
         problem.columns = ContactColumns{.frames = strip_frames(*ics.section, grid.ny, grid.dy)};
         Grid longer = grid;
-        ++longer.nx;  // a step ahead
+        ++longer.nx;  // for the shift of a step
         strips = make_influence(problem, BodyTable(StripTable()),
                                 BodyTable(rotated_strips(*ics.section, longer, steel, LoadShape::constant)));
 
@@ -59,7 +60,7 @@ struct Rolled {
     }
 };
 
-/// run(influence) with half-spaces and with strips, alternately.
+/// Calls run(influence) with half-spaces and with strips, alternately.
 template <class Run>
 void compare(benchmark::State& state, const Run& run) {
     const Rolled rolled(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));

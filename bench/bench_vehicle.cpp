@@ -1,7 +1,7 @@
-// Cost of a step of the wheels of a vehicle under their loads (vehicle.hpp). Counters: the median and the 99th
-// percentile of processor time a step (us), and the median over that of a product A p of 36 x 56 elements and over that
-// of a step at the heights that were found, all from one run. A step by a daemon, which CONTACTD_ENDPOINT names, stands
-// beside the same step in process, on one thread and two (us, and medians of the ratios of steps).
+// Measures the cost of a step of the wheels of a vehicle under their loads (vehicle.hpp). Counters are the median and
+// the 99th percentile of processor time per step (us). Two ratios relate the median to a product A p of 36 x 56
+// elements and to a step at the resulting heights, all from one run. A step through the daemon at CONTACTD_ENDPOINT is
+// compared with the same step in process, on one thread and two (us, and medians of the ratios of steps).
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace {
 
 using namespace contactd::bench;
 
-/// Measures time of the processor where there is one thread, which other work on the machine does not slow down, else
-/// of the clock.
+/// Measures processor time with one thread, because other work on the machine affects it less, and otherwise
+/// wall-clock time.
 class Stopwatch {
    public:
     explicit Stopwatch(int threads = 1) : threads_(threads) {}
@@ -45,7 +45,7 @@ double percentile(Values values, double share) {
     return *at;
 }
 
-/// The time (s) of the products that a patch of 36 x 56 elements takes.
+/// Measures the time (s) of the products on a patch of 36 x 56 elements.
 class Product {
    public:
     Product() : p_(nx * ny, 1), u_(nx * ny) {
@@ -98,7 +98,7 @@ void by_daemon(benchmark::State& state, const char* model, Run run, double accur
     Values by_message, over_one, over_two;
     int k = 0;
     const auto seconds = [&](Vehicle& vehicle, int threads) {
-        const Stopwatch watch(0);  // of the clock
+        const Stopwatch watch(0);  // wall-clock time
         vehicle.step(run, k, threads);
         return watch.seconds();
     };

@@ -1,6 +1,6 @@
-// Wheels on rails: S1002 on 60E1 at 1/40, running on the tread and on the flange, from position and motion to forces.
-// The plain solve is that of the same patch, its gap and creepages at hand; counter over_solve: time of the row over
-// it, measured in the same run.
+// Measures wheels on rails, from position and motion to forces: S1002 on 60E1 at 1/40, in contact on the tread and on
+// the flange. The plain solve is that of the same patch with a known gap and creepages. Counter over_solve is the time
+// of the row over that of the plain solve, measured in the same run.
 #include <benchmark/benchmark.h>
 
 #include <chrono>
@@ -24,7 +24,7 @@ WheelRailSetup wheel_on_rail(Model model, double element) {
     WheelRailSetup setup;
     setup.model = model;
     setup.dx = setup.dy = element;
-    if (model == Model::hertz) setup.friction.reset();  // its closed form has no spin, which wheels have
+    if (model == Model::hertz) setup.friction.reset();  // its closed form does not support spin, which wheels have
     return setup;
 }
 
@@ -37,7 +37,7 @@ WheelRailState rolling(double y) {
     return state;
 }
 
-/// At the height that brings Fz, prescribed.
+/// Returns a state that prescribes the height at which the force is Fz.
 WheelRailState at_height(const WheelRailContact& contact, double y) {
     WheelRailState state = rolling(y);
     state.Fz = Fz;
@@ -54,7 +54,7 @@ double seconds_of(const std::function<void()>& work, std::int64_t repeats) {
     return duration.count() / static_cast<double>(repeats);
 }
 
-/// Half a millimetre to one where solves are quick: elements do not matter there but to the pictures.
+/// Element size (mm) for fast models, where elements only affect the pictures.
 constexpr double coarse = 0.5;
 
 void search(benchmark::State& state) {
@@ -71,7 +71,7 @@ void step(benchmark::State& state, Model model, bool by_force) {
     for (auto _ : state) benchmark::DoNotOptimize(contact.solve(wheel, observer));
 }
 
-/// Elements so small that the patch has about 60 x 60 of them.
+/// Measures the full theory, with about 60 x 60 elements in the patch.
 void full(benchmark::State& state) {
     const WheelRailSetup setup = wheel_on_rail(Model::full, state.range(0) == 0 ? 0.23 : 0.2);
     const WheelRailContact contact(setup);
@@ -93,7 +93,7 @@ void full(benchmark::State& state) {
         for (std::size_t i = 0; i < problems.size(); ++i)
             benchmark::DoNotOptimize(solve_contact(problems[i], influences[i], observer));
     };
-    // They alternate, so that both see the same machine.
+    // Both alternate, so that other work on the machine affects them equally.
     double of_step = 0, of_plain = 0;
     for (auto _ : state) {
         of_step += seconds_of([&] { benchmark::DoNotOptimize(contact.solve(wheel, observer)); }, 1);
@@ -105,7 +105,7 @@ void full(benchmark::State& state) {
     state.counters["over_solve"] = of_step / of_plain;
 }
 
-// Lateral shift of the wheelset (mm): tread, and two contacts or the flange.
+// Adds rows for lateral shifts of the wheelset (mm): tread, and two contacts or the flange.
 void shifts(benchmark::internal::Benchmark* rows) {
     rows->ArgName("y")->Arg(0)->Arg(4)->Arg(8)->Unit(benchmark::kMicrosecond);
 }

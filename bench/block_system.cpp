@@ -1,9 +1,11 @@
-// The paper's system of equations for one load on one of its meshes, solved by conjugate gradients with an incomplete
-// factorisation, as the paper does: block_system --preset paper-test3 [--L_over_h 1280] [--h_over_hs 4] [--order 2]
-// [--load z] [--preconditioner ilu0|ic] [--numbering outward|inward|mfem|rcm] [--condensed 0|1]. Prints one JSON object
-// for
-// `./dev paper fem`; seconds are processor time. With --mesh FILE it writes the mesh in MFEM's format and solves
-// nothing.
+// Solves the paper's system of equations for one load on one of its meshes, by conjugate gradients with an incomplete
+// factorisation, as in the paper:
+//
+//     block_system --preset paper-test3 [--L_over_h 1280] [--h_over_hs 4] [--order 2] [--load z]
+//                  [--preconditioner ilu0|ic] [--numbering outward|inward|mfem|rcm] [--condensed 0|1]
+//
+// It prints one JSON object for `./dev paper fem`; seconds are processor time. With --mesh FILE it writes the mesh in
+// MFEM's format and solves nothing.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -38,7 +40,7 @@ double processor_seconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Rows are 3 number[node] + axis; a node without a number was eliminated.
+/// Stiffness matrix with rows 3 number[node] + axis; a node without a number was eliminated.
 struct Stiffness {
     std::vector<int> number;
     Matrix matrix;  ///< both halves
@@ -82,7 +84,7 @@ std::vector<Position> node_positions(ElasticityProblem& problem) {
     return result;
 }
 
-/// The nodes in the order of their equations. "outward": shell by shell from the load.
+/// Returns the nodes in the order of their equations; "outward" orders them shell by shell from the load.
 std::vector<int> node_order(const std::string& numbering, const std::vector<Position>& positions) {
     std::vector<int> order(positions.size());
     std::iota(order.begin(), order.end(), 0);
@@ -103,7 +105,7 @@ struct System {
     int observed = -1;  ///< row of the displacement under the load, along it
 };
 
-/// The equations have the displacements that are not given; those given vanish.
+/// Returns the equations for the unknown displacements; the prescribed ones are zero.
 System free_system(ElasticityProblem& problem, const Stiffness& stiffness, Axis load, const std::string& numbering) {
     const LoadCase load_case = problem.load_case(load);
     const std::vector<Position> positions = node_positions(problem);
@@ -137,10 +139,10 @@ System free_system(ElasticityProblem& problem, const Stiffness& stiffness, Axis 
 
 using Preconditioner = std::function<void(const Vector& r, Vector& z)>;
 
-/// ILU(0) of hypre; "rcm" has it number the equations anew.
+/// Returns the ILU(0) of hypre, which renumbers the equations for "rcm".
 Preconditioner ilu0(const Matrix& A, bool reorder) {
     struct Factor {
-        Matrix values;  // hypre puts the diagonal first, in place
+        Matrix values;  // hypre moves the diagonal to the front, in place
         mfem::SparseMatrix sparse;
         HYPRE_BigInt rows[2];
         mfem::HypreParMatrix matrix;
@@ -170,11 +172,11 @@ Preconditioner ilu0(const Matrix& A, bool reorder) {
         z = Eigen::Map<const Vector>(factor->z.GetData(), z.size());
     };
     Vector z(A.rows());
-    apply(Vector::Ones(A.rows()), z);  // hypre factorises with the first one
+    apply(Vector::Ones(A.rows()), z);  // hypre factorises at the first application
     return apply;
 }
 
-/// Eigen's factor keeps as many entries a column as the matrix has, the largest ones.
+/// Returns Eigen's factor, which keeps the largest entries of each column, as many as the matrix has.
 Preconditioner incomplete_cholesky(const Matrix& A) {
     using Factor = Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int>>;
     const auto factor = std::make_shared<Factor>(Eigen::SparseMatrix<double>(A));

@@ -1,4 +1,5 @@
-// The two problems that the benchmarks of the contact solvers share, and how a row is counted in products A p.
+// Defines the two problems shared by the benchmarks of the contact solvers, and the conversion of times to products A
+// p.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -20,7 +21,7 @@ namespace contactd::bench {
 
 using Values = std::vector<double>;
 
-// Processor time, so that a busy machine does not spoil the ratio of a solve to a product.
+// Returns processor time, because a busy machine would distort the wall-clock ratio of a solve to a product.
 inline double processor_seconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
@@ -31,15 +32,16 @@ inline double median(std::vector<double> values) {
     return *middle;
 }
 
-/// Counter A_p: the median time of a solve over that of a product with A_zz on the same grid. Products are timed
-/// between the solves, so that both see the same machine. `solve` returns the evidence of the solver, or nothing.
+/// Sets counter A_p, the median time of a solve over that of a product with A_zz on the same grid. Products are timed
+/// between the solves, so that other work affects both equally. `solve` returns the evidence of the solver, or
+/// nothing.
 template <class Solve>
 void count_in_products(benchmark::State& state, const InfluenceOperator& influence, const Solve& solve) {
-    constexpr double enough = 1e-3;  // seconds of products at a time
+    constexpr double enough = 1e-3;  // seconds of products per measurement
     const Values p(influence.size(), 1.0);
     Values u(p.size());
     influence.normal(p, u);
-    SolverEvidence evidence = solve();  // makes coarser grids, boxes and plans
+    SolverEvidence evidence = solve();  // creates coarser grids, boxes and plans
     std::vector<double> solves, products;
     for (auto _ : state) {
         double start = processor_seconds();
@@ -73,7 +75,7 @@ inline IcTable pair_table(const Grid& grid, const Material& material) {
     return pair_of(body, body);
 }
 
-/// The paper's Cattaneo problem (section 4): a sphere under a given approach, shifted.
+/// The paper's Cattaneo problem (section 4): a sphere at a prescribed approach, shifted.
 struct Cattaneo {
     Grid grid;
     ConvolutionOperator influence;
@@ -139,7 +141,7 @@ struct Elliptic {
     RollingSolution steady(const RigidSlip& w, const RollingSolution& last = {}) const {
         return solve_steady_rolling(bodies, bound, w.x, w.y, {}, last.traction_x, last.traction_y, observer);
     }
-    /// A step in time, by what slip owes to the last one: w + (C - A) p.
+    /// Solves one transient step after `last`, with the rigid slip w + (C - A) p.
     TangentialSolution transient(const RigidSlip& w, const RollingSolution& last) const {
         Values x(grid.size()), y(x), rigid_x(x), rigid_y(x);
         influence.tangential(last.traction_x, last.traction_y, x, y);

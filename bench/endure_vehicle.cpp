@@ -1,7 +1,8 @@
-// Many steps of a vehicle (vehicle.hpp): do memory and answers stay as they are? A table: every so many steps the
-// resident memory, and the largest difference of a wheel's forces, over its load, from those of wheels that were made
-// for this step alone, with tolerances a hundred times finer, and stand at the same heights. Ends with 1 where a
-// difference is beyond the accuracy, or where memory has grown by a tenth since the first tenth of the steps.
+// Checks that memory and answers stay stable over many steps of a vehicle (vehicle.hpp). At regular intervals it
+// prints the resident memory, and the largest difference of a wheel's forces, over its load, from reference forces.
+// The reference wheels are created for one step, at the same heights and with tolerances a hundred times smaller. The
+// exit code is 1 if a difference exceeds the accuracy, or if memory has grown by a tenth since the first tenth of the
+// steps.
 #include <unistd.h>
 
 #include <algorithm>
@@ -42,14 +43,14 @@ int endure(const std::string& model, int steps, int threads, double accuracy) {
     double first = 0, memory = 0, worst = 0;
     std::printf("step,run,resident_mebibytes,difference\n");
     for (int k = 0; k < steps; ++k) {
-        // Both runs in turns: flanges touch and leave again.
+        // Both runs alternate, so that flange contact starts and ends again.
         const Run run = k / 700 % 2 == 0 ? Run::hunting : Run::curving;
         vehicle.step(run, k, threads);
         if ((k + 1) % between != 0) continue;
         const double off = difference(vehicle, run, k, model.c_str(), accuracy);
         worst = std::max(worst, off);
         memory = resident_mebibytes();
-        if (k < steps / 10) first = memory;  // caches fill until then
+        if (k < steps / 10) first = memory;  // caches fill during these steps
         std::printf("%d,%s,%.1f,%.2e\n", k + 1, run == Run::hunting ? "hunting" : "curving", memory, off);
         std::fflush(stdout);
     }

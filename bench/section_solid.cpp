@@ -1,8 +1,11 @@
-// A few strips of a block with an edge in three dimensions, against the transform along x: section_solid [--order 2]
-// [--factor 0] [--columns 3] [--offsets 9] [--edges 2] [--growth 1.5] [--length 300] [--many 80]. Prints one JSON
-// object for
-// `./dev paper sections`: how far both are apart, and what each takes, also for `many` strips. Lengths are over the
-// width of a strip; seconds and transform_seconds are processor time, those of single stages wall time.
+// Compares a few strips of a block with an edge in three dimensions with the transform along x:
+//
+//     section_solid [--order 2] [--factor 0] [--columns 3] [--offsets 9] [--edges 2] [--growth 1.5] [--length 300]
+//                   [--many 80]
+//
+// It prints one JSON object for `./dev paper sections`: the difference and the cost of both, also for `many` strips.
+// Lengths are relative to the width of a strip. seconds and transform_seconds are processor time, those of single
+// stages wall-clock time.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -34,7 +37,7 @@ double processor_seconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Over zz of the half-space under an element.
+/// Returns the largest difference over zz of the half-space under an element.
 double largest_difference(const StripTable& one, const StripTable& other) {
     double largest = 0;
     for (std::size_t i = 0; i < one.values.size(); ++i)
@@ -70,7 +73,7 @@ int main(int argc, char** argv) {
     }
     const auto whole = [&](const char* name) { return static_cast<int>(options.at(name)); };
     SolidSpec spec{.order = whole("--order"), .nx = whole("--offsets")};
-    if (whole("--factor") != 0) spec.solver = Solver::direct;  // else BoomerAMG and conjugate gradients
+    if (whole("--factor") != 0) spec.solver = Solver::direct;  // otherwise BoomerAMG and conjugate gradients
     spec.density.edges_a_strip = whole("--edges");
     spec.density.growth = options.at("--growth") - 1;
     spec.density.corner_share = 0.1;

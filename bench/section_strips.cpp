@@ -1,7 +1,11 @@
-// Plane-strain displacements of a cross-section's strips under normal tractions on its strips, on a mesh that is named:
-// section_strips --shape disc|plate_hole|slab [--radius 57.3] [--strips 168] [--edges 4] [--order 2]. Prints one JSON
-// object for `./dev paper sections`: normal displacements at the middle of each strip, lower half row by row, for G = 1
-// and nu = 0.28. Lengths are over the width of a strip; a slab is as deep as a plate is wide, fifty radii.
+// Computes plane-strain displacements of a cross-section's strips under normal tractions on these strips, on a given
+// mesh:
+//
+//     section_strips --shape disc|plate_hole|slab [--radius 57.3] [--strips 168] [--edges 4] [--order 2]
+//
+// It prints one JSON object for `./dev paper sections`: normal displacements at the centre of each strip, lower half
+// row by row, for G = 1 and nu = 0.28. Lengths are relative to the width of a strip. A slab is as deep as a plate is
+// wide, fifty radii.
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -20,7 +24,7 @@ using namespace contactd;
 using namespace contactd::fem;
 using Options = std::map<std::string, std::string>;
 
-constexpr double nu = 0.28, core = 0.005, outside = 50;  // lengths over the radius
+constexpr double nu = 0.28, core = 0.005, outside = 50;  // relative to the radius
 
 Section section_of(const std::string& shape, double radius) {
     if (shape == "disc") return {Disc{.radius = radius, .core = core * radius}};

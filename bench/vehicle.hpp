@@ -1,5 +1,5 @@
-// A vehicle of eight wheels, S1002 on 60E1, from contactd.h, in process or with a daemon. It hunts by 3 mm, or runs
-// through a curve, where the flange of the first wheelset touches; loads sway by 5 %.
+// Defines a vehicle of eight wheels, S1002 on 60E1, through contactd.h, in process or with a daemon. It hunts by 3 mm,
+// or runs through a curve with flange contact of the first wheelset. Loads oscillate by 5 %.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ inline constexpr double static_Fz = 70'000;  // N
 
 enum class Run { hunting, curving };
 
-/// Asked of one wheel in a step.
+/// Input of one wheel in a step.
 struct WheelStep {
     double y, yaw, roll, y_rate, Fz;
 };
@@ -47,7 +47,7 @@ inline void check(std::int32_t code, const void* handle) {
 
 class Vehicle {
    public:
-    /// An accuracy of 0 leaves the tolerances as they are.
+    /// An accuracy of 0 keeps the default tolerances.
     explicit Vehicle(const char* model, double accuracy = 0, const char* where = "local") {
         check(contactd_open(where, &connection_), nullptr);
         check(contactd_set_log(connection_, nullptr, nullptr), connection_);
@@ -67,7 +67,7 @@ class Vehicle {
         contactd_close(connection_);
     }
 
-    /// Heights are those that the forces had, where `at` has them.
+    /// Prescribes the heights in `at`, or without it the forces.
     void step(Run run, int k, int threads, const Values* at = nullptr) {
         heights_.clear();
         forces_.clear();
@@ -97,7 +97,7 @@ class Vehicle {
         }
     }
     const Values& heights() const { return heights_; }
-    /// Fx, Fy, Fz, Mx, My, Mz of each wheel, in track coordinates.
+    /// Returns Fx, Fy, Fz, Mx, My, Mz of each wheel, in track coordinates.
     const std::vector<Wrench>& forces() const { return forces_; }
 
    private:
