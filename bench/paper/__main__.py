@@ -1,12 +1,12 @@
-"""Regenerates docs/paper: the figures of one of the paper's sections, or of bodies by their cross-section, their
-numbers, and a page that compares.
+"""Regenerates docs/paper: the figures of a section of the paper, or of bodies given by their cross-section, their
+numbers, and a page with the comparison.
 
     ./dev paper fem [--only fig5,fig8] [--fresh]
     ./dev paper contact [--only fig9] [--fresh]
     ./dev paper sections [--only edges] [--fresh]
 
-Results are kept in build/paper/<section>.jsonl as soon as they are there: a run that was interrupted, or repeated, goes
-on from them. The page is written from the CSV files when all of them are there.
+Each result is saved at once in build/paper/<section>.jsonl. An interrupted or repeated run continues from these
+results. The page is written from the CSV files when they are complete.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def say(line: str) -> None:
 
 
 def parts_of(section: Section, text: str | None) -> list[str]:
-    """The parts named, separated by commas; all of them when none is."""
+    """Returns the named parts, separated by commas, or all of them without names."""
     if text is None:
         return list(section.parts)
     names = [name.strip() for name in text.split(",")]

@@ -1,4 +1,4 @@
-"""What all pictures have in common: colours, axes, the target line."""
+"""Defines the common parts of all pictures: colours, axes, the target line."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from .rows import Row
 
 INK = "#1d1d2b"
-# Okabe and Ito: told apart with any colour vision; markers differ, too.
+# These colours of Okabe and Ito are distinct for every kind of colour vision; markers differ, too.
 BLUE, RED, GREEN, ORANGE, PURPLE, SKY, GREY = (
     "#0072B2", "#D55E00", "#009E73", "#E69F00", "#CC79A7", "#56B4E9", "#7a7a85",
 )  # fmt: skip
@@ -33,7 +33,7 @@ class Look:
 
 
 def new_figure(panels: int, width: float = 5.2, height: float = 4.4, rows: int = 1) -> tuple[Any, list[Any]]:
-    """`panels` in each row; their axes row by row. Width and height are those of one panel (inches)."""
+    """Creates a figure with `panels` per row and returns axes row by row. Width and height are per panel (inches)."""
     size = (width * panels, height * rows)
     figure, axes = plt.subplots(rows, panels, figsize=size, layout="constrained", squeeze=False)
     return figure, list(axes.flat)
@@ -41,7 +41,7 @@ def new_figure(panels: int, width: float = 5.2, height: float = 4.4, rows: int =
 
 def save(figure: Any, path: Path) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
-    # Without the software's version: the same rows give the same file.
+    # The file omits the software version, so that the same rows give the same file.
     figure.savefig(path, dpi=110, metadata={"Software": None})
     plt.close(figure)
 
@@ -57,13 +57,13 @@ def finish(axes: Any, title: str, ylabel: str) -> None:
 
 def draw_target(axes: Any) -> None:
     axes.axhline(TARGET, color=INK, linestyle=(0, (6, 4)), linewidth=1.1)
-    # Beside the axes, where no curve is.
+    # The label is next to the axes, where it hides no curve.
     place = {"xycoords": ("axes fraction", "data"), "xytext": (3, -3), "textcoords": "offset points"}
     axes.annotate("1 %", (1, TARGET), fontsize=9, **place)
 
 
 def plain_log(axis: Any, unit: str = "") -> None:
-    """1, 2, 5, 10 instead of powers of ten; with the unit "k" in thousands."""
+    """Labels ticks 1, 2, 5, 10 instead of powers of ten; with the unit "k" in thousands."""
     size = 1000 if unit == "k" else 1
     axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value / size:g}{unit}"))
@@ -71,13 +71,13 @@ def plain_log(axis: Any, unit: str = "") -> None:
 
 
 def block_sizes(axes: Any, rows: Sequence[Row]) -> None:
-    """A logarithmic axis of block sizes with their own ticks."""
+    """Sets a logarithmic axis of block sizes with a tick at each of them."""
     doubling(axes.xaxis, {row["L"] for row in rows})
     axes.set_xlabel("block size $L$ (mm)")
 
 
 def doubling(axis: Any, values: set[float]) -> None:
-    """A logarithmic axis with a tick for each of the values."""
+    """Sets a logarithmic axis with a tick for each of the values."""
     axis.axes.set_xscale("log", base=2)
     axis.set_ticks(sorted(values))
     axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))

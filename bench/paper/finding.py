@@ -1,4 +1,4 @@
-"""How numbers are looked up and written in a page."""
+"""Finds and formats the numbers of a page."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from .rows import Row
 
 Rows = Mapping[str, Sequence[Row]]
-#: Values for the page, and verdicts computed from the rows: True where we agree.
+#: Values for the page, and verdicts computed from the rows: True where we agree with the paper.
 Found = tuple[dict[str, str], dict[str, bool]]
 
 
 def merge(found: Iterable[Found]) -> Found:
-    """All of them as one."""
+    """Merges all findings into one."""
     values: dict[str, str] = {}
     verdicts: dict[str, bool] = {}
     for more, judged in found:
@@ -23,11 +23,11 @@ def merge(found: Iterable[Found]) -> Found:
 
 
 class PointMissing(Exception):
-    """The page speaks of a point that is in no file: its computation did not converge."""
+    """Raised when the page uses a point that is in no file because its computation did not converge."""
 
 
 def percent(value: float) -> str:
-    """Two significant digits, without a sign."""
+    """Formats a percentage with two significant digits, without a sign."""
     size = abs(value) * 100
     digits = max(0, 1 - math.floor(math.log10(size))) if size > 0 else 1
     return f"{size:.{min(digits, 6)}f} %"
@@ -38,7 +38,7 @@ def number(value: float) -> str:
 
 
 def at(rows: Sequence[Row], curve: str, L: float) -> Row:
-    # L comes from L/h times h, and through the digits of a file.
+    # L is L/h times h, rounded to the digits of a file.
     for row in rows:
         if row["curve"] == curve and math.isclose(row["L"], L, rel_tol=1e-4):
             return row
@@ -46,6 +46,6 @@ def at(rows: Sequence[Row], curve: str, L: float) -> Row:
 
 
 def markdown(head: Sequence[str], body: Sequence[Sequence[str]]) -> str:
-    """A table."""
+    """Returns a table in Markdown."""
     lines = [head, ["---"] * len(head), *body]
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)

@@ -1,4 +1,4 @@
-"""A daemon of one's own for the computations of a section."""
+"""Provides a private daemon for the computations of a section."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from contactd import Client, LocalDaemon
 
 from .section import Measure
 
-_TIMEOUT = 3600.0  # s; a table is built on the way
+_TIMEOUT = 3600.0  # s; includes the build of a table
 
 
 @contextmanager
 def measuring(programs: Path, make: Callable[[Client], Measure]) -> Iterator[Measure]:
-    """What `make` gives for as long as the `with` block; the tables go with the daemon."""
+    """Yields the result of `make` during the `with` block. The tables are deleted together with the daemon."""
     with LocalDaemon(programs / "contactd", config={"workers": 1}) as daemon:
         with daemon.client(timeout=_TIMEOUT) as client:
             yield make(client)

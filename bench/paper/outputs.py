@@ -1,4 +1,4 @@
-"""Writes what a part has to show, and the page about all parts of a section."""
+"""Writes the results of a part, and the page about all parts of a section."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ Say = Callable[[str], None]
 
 
 def write_part(section: Section, name: str, store: ResultStore, folder: Path, say: Say) -> None:
-    """The CSV files and the picture of a part, of its cases whose results are in the store."""
+    """Writes the CSV files and the picture of a part, for the cases whose results are in the store."""
     rows = []
     for case in section.parts[name]():
         result = store.get(case.spec)
-        if result is not None and "failure" in result:  # there is no point then
+        if result is not None and "failure" in result:  # a failure has no point
             say(f"{name}: {case.curve}, {case.parameter} = {case.value:g} is left out: {result['failure']}")
         elif result is not None:
             rows.append(section.row(case, result))
     written = [folder / f"{name}.csv"]
     write_csv(written[0], rows, section.part_columns.get(name, section.columns))
-    # From the file, as the page: picture and page cannot differ.
+    # The picture uses the file, like the page, so both always agree.
     rows = read_csv(written[0])
     if name in section.pictures:
         written.append(folder / f"{name}.png")
@@ -38,7 +38,7 @@ def write_part(section: Section, name: str, store: ResultStore, folder: Path, sa
 
 
 def write_page(section: Section, folder: Path, version: str, say: Say) -> None:
-    """From the CSV files in the folder, whichever run wrote them."""
+    """Writes the page from the CSV files in the folder, regardless of the run that wrote them."""
     page = f"{section.name}.md"
     missing = [name for name in section.parts if not (folder / f"{name}.csv").is_file()]
     if missing:

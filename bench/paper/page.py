@@ -1,8 +1,8 @@
-"""The page: bench/paper/<section>.md.in with numbers and verdicts from the rows of the CSV files filled in.
+"""Fills numbers and verdicts from the rows of the CSV files into the page's template, bench/paper/<section>.md.in.
 
-{{name}} is a number or a text of the section's findings. [[agrees name]] or [[differs name]] is a finding's verdict,
-written out as it came ([[yes name]], [[no name]] in those words); where it is not the word that stands in the template,
-the text beside it was written for another outcome, and the page says so.
+{{name}} is a number or a text of the section's findings. [[agrees name]] or [[differs name]] is the expected verdict
+of a finding, and is replaced by the actual one ([[yes name]] and [[no name]] likewise). If the two differ, the text
+next to it was written for another outcome, and the page reports that.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ DOUBT = "*(With these numbers the outcome is not the one that the text beside it
 
 
 def render(section: Section, rows: Rows, version: str) -> tuple[str, list[str]]:
-    """The page, and the names of the verdicts that its text was not written for."""
+    """Returns the page, and the names of the verdicts that contradict its template."""
     values, verdicts = section.find(rows)
     template = Path(__file__).with_name(f"{section.name}.md.in").read_text()
     return fill(template, {**values, "version": version}, verdicts)

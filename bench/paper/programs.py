@@ -1,4 +1,4 @@
-"""Which contactd computes."""
+"""Finds the contactd programs that compute."""
 
 from __future__ import annotations
 
@@ -15,6 +15,6 @@ def version(folder: Path) -> str:
 
 
 def digest(folder: Path) -> str:
-    """Tells builds of one version apart."""
+    """Returns a digest that distinguishes builds of one version."""
     content = b"".join((folder / name).read_bytes() for name in NAMES)
     return hashlib.sha256(content).hexdigest()[:16]

@@ -1,4 +1,4 @@
-"""CSV files: one row for each point of a curve. Pictures and pages read these files only."""
+"""Reads and writes CSV files with one row for each point of a curve. Pictures and pages read these files only."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def write_csv(path: Path, rows: Iterable[Row], columns: Sequence[str]) -> None:
 def _text(name: str, value: Any) -> Any:
     if not isinstance(value, float):
         return value
-    # Errors with enough digits for the difference between two solvers.
+    # Errors need enough digits to show the difference between two solvers.
     return f"{value:.4g}" if name.endswith(("_seconds", "_mib")) else f"{value:.12g}"
 
 
@@ -45,5 +45,5 @@ def _value(name: str, text: str) -> Any:
 
 
 def select(rows: Iterable[Row], **values: Any) -> list[Row]:
-    """The rows that have these values, in the order of the file."""
+    """Returns the rows with these values, in the order of the file."""
     return [item for item in rows if all(item[name] == value for name, value in values.items())]

@@ -1,4 +1,4 @@
-"""Computes what the store does not hold yet, one request after the other, and says how far it is."""
+"""Computes the results that are not in the store yet, one request after the other, and reports progress."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def identity(spec: Spec) -> str:
 
 
 def distinct(cases: Iterable[Case]) -> list[Case]:
-    """The first case of each request: figures share computations."""
+    """Returns the first case of each request, because figures share computations."""
     first: dict[str, Case] = {}
     for case in cases:
         first.setdefault(identity(case.spec), case)
@@ -28,7 +28,7 @@ def distinct(cases: Iterable[Case]) -> list[Case]:
 def compute(
     cases: Iterable[Case], store: ResultStore, section: Section, solver: AbstractContextManager[Measure], say: Say
 ) -> None:
-    """After it the store holds the result of every case; each is written as soon as it is there."""
+    """Computes every case that is not in the store, and writes each result at once."""
     computations = distinct(cases)
     missing = [case for case in computations if store.get(case.spec) is None]
     if len(missing) < len(computations):

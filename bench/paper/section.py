@@ -1,4 +1,4 @@
-"""What a section of the paper brings along to be computed again."""
+"""Defines the parts of a section of the paper that are needed to repeat its computations."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from .rows import Row
 
 #: A request as plain data. Equal requests are one computation.
 Spec = dict[str, Any]
-#: What is kept of a computation. One that did not converge is {"failure": text}.
+#: The stored result of a computation. If it did not converge, it is {"failure": text}.
 Result = dict[str, Any]
 Measure = Callable[[Spec], Result]
 
 
 class Case(Protocol):
-    """A request, and the place of its result in a figure."""
+    """A request and the place of its result in a figure."""
 
     @property
     def part(self) -> str: ...
@@ -34,12 +34,12 @@ class Case(Protocol):
 
 
 class ComputationFailed(Exception):
-    """A computation ended with an error; its text says which."""
+    """Raised when a computation ends with an error, which the message contains."""
 
 
 @dataclass(frozen=True)
 class Table:
-    """A CSV file beside that of its part."""
+    """A CSV file in addition to that of its part."""
 
     name: str
     columns: Sequence[str]

@@ -1,4 +1,4 @@
-"""Finished computations on disk, one JSON object a line, so that a part that is finished is not computed again."""
+"""Stores finished computations on disk, one JSON object per line, so that they are not repeated."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ Spec = dict[str, Any]
 
 
 class StoreInUse(Exception):
-    """Another run is writing to the store."""
+    """Raised when another run is writing to the store."""
 
 
 class ResultStore:
-    """Results by request and version of contactd. A line that an interrupted run left unfinished is passed over.
+    """Results by request and version of contactd. An unfinished line of an interrupted run is skipped.
 
-    `program` tells builds of the same version apart, for a warning: is_of_another_build.
+    `program` distinguishes builds of the same version, for the warning of is_of_another_build.
     """
 
     def __init__(self, path: Path, version: str, program: str = "", fresh: bool = False) -> None:
@@ -59,12 +59,12 @@ class ResultStore:
         return self._results.get(self._key(spec, self._version))
 
     def is_of_another_build(self, spec: Spec) -> bool:
-        """Whether the result is there, from another program of the same version."""
+        """Returns whether the result exists, but from another program of the same version."""
         key = self._key(spec, self._version)
         return key in self._results and self._programs[key] != self._program
 
     def put(self, spec: Spec, result: dict[str, Any]) -> None:
-        """On disk when this returns."""
+        """Writes the result to disk before it returns."""
         entry = {"version": self._version, "program": self._program, "spec": spec, "result": result}
         line = json.dumps(entry, sort_keys=True)
         self._file.write(line.encode() + b"\n")

@@ -1,10 +1,11 @@
-"""Computes the given cases of the CONTACT program and writes docs/validation.md: what it prints of them, and ours.
+"""Computes the given cases of the CONTACT program and compares them with its printed results.
 
     ./dev validate
     ./dev validate --only testbank
     ./dev validate --cases FOLDER
 
-The files are in ../shared/contact, beside the repository. The page is made from the CSV files in docs/validation.
+The files are in ../shared/contact, beside the repository. The page, docs/validation.md, is made from the CSV files
+in docs/validation.
 """
 
 from __future__ import annotations
@@ -45,7 +46,7 @@ def arguments_of(words: list[str] | None) -> argparse.Namespace:
 
 
 def chosen(files: Sequence[GivenFile], only: str | None) -> list[GivenFile]:
-    """Those of the families named, separated by commas; all when none is. Raises ValueError."""
+    """Returns the files of the named families, separated by commas, or without names all. Raises ValueError."""
     if only is None:
         return list(files)
     names = [name.strip() for name in only.split(",")]
@@ -56,7 +57,7 @@ def chosen(files: Sequence[GivenFile], only: str | None) -> list[GivenFile]:
 
 
 def computed_rows(file: GivenFile, preset: str, say: Say) -> tuple[list[Row], Row]:
-    """The rows of a file in both tables. Raises FilesMissing where it does not print what it has."""
+    """Returns the rows of a file in both tables. Raises FilesMissing if the printed results are incomplete."""
     printed = file.printed()
     run = compute(file.path, "bilinear")
     if len(run.cases) != len(printed):
@@ -75,7 +76,7 @@ def computed_rows(file: GivenFile, preset: str, say: Say) -> tuple[list[Row], Ro
 
 
 def validate(folder: Path, only: str | None, output: Path, preset: str, say: Say) -> None:
-    """Computes what is in the folder and writes tables, pictures and the page. Raises before it writes anything."""
+    """Computes the cases in the folder and writes tables, pictures and the page. Raises before it writes anything."""
     files = given_files(folder)
     found = [computed_rows(one, preset, say) for one in chosen(files, only)]
     cases, timed = [row for rows, _ in found for row in rows], [row for _, row in found]
@@ -85,7 +86,7 @@ def validate(folder: Path, only: str | None, output: Path, preset: str, say: Say
 
 def main(words: list[str] | None = None) -> int:
     arguments = arguments_of(words)
-    warnings.simplefilter("ignore", ContactWarning)  # of cases of others, whose grids are as they are
+    warnings.simplefilter("ignore", ContactWarning)  # the grids of the given cases cannot be changed
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, signal.default_int_handler)
     try:

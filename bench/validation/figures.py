@@ -1,4 +1,4 @@
-"""A picture for each family: every number that is compared, by how much of its tolerance it differs."""
+"""Draws a picture for each family: the difference of every compared number over its tolerance."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ SMALL = {
 
 
 def has_numbers(rows: Sequence[Row]) -> bool:
-    """Tells whether any of the cases was computed."""
+    """Returns whether any of the cases was computed."""
     return any(row["over"] != "" for row in rows)
 
 
@@ -39,7 +39,7 @@ def draw(rows: Sequence[Row], path: Path) -> None:
         for number, (over, look) in enumerate(points):
             colour, marker, _ = SMALL[look]
             seen.add(look)
-            # Side by side in the order of the file.
+            # Points are placed side by side in the order of the file.
             x = place + WIDTH * (2 * (number + 0.5) / len(points) - 1)
             axes.plot(
                 x, min(MOST, max(LEAST, over)), marker, color=colour, markersize=3.2, markeredgewidth=0, alpha=0.75
@@ -72,7 +72,7 @@ def _points(rows: Sequence[Row], group: str) -> Iterator[tuple[float, str]]:
 
 
 def _legend(figure: Any, looks: Sequence[str]) -> None:
-    """Above the axes, where no point is."""
+    """Places the legend above the axes, where it hides no point."""
     handles = []
     for look in looks:
         colour, marker, label = SMALL[look]

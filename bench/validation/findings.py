@@ -1,4 +1,4 @@
-"""What the page says, from the rows of both CSV files."""
+"""Computes the texts of the page from the rows of both CSV files."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _FINE = 5e-4 / 4e-3  #: of the tolerance of largest pressures
 
 
 def find(cases: Sequence[Row], times: Sequence[Row], folder: str) -> Found:
-    """Texts and verdicts of the page, which stands beside the folder with tables and pictures."""
+    """Returns texts and verdicts of the page, which is next to the folder with tables and pictures."""
     whole = [row for row in cases if is_case(row)]
     counts = Counter(row["status"] for row in whole)
     open_ones = [row for row in whole if row["status"] == "differs" and not row["reason"]]
@@ -42,8 +42,8 @@ def find(cases: Sequence[Row], times: Sequence[Row], folder: str) -> Found:
 
 
 def ratio(times: Sequence[Row]) -> float | None:
-    """Our time over the printed one. Of a file with cases that were not computed the printed time counts by the share of
-    those that were: there are no printed times of single cases."""
+    """Returns our time over the printed one. If some cases of a file were not computed, its printed time is multiplied
+    by the share of those that were, because there are no printed times of single cases."""
     timed = [row for row in times if row["printed_seconds"] != "" and row["computed"]]
     printed = sum(row["printed_seconds"] * row["computed"] / row["cases"] for row in timed)
     return sum(row["seconds"] for row in timed) / printed if printed else None
@@ -91,7 +91,7 @@ def _counts(whole: Sequence[Row]) -> list[str]:
 
 
 def _largest(rows: Sequence[Row]) -> str:
-    """With the quantity and the case that it is of."""
+    """Returns the largest difference over tolerance, with its quantity and case."""
     found = [
         (row[f"{one.name}_over"], one.name, row) for one in QUANTITIES for row in rows if row[f"{one.name}_over"] != ""
     ]
@@ -130,7 +130,7 @@ def _reasons(cases: Sequence[Row]) -> str:
 
 
 def _where(whole: Sequence[Row], reason: Reason) -> str:
-    """The cases by file; of those that are not all of a range how many."""
+    """Returns the cases by file, with their number where they are not a whole range."""
     parts = []
     for file in dict.fromkeys(str(row["file"]) for row in whole):
         numbers = [int(row["case"]) for row in whole if row["file"] == file]
@@ -149,7 +149,7 @@ def _listed(head: str, rows: Sequence[Row]) -> str:
 
 
 def _missing(whole: Sequence[Row]) -> str:
-    """How many cases are not computed, by what contactd does not have; a case may lack two things."""
+    """Counts the cases that are not computed, by the missing feature; a case may count for two features."""
     counts: Counter[str] = Counter()
     for row in whole:
         note = str(row["note"])
@@ -164,8 +164,8 @@ def _missing(whole: Sequence[Row]) -> str:
 
 
 def _on_wheels(cases: Sequence[Row]) -> dict[str, str]:
-    """How many cases of wheels on rails differ on wheels that are a mesh, and on those that are not, and of how many of
-    the patches that agree the largest pressure is much nearer than it has to be."""
+    """Counts the cases of wheels on rails that differ for wheels given as a mesh, and for other wheels. Also counts
+    the patches that agree with a largest pressure much closer than required."""
     both = [row for row in cases if row["over_exact"] != ""]
     patches = [row for row in both if not is_case(row) and row["status"] == "agrees"]
 

@@ -1,4 +1,4 @@
-"""The files of cases that are given: inputs of the CONTACT program with what it has printed of them."""
+"""Finds the files of given cases: inputs of the CONTACT program with its printed results."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _TOTAL = re.compile(r"^\|Total +\| +\d+ \| +([\d.]+) \|[^|]*\| +([\d.]+) \|", re
 
 
 class FilesMissing(Exception):
-    """The files are not where they should be; its text says what is missing."""
+    """Raised when files are not in their place; the message names the missing ones."""
 
 
 @dataclass(frozen=True)
@@ -25,9 +25,9 @@ class GivenFile:
     """A file of cases.
 
     Attributes:
-        name: Of the input file below the folder of all.
+        name: Path of the input file below the common folder.
         path: The input file.
-        reference: What the CONTACT program has printed.
+        reference: The printed results of the CONTACT program.
     """
 
     name: str
@@ -36,18 +36,18 @@ class GivenFile:
 
     @property
     def family(self) -> str:
-        """The folder that it lies in; the Manchester benchmark has a family of its own among the examples."""
+        """Returns the folder of the file; the Manchester benchmark is a separate family among the examples."""
         folder = Path(self.name).parent.name
         if folder == "examples" and Path(self.name).name.startswith("mbench"):
             return "mbench"
         return folder.removeprefix("examples_")
 
     def printed(self) -> list[PrintedCase]:
-        """The printed cases, in their order."""
+        """Returns the printed cases, in their order."""
         return printed_cases(self._text())
 
     def printed_seconds(self) -> float | None:
-        """The printed time of all its cases; None where there is none."""
+        """Returns the printed time of all its cases, or None without one."""
         return printed_seconds(self._text())
 
     def _text(self) -> str:
@@ -55,7 +55,7 @@ class GivenFile:
 
 
 def given_files(folder: Path) -> list[GivenFile]:
-    """The files that the folder's list names and that have printed numbers. Raises FilesMissing."""
+    """Returns the files in the folder's list that have printed numbers. Raises FilesMissing."""
     try:
         listed = json.loads((folder / LIST).read_text())["files"]
     except FileNotFoundError:
@@ -75,11 +75,11 @@ def given_files(folder: Path) -> list[GivenFile]:
 
 
 def families(files: Sequence[GivenFile]) -> list[str]:
-    """Those of the files, in their order."""
+    """Returns the families of the files, in their order."""
     return list(dict.fromkeys(one.family for one in files))
 
 
 def printed_seconds(text: str) -> float | None:
-    """The wall clock time of the timers at the end of an .out file (s)."""
+    """Returns the wall-clock time of the timers at the end of an .out file (s)."""
     found = _TOTAL.search(text)
     return float(found[2]) if found else None

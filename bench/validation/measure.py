@@ -1,4 +1,4 @@
-"""Computes the cases of a file as `contactctl contact run` does, and takes the time."""
+"""Computes the cases of a file as `contactctl contact run` does, and measures the time."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ WORKERS = 2
 
 @dataclass(frozen=True)
 class Computed:
-    """What became of a case. Without numbers it was not computed."""
+    """The result of a case. Without numbers it was not computed."""
 
     case: Case
     status: str
@@ -41,9 +41,9 @@ class Run:
     """All cases of a file in their order.
 
     Attributes:
-        cases: What became of them.
+        cases: Their results.
         seconds: Time of reading, computing and writing them (s).
-        load: Processors that other programs took meanwhile.
+        load: Number of processors used by other programs in that time.
     """
 
     cases: list[Computed]
@@ -52,7 +52,7 @@ class Run:
 
 
 def compute(file: Path, wheel: WheelSurface) -> Run:
-    """The cases of a file on WORKERS workers of this process. What is written of them goes with a temporary folder."""
+    """Computes the cases of a file on WORKERS workers of this process. Their output goes to a temporary folder."""
     with contactd.local(config={"workers": WORKERS}) as client, tempfile.TemporaryDirectory() as folder:
         began, others = time.monotonic(), _of_others()
         cases = contact_files.read(file, client).cases
@@ -71,7 +71,7 @@ def compute(file: Path, wheel: WheelSurface) -> Run:
 
 
 def _of_others() -> float:
-    """Processor time that all other programs have taken since the machine was started (s)."""
+    """Returns the processor time used by all other programs since the start of the machine (s)."""
     user, nice, system, _idle, _waiting, *interrupts = map(
         int, Path("/proc/stat").read_text().split("\n", 1)[0].split()[1:9]
     )

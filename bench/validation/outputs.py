@@ -1,4 +1,4 @@
-"""Writes what came out: tables, pictures, and the page from these alone."""
+"""Writes the results: tables, pictures, and the page, which depends on these alone."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ TEMPLATE = Path(__file__).with_name(f"{PAGE}.in")
 
 
 def write_tables(files: Sequence[GivenFile], cases: Sequence[Row], timed: Sequence[Row], folder: Path) -> list[Path]:
-    """Both CSV files: rows of the families that were computed, and the others as they were, in the order of `files`."""
+    """Writes both CSV files: new rows of computed families and old rows of the others, in the order of `files`."""
     order = [one.name for one in files]
     computed = {row["family"] for row in timed}
     for name, rows, columns in ((CASES, cases, table.COLUMNS), (TIMES, timed, times.COLUMNS)):
@@ -36,7 +36,7 @@ def write_tables(files: Sequence[GivenFile], cases: Sequence[Row], timed: Sequen
 
 
 def write_page(folder: Path, say: Say) -> None:
-    """Pictures into the folder with the tables, the page beside it."""
+    """Writes pictures to the folder with the tables, and the page next to that folder."""
     rows = read_csv(folder / CASES)
     written = []
     for family in dict.fromkeys(row["family"] for row in rows):
@@ -53,6 +53,6 @@ def write_page(folder: Path, say: Say) -> None:
 
 
 def render(folder: Path) -> tuple[str, list[str]]:
-    """The page, and the names of the verdicts that its text was not written for, from the tables in the folder."""
+    """Returns the page from the tables in the folder, and the verdicts that contradict its template."""
     values, verdicts = find(read_csv(folder / CASES), read_csv(folder / TIMES), folder.name)
     return fill(TEMPLATE.read_text(), values, verdicts)

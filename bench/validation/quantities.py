@@ -1,4 +1,4 @@
-"""The numbers that are compared: their names here, and the labels that the CONTACT program prints them under."""
+"""Lists the compared numbers: their names here, and their labels in the output of the CONTACT program."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ __all__ = ["GROUPS", "QUANTITIES", "Quantity", "by_quantity"]
 
 @dataclass(frozen=True)
 class Quantity:
-    """A number that both print.
+    """A number that both programs print.
 
     Attributes:
-        name: Its columns are `name_printed`, `name` and `name_over`.
-        labels: CONTACT's, of which a case has one.
+        name: Name of its columns `name_printed`, `name` and `name_over`.
+        labels: Labels of CONTACT, of which a case has one.
         group: The place in pictures.
     """
 
@@ -60,5 +60,5 @@ _BY_LABEL = {label: quantity for quantity in QUANTITIES for label in quantity.la
 
 
 def by_quantity(differences: Iterable[Difference]) -> dict[str, Difference]:
-    """Differences by the names of their quantities."""
+    """Returns differences by the names of their quantities."""
     return {_BY_LABEL[one.name].name: one for one in differences if one.name in _BY_LABEL}

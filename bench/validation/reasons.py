@@ -1,5 +1,5 @@
-"""Why given cases differ from what is printed of them. The one list: the page is made from it, and the test of given
-cases (tests/integration/test_contact_cases.py) takes no case that differs and is not in it."""
+"""Lists the reasons for differences between given cases and their printed results. The page is made from this list.
+The test of given cases (tests/integration/test_contact_cases.py) fails for a case that differs and is not in it."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ _HEAT = "testbank/examples_temp"
 
 @dataclass(frozen=True)
 class Reason:
-    """Why cases differ.
+    """A reason for differences.
 
     Attributes:
-        name: In the tables.
-        what: What the cases have in common.
-        why: What makes the difference, and which program is nearer to the truth.
-        cases: Numbers of cases by file. Not all of them need differ.
-        shown: What shows it that is neither of the two programs as they are; empty: nothing yet.
+        name: Name in the tables.
+        what: Common property of the cases.
+        why: Cause of the difference, and the program that is closer to the truth.
+        cases: Numbers of cases by file. Some of them may agree.
+        shown: Evidence independent of both programs; empty if there is none yet.
     """
 
     name: str
@@ -140,5 +140,5 @@ REASONS = (
 
 
 def reason_of(file: str, number: int) -> Reason | None:
-    """Why the case with this number of a file differs; None: no reason is known."""
+    """Returns the reason why the case with this number of a file differs, or None if no reason is known."""
     return next((one for one in REASONS if number in one.cases.get(file, ())), None)

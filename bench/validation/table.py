@@ -1,5 +1,5 @@
-"""cases.csv: a row for each case, and of wheels on rails one more for each patch, with printed numbers, ours, and the
-difference over what is in tolerance."""
+"""Makes cases.csv: a row for each case, and for wheels on rails also one for each patch, with printed numbers, ours,
+and the difference over the tolerance."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _Numbers = dict[str, Difference]
 
 
 def rows_of(file: GivenFile, computed: Computed, printed: PrintedCase, exact: Computed | None) -> list[Row]:
-    """The rows of a case. `exact` is the same one on a wheel that is no mesh, None where there is none."""
+    """Returns the rows of a case. `exact` is the same case on a wheel without a mesh, or None."""
     case = computed.case
     head: Row = {
         "family": file.family,
@@ -54,12 +54,12 @@ def rows_of(file: GivenFile, computed: Computed, printed: PrintedCase, exact: Co
 
 
 def is_case(row: Row) -> bool:
-    """Tells the row of a whole case from those of its patches."""
+    """Returns whether the row is that of a whole case, not of one of its patches."""
     return row["patch"] == ""
 
 
 def _blocks(found: Compared, printed: PrintedCase) -> list[_Numbers]:
-    """Of the whole case, and of each patch, where there are as many."""
+    """Returns the numbers of the whole case, and of each patch if both programs have the same number of patches."""
     blocks = [by_quantity(common(found.numbers, printed.numbers, found.bound))]
     if not _other_patches(found, printed):
         together = zip(found.patches, printed.patches, found.bounds)

@@ -1,4 +1,4 @@
-"""times.csv: a row for each file, with the time that the CONTACT program prints of it, and ours."""
+"""Makes times.csv: a row for each file, with the time printed by the CONTACT program, and ours."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ COLUMNS = (
 
 
 def row_of(file: GivenFile, run: Run, exact: Run | None, preset: str) -> Row:
-    """The row of a file. `preset` is that of the build."""
+    """Returns the row of a file. `preset` is that of the build."""
     printed = file.printed_seconds()
     return {
         "family": file.family, "file": file.name, "cases": len(run.cases),
