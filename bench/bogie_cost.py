@@ -52,7 +52,7 @@ def one_wheelset(integrator: str, seconds: float) -> Callable[[], None]:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--seconds", type=float, default=0.1, help="simulated at a time (default %(default)s)")
+    parser.add_argument("--seconds", type=float, default=0.1, help="simulated seconds per piece (default %(default)s)")
     parser.add_argument("--rounds", type=int, default=3, help="default %(default)s")
     parser.add_argument("--integrator", choices=("runge-kutta", "exudyn"), default="runge-kutta", help="default %(default)s")
     parser.add_argument("--fmu", type=Path, help="contactd_wheel of ./dev fmu")

@@ -124,11 +124,11 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--bin", type=Path, required=True, help="folder with the programs")
     parser.add_argument("--quick", action="store_true", help="shorter runs, more noise")
-    parser.add_argument("--only", nargs="+", choices=PROGRAMS, metavar="PROGRAM", help=f"of {', '.join(PROGRAMS)}")
+    parser.add_argument("--only", nargs="+", choices=PROGRAMS, metavar="PROGRAM", help=f"from {', '.join(PROGRAMS)}")
     parser.add_argument("--service", action="store_true", help="latency and throughput of the daemon instead")
-    parser.add_argument("--plot", action="store_true", help="cost against grid size, for docs/performance.md")
-    parser.add_argument("--transforms", action="store_true", help="FFTW's transforms beside the default's, of two builds")
-    parser.add_argument("--json", type=Path, help="write the rows to this file, too")
+    parser.add_argument("--plot", action="store_true", help="cost for each grid size, for docs/performance.md")
+    parser.add_argument("--transforms", action="store_true", help="compare the transforms of FFTW and ducc0")
+    parser.add_argument("--json", type=Path, help="also write the rows to this file")
     arguments = parser.parse_args()
 
     if arguments.service:

@@ -101,7 +101,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--offsets", nargs="+", type=lambda text: float(Fraction(text)), default=[0.0, 1 / 6])
     parser.add_argument("--cases", type=int, default=96)
-    parser.add_argument("--csv", help="every case, one a line")
+    parser.add_argument("--csv", help="write every case to this file, one per line")
     arguments = parser.parse_args()
     offsets, all_cases = arguments.offsets, cases(arguments.cases)
     warnings.simplefilter("ignore", ContactWarning)  # coarse elements are what is measured

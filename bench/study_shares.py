@@ -57,7 +57,7 @@ def timed(study: Path, workers: int) -> tuple[float, float]:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--rows", type=int, default=10000, help="at least (default %(default)s)")
+    parser.add_argument("--rows", type=int, default=10000, help="minimum number of rows (default %(default)s)")
     parser.add_argument("--rounds", type=int, default=3, help="default %(default)s")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix="study-shares-") as folder:

@@ -69,7 +69,7 @@ def by_c(program: Path, endpoint: str) -> list[dict[str, Any]]:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--bin", type=Path, required=True, help="folder with contactd and bench_vehicle")
-    parser.add_argument("--steps", type=int, default=300, help="by Python (default: 300)")
+    parser.add_argument("--steps", type=int, default=300, help="steps of Python (default: 300)")
     arguments = parser.parse_args()
     with LocalDaemon(arguments.bin / "contactd", config={"workers": 2, "log": {"level": "error"}}) as daemon:
         rows = by_c(arguments.bin / "bench_vehicle", daemon.endpoint)

@@ -54,7 +54,7 @@ def states(count: int) -> Iterator[WheelRailState]:
 def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n")[0])
     parser.add_argument("--states", type=int, default=64)
-    parser.add_argument("--element", type=float, default=0.5, help="mm")
+    parser.add_argument("--element", type=float, default=0.5, help="element size (mm)")
     options = parser.parse_args()
     size = {"dx": options.element, "dy": options.element}
     setups = {

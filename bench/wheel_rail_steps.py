@@ -93,8 +93,8 @@ def run(daemon: LocalDaemon, options: argparse.Namespace) -> None:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--model", default="full", choices=["full", "fastsim"])
-    parser.add_argument("--points", type=int, default=500, help="of each profile (default %(default)s)")
-    parser.add_argument("--size", type=float, default=0.5, help="of the elements (mm, default %(default)s)")
+    parser.add_argument("--points", type=int, default=500, help="points of each profile (default %(default)s)")
+    parser.add_argument("--size", type=float, default=0.5, help="element size (mm, default %(default)s)")
     parser.add_argument("--steps", type=int, default=200, help="requests of each kind (default %(default)s)")
     program = daemon_program()
     with LocalDaemon(program, config={"log": {"level": "warn"}}) as daemon:

@@ -52,10 +52,10 @@ def arguments_of(words: list[str] | None) -> argparse.Namespace:
     parser.add_argument("section", choices=list(SECTIONS), metavar="SECTION", help=f"of the paper: {meanings}; sections is about docs/sections.md")
     parser.add_argument("--bin", type=Path, required=True, help="folder with contactd and contactd-ic")
     parser.add_argument("--output", type=Path, default=Path("docs/paper"), help="default: docs/paper")
-    parser.add_argument("--store", type=Path, default=Path("build/paper"), help="finished computations; build/paper")
+    parser.add_argument("--store", type=Path, default=Path("build/paper"), help="default: build/paper")
     parts = "; ".join(f"{section.name}: {', '.join(section.parts)}" for section in SECTIONS.values())
     parser.add_argument("--only", metavar="PART,...", help=f"default: all parts of the section. {parts}")
-    parser.add_argument("--fresh", action="store_true", help="forget the section's finished computations first")
+    parser.add_argument("--fresh", action="store_true", help="discard the section's finished computations first")
     arguments = parser.parse_args(words)
     arguments.section = SECTIONS[arguments.section]
     try:

@@ -41,7 +41,7 @@ def arguments_of(words: list[str] | None) -> argparse.Namespace:
         "--cases", type=Path, default=ROOT.parent / "shared" / "contact", help="default: ../shared/contact"
     )
     parser.add_argument("--output", type=Path, default=ROOT / "docs" / "validation", help="default: docs/validation")
-    parser.add_argument("--only", metavar="FAMILY,...", help="mbench, testbank and so on; all others stay as they are")
+    parser.add_argument("--only", metavar="FAMILY,...", help="mbench, testbank and so on; the results of the others are kept")
     return parser.parse_args(words)
 
 

@@ -1,4 +1,4 @@
-"""What is computed: one Case is one contact problem and the place of its solution in a figure."""
+"""Lists the computations: one Case is one contact problem and the place of its solution in a figure."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ LENGTHS = (8, 16, 32, 64, 128, 256, 512, 1024)
 GRIDS = (160, 40, 10)
 COMPARED_GRIDS = (160, 80, 40, 20, 10)
 
-PRESETS = {"mesh1": "paper-test3", "mesh2": "paper-mesh2-test2"}  # what the paper calls optimal
+PRESETS = {"mesh1": "paper-test3", "mesh2": "paper-mesh2-test2"}  # optimal according to the paper
 CHOSEN_L = {"mesh1": 1024, "mesh2": 128}
 #: The paper interpolates displacements linearly between the nodes of its mesh (section 2.2).
 PAPER_SAMPLING = "linear_nodes"
@@ -34,7 +34,7 @@ class Case:
 
 
 def fem(mesh: str, n: int, L: float, **more: Any) -> Ics:
-    """The paper's way; what `more` names wins."""
+    """Returns the ics of the paper's method, with the changes in `more`."""
     return {"preset": PRESETS[mesh], "L_over_h": L * n / WINDOW, "sampling": PAPER_SAMPLING, **more}
 
 
@@ -55,12 +55,12 @@ def fig9() -> list[Case]:
 
 
 def shared_lengths(mesh: str, n: int) -> list[float]:
-    """Sizes of the block whose L/h on n x n elements figure 12 has, too: no table is built for them."""
+    """Returns block sizes whose L/h on n x n elements also occur in figure 12 and need no additional table."""
     return [L for L in LENGTHS if L * n in {CHOSEN_L[mesh] * other for other in COMPARED_GRIDS}]
 
 
 def curves_of(part: str, mesh: str, prefix: str = "") -> list[Case]:
-    """Constant load: interpolated as in the paper, and with the finite-element function itself."""
+    """Returns cases of constant load: interpolated as in the paper, and with the finite-element function itself."""
     result = []
     for n in GRIDS:
         result += against_L(part, f"{prefix}{n}x{n}", mesh, n, LENGTHS)
@@ -78,7 +78,7 @@ def fig11() -> list[Case]:
 
 
 def fig13() -> list[Case]:
-    """The same computations as figures 10 and 11."""
+    """Returns the same computations as figures 10 and 11."""
     return [*curves_of("fig13", "mesh1", "mesh1 "), *curves_of("fig13", "mesh2", "mesh2 ")]
 
 
@@ -97,7 +97,7 @@ LARGER_LENGTHS = (2048, 4096)
 
 
 def larger() -> list[Case]:
-    """Figure 10 with larger blocks, whose curves go on under the same names."""
+    """Returns figure 10 with larger blocks, which continue the curves of the same names."""
     result = []
     for n in GRIDS:
         result += against_L("larger", f"{n}x{n}", "mesh1", n, LARGER_LENGTHS)
@@ -110,12 +110,12 @@ def fig12() -> list[Case]:
 
 
 def fig14() -> list[Case]:
-    """The same computations as figure 12."""
+    """Returns the same computations as figure 12."""
     return comparison("fig14")
 
 
 def bilinear() -> list[Case]:
-    """Figures 10 and 11 with the bilinear load, which the paper omits."""
+    """Returns figures 10 and 11 with the bilinear load, which the paper omits."""
     result = []
     for mesh in CHOSEN_L:
         for n in GRIDS:
@@ -135,7 +135,7 @@ FINEST = 160
 
 
 def sources() -> list[Case]:
-    """Where the errors of Fz and Fx on 160 x 160 come from: far faces, sampling, diagonals, component by component."""
+    """Returns cases that separate the errors of Fz and Fx on 160 x 160: far faces, sampling, diagonals, components."""
     result = []
 
     def add(mesh: str, curve: str, ics: Ics, **more: Any) -> None:
@@ -146,7 +146,7 @@ def sources() -> list[Case]:
         for sampling, ics in read.items():
             add(mesh, sampling, ics)
             add(mesh, f"half_space, {sampling}", fem(mesh, FINEST, 8, sampling=sampling, far_boundary="half_space"))
-            # One half with computed coefficients, the other with the closed form.
+            # One half has computed coefficients, the other has the closed form.
             add(mesh, f"zz alone, {sampling}", ics, tangential={})
             add(mesh, f"tangential alone, {sampling}", {}, tangential=ics)
             add(mesh, f"no xy, {sampling}", ics, no_xy=True)

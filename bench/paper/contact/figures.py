@@ -1,4 +1,4 @@
-"""The pictures of section 4: the paper's axes, drawn from the rows of the CSV files alone."""
+"""Draws the pictures of section 4 with the paper's axes, from the rows of the CSV files alone."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ COMPARED = {
 
 
 def _curve(axes: Any, points: Sequence[Row], x: str, column: str, look: Look) -> None:
-    """Filled where the value is too large, open where it is too small: a dip between them is a change of sign."""
+    """Draws filled markers for values that are too large and open ones for values that are too small."""
     values, errors = [row[x] for row in points], [row[column] for row in points]
     axes.plot(values, [abs(error) for error in errors], color=look.colour, linestyle=look.line, linewidth=1.4)
     size = 10 if look.marker == "*" else 6.5
@@ -74,7 +74,7 @@ def _abscissa(axes: Any, rows: Sequence[Row]) -> None:
 
 
 def _legend(figure: Any, looks: Mapping[str, Look], kinds: Sequence[tuple[str, str]] = ()) -> None:
-    """Below the panels, where it covers nothing; `kinds` are line styles with their meaning."""
+    """Places the legend below the panels, where it covers nothing; `kinds` are line styles with their meaning."""
     handles = [
         Line2D([], [], color=look.colour, marker=look.marker, linestyle=look.line, label=look.label)
         for look in looks.values()
@@ -119,7 +119,7 @@ fig11 = _against_L("Figure 11: normal problem, constant load on prismatic Mesh2"
 
 
 def bilinear(rows: Sequence[Row], path: Path) -> None:
-    """What the paper omits: a row of panels as figure 10 and one as figure 11."""
+    """Draws figures that the paper omits: one row of panels like figure 10 and one like figure 11."""
     figure, panels = new_figure(3, height=4.5, rows=2)
     meshes = {"mesh1": "hexahedron Mesh1", "mesh2": "prismatic Mesh2"}
     for number, (mesh, words) in enumerate(meshes.items()):

@@ -1,4 +1,4 @@
-"""What the findings of section 4 have in common."""
+"""Contains the common parts of the findings of section 4."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def error(row: Row, quantity: str) -> float:
 
 
 def on(rows: Sequence[Row], curve: str, n: int) -> Row:
-    """The point of a curve over n."""
+    """Returns a point of a curve over n."""
     found = select(rows, curve=curve, n=n)
     if not found:
         raise PointMissing(f"{curve}, n = {n}")
@@ -29,7 +29,7 @@ def on(rows: Sequence[Row], curve: str, n: int) -> Row:
 
 
 def signed(value: float) -> str:
-    """Two or three significant digits with the sign."""
+    """Formats a percentage with two or three significant digits and its sign."""
     return ("+" if value > 0 else "−") + percent(value)
 
 
@@ -38,19 +38,19 @@ def listed(points: Sequence[Row], quantity: str) -> str:
 
 
 def falls(points: Sequence[Row], quantity: str) -> bool:
-    """Whether the size of the error becomes smaller from point to point."""
+    """Returns whether the size of the error decreases from point to point."""
     sizes = [size(row, quantity) for row in points]
     return all(b < a for a, b in zip(sizes, sizes[1:]))
 
 
 def falls_then_rises(points: Sequence[Row], quantity: str) -> bool:
-    """Smallest somewhere between the ends."""
+    """Returns whether the smallest value is between the ends."""
     sizes = [size(row, quantity) for row in points]
     return sizes.index(min(sizes)) not in (0, len(sizes) - 1)
 
 
 def reversal(points: Sequence[Row], quantity: str) -> str:
-    """Between which L the error passes through zero."""
+    """Returns the values of L between which the error passes through zero."""
     for a, b in zip(points, points[1:]):
         if error(a, quantity) > 0 >= error(b, quantity):
             return f"L = {a['L']:.0f} and {b['L']:.0f}"
@@ -58,6 +58,6 @@ def reversal(points: Sequence[Row], quantity: str) -> str:
 
 
 def between(value: float, a: float, b: float, digit: float) -> bool:
-    """Whether a number that is printed to the digit lies between two others."""
+    """Returns whether a number of the printed precision is between two others."""
     low, high = sorted((abs(a), abs(b)))
     return low - digit / 2 <= value <= high + digit / 2

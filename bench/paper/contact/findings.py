@@ -1,4 +1,4 @@
-"""What the statements of section 4 come to with our numbers: values for the page, and verdicts from the rows."""
+"""Checks the statements of section 4 with our numbers: values for the page, and verdicts from the rows."""
 
 from __future__ import annotations
 

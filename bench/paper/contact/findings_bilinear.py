@@ -1,4 +1,4 @@
-"""The bilinear load in sections 4.1.4 and 4.2 of the paper with our numbers. Functions as in findings.py."""
+"""Checks the bilinear load in sections 4.1.4 and 4.2 of the paper. Functions are as in findings.py."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def _curves(rows: Rows, mesh: str) -> dict[str, list[Row]]:
 
 
 def bilinear(rows: Rows) -> Found:
-    """Largest differences between the two loads on the fine grids over all L, and on 10 x 10."""
+    """Returns the largest differences between the two loads on the fine grids over all L, and on 10 x 10."""
     curves = {mesh: _curves(rows, mesh) for mesh in CHOSEN_L}
 
     def apart(mesh: str, names: list[str], quantity: str) -> float:

@@ -1,4 +1,4 @@
-"""Section 4.1.5 of the paper, figures 12 and 14, with our numbers. Functions as in findings.py."""
+"""Checks section 4.1.5 of the paper, figures 12 and 14. Functions are as in findings.py."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ _QUANTITIES = ("Fz", "pmax", "area", "Fx")
 
 
 def _curve(rows: Rows, name: str) -> list[Row]:
-    """Coarse to fine."""
+    """Returns the rows from coarse to fine."""
     return [on(rows["fig12"], _CURVES[name], n) for n in reversed(COMPARED_GRIDS)]
 
 
 def finest_grid(rows: Rows) -> Found:
-    """Errors on 160 x 160 beside those that the paper names: it may have read its displacements in either way."""
+    """Compares errors on 160 x 160 with those in the paper, which may have sampled its displacements in either way."""
     found = {name: _curve(rows, name)[-1] for name in _CURVES}
 
     def paper_says(value: float, mesh: str, quantity: str, digit: float) -> bool:

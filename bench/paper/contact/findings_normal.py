@@ -1,4 +1,4 @@
-"""Section 4.1 of the paper with our numbers: the normal problem. Functions as in findings.py."""
+"""Checks section 4.1 of the paper, the normal problem. Functions are as in findings.py."""
 
 from __future__ import annotations
 

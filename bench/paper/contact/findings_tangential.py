@@ -1,4 +1,4 @@
-"""Section 4.2 of the paper with our numbers: the tangential problem. Functions as in findings.py."""
+"""Checks section 4.2 of the paper, the tangential problem. Functions are as in findings.py."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SHARE_OF_BOUND = 7 / 8
 
 
 def reference(rows: Rows) -> Found:
-    """Richardson's extrapolation: F(h) = F(0) + c h^2 through pairs of grids with h and h/2."""
+    """Returns Richardson's extrapolation, F(h) = F(0) + c h^2, through pairs of grids with h and h/2."""
     force = {int(row["n"]): float(row["Fx"]) for row in rows["limit"]}
     pairs = [(n, 2 * n) for n in sorted(force) if 2 * n in force]
     limits = [force[fine] + (force[fine] - force[coarse]) / 3 for coarse, fine in pairs]
@@ -39,7 +39,7 @@ def reference(rows: Rows) -> Found:
 
 
 def share_of_bound(rows: Rows) -> Found:
-    """Fx over mu Fz, with closed-form coefficients."""
+    """Returns Fx over mu Fz, with closed-form coefficients."""
     points = [on(rows["fig14"], "analytic", n) for n in reversed(COMPARED_GRIDS)]
     shares = [float(row["Fx"] / (MU * row["Fz"])) for row in points]
     planar = on(rows["sources"], "analytic, no xy", FINEST)

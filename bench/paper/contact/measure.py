@@ -1,4 +1,4 @@
-"""One computation: a contact problem solved by a daemon of our own."""
+"""Makes one computation: a contact problem solved by a private daemon."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from ..section import Measure
 from .problem import BODY, Ics, Spec, contact_problem, ics_of
 
 _TANGENTIAL = [(0, 0), (0, 1), (1, 0), (1, 1)]
-_COUPLING = [(0, 2), (2, 0), (1, 2), (2, 1)]  # vanish for a pair of equal bodies
+_COUPLING = [(0, 2), (2, 0), (1, 2), (2, 1)]  # these vanish for a pair of equal bodies
 
 
 def solver(programs: Path) -> AbstractContextManager[Measure]:
-    """A daemon for as long as the `with` block."""
+    """Provides a daemon during the `with` block."""
     return measuring(programs, lambda client: Solver(client).measure)
 
 
@@ -30,7 +30,7 @@ class Solver:
         self._client = client
 
     def measure(self, spec: Spec) -> dict[str, Any]:
-        """What the figures show of the solution. A table or a solve that did not converge: {"failure": text}."""
+        """Returns the values for the figures. If a table or a solve did not converge, returns {"failure": text}."""
         try:
             solution = self._client.solve(self._problem(spec))
         except InternalError as error:
@@ -48,7 +48,7 @@ class Solver:
         return problem.replace(upper=None, ics=self._mixed(problem.grid, spec))
 
     def _mixed(self, grid: Grid, spec: Spec) -> TableIcs:
-        """zz of one table, xx, xy, yx and yy of another."""
+        """Combines zz of one table with xx, xy, yx and yy of another."""
         array = 2 * self._table(grid, spec["ics"])  # two equal bodies
         if "tangential" in spec:
             other = 2 * self._table(grid, spec["tangential"])
@@ -65,7 +65,7 @@ class Solver:
 def summary_of(solution: ContactSolution) -> dict[str, Any]:
     evidence = solution.evidence
     assert evidence.tangential is not None
-    table = next(iter(evidence.ics.values())).evidence  # of the upper body; the lower one has the same
+    table = next(iter(evidence.ics.values())).evidence  # the upper body; the lower one has the same
     return {
         "Fz": solution.Fn,
         "Fx": abs(solution.Fx),

@@ -1,4 +1,4 @@
-"""The Cattaneo problem of section 4, and what is known of its solution."""
+"""Defines the Cattaneo problem of section 4, and the known values of its solution."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ RADIUS, APPROACH, WINDOW = 50.0, 0.02, 2.4  # mm
 MU, SHIFT = 0.4, 0.00817  # rigid shift along x (mm)
 TOLERANCE = 1e-6  # of both stopping criteria
 
-# Hertz, two equal bodies: 1/E* = (1 - nu)/G, contact radius sqrt(R delta).
+# For Hertz's contact of two equal bodies, 1/E* = (1 - nu)/G, and the contact radius is sqrt(R delta).
 _E_STAR = BODY.G / (1 - BODY.nu)
 FZ = 4 / 3 * _E_STAR * math.sqrt(RADIUS) * APPROACH**1.5
 PMAX = 2 * _E_STAR / math.pi * math.sqrt(APPROACH / RADIUS)
@@ -38,9 +38,9 @@ CATTANEO_FX = MU * FZ * (1 - (1 - SHIFT / _FULL_SLIP) ** 1.5)
 
 
 def spec_of(n: int, ics: Ics, **more: Any) -> Spec:
-    """A request on n x n elements. `ics` are the fields of FemIcs, or of AnalyticIcs where they name no mesh.
+    """Returns a request on n x n elements. `ics` are the fields of FemIcs, or of AnalyticIcs if they have no mesh.
 
-    `more`: tangential (the ics of xx, xy, yx, yy where they are others than those of zz), no_xy, tolerance.
+    `more`: tangential (the ics of xx, xy, yx, yy where they differ from those of zz), no_xy, tolerance.
     """
     return {"problem": "cattaneo", "n": n, "ics": ics, **more}
 

@@ -1,4 +1,4 @@
-"""Section 4 for the machinery that all sections share."""
+"""Defines section 4 for the modules common to all sections."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .rows import COLUMNS, row
 
 
 def efforts(specs: Sequence[Spec]) -> list[float]:
-    """A table is built with the first request that needs it."""
+    """Estimates the seconds of each request, including a table for the first request that needs it."""
     built: set[str] = set()
     result = []
     for spec in specs:

@@ -1,4 +1,4 @@
-"""Where the errors on 160 x 160 come from: block, mesh and reading one by one, and the halves of the problem."""
+"""Separates the sources of the errors on 160 x 160: block, mesh, sampling, and the halves of the problem."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def _less(a: Mapping[str, float], b: Mapping[str, float]) -> dict[str, float]:
 
 
 def shares(rows: Rows, mesh: str) -> dict[str, dict[str, float]]:
-    """What each source adds: each is the difference of two solutions that differ in it alone."""
+    """Returns the contribution of each source: the difference of two solutions that differ only in that source."""
     checks = rows["sources"]
     function = _errors(checks, f"{mesh}, fem")
     far = _errors(checks, f"{mesh}, half_space, fem")
