@@ -1,4 +1,4 @@
-"""The program bench/block_system.cpp: the paper's system of equations with its own kind of solver, and its meshes."""
+"""Runs bench/block_system.cpp: the paper's system of equations with the paper's solver, and its meshes."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ FRONT, RIGHT, FREE, LOADED, FAR = 1, 2, 3, 4, 5
 
 
 def run(programs: Path, options: Options) -> str:
-    """What the program prints."""
+    """Returns the output of the program."""
     arguments = [part for name, value in options.items() for part in (f"--{name}", str(value))]
     environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
     command = [str(programs / PROGRAM), *arguments]
@@ -39,7 +39,7 @@ def run(programs: Path, options: Options) -> str:
 
 
 def solve(programs: Path, options: Options) -> dict[str, Any]:
-    """A solve that breaks down, or takes too many iterations, is a result, too: {"failure": text}."""
+    """Returns the result; for a solve that breaks down or takes too many iterations it is {"failure": text}."""
     result: dict[str, Any] = json.loads(run(programs, options))
     if result["indefinite"] or result["update"]["iterations"] == 0:
         return {"failure": "The incomplete factorisation is indefinite, or conjugate gradients do not converge."}
@@ -54,7 +54,7 @@ def mesh(programs: Path, options: Options) -> Mesh:
 
 
 def read_mesh(text: str) -> Mesh:
-    """MFEM's format of version 1.0: sections of a name, a count and as many lines."""
+    """Reads MFEM's format 1.0: sections with a name, a count and that number of lines."""
     lines = [line for line in (line.split("#")[0].strip() for line in text.splitlines()) if line]
 
     def section(name: str, skipped: int = 0) -> list[list[str]]:

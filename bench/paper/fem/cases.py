@@ -1,4 +1,4 @@
-"""What is computed, as plain data: one Case is one request to contactd-ic and the place of its answer in a figure."""
+"""Lists computations as plain data: a Case is a request to contactd-ic and the place of its answer in a figure."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ DEFAULTS: Ics = {"mesh": "hex", "order": 2, "l_over_h": 1, "h_over_hs": 4, "f": 
 
 @dataclass(frozen=True)
 class Case:
-    """One point of one curve. `table` is the extent over which its largest error is taken: table x table offsets."""
+    """One point of one curve. Its largest error is taken over `table` x `table` offsets."""
 
     part: str  #: a key of PARTS
     curve: str
@@ -46,7 +46,7 @@ def preset(mesh: str, test: str) -> str:
 
 
 def clamped(mesh: str, test: str, L_over_h: float, **more: Any) -> Spec:
-    """The paper's own way, on the largest of its grids that fits into the block, so that one build serves them all."""
+    """Returns the paper's method on its largest grid that fits into the block, so that one build serves all grids."""
     extent = max(n for n in GRIDS if n <= L_over_h)
     base: Ics = {"preset": preset(mesh, test)}
     known = full_ics(base)
@@ -56,7 +56,7 @@ def clamped(mesh: str, test: str, L_over_h: float, **more: Any) -> Spec:
 
 
 def fig5() -> list[Case]:
-    """TEST 1 on Mesh1, linear and quadratic."""
+    """Returns TEST 1 on Mesh1, linear and quadratic."""
     return [
         Case("fig5", curve, "L", L, 10, clamped("hex", "test1", L / H, **({"order": 1} if curve == "linear" else {})))
         for curve in ("linear", "quadratic")
@@ -65,12 +65,12 @@ def fig5() -> list[Case]:
 
 
 def fig6() -> list[Case]:
-    """TEST 2 and TEST 3 on Mesh1, 10 x 10."""
+    """Returns TEST 2 and TEST 3 on Mesh1, 10 x 10."""
     return [Case("fig6", test, "L", L, 10, clamped("hex", test, L / H)) for test in ("test2", "test3") for L in LENGTHS]
 
 
 def fig7() -> list[Case]:
-    """TEST 3 on Mesh1 for finer contact grids. Equal L/h is the same mesh, and is computed once."""
+    """Returns TEST 3 on Mesh1 for finer contact grids. Cases with equal L/h share one mesh and one computation."""
     return [
         Case("fig7", f"{n}x{n}", "L", L, n, clamped("hex", "test3", L * n / 8), 8 / n)
         for n in GRIDS[1:]
@@ -79,7 +79,7 @@ def fig7() -> list[Case]:
 
 
 def fig8() -> list[Case]:
-    """TEST 1 to 3 on Mesh2, and TEST 2 with the other diagonals. TEST 3 ends at 512 as in the paper."""
+    """Returns TEST 1 to 3 on Mesh2, and TEST 2 with the other diagonals. TEST 3 ends at 512 as in the paper."""
     result = []
     for test in TESTS:
         for L in LENGTHS[:-1] if test == "test3" else LENGTHS:
@@ -105,7 +105,7 @@ def orders() -> list[Case]:
 
 
 def mesh2_grids() -> list[Case]:
-    """Figure 7 on Mesh2: TEST 2 for finer contact grids."""
+    """Returns figure 7 on Mesh2: TEST 2 for finer contact grids."""
     return [
         Case("mesh2_grids", f"{n}x{n}", "L", L, n, clamped("prism", "test2", L * n / 8), 8 / n)
         for n in GRIDS[1:]
@@ -114,7 +114,7 @@ def mesh2_grids() -> list[Case]:
 
 
 def components() -> list[Case]:
-    """Costs of the load directions, where Table 3 recommends its meshes."""
+    """Returns cases for the costs of the load directions, on the meshes that Table 3 recommends."""
     return [
         Case("components", mesh, "L", L, 10, clamped(mesh, OPTIMAL[mesh], L / H))
         for mesh in OPTIMAL
@@ -146,7 +146,7 @@ def table3() -> list[Case]:
 
 
 def checks() -> list[Case]:
-    """Single statements: iterations with the paper's stopping criterion, another solver, sampling, the bilinear load."""
+    """Returns cases of single statements: iterations, another solver, sampling, the bilinear load."""
     result = []
 
     def add(curve: str, L: float, spec: Spec) -> None:
@@ -175,7 +175,7 @@ COMPARED = {10: 12.0, 40: 46.0}
 
 
 def accuracy() -> list[Case]:
-    """Error over the table against time, every method a curve."""
+    """Returns errors over the table against time, with one curve per method."""
     result = []
     for table, reach in COMPARED.items():
         lengths = [L for L in LENGTHS if L / H >= table + 1]
@@ -211,7 +211,7 @@ ADAPTIVE_DOFS = (3_000, 6_000, 12_000, 25_000, 50_000)
 
 
 def half_space_mesh(mesh: str, extent: int, L_over_h: float, f: float, **more: Any) -> Spec:
-    """TEST 2 and 3 with another f, and with the displacements of the half-space on the far faces."""
+    """Returns TEST 2 and 3 with another f, and with half-space displacements on the far faces."""
     kind = {"mesh": "prism"} if mesh == "prism" else {}
     ics: Ics = {"order": 2, "f": f, "L_over_h": L_over_h, "far_boundary": "half_space", "solver": "amg_pcg", **kind}
     return spec_of(extent, **{**ics, **more})
@@ -223,7 +223,7 @@ def adaptive_mesh(extent: int, L_over_h: float, dofs: int, far_boundary: str = "
 
 
 def adaptive() -> list[Case]:
-    """Adaptive refinement beside Mesh1 and Mesh2 of growing density, on the clamped block and on the half-space."""
+    """Returns adaptive refinement, Mesh1 and Mesh2 of increasing density, on the clamped block and the half-space."""
     result = []
     L_over_h = 1024 / H
     for dofs in ADAPTIVE_DOFS:
@@ -259,7 +259,7 @@ COMPARED_LOADS = {"hex": 1024, "prism": 128}
 
 
 def incomplete() -> list[Case]:
-    """TEST 3 with the paper's kind of solver, bench/block_system.cpp; and the three loads on both meshes."""
+    """Returns TEST 3 with the paper's solver, bench/block_system.cpp, and the three loads on both meshes."""
     result = []
     ratios = sorted({L / h for L in LENGTHS for h in (8 / n for n in GRIDS)})
     for curve, options in FACTORISATIONS.items():
@@ -279,14 +279,14 @@ COMPONENTS = [i + j for i in "xyz" for j in "xyz"]
 
 
 def table1() -> list[Case]:
-    """The conditions of Table 1, for each of the nine coefficients."""
+    """Returns the conditions of Table 1, for each of the nine coefficients."""
     spec = spec_of(2, **SMALL_QUARTER, solver="direct")
     spec = {**spec, "whole_block": SMALL_QUARTER}
     return [Case("table1", name, "component", number, 2, spec) for number, name in enumerate(COMPONENTS)]
 
 
 def meshes() -> list[Case]:
-    """Figure 4: the faces of Mesh1 and Mesh2 that can be seen."""
+    """Returns figure 4: the visible faces of Mesh1 and Mesh2."""
     return [
         Case("meshes", mesh, "L", 8, 1, {"mesh": {"preset": preset(mesh, "test2"), "L_over_h": 10}})
         for mesh in OPTIMAL
@@ -303,7 +303,7 @@ PARTS = {
 
 
 def full_ics(ics: Ics) -> Ics:
-    """The mesh of a request with the preset and the defaults filled in."""
+    """Returns the mesh of a request, with the values of its preset and the defaults."""
     result = dict(DEFAULTS)
     name = ics.get("preset")
     if name is not None:
@@ -315,7 +315,7 @@ def full_ics(ics: Ics) -> Ics:
 
 
 def elements(ics: Ics) -> int:
-    """Number of elements of Mesh1 and Mesh2: m^3 + 3 m^2 k hexahedra, 2 (m^2 + 2 m k) (m + k) prisms."""
+    """Returns the number of elements of Mesh1 and Mesh2: m^3 + 3 m^2 k hexahedra, 2 (m^2 + 2 m k) (m + k) prisms."""
     full = full_ics(ics)
     f, hs, thickness = full["f"], 1 / full["h_over_hs"], full["L_over_h"] - full["l_over_h"]
     t1 = hs * (full["t1_over_hs"] or f)
@@ -326,7 +326,7 @@ def elements(ics: Ics) -> int:
 
 
 def effort(spec: Spec) -> float:
-    """A guess of the CPU seconds of a build, for the time left."""
+    """Estimates the CPU seconds of a build, for the remaining time."""
     if "mesh" in spec:
         return 0.2
     if "solve" in spec:

@@ -1,4 +1,4 @@
-"""The pictures that the paper has not: accuracy against time, and adaptive refinement beside Mesh1 and Mesh2."""
+"""Draws pictures that the paper does not have: accuracy against time, and adaptive refinement."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ ADAPTIVE = {
 
 
 def table_error(row: Row) -> float:
-    """The largest error of zz and xx over the table."""
+    """Returns the largest error of zz and xx over the table."""
     return float(max(row["largest_zz"], row["largest_xx"]))
 
 

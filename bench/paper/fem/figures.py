@@ -1,4 +1,4 @@
-"""The pictures: same axes as the paper's figures, drawn from the rows of the CSV files alone."""
+"""Draws pictures with the axes of the paper's figures, from the rows of the CSV files alone."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def _errors(axes: Any, rows: Sequence[Row], looks: Mapping[str, Look], title: st
 
 
 def _legend(figure: Any, looks: Mapping[str, Look]) -> None:
-    """Below the panels, where it covers nothing."""
+    """Places the legend below the panels, where it covers nothing."""
     curves = [
         Line2D([], [], color=look.colour, marker=look.marker, linestyle=look.line, label=look.label)
         for look in looks.values()

@@ -1,4 +1,4 @@
-"""What the findings of section 3 have in common."""
+"""Contains the common parts of the findings of section 3."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def origin(row: Row) -> float:
 
 
 def first_within(points: Sequence[Row]) -> Row | None:
-    """Where the target is met from there on."""
+    """Returns the first point from which all points meet the target."""
     for i, row in enumerate(points):
         if all(origin(later) < TARGET for later in points[i:]):
             return row
@@ -23,11 +23,11 @@ def first_within(points: Sequence[Row]) -> Row | None:
 
 
 def signed(points: Sequence[Row]) -> str:
-    """The errors at the origin, one behind the other."""
+    """Returns a list of the errors at the origin."""
     return ", ".join(f"{100 * row['origin_zz']:+.3f} %" for row in points)
 
 
 def ratio_text(*rows: Row | None) -> str:
-    """The L/h of these points, once when it is the same."""
+    """Returns the L/h of these points, or a single value if they are equal."""
     found = [f"{row['L'] / row['h']:.0f}" if row else "none that was tried" for row in rows]
     return "L/h = " + ", ".join(found if len(set(found)) > 1 else found[:1])

@@ -1,6 +1,6 @@
-"""What the paper's statements come to with our numbers: values for the page, and verdicts computed from the rows.
+"""Checks the paper's statements with our numbers: values for the page, and verdicts computed from the rows.
 
-Every function takes the rows of all parts and gives (values, verdicts); a verdict is True where we agree.
+Every function takes the rows of all parts and returns (values, verdicts); a verdict is True where we agree.
 """
 
 from __future__ import annotations

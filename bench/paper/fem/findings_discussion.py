@@ -1,4 +1,4 @@
-"""Section 3.4 of the paper with our numbers. Functions as in findings.py."""
+"""Checks section 3.4 of the paper with our numbers. Functions are as in findings.py."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def finer_grids(rows: Rows) -> Found:
 
 
 def components(rows: Rows) -> Found:
-    """What the other load directions cost, and whether Table 3 holds for them."""
+    """Returns the cost of the other load directions, and whether Table 3 holds for them."""
     points = {mesh: select(rows["components"], curve=mesh) for mesh in ("hex", "prism")}
     loads = {"hex": ("x",), "prism": ("x", "y")}  # along y Mesh1 is the mirror image of itself along x
     iterations = [
@@ -77,7 +77,7 @@ def components(rows: Rows) -> Found:
 
 
 def recommended(scans: Sequence[Row]) -> list[Row]:
-    """What was tried inside the ranges of Table 3."""
+    """Returns the values that were tried inside the ranges of Table 3."""
 
     def inside(mesh: str, parameter: str, holds: Callable[[float], bool]) -> list[Row]:
         return [row for row in scans if row["curve"].startswith(f"{mesh},") and row["parameter"] == parameter

@@ -1,4 +1,4 @@
-"""Section 3.2 of the paper with our numbers. Functions as in findings.py."""
+"""Checks section 3.2 of the paper with our numbers. Functions are as in findings.py."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The solver of section 3.2 of the paper, and its Table 1, with our numbers. Functions as in findings.py."""
+"""Checks the solver of section 3.2 of the paper, and its Table 1. Functions are as in findings.py."""
 
 from __future__ import annotations
 

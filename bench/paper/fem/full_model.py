@@ -1,4 +1,4 @@
-"""Table 1 of the paper by another way: the whole block, without any plane of symmetry, on linear prisms.
+"""Checks Table 1 of the paper with the whole block, without any plane of symmetry, on linear prisms.
 
 The quarter's mesh is mirrored at x = 0 and y = 0, the whole element is loaded, and nothing is prescribed but u = 0 on
 the far faces. Beside it stands the quarter with the conditions of Table 1 as the paper prints them. Both are small and
@@ -27,7 +27,7 @@ ZERO = {
 
 
 def stiffness(mesh: Mesh, nu: float) -> Array:
-    """The matrix of all prisms, for G = 1; it has three rows a vertex."""
+    """Returns the matrix of all prisms for G = 1, with three rows per vertex."""
     matrix = np.zeros((3 * len(mesh.vertices),) * 2)
     for element in mesh.elements:
         rows = (3 * np.array(element)[:, None] + np.arange(3)).ravel()
@@ -57,7 +57,7 @@ def prism_stiffness(corners: Array, nu: float) -> Array:
 
 
 def mirrored(mesh: Mesh) -> Mesh:
-    """Four copies of the quarter whose vertices on the planes of symmetry are one."""
+    """Returns four copies of the quarter, which share their vertices on the planes of symmetry."""
     numbers: dict[tuple[float, ...], int] = {}
     vertices: list[Array] = []
     elements, faces = [], []
@@ -95,7 +95,7 @@ def displacements(mesh: Mesh, matrix: Array, load: str, zero: dict[int, str]) ->
 
 
 def surface_values(mesh: Mesh, u: Array, sign: int) -> Array:
-    """Displacements at the offsets, shape [component, along y, along x], on the side of that sign of x and y."""
+    """Returns displacements at the offsets, shape [component, along y, along x], for these signs of x and y."""
     result = np.zeros((3, OFFSETS, OFFSETS))
     for k, l in product(range(OFFSETS), range(OFFSETS)):
         at = np.argmin(np.abs(mesh.vertices - [sign * k, sign * l, 0]).sum(axis=1))

@@ -1,4 +1,4 @@
-"""One computation: contactd-ic as a child process, its CPU time, and the errors of its table; or a program beside it."""
+"""Makes one computation: contactd-ic as a child process, its CPU time, and errors of its table; or another program."""
 
 from __future__ import annotations
 
@@ -70,14 +70,14 @@ class Builder:
         }
 
     def table(self, spec: Spec) -> Array:
-        """For dx = 1 and G = 1, shape [3, 3, ny, nx]."""
+        """Returns the table of contactd-ic for dx = 1 and G = 1, shape [3, 3, ny, nx]."""
         array = self._build(spec)[1]
         if array is None:
             raise ComputationFailed("contactd-ic did not converge")
         return array
 
     def _closed_form(self, load_shape: str) -> Array:
-        """contactd-ic writes it in the same way."""
+        """Returns the closed form, which contactd-ic writes in the same form as other tables."""
         if load_shape not in self._closed_forms:
             n = GRIDS[-1]
             grid, material = {"nx": n, "ny": n, "dx": 1, "dy": 1}, {"G": 1, "nu": STEEL["nu"]}
@@ -101,7 +101,7 @@ class Builder:
             raise ComputationFailed(f"contactd-ic ended with status {exit_code}: {message or 'no word of why'}")
 
     def _run(self, command: list[str], line: str, noise: Path) -> tuple[str, int, Any]:
-        """Standard output, exit status and resource usage."""
+        """Returns standard output, exit status and resource usage."""
         with noise.open("wb") as stderr:
             process = subprocess.Popen(
                 command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=stderr, text=True, env=self._environment

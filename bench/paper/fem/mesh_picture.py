@@ -1,4 +1,4 @@
-"""Figure 4: Mesh1 and Mesh2 as they are built, seen from above the loaded corner."""
+"""Draws figure 4: Mesh1 and Mesh2, seen from above the loaded corner."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def projected(positions: Array) -> Array:
 
 
 def faces_of(row: Row) -> list[tuple[int, Array]]:
-    """Attribute and corners of each face in a row of meshes.csv."""
+    """Returns attribute and corners of each face in a row of meshes.csv."""
     positions = np.array([float(word) for word in str(row["positions"]).split()]).reshape(-1, 3)
     faces = [[int(word) for word in text.split()] for text in str(row["faces"]).split(";")]
     return [(attribute, positions[vertices]) for attribute, *vertices in faces]

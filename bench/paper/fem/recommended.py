@@ -1,4 +1,4 @@
-"""Table 3 from our numbers: which values keep the error at the origin under 1 %."""
+"""Computes Table 3 from our numbers: the values that keep the error at the origin below 1 %."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def _range(mesh: str, parameter: str, L_over_h: object, rows: Sequence[Row]) -> 
 
 
 def ranges(rows: Sequence[Row]) -> list[Row]:
-    """One row for each mesh and parameter, the other parameters being those of the paper's optimal test."""
+    """Returns a row for each mesh and parameter; the other parameters are those of the paper's optimal test."""
     result = []
     for mesh in ("hex", "prism"):
         result.append(_range(mesh, "L_over_h", "scanned", select(rows, curve=mesh)))

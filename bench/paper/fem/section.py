@@ -1,4 +1,4 @@
-"""Section 3 for the machinery that all sections share."""
+"""Defines section 3 for the modules common to all sections."""
 
 from __future__ import annotations
 

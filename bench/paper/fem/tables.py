@@ -1,4 +1,4 @@
-"""The page's tables, and what is found beyond the paper: accuracy against time, and adaptive refinement."""
+"""Makes the page's tables, and findings beyond the paper: accuracy against time, and adaptive refinement."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def _smaller(row: Row | None, other: Row | None, column: str) -> bool:
 
 
 def cost_table(rows: Sequence[Row]) -> str:
-    """CPU time and unknowns of the cheapest point of each curve that is good enough."""
+    """Returns CPU time and unknowns of the cheapest sufficient point of each curve."""
     head = ["method", *(f"{100 * goal:g} % over {n} × {n}" for n in COMPARED for goal in GOALS)]
     body, failed = [], []
     for curve, look in ACCURACY.items():
@@ -65,7 +65,7 @@ ADAPTIVE_GOALS: tuple[tuple[str, Callable[[Row], float], float, str], ...] = (
 
 
 def adaptive_goals(rows: Sequence[Row]) -> dict[str, list[Row | None]]:
-    """The cheapest point of each mesh for each goal."""
+    """Returns the cheapest point of each mesh for each goal."""
     return {
         mesh: [cheapest(select(rows, curve=f"{mesh}, {far}"), goal, error) for far, error, goal, _ in ADAPTIVE_GOALS]
         for mesh in ADAPTIVE
