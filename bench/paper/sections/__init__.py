@@ -1,1 +1,1 @@
-"""What bodies by their cross-section change: the numbers and figures of docs/sections.md."""
+"""Computes the numbers and figures of docs/sections.md, about bodies given by their cross-section."""

@@ -1,4 +1,4 @@
-"""What is computed: one Case is a contact or a table, or a check of some, and its place in a figure."""
+"""Lists the computations: a Case is a contact, a table or a check of these, and its place in a figure."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ EFFORTS = {"persson": 10.0, "propagation": 2.0, "groove": 5.0, "solid": 100.0}
 
 
 def effort(spec: Spec) -> float:
-    """Guessed processor seconds."""
+    """Estimates the processor seconds."""
     if spec["kind"] == "table":
         return 2.0 + 5e-3 * spec["columns"] ** 2
     return EFFORTS.get(spec["kind"], 6.0 if spec.get("conformal") == "fem" else 1.0)

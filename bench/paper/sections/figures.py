@@ -1,4 +1,4 @@
-"""The pictures, drawn from the rows of the CSV files alone."""
+"""Draws the pictures from the rows of the CSV files alone."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def solid(rows: Sequence[Row], path: Path) -> None:
     orders = [row["value"] for row in rows]
     errors.semilogy(orders, [row["found"] for row in rows], "o-", color=BLUE, label="three dimensions")
     errors.axhline(rows[0]["stated"], color=RED, linestyle=":", label="the transform's stated error")
-    paper = [row for row in rows if row["iterations"] > 0]  # by the paper's solver
+    paper = [row for row in rows if row["iterations"] > 0]  # those of the paper's solver
     costs.semilogy([row["value"] for row in paper], [solid_seconds(row) for row in paper], "o-", color=BLUE, label="three dimensions, estimated")
     costs.semilogy(orders, [row["transform_seconds"] for row in rows], "s-", color=RED, label="transform to 1e-3")
     for axes in (errors, costs):

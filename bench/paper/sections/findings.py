@@ -1,4 +1,4 @@
-"""What the sentences of the page come to: values, and verdicts from the rows."""
+"""Computes values and verdicts of the page from the rows."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ CORNER, BOTH_ENDS = 6.5, 6.75  # shifts (mm) with contact in the corner, and fro
 
 
 def more(rows: Sequence[Row], quantity: str, curve: str, reference: str) -> list[tuple[float, float]]:
-    """By how much a curve is more than another one, relative, at each parameter that both have."""
+    """Returns the relative excess of a curve over another one, at each common parameter."""
     known = {row["value"]: row[quantity] for row in select(rows, curve=reference)}
     return [
         (row["value"], row[quantity] / known[row["value"]] - 1)
@@ -46,7 +46,7 @@ def edges(rows: Rows) -> Found:
 
 
 def creep_forces(rows: Sequence[Row], way: str) -> list[tuple[float, float]]:
-    """By how much Fx differs from that with sections, over mu Fz."""
+    """Returns the difference of Fx from that with sections, over mu Fz."""
     known = {row["value"]: row["Fx"] for row in select(rows, curve="fem")}
     points = select(rows, curve=way)
     return [(row["value"], (row["Fx"] - known[row["value"]]) / MU_FZ) for row in points if row["value"] in known]

@@ -1,4 +1,4 @@
-"""What is compared with others: a closed form, a prototype, and three dimensions."""
+"""Evaluates comparisons with a closed form, a prototype, and three dimensions."""
 
 from __future__ import annotations
 

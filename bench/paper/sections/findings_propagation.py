@@ -1,4 +1,4 @@
-"""Section 5 of the paper on curved surfaces: errors of coefficients beside errors of contacts. As in findings.py."""
+"""Checks section 5 of the paper on curved surfaces: errors of coefficients and of contacts. As in findings.py."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ QUANTITIES = {"p0": "largest pressure", "extent": "extent", "approach": "approac
 
 
 def _size(row: Row) -> float:
-    """The largest error of the contact, whatever the quantity."""
+    """Returns the largest error of the contact over all quantities."""
     return max(abs(float(row[f"{name}_error"])) for name in QUANTITIES)
 
 

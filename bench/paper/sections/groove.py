@@ -1,4 +1,4 @@
-"""A roller in a groove of nearly its own radius, by half-spaces and by sections."""
+"""Solves a roller in a groove of nearly its own radius, by half-spaces and by sections."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ BODY = {"width": 120, "height": 70}  # around the groove; the roller ends a slab
 
 
 def bodies(radius: float, body: str) -> tuple[Any, Any]:
-    """Coefficients of roller and groove."""
+    """Returns the coefficients of roller and groove."""
     if body == "half_space":
         return AnalyticIcs(), AnalyticIcs()
     roller = {"round_end": {"radius": ROLLER, "length": 60}}

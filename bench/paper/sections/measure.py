@@ -1,4 +1,4 @@
-"""One computation: by a daemon of our own, its builder, or a program beside them."""
+"""Makes one computation with a private daemon, its builder, or another program."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ SPEED, RADIUS, FZ = 20e3, 460.0, 80e3
 
 
 def solver(programs: Path) -> AbstractContextManager[Measure]:
-    """A daemon for as long as the `with` block."""
+    """Provides a daemon during the `with` block."""
     return measuring(programs, lambda client: Solver(client, programs).measure)
 
 
@@ -48,7 +48,7 @@ class Solver:
         self._finest: dict[str, Any] = {}
 
     def measure(self, spec: Spec) -> dict[str, Any]:
-        """What the figures show. A solve that did not converge: {"failure": text}."""
+        """Returns the values for the figures, or {"failure": text} for a solve that did not converge."""
         kinds = {
             "edge": self._edge,
             "throat": self._throat,

@@ -1,4 +1,4 @@
-"""A cylinder in a hole of nearly its own radius, against Persson's closed form.
+"""Compares a cylinder in a hole of nearly its own radius with Persson's closed form.
 
 Both tables are built by contactd-ic; wavenumber zero of their transforms is plane strain, which the closed form is for.
 The contact is solved here, by nothing but linear equations: it checks the tables, not contactd's solvers, which
@@ -29,7 +29,7 @@ BODIES = {
 
 
 def clearance(half_angle: float) -> float:
-    """E' (R2 - R1)/Q of identical cylinders under the force Q a length, E' = 2 G/(1 - nu)."""
+    """Returns E' (R2 - R1)/Q of identical cylinders under the force Q per length, E' = 2 G/(1 - nu)."""
     b2 = np.tan(half_angle / 2) ** 2
     return float((2 - np.log(1 + b2) - 2 * b2**2) / (np.pi * b2 * (1 + b2)))
 
@@ -83,7 +83,7 @@ def half_angle_of(angles: Array, p: Array) -> float:
 
 
 class Cylinders:
-    """Both bodies, built when they are first asked for."""
+    """Both bodies, which are built when they are first used."""
 
     def __init__(self, programs: Path) -> None:
         self._programs = programs

@@ -1,4 +1,4 @@
-"""How errors of coefficients reach a contact, on flat and on curved surfaces: section 5 of the paper, in plane strain.
+"""Shows how errors of coefficients affect a contact on flat and curved surfaces: section 5 of the paper, plane strain.
 
 Flat: a cylinder between two deep slabs, which are equal. Curved: a cylinder in a hole of nearly its own radius. Both
 have the same strips and meshes of the same densities (bench/section_strips.cpp); what is compared is a mesh that is
@@ -36,21 +36,21 @@ def gap_of(body: str, angles: Array) -> Array:
 
 
 def closed_form(body: str) -> float:
-    """The largest pressure under a force of 1."""
+    """Returns the largest pressure under a force of 1."""
     if body == "curved":
         return float(pressure(HALF_ANGLE, np.zeros(1))[0] / RADIUS)
     return float(2 / (np.pi * HALF_WIDTH))
 
 
 def symmetric(lower: list[float], size: int) -> Array:
-    """The values of the lower half, row by row."""
+    """Returns the symmetric matrix whose lower half has these values, row by row."""
     full = np.zeros((size, size))
     full[np.tril_indices(size)] = lower
     return np.asarray(full + np.tril(full, -1).T)
 
 
 class Propagation:
-    """Compliances are computed when they are first asked for."""
+    """Compliances, which are computed when they are first used."""
 
     def __init__(self, programs: Path) -> None:
         self._programs = programs
@@ -94,7 +94,7 @@ class Propagation:
 
 
 def contact(body: str, angles: Array, compliance: Array) -> dict[str, Any]:
-    """Pressures under a force of 1, the largest of them, half of the extent of contact, and the approach."""
+    """Returns pressures under a force of 1, their maximum, half of the extent of contact, and the approach."""
     cosines = np.cos(angles) if body == "curved" else np.ones(len(angles))
     gap = gap_of(body, angles)
     p = solve(compliance, cosines, gap)

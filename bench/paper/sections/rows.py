@@ -1,4 +1,4 @@
-"""One row of a CSV file. What a part does not have is empty there."""
+"""Makes one row of a CSV file, with empty cells for values that a part does not have."""
 
 from __future__ import annotations
 

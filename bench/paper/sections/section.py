@@ -1,4 +1,4 @@
-"""Cross-sections for the machinery that all sections share."""
+"""Defines the section on cross-sections for the modules common to all sections."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Strips of a block with an edge in three dimensions, by a program of bench/ beside contactd."""
+"""Solves strips of a block with an edge in three dimensions, by a program of bench/."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ PROGRAM = "section_solid"
 
 
 def measure(programs: Path, options: dict[str, float]) -> dict[str, Any]:
-    """What bench/section_solid.cpp prints."""
+    """Returns the output of bench/section_solid.cpp."""
     arguments = [part for name, value in options.items() for part in (f"--{name}", f"{value:g}")]
     environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
     command = [str(programs / PROGRAM), *arguments]
