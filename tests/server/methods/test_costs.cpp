@@ -43,12 +43,12 @@ TEST_CASE("Curved contacts of half-spaces whose tables are flat take no more tha
             CHECK(bytes_of_wheel(conformal, size) == bytes_of_wheel("off", size));
         }
     CHECK(bytes_of_wheel("rotated", 0.1) > 2 * bytes_of_wheel("off", 0.1));
-    CHECK(bytes_of_wheel("automatic", 0.1) == bytes_of_wheel("rotated", 0.1));
+    CHECK(bytes_of_wheel("auto", 0.1) == bytes_of_wheel("rotated", 0.1));
 }
 
 TEST_CASE("A contact of a wheel that has not been found is not refused for its memory") {
     for (const double size : {0.2, 0.1, 0.05, 0.01})
-        for (const char* conformal : {"off", "half_space", "rotated", "fem", "automatic"}) {
+        for (const char* conformal : {"off", "half_space", "rotated", "fem", "auto"}) {
             CAPTURE(conformal, size);
             const json params = {{"setup", {{"conformal", conformal}, {"dx", size}, {"dy", size}}}};
             CHECK_NOTHROW(check_cost(cost_of_wheel_rail(params, defaults()), defaults()));
