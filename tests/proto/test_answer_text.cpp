@@ -160,6 +160,8 @@ TEST_CASE("Members of answers are found by name") {
     CHECK(root["a"]["e"].size() == 0);
     CHECK(root["g"].is_null());
     CHECK_FALSE(root.find("c"));
+    CHECK_FALSE(root["b"].find("c"));
+    CHECK_FALSE(AnswerText::parsed("[[1, 2]]")->root().find("ab"));
     CHECK_THROWS_AS(root["c"], contactd::Error);
     double sum = 0;
     for (const AnswerValue element : root["b"]) sum += element.is_object() ? element["c"].number() : element.number();

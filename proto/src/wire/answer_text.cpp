@@ -195,6 +195,7 @@ std::shared_ptr<const AnswerText> AnswerText::parsed(std::string_view text) {
 }
 
 std::optional<AnswerValue> AnswerValue::find(std::string_view name) const {
+    if (!is_object()) return std::nullopt;
     for (const AnswerValue member : *this)
         if (member.text() == name) return member.value_of_name();
     return std::nullopt;

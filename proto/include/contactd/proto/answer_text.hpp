@@ -66,7 +66,7 @@ class AnswerValue {
     std::string_view text() const { return {node_->text, node_->size}; }
     std::size_t size() const { return node_->size; }
 
-    /// Returns the member of an object by its name.
+    /// Returns the member of an object by its name; nothing where there is none, or no object.
     std::optional<AnswerValue> find(std::string_view name) const;
     bool contains(std::string_view name) const { return find(name).has_value(); }
     /// Returns the member; throws Error where there is none.
