@@ -49,6 +49,11 @@ def python(modules: list[str]) -> str:
             of_others = set(contactd.__all__) - set(exported.get(module, ()))
             once = {"exclude-members": ", ".join(sorted(of_others))}
             parts.append(f"## contactd.{module}\n\n" + _directive(f"automodule:: contactd.{module}", **once))
+            values = [name for name in exported.get(module, ()) if _kind(getattr(contactd, name)) == "data"]
+            parts += [
+                f"```{{eval-rst}}\n.. py:currentmodule:: contactd\n.. py:data:: {name}\n\n   This is contactd.{module}.{name}.\n```\n"
+                for name in values
+            ]
             continue
         text = ast.get_docstring(ast.parse((PACKAGE / f"{module.replace('.', '/')}.py").read_text())) or ""
         objects = "\n".join(f".. auto{_kind(getattr(contactd, name))}:: {name}" for name in exported[module])

@@ -69,7 +69,7 @@ def test_a_folder_stands_for_what_is_in_it(name):
 
 def test_a_word_chooses_of_both_languages():
     assert {"client/cpp/check_links", "client/python/test_arrays"} <= paths("client")
-    assert paths("rolling", "test_jobs") == {"core/contact/test_rolling", "integration/test_jobs"}
+    assert paths("rolling", "test_jobs") == {"client/python/test_rolling_wheel", "core/contact/test_rolling", "integration/test_jobs"}
 
 
 def test_a_word_that_no_path_has_chooses_by_the_names_of_tests():

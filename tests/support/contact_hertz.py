@@ -17,7 +17,7 @@ INPUT = f"""3 MODULE
  999 20 25 1 1e-5         MAXGS, MAXIN, MAXNR, MAXOUT, EPS
  {FN} 0.1 0. 0.           FN, CKSI, CETA, CPHI
  {MU} {MU}                FSTAT, FKIN
- 0. 0.25 20000.           CHI, DQ, VELOC
+ 0. 0.25 2000.            CHI, DQ, VELOC
  0.28 0.28 82000. 82000.  POISS, GG
  -3                       IPOTCN
  60 60 {AA} {BB} 1.1      MX, MY, AA, BB, SCALE
