@@ -92,5 +92,5 @@ def solid(rows: Rows) -> Found:
     }, {
         "solid_converges": all(later < 0.5 * earlier for earlier, later in zip(found, found[1:], strict=False)),
         "solid_meets": found[-1] <= last["stated"] + (found[-2] - found[-1]) / 2,
-        "solid_dear": solid_seconds(last) >= 30 * last["transform_seconds"],
+        "solid_dear": solid_seconds(last) >= 100 * last["transform_seconds"],
     }
