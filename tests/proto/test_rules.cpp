@@ -108,7 +108,7 @@ json damaged(json document, Generator& generator) {
     return document;
 }
 
-/// Whether the rules take what the reference takes, read either way.
+/// Checks that the rules and the reference give one verdict on a document, read either way.
 void compare(const Rules& rules, const Reference& reference, const json& document) {
     const std::string text = dump(document);
     CAPTURE(text);

@@ -58,7 +58,7 @@ class Client::Impl {
         Answer answer = answer_to(method, std::move(params), std::move(frames), options, wait);
         return {answer.result.json(), std::move(answer.frames)};
     }
-    /// The same, for answers that are read as they came.
+    /// Returns the answer as it came, without a document of nlohmann-json.
     Answer answer_to(const std::string& method, json params, proto::Frames frames, const CallOptions& options,
                      Wait wait = Wait::for_answer) {
         const bool builds = wait == Wait::for_build;

@@ -9,8 +9,8 @@
 
 namespace contactd {
 
-/// What the operators of half-spaces have in common on all grids of one size, wherever their rows lie and however these
-/// turn.
+/// Holds the part that operators of half-spaces share on all grids of one size, wherever their rows lie and however
+/// these turn.
 struct MidwayInfluence {
     ContactInfluence flat;  ///< of rows that lie side by side
     /// Coefficients between rows, which reach as far beyond the grid as a step of whole elements does.

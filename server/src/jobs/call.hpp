@@ -91,7 +91,7 @@ class Call {
     void when_answered(std::function<void()> then);
     /// An answer beyond the limits of a message becomes ANSWER_TOO_LARGE. True when the result was the answer.
     bool succeed(const nlohmann::json& result, proto::Frames frames = {});
-    /// The same, with the text of a result as JSON.
+    /// Succeeds with the text of a result, which is JSON.
     bool succeed_with(std::string_view result, proto::Frames frames);
     void fail(const proto::Status& status);
     void progress(const nlohmann::json& progress);

@@ -34,7 +34,7 @@ class WorkOnCall {
         job_->end();
         call_->succeed(result, std::move(frames));
     }
-    /// The same, with the text of a result as JSON.
+    /// Answers with the text of a result, which is JSON.
     void succeed_with(std::string_view result, proto::Frames frames) {
         job_->end();
         call_->succeed_with(result, std::move(frames));

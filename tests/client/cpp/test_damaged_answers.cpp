@@ -28,7 +28,7 @@ json good_result(proto::ArrayWriter& arrays) {
     return proto::encode_wheel_rail_solution(solution, {{SolutionField::pressure}, false}, arrays);
 }
 
-/// What the client says of the text of an answer.
+/// Checks that the client refuses the text of an answer with these words.
 void check_refused(const std::function<std::string(const json& request, const json& result)>& text_of,
                    const std::string& says) {
     CAPTURE(says);
@@ -44,7 +44,7 @@ void check_refused(const std::function<std::string(const json& request, const js
                          MessageMatches(ContainsSubstring(says)));
 }
 
-/// The same of a result to which something was done.
+/// Checks that the client refuses a damaged result with these words.
 void check_refused(const std::function<void(json& result)>& damage, const std::string& says) {
     check_refused(
         [&](const json& request, json result) {

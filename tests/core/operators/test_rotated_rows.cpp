@@ -71,7 +71,7 @@ class TablesAnew {
     double operator()(Axis i, Axis j, int I, int J, int k) const {
         const double sign = parity(i, j).along_x;
         if (!changes_) return here_.at(i, j, I, J, k);
-        // What lies ahead of a negative offset is, in a mirror, what lies before a positive one.
+        // In a mirror, an element ahead of a negative offset lies before a positive one.
         return here_.at(i, j, I, J, k) - (k >= 0 ? ahead_(i, j, I, J, k) : sign * before_(i, j, I, J, -k));
     }
 

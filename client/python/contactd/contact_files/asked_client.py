@@ -1,4 +1,4 @@
-"""What reading and computing files ask of a client."""
+"""The part of a client that reading and computing files use."""
 
 from __future__ import annotations
 

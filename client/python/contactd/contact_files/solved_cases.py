@@ -44,7 +44,7 @@ class SolvedCase(Shown):
 
     @property
     def status(self) -> str:
-        """What became of it: ``solved`` or ``not converged`` where there are numbers; ``read``, ``refused``, ``failed``,
+        """The outcome: ``solved`` or ``not converged`` where there are numbers; ``read``, ``refused``, ``failed``,
         ``follows`` (from a case that was not computed) or ``wrong`` where there are none."""
         return str(self.outcome.status)
 
@@ -112,7 +112,7 @@ class ComparedCase:
 
     @property
     def agrees(self) -> bool:
-        """Whether there are numbers on both sides, all of them in tolerance."""
+        """True if both sides have numbers that agree within the tolerances."""
         return self.is_printed and self.case.solution is not None and not self.differences
 
     def __str__(self) -> str:
@@ -145,7 +145,7 @@ class CaseComparison(Sequence[ComparedCase]):
 
     @property
     def agrees(self) -> bool:
-        """Whether every case agrees."""
+        """True if every case agrees."""
         return all(one.agrees for one in self.cases)
 
     def __str__(self) -> str:

@@ -1,5 +1,5 @@
-// Whether an edge of a rail of slices may reach the wheel where the search along the locus does not look: by lines from
-// slice to slice, which cost little.
+// Finds whether an edge of a rail of slices may reach the wheel where the search along the locus does not look. Lines
+// from slice to slice decide it at little cost.
 #pragma once
 
 #include <limits>

@@ -70,7 +70,7 @@ std::shared_ptr<const MidwaySymbols> MidwayKernels::symbols(const SymbolExtent& 
             for (std::size_t i = 0; i < a.size(); ++i) result[i] = 0.5 * (a[i] + sign * b[i]);
             return result;
         };
-        // What mixes x with another axis has -i times the transform of an opposite parity.
+        // A component that mixes x with another axis has -i times the transform of an opposite parity.
         const auto turned = [&](std::vector<double> values) {
             if (!extent.natural())
                 for (double& value : values) value = -value;

@@ -12,7 +12,8 @@
 
 namespace contactd {
 
-/// Whether the components of a table are even and odd in the offset as those of StripTable, or the other way round.
+/// States whether the components of a table are even and odd in the offset as those of StripTable, or the other way
+/// round.
 enum class OffsetParity { natural, opposite };
 
 /// The strips and offsets along x that symbols are made for.

@@ -1,4 +1,4 @@
-"""What the passage of a wheel takes off it, or off the rail."""
+"""Wear of a wheel, or of a rail, in one passage."""
 
 from __future__ import annotations
 

@@ -48,7 +48,7 @@ class WheelRailSolutionMethods(Saved, Shown):
 
     @public
     def wear(self, body: Literal["wheel", "rail"] | None = None, law: str | None = None) -> PassageWear:
-        """What this passage takes off the wheel or the rail, placed on its section, where the set-up has laws of wear::
+        """Wear of the wheel or the rail in this passage, along its section, where the set-up has laws of wear::
 
             law = EnergyWear(6.75e-4, source="our twin-disc test")
             wear = contactd.wheel_rail(y=3, yaw=0.003, speed=20e3, Fz=80e3, wear=law).wear("wheel")
