@@ -5,7 +5,8 @@ Times depend on the machine and its load. Compare the ratios.
     ./dev bench [--quick] [--only PROGRAM ...] [--json FILE]
     ./dev bench --service overhead of the daemon for a solve and for the steps of many sessions, and solves per second
                           with one worker and two
-    ./dev bench --plot    cost against grid size instead: docs/performance.csv and docs/performance.png (some minutes)
+    ./dev bench --plot    cost of each model against the number of elements: docs/performance.csv and
+                          docs/performance.png (three minutes, 2 GB of memory)
     ./dev bench --transforms [--quick]  times with FFTW's transforms over those with ducc0's, alternating both programs
 """
 
@@ -18,6 +19,7 @@ import re
 import subprocess
 import sys
 import tempfile
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -62,13 +64,20 @@ OF_THE_ROW = {
 TO_SECONDS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 
 
-def run(program: Path, quick: bool, environment: dict[str, str]) -> list[dict[str, Any]]:
-    """Returns the rows of one Google Benchmark program, without the suffixes that it adds to names."""
-    print(f"running {program.name} ...", file=sys.stderr, flush=True)
+def run(
+    program: Path, quick: bool, environment: dict[str, str], only: str = "", timeout: float | None = None
+) -> list[dict[str, Any]]:
+    """Returns the rows of one Google Benchmark program, without the suffixes that it adds to names: all rows, or those
+    whose name matches `only`. Raises subprocess.TimeoutExpired after `timeout` seconds."""
+    if not only:
+        print(f"running {program.name} ...", file=sys.stderr, flush=True)
     with tempfile.NamedTemporaryFile(suffix=".json") as result:
         command = [str(program), f"--benchmark_out={result.name}", "--benchmark_out_format=json"]
         command.append(f"--benchmark_min_time={'0.05s' if quick else '0.5s'}")
-        subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment)
+        command += [f"--benchmark_filter={only}"] if only else []
+        subprocess.run(
+            command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment, timeout=timeout
+        )
         rows = json.load(open(result.name))["benchmarks"]
     for row in rows:
         row["name"] = f"{program.name}." + re.sub(r"/(real_time|manual_time|iterations:\d+)", "", row["name"])
@@ -126,7 +135,7 @@ def main() -> int:
     parser.add_argument("--quick", action="store_true", help="shorter runs, more noise")
     parser.add_argument("--only", nargs="+", choices=PROGRAMS, metavar="PROGRAM", help=f"from {', '.join(PROGRAMS)}")
     parser.add_argument("--service", action="store_true", help="latency and throughput of the daemon instead")
-    parser.add_argument("--plot", action="store_true", help="cost for each grid size, for docs/performance.md")
+    parser.add_argument("--plot", action="store_true", help="cost against the number of elements, for docs/performance.md")
     parser.add_argument("--transforms", action="store_true", help="compare the transforms of FFTW and ducc0")
     parser.add_argument("--json", type=Path, help="also write the rows to this file")
     arguments = parser.parse_args()
@@ -136,8 +145,7 @@ def main() -> int:
         return 0
     environment = dict(os.environ)
     if arguments.plot:
-        scaling.write(run(arguments.bin / "bench_scaling", arguments.quick, environment))
-        return 0
+        return scaling.plot(arguments.bin / "bench_scaling", partial(run, quick=True, environment=environment))
     if arguments.transforms:
         transforms.report(arguments.bin, arguments.bin.parents[1] / "production-fftw" / "bin", arguments.quick, run)
         return 0

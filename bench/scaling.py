@@ -1,9 +1,14 @@
-"""Measures the cost for each grid size and writes docs/performance.csv and its picture, docs/performance.png."""
+"""Measures the cost of each model against the number of elements and writes docs/performance.csv and its picture,
+docs/performance.png."""
 
 from __future__ import annotations
 
 import csv
-import re
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -13,69 +18,98 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 DOCS = Path(__file__).resolve().parent.parent / "docs"
-#: Row of bench_scaling, its name in the picture, its colour, and its targets in products A p (n and limit).
-CURVES = [
-    ("A_p", "one product $A_{zz}\\,p$", "#222222", []),
-    ("NORM", "NORM, cold", "#1f6fb4", [(40, 25), (160, 25), (320, 25)]),
-    ("TangCG", "TangCG, cold", "#d1701f", [(40, 90), (160, 160)]),
-    ("steady_rolling", "steady rolling, cold", "#2b8a4b", [(25, 200), (50, 200)]),
-]
-SIZES = [16, 25, 40, 64, 100, 160, 256, 400, 640]
+#: Rows of bench_scaling and their names in the picture: a scalar product and simplified models, then solvers.
+SIMPLE = {
+    "product": "one product $A_{zz}\\,p$",
+    "simplified/hertz": "hertz",
+    "simplified/fastsim": "fastsim",
+    "simplified/fastrip": "fastrip",
+    "simplified/polach": "polach",
+    "simplified/kpec": "fastsim, pressures by kpec",
+}
+SOLVERS = {
+    "normal": "normal contact",
+    "shift": "shift",
+    "steady_rolling": "steady rolling",
+    "dissimilar": "dissimilar bodies, rolling",
+    "layered": "layered bodies, rolling",
+    "conformal": "conformal, a wheel on a rail",
+}
+#: Longest time of a row (s), its preparation included. After a longer one the model gets no more elements.
+LONGEST = 60
+Row = dict[str, Any]
 
 
-def table_of(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Returns one line per row: the solver, n, processor nanoseconds per element, products A p, iterations."""
-    product = {}
+def rows_of(program: Path, run: Callable[..., list[Row]]) -> list[Row]:
+    """Returns the rows of all models, from few elements to many, and prints each as it ends."""
+    listed = subprocess.run([program, "--benchmark_list_tests"], check=True, capture_output=True, text=True).stdout.split()
+    rows: list[Row] = []
+    for model in SIMPLE | SOLVERS:
+        for name in (name for name in listed if name.startswith(f"{model}/n:")):
+            start = time.monotonic()
+            try:
+                rows += run(program, only=f"^{name}$", timeout=LONGEST)
+            except subprocess.TimeoutExpired:
+                print(f"  {name}: stopped after {LONGEST} s", file=sys.stderr, flush=True)
+                break
+            print(f"  {name}: {time.monotonic() - start:.1f} s", file=sys.stderr, flush=True)
+    return rows
+
+
+def table_of(rows: list[Row]) -> list[Row]:
+    """Returns one line per row: model, elements, processor time of a solve and of an element (us), products A p."""
     lines = []
     for row in rows:
         if row.get("error_occurred"):
             raise SystemExit(f"{row['name']}: {row['error_message']}")
-        solver, n = re.fullmatch(r"bench_scaling\.(\w+)/n:(\d+)", row["name"]).groups()
-        n = int(n)
-        if solver == "A_p":
-            product[n] = row["cpu_time"] * {"ns": 1, "us": 1e3, "ms": 1e6}[row["time_unit"]] / n**2
-        products = row.get("A_p", 1.0)
+        elements = int(row["elements"])
+        microseconds = row["cpu_time"] * {"ns": 1e-3, "us": 1, "ms": 1e3}[row["time_unit"]]
         lines.append({
-            "solver": solver,
-            "n": n,
-            "ns_per_element": f"{products * product[n]:.4g}",
-            "products": f"{products:.4g}",
-            "iterations": int(row.get("solver_iterations", 0)),
+            "model": row["name"].split(".")[-1].split("/n:")[0],
+            "elements": elements,
+            "us": f"{microseconds:.4g}",
+            "us_per_element": f"{microseconds / elements:.4g}",
+            "products": f"{row['A_p']:.4g}" if "A_p" in row else "",
+            "iterations": int(row["solver_iterations"]) if "solver_iterations" in row else "",
         })
     return lines
 
 
-def draw(lines: list[dict[str, Any]], picture: Path) -> None:
-    figure, (time, units) = plt.subplots(1, 2, figsize=(10.5, 4.4), layout="constrained")
-    for solver, words, colour, limits in CURVES:
-        points = [line for line in lines if line["solver"] == solver]
-        sizes = [line["n"] for line in points]
-        time.plot(sizes, [float(line["ns_per_element"]) / 1e3 for line in points], "o-", color=colour, ms=3.5, label=words)
-        if solver == "A_p":
-            continue
-        units.plot(sizes, [float(line["products"]) for line in points], "o-", color=colour, ms=3.5, label=words)
-        units.plot(*zip(*limits), "v", color=colour, ms=8, mfc="none")
-    units.plot([], [], "v", color="#666666", ms=8, mfc="none", label="limit of the aims")
-    time.set(yscale="log", ylabel="processor time per element (µs)", title="Cost per element")
-    units.set(yscale="log", ylabel="cost / one product $A_{zz}\\,p$ on the same grid", title="Cost in products")
-    time.set_ylim(5e-3, 30)
-    units.set_ylim(10, 700)
-    time.set_yticks([0.01, 0.1, 1, 10], ["0.01", "0.1", "1", "10"])
-    units.set_yticks([10, 20, 50, 100, 200, 500], ["10", "20", "50", "100", "200", "500"])
-    for axes in (time, units):
-        axes.set(xscale="log", xlabel="$n$, elements along each side of the grid")
-        axes.set_xticks(SIZES, [str(n) for n in SIZES])
-        axes.minorticks_off()
-        axes.grid(alpha=0.3)
-        axes.legend(fontsize=8, loc="upper left", ncols=2)
-    figure.savefig(picture, dpi=130)
+def draw(lines: list[Row], picture: Path) -> None:
+    figure, panels = plt.subplots(1, 3, figsize=(14, 4.8), layout="constrained")
+    titles = ["Cost per element: simplified models", "Cost per element: solvers", "Cost of solvers in products"]
+    for axes, models, title in zip(panels, (SIMPLE, SOLVERS, SOLVERS), titles, strict=True):
+        column = "products" if axes is panels[2] else "us_per_element"
+        for model, words in models.items():
+            points = [line for line in lines if line["model"] == model and line[column] != ""]
+            if points:
+                values = [float(line[column]) for line in points]
+                axes.plot([line["elements"] for line in points], values, "o-", ms=3.5, label=words)
+        axes.set(xscale="log", yscale="log", xlabel="elements", title=title, ylabel="processor time per element (µs)")
+        axes.grid(alpha=0.3, which="both")
+        axes.legend(fontsize=8)
+    panels[2].set(ylabel="cost / one product $A_{zz}\\,p$ on the same grid")
+    figure.savefig(picture, dpi=110)
 
 
-def write(rows: list[dict[str, Any]]) -> None:
+def write(rows: list[Row], docs: Path = DOCS) -> None:
     lines = table_of(rows)
-    with open(DOCS / "performance.csv", "w", newline="") as file:
+    with open(docs / "performance.csv", "w", newline="") as file:
         writer = csv.DictWriter(file, list(lines[0]), lineterminator="\n")
         writer.writeheader()
         writer.writerows(lines)
-    draw(lines, DOCS / "performance.png")
-    print(f"written: {DOCS / 'performance.csv'}, {DOCS / 'performance.png'}")
+    draw(lines, docs / "performance.png")
+    print(f"written: {docs / 'performance.csv'}, {docs / 'performance.png'}")
+
+
+def plot(program: Path, run: Callable[..., list[Row]]) -> int:
+    """Runs all rows and writes the table and the picture. An interrupt ends it and leaves both unchanged."""
+    for number in (signal.SIGINT, signal.SIGTERM):  # in the background of a script SIGINT would be ignored
+        signal.signal(number, signal.default_int_handler)
+    print("cost against the number of elements: about three minutes and up to 2 GB of memory", file=sys.stderr, flush=True)
+    try:
+        write(rows_of(program, run))
+    except KeyboardInterrupt:
+        print("interrupted; docs/performance.csv and docs/performance.png are unchanged", file=sys.stderr)
+        return 130
+    return 0
