@@ -21,6 +21,15 @@ struct ContactReference {
     bool operator==(const ContactReference&) const = default;
 };
 
+/// The axes of a profile in track coordinates: its origin (mm), and its axes as those of the track turned about its z
+/// from x to y, and then about its x from y to z (rad).
+struct ProfileFrame {
+    double x = 0, y = 0, z = 0;
+    double roll = 0, yaw = 0;
+
+    bool operator==(const ProfileFrame&) const = default;
+};
+
 /// A point of the rail: along the track, and arc length across from where its profile has y = 0 (mm), or, of a profile
 /// that doubles back, from its point nearest to the origin.
 struct RailPlace {
@@ -110,8 +119,9 @@ struct WheelRailPatch {
 
 /// Results of the profiles and a position without a solve.
 struct WheelRailGeometry {
-    double z = 0;                      ///< of the wheelset (mm)
-    std::vector<ContactPlace> places;  ///< from the right to the left; none where wheel and rail do not overlap
+    double z = 0;                          ///< of the wheelset (mm)
+    ProfileFrame wheel_frame, rail_frame;  ///< at this z
+    std::vector<ContactPlace> places;      ///< from the right to the left; none where wheel and rail do not overlap
     /// Least vertical distance of wheel and rail (mm), negative where they overlap; absent where they are not above
     /// each other.
     std::optional<double> clearance;
@@ -151,14 +161,16 @@ struct PatchesLeftOut {
 };
 
 struct WheelRailSolution {
-    double z = 0;                                   ///< of the wheelset, as prescribed or found (mm)
-    double pitch_rate = 0;                          ///< of the wheelset, as prescribed or found (rad/s)
-    std::optional<double> clearance;                ///< at this z, as in WheelRailGeometry
-    std::vector<WheelRailPatch> patches;            ///< from the right to the left; none without contact
-    std::optional<PatchesLeftOut> left_out;         ///< of an answer that has none of them
-    WheelRailForces forces;                         ///< of all patches
-    std::optional<SolverEvidence> force;            ///< of the search for z: solves, |F - Fz|/Fz
-    std::optional<SolverEvidence> pitch_search;     ///< for Fx: searches for z, or solves; |F - Fx|/Fz
+    double z = 0;                                ///< of the wheelset, as prescribed or found (mm)
+    double pitch_rate = 0;                       ///< of the wheelset, as prescribed or found (rad/s)
+    ProfileFrame wheel_frame;                    ///< at this z, with the wheel's deviation
+    ProfileFrame rail_frame;                     ///< with the rail's deviation and deflection; of a roller at its top
+    std::optional<double> clearance;             ///< at this z, as in WheelRailGeometry
+    std::vector<WheelRailPatch> patches;         ///< from the right to the left; none without contact
+    std::optional<PatchesLeftOut> left_out;      ///< of an answer that has none of them
+    WheelRailForces forces;                      ///< of all patches
+    std::optional<SolverEvidence> force;         ///< of the search for z: solves, |F - Fz|/Fz
+    std::optional<SolverEvidence> pitch_search;  ///< for Fx: searches for z, or solves; |F - Fx|/Fz
     std::optional<RailDeflection> rail_deflection;  ///< of a flexible rail
     /// Search for the deflection of a flexible rail: solves, and what is left of the balance of its forces,
     /// |Fy + rail.Fy - track.springs.y y|/Fz or that of z, whichever is larger.

@@ -39,6 +39,11 @@ void warn(Answer& answer, std::vector<std::string> warnings) {
     for (std::string& warning : warnings) answer.warnings.push_back(std::move(warning));
 }
 
+ProfileFrame profile_frame(const geometry::Frame& frame) {
+    const auto& [origin, axes] = frame;
+    return {origin.x, origin.y, origin.z, std::atan2(-axes.z.y, axes.z.z), std::atan2(-axes.y.x, axes.x.x)};
+}
+
 constexpr double least_share = 0.2;  // of the normal force in Fz, for either to tell the other
 
 /// Returns how far the answers of a patch are from those with tight tolerances.
@@ -125,6 +130,7 @@ WheelRailSolution RightWheel::solve(Observer& observer) {
             solution = solve_in_balance(*this, estimates_ ? *estimates_ : own, observer);
         } else {
             solution = state_.Fz ? under_force(*state_.Fz, observer) : at(state_.position.height(), observer);
+            place_profiles(solution);
             if (auto warning = off_tread_warning(solution, profiles_, position_.wheel(solution.z), position_.rail()))
                 solution.warnings.push_back(std::move(*warning));
             if (!state_.Fz && !state_.derivatives && falls_where_regions_merge(solution, observer))
@@ -143,6 +149,7 @@ WheelRailSolution RightWheel::solve(Observer& observer) {
     }
     solution.z = state_.position.height();
     solution.pitch_rate = state_.velocity.pitch;
+    place_profiles(solution);
     solution.warnings.emplace_back(nothing_below);
     return solution;
 }
@@ -156,10 +163,12 @@ WheelRailGeometry RightWheel::locate() {
     WheelRailGeometry geometry;
     if (!first_contact_height()) {
         geometry.z = state_.position.height();
+        place_profiles(geometry);
         geometry.warnings.emplace_back(nothing_below);
         return geometry;
     }
     geometry.z = expected_height();
+    place_profiles(geometry);
     geometry.clearance = position_.clearance(geometry.z);
     check_depth(geometry.z);
     warn(geometry, warnings_of(position_.passed_over(geometry.z), setup_.side));
@@ -171,6 +180,13 @@ WheelRailGeometry RightWheel::locate() {
         warn(geometry, thin_data_warnings(found, setup_, state_, wheel, position_.rail()));
     }
     return geometry;
+}
+
+template <class Answer>
+void RightWheel::place_profiles(Answer& answer) const {
+    const geometry::WheelSurface wheel = position_.wheel(answer.z);
+    answer.wheel_frame = profile_frame({wheel.profile_origin(), wheel.frame().axes});
+    answer.rail_frame = profile_frame(position_.rail().frame());
 }
 
 std::size_t RightWheel::regions_at(double z) const {

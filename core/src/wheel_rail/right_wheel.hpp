@@ -58,6 +58,9 @@ class RightWheel {
 
    private:
     void check_depth(double z) const;
+    /// Gives an answer the frames of both profiles at its z.
+    template <class Answer>
+    void place_profiles(Answer& answer) const;
     /// Where Hertz's theory expects Fz, or position.z.
     double expected_height();
     /// Returns whether the force falls while the wheel is lowered from where it was solved, where regions have a

@@ -23,6 +23,9 @@ namespace {
 [[maybe_unused]] void all_of(const WheelRailDerivatives::ByVelocity& all) {
     [[maybe_unused]] const auto& [x_, y_, z_, roll_, yaw_, pitch_] = all;
 }
+[[maybe_unused]] void all_of(const ProfileFrame& all) {
+    [[maybe_unused]] const auto& [x_, y_, z_, roll_, yaw_] = all;
+}
 [[maybe_unused]] void all_of(const ContactReference& all) {
     [[maybe_unused]] const auto& [x_, y_, z_, angle_] = all;
 }
@@ -46,11 +49,12 @@ namespace {
     [[maybe_unused]] const auto& [y_, z_, angle_] = all;
 }
 [[maybe_unused]] void all_of(const WheelRailGeometry& all) {
-    [[maybe_unused]] const auto& [z_, clearance_, places_, warnings_] = all;
+    [[maybe_unused]] const auto& [z_, wheel_frame_, rail_frame_, clearance_, places_, warnings_] = all;
 }
 [[maybe_unused]] void all_of(const WheelRailSolution& all) {
-    [[maybe_unused]] const auto& [z_, pitch_rate_, forces_, patches_, warnings_, clearance_, force_, pitch_search_,
-                                  rail_deflection_, rail_search_, accuracy_, derivatives_, left_out_] = all;
+    [[maybe_unused]] const auto& [z_, pitch_rate_, wheel_frame_, rail_frame_, forces_, patches_, warnings_, clearance_,
+                                  force_, pitch_search_, rail_deflection_, rail_search_, accuracy_, derivatives_,
+                                  left_out_] = all;
 }
 [[maybe_unused]] void all_of(const WheelRailPatch& all) {
     [[maybe_unused]] const auto& [place_, gap_, solution_, forces_] = all;
@@ -120,6 +124,19 @@ const FieldType& type_of<WheelRailDerivatives::ByVelocity>() {
         fields::field<&WheelRailDerivatives::ByVelocity::roll>("roll", {.parity = MirrorParity::odd, .required = true}),
         fields::field<&WheelRailDerivatives::ByVelocity::yaw>("yaw", {.parity = MirrorParity::odd, .required = true}),
         fields::field<&WheelRailDerivatives::ByVelocity::pitch>("pitch", {.required = true}),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<ProfileFrame>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&ProfileFrame::x>("x", {.unit = "mm", .required = true}),
+        fields::field<&ProfileFrame::y>("y", {.unit = "mm", .parity = MirrorParity::odd, .required = true}),
+        fields::field<&ProfileFrame::z>("z", {.unit = "mm", .required = true}),
+        fields::field<&ProfileFrame::roll>("roll", {.unit = "rad", .parity = MirrorParity::odd, .required = true}),
+        fields::field<&ProfileFrame::yaw>("yaw", {.unit = "rad", .parity = MirrorParity::odd, .required = true}),
     });
     static const FieldType type = fields::object_type(list);
     return type;
@@ -224,6 +241,8 @@ template <>
 const FieldType& type_of<WheelRailGeometry>() {
     static const auto list = std::to_array<Field>({
         fields::field<&WheelRailGeometry::z>("z", {.unit = "mm", .required = true}),
+        fields::field<&WheelRailGeometry::wheel_frame>("wheel_frame", {.required = true}),
+        fields::field<&WheelRailGeometry::rail_frame>("rail_frame", {.required = true}),
         fields::field<&WheelRailGeometry::clearance>("clearance", {.unit = "mm"}),
         fields::field<&WheelRailGeometry::places>("places", {.required = true}),
         fields::field<&WheelRailGeometry::warnings>("warnings", {.required = true}),
@@ -237,6 +256,8 @@ const FieldType& type_of<WheelRailSolution>() {
     static const auto list = std::to_array<Field>({
         fields::field<&WheelRailSolution::z>("z", {.unit = "mm", .required = true}),
         fields::field<&WheelRailSolution::pitch_rate>("pitch_rate", {.unit = "rad/s", .required = true}),
+        fields::field<&WheelRailSolution::wheel_frame>("wheel_frame", {.required = true}),
+        fields::field<&WheelRailSolution::rail_frame>("rail_frame", {.required = true}),
         fields::field<&WheelRailSolution::forces>("forces", {.required = true}),
         fields::field<&WheelRailSolution::patches>("patches"),
         fields::field<&WheelRailSolution::warnings>("warnings", {.required = true}),

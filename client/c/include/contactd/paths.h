@@ -980,6 +980,18 @@
 /* --- results of a wheel --- */
 #define CONTACTD_PATH_Z "z"                   /* mm */
 #define CONTACTD_PATH_PITCH_RATE "pitch_rate" /* rad/s */
+#define CONTACTD_PATH_WHEEL_FRAME "wheel_frame"
+#define CONTACTD_PATH_WHEEL_FRAME_X "wheel_frame.x"       /* mm */
+#define CONTACTD_PATH_WHEEL_FRAME_Y "wheel_frame.y"       /* mm */
+#define CONTACTD_PATH_WHEEL_FRAME_Z "wheel_frame.z"       /* mm */
+#define CONTACTD_PATH_WHEEL_FRAME_ROLL "wheel_frame.roll" /* rad */
+#define CONTACTD_PATH_WHEEL_FRAME_YAW "wheel_frame.yaw"   /* rad */
+#define CONTACTD_PATH_RAIL_FRAME "rail_frame"
+#define CONTACTD_PATH_RAIL_FRAME_X "rail_frame.x"       /* mm */
+#define CONTACTD_PATH_RAIL_FRAME_Y "rail_frame.y"       /* mm */
+#define CONTACTD_PATH_RAIL_FRAME_Z "rail_frame.z"       /* mm */
+#define CONTACTD_PATH_RAIL_FRAME_ROLL "rail_frame.roll" /* rad */
+#define CONTACTD_PATH_RAIL_FRAME_YAW "rail_frame.yaw"   /* rad */
 #define CONTACTD_PATH_FORCES_TRACK "forces.track"
 #define CONTACTD_PATH_FORCES_TRACK_FX "forces.track.Fx" /* N */
 #define CONTACTD_PATH_FORCES_TRACK_FY "forces.track.Fy" /* N */

@@ -21,6 +21,8 @@ const FieldType& type_of<WheelRailDerivatives::ByPosition>();
 template <>
 const FieldType& type_of<WheelRailDerivatives::ByVelocity>();
 template <>
+const FieldType& type_of<ProfileFrame>();
+template <>
 const FieldType& type_of<ContactReference>();
 template <>
 const FieldType& type_of<ContactPlace>();

@@ -135,12 +135,12 @@ class RailResult:
 
     def on_wheel(self, patch: WheelRailPatch) -> tuple[float, float, float]:
         """The reference in the axes of the wheel's profile."""
-        x, y, z = on_wheel(self.contact, self.solution.z, patch.place.reference)
+        x, y, z = on_wheel(self.contact, self.solution, patch.place.reference)
         return float(x), float(y), float(z)
 
     def on_rail(self, patch: WheelRailPatch) -> tuple[float, float]:
         """The reference in the axes of the rail's profile."""
-        return on_rail(self.contact, self.solution, patch.place.reference)
+        return on_rail(self.solution, patch.place.reference)
 
     def elements_of(self, patch: WheelRailPatch) -> Elements:
         """The elements of a patch."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ...values.wheel_rail.result import WheelRailPatch
-from ..answers.rail_places import rail_frame, wheel_frame
+from ..answers.rail_places import along_axle
 from ..answers.rail_results import RailResult
 
 if TYPE_CHECKING:
@@ -45,13 +45,12 @@ def patch_places(result: RailResult, patch: WheelRailPatch, number: int) -> Patc
     """The places of a patch, which is counted from the field side."""
     values, contact, reference = result.contact.case.values, result.contact, patch.place.reference
     along = values.get("S_WS", values.get("X_WS", 0.0))
-    y_rail, z_rail, roll_rail = rail_frame(contact, result.solution)
+    rail, wheel = result.solution.rail_frame, result.solution.wheel_frame
     place = [reference.x, reference.y, reference.z, reference.angle, *result.on_wheel(patch)]
-    wheel, nominal = wheel_frame(contact, result.solution.z)
     return PatchPlaces(
-        [0.0, along, values["PITCH"], y_rail, z_rail, roll_rail, values.get("NOMRADR", 0.0)],
-        [*wheel, values["NOMRADW"]],
+        [0.0, along, values["PITCH"], rail.y, rail.z, rail.roll, values.get("NOMRADR", 0.0)],
+        [wheel.x, wheel.y, wheel.z, wheel.roll, wheel.yaw, values["NOMRADW"]],
         [*place, len(result.patches), number, *result.spin_centre(patch)],
-        nominal,
+        along_axle(contact),
         result.spin_centre(patch),
     )

@@ -16,6 +16,7 @@ __all__ = [
     "ContactRow",
     "Creepages",
     "OverlapRegion",
+    "ProfileFrame",
     "RailPlace",
     "WheelRailGeometry",
 ]
@@ -158,12 +159,33 @@ class ContactPlace:
     rows: tuple[ContactRow, ...] = ()
 
 
+@dataclass(frozen=True)
+class ProfileFrame:
+    """Axes of the wheel's profile.
+
+    Attributes:
+        x: Forwards (mm).
+        y: To the right (mm).
+        z: Down (mm).
+        roll: About x, from y to z (rad).
+        yaw: About z, from x to y (rad).
+    """
+
+    x: float
+    y: float
+    z: float
+    roll: float
+    yaw: float
+
+
 @dataclass(frozen=True, eq=False)
 class WheelRailGeometry:
     """Results that the profiles and a position give without a solve.
 
     Attributes:
         z: z of the wheelset (mm).
+        wheel_frame: Axes of the wheel's profile.
+        rail_frame: Axes of the rail's profile, with the rail's deviation and deflection; of a roller at its top.
         places: Possible contact patches, from the right to the left; none where wheel and rail do not overlap.
         clearance: Least vertical distance of wheel and rail at this z, negative where they overlap (mm); None where
             they are not above each other.
@@ -171,6 +193,8 @@ class WheelRailGeometry:
     """
 
     z: float
+    wheel_frame: ProfileFrame
+    rail_frame: ProfileFrame
     places: tuple[ContactPlace, ...]
     clearance: float | None = None
     warnings: tuple[str, ...] = ()

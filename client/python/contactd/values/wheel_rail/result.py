@@ -11,7 +11,7 @@ from ..arrays import Array
 from ..evidence import SolverEvidence
 from ..solution import PartialSolution
 from .forces import WheelRailDerivatives, WheelRailForces
-from .places import ContactPlace
+from .places import ContactPlace, ProfileFrame
 from .solution_methods import WheelRailSolutionMethods, WheelsetSolutionMethods
 
 __all__ = ["RailDeflection", "WheelRailPatch", "WheelRailSolution", "WheelsetSolution"]
@@ -55,6 +55,8 @@ class WheelRailSolution(WheelRailSolutionMethods):
     Attributes:
         z: z of the wheelset, as prescribed or found (mm).
         pitch_rate: Pitch rate of the wheelset, as prescribed or found (rad/s).
+        wheel_frame: Axes of the wheel's profile.
+        rail_frame: Axes of the rail's profile, with the rail's deviation and deflection; of a roller at its top.
         forces: Forces of all patches.
         patches: Patches from the right to the left; none without contact. A step that said patches false lacks them.
         converged: Whether the solvers of all patches and the searches reached their tolerances.
@@ -77,6 +79,8 @@ class WheelRailSolution(WheelRailSolutionMethods):
 
     z: float
     pitch_rate: float
+    wheel_frame: ProfileFrame
+    rail_frame: ProfileFrame
     forces: WheelRailForces
     patches: tuple[WheelRailPatch, ...]
     converged: bool
