@@ -22,5 +22,6 @@ bwrap --clearenv --setenv PATH /usr/bin:/bin --setenv HOME /home --setenv LC_ALL
     --ro-bind "$root" / --dev /dev --proc /proc --ro-bind /sys /sys --tmpfs /tmp --tmpfs /run --tmpfs /srv --bind "$scratch" /home \
     --ro-bind "$wheels" /srv/wheels --ro-bind "$repository/docs" /srv/docs \
     --ro-bind "$repository/packaging" /srv/packaging \
+    --ro-bind "$repository/tests/support/contact_hertz.py" /srv/support/contact_hertz.py \
     "${binds[@]}" --chdir /home --unshare-pid --die-with-parent \
     bash /srv/packaging/wheels/use_wheels.sh
