@@ -25,7 +25,7 @@ function(contactd_install_package component)
 endfunction()
 
 if(TARGET contactd_client)
-  install(TARGETS contactd_types contactd_proto contactd_client EXPORT contactd_targets
+  install(TARGETS contactd_types contactd_cases_read contactd_proto contactd_client EXPORT contactd_targets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
     FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
   install(EXPORT contactd_targets NAMESPACE contactd:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/contactd

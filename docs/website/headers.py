@@ -14,25 +14,27 @@ ROOT = FOLDER.parents[1]
 C_HEADER = ROOT / "client" / "c" / "include" / "contactd.h"
 CLIENT_HEADERS = ROOT / "client" / "cpp" / "include"
 CORE_HEADERS = ROOT / "core" / "include"
+CASES_HEADERS = ROOT / "cases" / "include"
 
 
 def public_headers() -> list[str]:
-    """What a program in C++ includes, and may meet: contactd/client/client.hpp, ... Of core those that CMake offers."""
-    offered = re.search(r"target_sources\(contactd_types PUBLIC.*?\)", (ROOT / "core" / "CMakeLists.txt").read_text(), re.DOTALL)
-    assert offered
-    types = re.findall(r"include/(contactd/\w+\.hpp)", offered[0])
+    """Returns the headers that a program in C++ may include: those of the client, and those that CMake offers of core and cases."""
+    lists = "".join((ROOT / folder / "CMakeLists.txt").read_text() for folder in ("core", "cases"))
+    offered = re.findall(r"target_sources\(contactd_\w+ PUBLIC FILE_SET.*?\)", lists, re.DOTALL)
+    assert len(offered) == 2
+    types = re.findall(r"include/(contactd/\w+\.hpp)", "".join(offered))
     return [*sorted(str(path.relative_to(CLIENT_HEADERS)) for path in CLIENT_HEADERS.rglob("*.hpp")), *types]
 
 
 def path_of(header: str) -> Path:
-    return next(folder / header for folder in (CLIENT_HEADERS, CORE_HEADERS) if (folder / header).exists())
+    return next(folder / header for folder in (CLIENT_HEADERS, CORE_HEADERS, CASES_HEADERS) if (folder / header).exists())
 
 
 def read_headers(work: Path) -> None:
     """Writes c/xml and cpp/xml into `work`."""
     _doxygen(work / "c", [C_HEADER], INPUT_FILTER=f'"{sys.executable} {FOLDER / "c_header.py"}"', PREDEFINED="CONTACTD_API=")
     _name_enums(work / "c" / "xml" / "contactd_8h.xml")
-    _doxygen(work / "cpp", map(path_of, public_headers()), STRIP_FROM_PATH=f"{CLIENT_HEADERS} {CORE_HEADERS}")
+    _doxygen(work / "cpp", map(path_of, public_headers()), STRIP_FROM_PATH=f"{CLIENT_HEADERS} {CORE_HEADERS} {CASES_HEADERS}")
     _put_members_to_files(work / "cpp" / "xml")
 
 

@@ -11,10 +11,10 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 LIST = Path(__file__).with_name("arrows.txt")
-TARGETS = ("core", "proto", "engine", "client/c", "client/cpp", "client/cntc", "client/fmu", "client/python/local", "server")
+TARGETS = ("core", "cases", "proto", "engine", "client/c", "client/cpp", "client/cntc", "client/fmu", "client/python/local", "server")
 #: Where #include "..." is looked for, beside the folder of the file itself.
-PLACES = ("core/include", "core/src", "core/fem", "core", "", "proto/include", "proto/src", "client/c/include", "client/c/src", "client/cpp/include", "client/cpp/src", "client/cntc/include", "client/cntc/src", "client/fmu", "server/src", "server/contactd_ic")  # fmt: skip
-PUBLIC = "core/include/contactd/"
+PLACES = ("core/include", "core/src", "core/fem", "core", "cases/include", "cases", "", "proto/include", "proto/src", "client/c/include", "client/c/src", "client/cpp/include", "client/cpp/src", "client/cntc/include", "client/cntc/src", "client/fmu", "server/src", "server/contactd_ic")  # fmt: skip
+PUBLIC = ("core/include/contactd/", "cases/include/contactd/")
 
 
 @dataclass
@@ -67,7 +67,7 @@ def source_of(header: str) -> str:
     name, of_fields = Path(header).with_suffix(".cpp").name, Path(header).parent.name == "fields"
     found = [
         path
-        for folder in ("core/types", "core/src", "core/fem")
+        for folder in ("core/types", "core/profile_files", "core/src", "core/fem", "cases")
         for path in (ROOT / folder).rglob(name)
         if (path.parent.name == "fields") == of_fields
     ]

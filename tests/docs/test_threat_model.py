@@ -28,7 +28,7 @@ READERS = {
     "client/fmu/instance/serialized.cpp": "saved states of FMUs",
     "client/fmu/models/slices.cpp": "lists of slices",
     "core/src/store/ic_file.cpp": "IC file in the store",
-    "core/types/profile_files/read_profile.cpp": "profiles",
+    "core/profile_files/read_profile.cpp": "profiles",
     "proto/src/wire/key_file.cpp": "keys",
     "server/contactd_ic/main.cpp": "problems",
     "server/src/config/config.cpp": "configuration",
@@ -62,7 +62,7 @@ def test_each_method_has_a_row():
 
 
 def test_each_kind_of_file_has_a_row():
-    sources = [path for part in ("core", "engine", "server", "proto", "client") for path in (ROOT / part).rglob("*.[ch]pp")]
+    sources = [path for part in ("core", "cases", "engine", "server", "proto", "client") for path in (ROOT / part).rglob("*.[ch]pp")]
     sources += [path for part in ("contactd", "contactctl") for path in (ROOT / "client/python" / part).rglob("*.py")]
     reading = {path.relative_to(ROOT).as_posix() for path in sources if _READS.search(path.read_text())}
     reading -= {"client/python/contactd/files/whole.py", "client/fmu/instance/serialized.hpp"}  # for the others

@@ -14,7 +14,7 @@
 #include "geometry/profile/profile_warnings.hpp"
 #include "geometry/profile/smoothing.hpp"
 #include "geometry/profile/wheel_landmarks.hpp"
-#include "types/profile_files/points_upwards.hpp"
+#include "profile_files/points_upwards.hpp"
 
 namespace contactd {
 namespace {

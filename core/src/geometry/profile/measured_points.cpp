@@ -5,8 +5,8 @@
 #include <string>
 
 #include "contactd/error.hpp"
+#include "profile_files/points_upwards.hpp"
 #include "types/number_text.hpp"
-#include "types/profile_files/points_upwards.hpp"
 
 namespace contactd::geometry {
 namespace {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "case_digits.hpp"
-#include "types/profile_files/profile_lines.hpp"
+#include "profile_files/profile_lines.hpp"
 
 namespace contactd::contact_files {
 namespace {

@@ -8,7 +8,7 @@
 #include "case_rules.hpp"
 #include "contactd/error.hpp"
 #include "steps.hpp"
-#include "types/profile_files/profile_lines.hpp"
+#include "profile_files/profile_lines.hpp"
 
 namespace contactd {
 namespace contact_files {

@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "../number_text.hpp"
 #include "contactd/below.hpp"
 #include "contactd/error.hpp"
 #include "points_upwards.hpp"
 #include "profile_lines.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd {
 namespace {

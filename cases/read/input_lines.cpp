@@ -7,7 +7,7 @@
 
 #include "contactd/error.hpp"
 #include "contactd/read_contact_file.hpp"
-#include "types/profile_files/profile_lines.hpp"
+#include "profile_files/profile_lines.hpp"
 
 namespace contactd::contact_files {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "contact_file_cases.hpp"
 #include "contactd/error.hpp"
-#include "types/contact_files/input_lines.hpp"
+#include "read/input_lines.hpp"
 
 using namespace contactd;
 using namespace contactd::contact_files;

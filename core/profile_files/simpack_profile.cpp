@@ -5,8 +5,8 @@
 #include <functional>
 #include <map>
 
-#include "../number_text.hpp"
 #include "profile_lines.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd::geometry {
 namespace {
