@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "closed_forms/hertz.hpp"
+#include "contact/friction/steady_rolling.hpp"
 #include "contact/normal/normal.hpp"
-#include "contact/steady_rolling.hpp"
 #include "contact/tangential/tangential.hpp"
 #include "contactd/contact.hpp"
 #include "contactd/half_space.hpp"

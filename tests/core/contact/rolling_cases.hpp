@@ -5,7 +5,7 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
 
-#include "contact/steady_rolling.hpp"
+#include "contact/friction/steady_rolling.hpp"
 #include "contact_cases.hpp"
 #include "influence/shifted_table.hpp"
 

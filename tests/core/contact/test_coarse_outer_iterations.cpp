@@ -1,5 +1,5 @@
 // Dissimilar bodies on many elements: outer iterations on the fine grid start from those on the coarser one.
-#include "contact/coarse_outer_iterations.hpp"
+#include "contact/outer/coarse_outer_iterations.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>

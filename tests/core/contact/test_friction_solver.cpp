@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "contact/friction_solver.hpp"
+#include "contact/friction/friction_solver.hpp"
 #include "contact/newton/friction_newton.hpp"
 #include "rolling_cases.hpp"
 

@@ -8,7 +8,7 @@
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
-#include "contact/temperature_law.hpp"
+#include "contact/friction/temperature_law.hpp"
 #include "contact_cases.hpp"
 
 using namespace contactd;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "contact/hertz_start.hpp"
+#include "contact/normal/hertz_start.hpp"
 #include "contact_cases.hpp"
 #include "plain_operator.hpp"
 

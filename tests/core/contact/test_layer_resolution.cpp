@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "contact/layer_resolution.hpp"
+#include "contact/warnings/layer_resolution.hpp"
 #include "contactd/error.hpp"
 #include "random_layers.hpp"
 

@@ -1,7 +1,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
-#include "contact/outer_tolerances.hpp"
+#include "contact/outer/outer_tolerances.hpp"
 
 using namespace contactd;
 using Catch::Matchers::WithinRel;

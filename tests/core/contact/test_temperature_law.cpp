@@ -7,7 +7,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
-#include "contact/temperature_law.hpp"
+#include "contact/friction/temperature_law.hpp"
 #include "contact_cases.hpp"
 #include "contactd/error.hpp"
 

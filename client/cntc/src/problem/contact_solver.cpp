@@ -1,6 +1,6 @@
 #include "contact_solver.hpp"
 
-#include "contact/displacements.hpp"
+#include "contact/answers/displacements.hpp"
 #include "contact/problem_of_regions.hpp"
 #include "contactd/half_space.hpp"
 #include "contactd/ic_record.hpp"

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "../contact_cases.hpp"
-#include "contact/uniqueness.hpp"
+#include "contact/warnings/uniqueness.hpp"
 
 namespace contactd::test {
 namespace {

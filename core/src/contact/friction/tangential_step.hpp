@@ -10,8 +10,8 @@
 #include "contact/support/entering_particles.hpp"
 #include "contact/tangential/prescribed_force.hpp"
 #include "contactd/contact.hpp"
+#include "contactd/contact_influence.hpp"
 #include "contactd/observer.hpp"
-#include "contactd/solve_contact.hpp"
 #include "friction_solver.hpp"
 
 namespace contactd {

@@ -1,4 +1,4 @@
-#include "contact/displacements.hpp"
+#include "contact/answers/displacements.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -5,8 +5,8 @@
 
 #include "contact/support/contact_elements.hpp"
 #include "contactd/contact.hpp"
+#include "contactd/contact_influence.hpp"
 #include "contactd/observer.hpp"
-#include "contactd/solve_contact.hpp"
 
 namespace contactd {
 

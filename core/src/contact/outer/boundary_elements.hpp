@@ -2,8 +2,8 @@
 #pragma once
 
 #include "contactd/contact.hpp"
+#include "contactd/contact_influence.hpp"
 #include "contactd/observer.hpp"
-#include "contactd/solve_contact.hpp"
 
 namespace contactd {
 
