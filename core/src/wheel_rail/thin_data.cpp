@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -30,7 +31,7 @@ struct Neighbours {
 Neighbours widest_gap(const ProfileCurve& profile, double from, double to) {
     const std::vector<double>& s = profile.knots();
     Neighbours widest;
-    for (auto i = static_cast<std::size_t>(std::max(std::ranges::upper_bound(s, from) - s.begin(), 1L));
+    for (auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(std::ranges::upper_bound(s, from) - s.begin(), 1));
          i < s.size() && s[i - 1] < to; ++i) {
         const double apart = s[i] - s[i - 1];
         if (apart <= widest.apart) continue;
