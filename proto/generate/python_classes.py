@@ -204,4 +204,4 @@ def _range(schema: Schema) -> str:
 
 
 def in_python(text: str) -> str:
-    return re.sub(r"\b(left out|Left out|null)\b", "None", text)
+    return re.sub(r"\b(left out|Left out|omitted|Omitted|null)\b", "None", text)

@@ -1,5 +1,5 @@
 /*
- * contactd: elastic contact from C, and from all that can call C. docs/c.md has examples and the rules in full.
+ * contactd: elastic contact from C and from languages that can call C. docs/c.md has examples and all rules.
  *
  *     contactd_connection *connection;
  *     contactd_contact *contact;
@@ -15,11 +15,12 @@
  *     contactd_free(contact);
  *     contactd_close(connection);
  *
- * Every function answers a code, 0 when it did what it is for; contactd_last_error has the sentence. No pointer may be
- * NULL unless it says so. A contact or a wheel is used by one thread at a time, a connection by any number.
+ * Every function returns a code unless its comment says otherwise: CONTACTD_OK (0) on success. contactd_last_error
+ * returns the message of a failure. No pointer may be NULL unless the comment of the function allows it. Only one
+ * thread at a time may use a contact or a wheel; any number of threads may use a connection.
  *
- * Units are the caller's, consistently; N and mm stand for them here. Signs: docs/contact.md. Arrays over the grid have
- * nx*ny values, x running fastest: element (ix, iy) is at iy*nx + ix.
+ * Use any consistent units for contacts; the comments assume N and mm. Wheels require mm, N and rad. docs/contact.md
+ * defines the signs. Arrays over the grid have nx*ny values, x running fastest: element (ix, iy) is at iy*nx + ix.
  */
 #ifndef CONTACTD_H
 #define CONTACTD_H
@@ -43,20 +44,20 @@ extern "C" {
 /* --- codes: those of the daemon's answers (docs/protocol.md) ------------------------------------------------- */
 enum {
     CONTACTD_OK = 0,
-    CONTACTD_CANCELLED = 1, /* contactd_cancel, or the daemon's job was cancelled */
+    CONTACTD_CANCELLED = 1, /* by contactd_cancel or job.cancel */
     CONTACTD_UNKNOWN = 2,
-    CONTACTD_INVALID_ARGUMENT = 3,  /* contactd_last_field says which; also a handle that is none */
-    CONTACTD_DEADLINE_EXCEEDED = 4, /* the timeout */
-    CONTACTD_NOT_FOUND = 5,         /* no such session any more, no such state, nothing of that to read */
+    CONTACTD_INVALID_ARGUMENT = 3,  /* contactd_last_field names it; also invalid handles */
+    CONTACTD_DEADLINE_EXCEEDED = 4, /* timeout */
+    CONTACTD_NOT_FOUND = 5,         /* unknown session or state, or no such result */
     CONTACTD_ALREADY_EXISTS = 6,
     CONTACTD_PERMISSION_DENIED = 7,
-    CONTACTD_RESOURCE_EXHAUSTED = 8,  /* memory, or a limit of the daemon */
-    CONTACTD_FAILED_PRECONDITION = 9, /* not now: wrong order, or used by another thread (CONCURRENT_USE) */
-    CONTACTD_ABORTED = 10,            /* the step did not converge, and the contact stays where it was */
+    CONTACTD_RESOURCE_EXHAUSTED = 8,  /* out of memory, or a limit of the daemon */
+    CONTACTD_FAILED_PRECONDITION = 9, /* wrong order, or used by another thread (CONCURRENT_USE) */
+    CONTACTD_ABORTED = 10,            /* step not converged; the contact is unchanged */
     CONTACTD_OUT_OF_RANGE = 11,
-    CONTACTD_UNIMPLEMENTED = 12, /* not in this library */
+    CONTACTD_UNIMPLEMENTED = 12, /* not supported by this library */
     CONTACTD_INTERNAL = 13,
-    CONTACTD_UNAVAILABLE = 14, /* nobody listens there */
+    CONTACTD_UNAVAILABLE = 14, /* no daemon at this address */
     CONTACTD_DATA_LOSS = 15,
     CONTACTD_UNAUTHENTICATED = 16
 };
@@ -65,148 +66,153 @@ enum {
 enum { CONTACTD_EXTERIOR = 0, CONTACTD_ADHESION = 1, CONTACTD_SLIP = 2, CONTACTD_FLOW = 3 }; /* state of an element */
 enum { CONTACTD_LOG_DEBUG = 0, CONTACTD_LOG_INFO = 1, CONTACTD_LOG_WARNING = 2, CONTACTD_LOG_ERROR = 3 };
 
-typedef struct contactd_connection contactd_connection; /* where contacts are solved */
+typedef struct contactd_connection contactd_connection; /* a daemon, or this process */
 typedef struct contactd_contact contactd_contact;       /* one contact, step by step */
 typedef struct contactd_wheel contactd_wheel;           /* one wheel on its rail */
-/* Called in the thread of the call that it tells of, which it must let return; `text` holds until then. */
+/* Called from the thread that made the reported call. The callback must return; `text` is valid until then. */
 typedef void (*contactd_log)(void* user, int32_t level, const char* text);
 
 /* --- the library --------------------------------------------------------------------------------------------- */
 CONTACTD_API const char* contactd_version(void);           /* "0.1.0" */
 CONTACTD_API int32_t contactd_version_number(void);        /* 10000 major + 100 minor + patch */
-CONTACTD_API int32_t contactd_has_local(void);             /* 1 when contactd_open takes "local", else 0 */
-CONTACTD_API const char* contactd_code_name(int32_t code); /* "INVALID_ARGUMENT"; "UNKNOWN" where there is none */
+CONTACTD_API int32_t contactd_has_local(void);             /* 1 if contactd_open accepts "local", else 0 */
+CONTACTD_API const char* contactd_code_name(int32_t code); /* "INVALID_ARGUMENT"; "UNKNOWN" if invalid */
 
-/* The last call with this connection, contact or wheel that failed: in this thread or, when none did, in any. With
- * NULL, or a handle that is none, the last one in this thread. Texts hold until the same function is called again in
- * this thread; "" and CONTACTD_OK where nothing failed. */
+/* These describe the last failed call with this connection, contact or wheel: in this thread or, if none failed here,
+ * in any thread. With NULL or an invalid handle they describe the last failure in this thread. A text is valid until
+ * this thread calls the same function again. Without a failure they return "" and CONTACTD_OK. */
 CONTACTD_API int32_t contactd_last_code(const void* handle);
-CONTACTD_API const char* contactd_last_error(const void* handle);  /* a sentence, or more */
-CONTACTD_API const char* contactd_last_field(const void* handle);  /* "gap.paraboloid.Rx", as on the wire, or "" */
+CONTACTD_API const char* contactd_last_error(const void* handle);  /* one or more sentences */
+CONTACTD_API const char* contactd_last_field(const void* handle);  /* path such as "gap.paraboloid.Rx", or "" */
 CONTACTD_API const char* contactd_last_reason(const void* handle); /* "FIELD_INVALID", for programs, or "" */
 
 /* --- fields by their paths ----------------------------------------------------------------------------------- */
-/* A field is named as on the wire (docs/protocol.md has all, with units, bounds and defaults; contactd/paths.h has them
- * as constants): inputs of a contact as "grid.dx" or "friction.rolling.xi", of a wheel as "setup.track.springs.z" or
- * "state.position.yaw", results as "forces.Fn" or "patches[0].place.creepages.xi". `handle` is a contact or a wheel.
- * What is out of its bounds is refused at once, by path, value, and what would be right; a path that does not exist
- * with the names that do. A path is read once for each handle, so that it may be used in a loop.
+/* Paths name fields as on the wire: "grid.dx" or "friction.rolling.xi" for inputs of a contact,
+ * "setup.track.springs.z" or "state.position.yaw" for inputs of a wheel, "forces.Fn" or
+ * "patches[0].place.creepages.xi" for results. docs/protocol.md lists all with units, bounds and defaults;
+ * contactd/paths.h has them as constants. `handle` is a contact or a wheel. A value out of bounds is refused at once
+ * with CONTACTD_INVALID_ARGUMENT; the message names the path, the value and the bounds. For an unknown path it lists
+ * the valid names. A path is parsed once per handle, so you may use it in a loop.
  *
- * Numbers, flags (0 or 1) and whole numbers; a field that may be left out is there from then on, and a list gets its
- * next entry where that is named. */
+ * Sets a number, a flag (0 or 1) or an integer. This creates an optional field, or the next entry of a list. */
 CONTACTD_API int32_t contactd_set(void* handle, const char* path, double value);
-/* One of the keywords that the field has, such as "model" "hertz". */
+/* Sets a field to one of its keywords, such as "model" to "hertz". */
 CONTACTD_API int32_t contactd_set_word(void* handle, const char* path, const char* keyword);
-/* All numbers of an object in the order of its fields, as "state.velocity"; of a list, entry by entry: as many as there
- * are, "setup.friction.mu" an angle and a coefficient each, "setup.rail.points" y and z; or of an array over the grid,
- * as "gap.array" or "friction.mu". */
+/* Sets all numbers of an object in the order of its fields, such as "state.velocity"; of a list, entry by entry; or of
+ * an array over the grid, such as "gap.array" or "friction.mu". The list gets the length of the input. An entry of
+ * "setup.friction.mu" is an angle and a coefficient, an entry of "setup.rail.points" is y and z. */
 CONTACTD_API int32_t contactd_set_array(void* handle, const char* path, const double* values, int32_t count);
-/* Leaves a field out again that may be: "friction": without friction; "state.Fz": z is prescribed; a list. */
+/* Removes an optional field or a list: without "friction" there is no friction, without "state.Fz" z is prescribed. */
 CONTACTD_API int32_t contactd_clear(void* handle, const char* path);
-/* Reads the last solve or step; a list gives its length. CONTACTD_NOT_FOUND: the solution does not have it. */
+/* Reads a number of the last solve or step, or the length of a list. Returns CONTACTD_NOT_FOUND if the solution does
+ * not have it. */
 CONTACTD_API int32_t contactd_get(void* handle, const char* path, double* value);
-/* `text`, of `length` bytes with its end, into which what is longer is cut. */
+/* Copies a keyword or text into `text`, which has `length` bytes including the terminating zero. A longer one is
+ * truncated. */
 CONTACTD_API int32_t contactd_get_word(void* handle, const char* path, char* text, int32_t length);
-/* All numbers of an object or a list, as contactd_set_array; or of an array over the grid that contactd_want asked for,
- * as "patches[0].solution.pressure": element_division has CONTACTD_EXTERIOR, _ADHESION, _SLIP and _FLOW, slip is all
- * zero without friction. `count` must be that of contactd_length. */
+/* Reads all numbers of an object or a list, in the order of contactd_set_array; or of an array over the grid that
+ * contactd_want requested, such as "patches[0].solution.pressure". element_division contains CONTACTD_EXTERIOR,
+ * _ADHESION, _SLIP and _FLOW. Without friction, slip is zero. `count` must equal that of contactd_length. */
 CONTACTD_API int32_t contactd_get_array(void* handle, const char* path, double* values, int32_t count);
 CONTACTD_API int32_t contactd_length(void* handle, const char* path, int32_t* count);
-/* Whether solves or steps from now on bring along an array over the grid (1), or not (0, as at first): "pressure",
+/* Requests an array over the grid in all later solves or steps (1), or omits it (0, the default): "pressure",
  * "traction_x", "traction_y", "slip_x", "slip_y", "element_division"; "displacement_x", "displacement_y" and
- * "displacement_z" where "displacements" is set; "flow_x", "flow_y" and "yield_stress" where a layer yields,
- * "friction_coefficient" where it falls; "upper_temperature" and "lower_temperature" where "temperature" is set; of
- * wheels also "gap", the undeformed distances, which the model full has. */
+ * "displacement_z" if "displacements" is set; "flow_x", "flow_y" and "yield_stress" if a layer yields;
+ * "friction_coefficient" if friction is velocity-weakening; "upper_temperature" and "lower_temperature" if
+ * "temperature" is set. Wheels with the model full also have "gap", the undeformed distances. */
 CONTACTD_API int32_t contactd_want(void* handle, const char* array, int32_t requested);
 
-/* For loops in which a text costs too much: *id stands for the path of an input, of a result, or of both, with this
- * handle and as long as it lives. */
+/* For loops in which a text costs too much: *id replaces the path of an input or a result for this handle, as long as
+ * the handle is valid. */
 CONTACTD_API int32_t contactd_path(void* handle, const char* path, int32_t* id);
 CONTACTD_API int32_t contactd_set_at(void* handle, int32_t id, double value);
 CONTACTD_API int32_t contactd_get_at(void* handle, int32_t id, double* value);
 
 /* --- connections --------------------------------------------------------------------------------------------- */
-/* `where`: a daemon, "ipc:///path" or "tcp://host:port", or "local", in process (libcontactd-local only). Nothing is
- * sent yet. Sets *connection to NULL when it fails. */
+/* Creates a connection without sending anything. `where` is the address of a daemon, "ipc:///path" or
+ * "tcp://host:port", or "local" to solve in process (libcontactd-local only). On failure *connection is NULL. */
 CONTACTD_API int32_t contactd_open(const char* where, contactd_connection** connection);
-/* Its contacts stay; none can be made any more. */
+/* Closes the connection. Existing contacts stay valid; no new ones can be created. */
 CONTACTD_API int32_t contactd_close(contactd_connection* connection);
-/* Whether contacts can be solved there now. */
+/* Checks whether contacts can be solved now. */
 CONTACTD_API int32_t contactd_ping(contactd_connection* connection);
 
-/* What follows holds for contacts made later. Seconds, > 0: of a call (60), of contactd_start and wheels where they may
- * wait for finite elements (3600), for somebody to listen (5). */
+/* The following settings apply to contacts created later. Timeouts are in seconds, > 0: for a call (default 60), for
+ * contactd_start and wheels that may wait for finite elements (3600), and for a connection to a daemon (5). */
 CONTACTD_API int32_t contactd_set_timeout(contactd_connection* connection, double seconds);
 CONTACTD_API int32_t contactd_set_build_timeout(contactd_connection* connection, double seconds);
 CONTACTD_API int32_t contactd_set_connect_timeout(contactd_connection* connection, double seconds);
-/* Files of CURVE keys (docs/security.md): the daemon's public one, and one's own secret one. */
+/* Sets files of CURVE keys (docs/security.md): the daemon's public key, and your secret key. */
 CONTACTD_API int32_t contactd_set_keys(contactd_connection* connection, const char* server_key, const char* own_key);
-/* `log` may be NULL: nothing is told. While it was not called, what answers warn of goes to standard error, each
- * sentence once for each contact or wheel, and nothing else is told. */
+/* Sets the callback for log messages. With NULL there are none. Before the first call of this function, warnings in
+ * answers are written to standard error, once per contact or wheel, and other messages are dropped. */
 CONTACTD_API int32_t contactd_set_log(contactd_connection* connection, contactd_log log, void* user);
 
 /* --- contacts ------------------------------------------------------------------------------------------------ */
-/* Inputs are those of contact.solve (docs/contact.md), and "lease_seconds" and "accept_unconverged" of a session. What
- * describes the set-up stays from contactd_start on: "grid", "bodies", "ics", "model", "columns", "settings",
- * "previous". The load can be set at any time and holds until it is set anew: "gap", "approach" or "Fn" (the later one
- * counts), "friction", and "derivatives", whether steps have those.
+/* The inputs are those of contact.solve (docs/contact.md), plus "lease_seconds" and "accept_unconverged" of a session.
+ * The set-up is fixed by contactd_start: "grid", "bodies", "ics", "model", "columns", "settings", "previous". The load
+ * can be set at any time and applies until it is set again: "gap", "approach" or "Fn" (the later one applies),
+ * "friction", and "derivatives", which requests derivatives of steps.
  *
- * A grid is centred along an axis whose "grid.x0" or "grid.y0" is left out. The lower body is as the upper one unless a
- * field of it is set; "ics" is that of bodies without their own. Naming a field of a shape makes the gap
- * ("gap.semi_axes.a"), the section of a body ("ics.section.rail_60e1.support") or a part of its outline
- * ("parts[0].line.to") one of that; a radius that is infinite is left out. Coefficients are those of half-spaces in
- * closed form; by finite elements they have an accuracy of 1e-3, and "ics.accuracy" is cleared where mesh and solver
- * are set instead. Numbers of bodies have no bounds before contactd_start.
+ * Without "grid.x0" or "grid.y0" the grid is centred along that axis. The lower body equals the upper one unless one
+ * of its fields is set; "ics" applies to bodies without their own coefficients. Setting a field of a shape selects
+ * that shape for the gap ("gap.semi_axes.a"), the section of a body ("ics.section.rail_60e1.support") or a part of its
+ * outline ("parts[0].line.to"). Omit an infinite radius. The default coefficients are those of half-spaces in closed
+ * form. By finite elements they have an accuracy of 1e-3; to set mesh and solver instead, clear "ics.accuracy". Bounds
+ * of the numbers of bodies are checked in contactd_start.
  *
- * Without "friction.mu" there is no friction. The motion is a shift or rolling, whichever is named first: the other
- * kind is refused until contactd_clear of "friction.rigid_shift" or "friction.rolling". Where "friction.force.Fx" or
- * "friction.rolling.force.Fx" prescribes a force, the shift or the creepage is an estimate of what is found.
+ * Without "friction.mu" there is no friction. The field that is set first determines the motion, a shift or rolling.
+ * The other kind is refused until you clear "friction.rigid_shift" or "friction.rolling" by contactd_clear. With a
+ * prescribed force, "friction.force.Fx" or "friction.rolling.force.Fx", the shift or creepage is an initial estimate.
  *
- * Results are those of session.step, with "step", the number of the last one, and "ics.upper.origin", where the
- * coefficients came from. */
-/* Sets *contact to NULL when it fails. */
+ * The results are those of session.step, with "step", the number of the last step, and "ics.upper.origin", the origin
+ * of the coefficients. */
+/* Creates a contact. On failure *contact is NULL. */
 CONTACTD_API int32_t contactd_new(contactd_connection* connection, contactd_contact** contact);
-/* Ends it. The handle is none afterwards whatever the answer, unless another thread uses it (CONCURRENT_USE). */
+/* Frees the contact. The handle is invalid after this call, whether or not it succeeds, unless another thread uses it
+ * (CONCURRENT_USE). */
 CONTACTD_API int32_t contactd_free(contactd_contact* contact);
-/* Opens it with all that was set; waits for its coefficients. */
+/* Starts the contact with the current inputs, and waits for its coefficients. */
 CONTACTD_API int32_t contactd_start(contactd_contact* contact);
-/* Solves the next step, which starts where the last one ended. One that fails leaves the contact as it was. */
+/* Solves the next step, which starts from the end of the last one. A failed step leaves the contact unchanged. */
 CONTACTD_API int32_t contactd_step(contactd_contact* contact);
-/* From any thread: the call that runs ends with CONTACTD_CANCELLED soon. Does nothing when none runs. */
+/* Cancels the running call, which soon returns CONTACTD_CANCELLED; without a running call it has no effect. May be
+ * called from any thread. */
 CONTACTD_API int32_t contactd_cancel(contactd_contact* contact);
-/* Replaces the connection's timeout for steps (s). */
+/* Sets the timeout of steps (s), which replaces that of the connection. */
 CONTACTD_API int32_t contactd_set_step_timeout(contactd_contact* contact, double seconds);
-/* Coefficients that are given: of a body ("bodies.upper.ics", "bodies.lower.ics"), or of the pair ("ics").
- * values[3][3][ny][nx]: displacement axis, load axis, offsets along y and x; mm^3/N; count = 9*nx*ny. dx, dy: the size
- * of the elements that they are for (mm). docs/ic-tables.md. */
+/* Sets a table of coefficients of a body ("bodies.upper.ics", "bodies.lower.ics"), or of the pair ("ics").
+ * values[3][3][ny][nx] (mm^3/N): displacement axis, load axis, offsets along y and x; count = 9*nx*ny. dx and dy are
+ * the sizes of the elements of the table (mm). See docs/ic-tables.md. */
 CONTACTD_API int32_t contactd_set_table(contactd_contact* contact, const char* path, int32_t nx, int32_t ny, double dx,
                                         double dy, const double* values, int32_t count);
-/* Frames of the columns of a body's section, "upper" or "lower", also before contactd_start: y[length] and z[length] of
- * their middles (mm), angle[length] of their outward normals from +z towards +y (rad), length = ny. */
+/* Reads the frames of the columns of a body's section; `body` is "upper" or "lower". y[length] and z[length] are those
+ * of their middles (mm), and angle[length] those of their outward normals from +z towards +y (rad). length = ny. This
+ * function may be called before contactd_start. */
 CONTACTD_API int32_t contactd_get_frames(contactd_contact* contact, const char* body, double* y, double* z,
                                          double* angle, int32_t length);
-/* Makes the profile that `path` names that of a file: Simpack (.prr, .prw), MiniProf (.ban, .whl), or two columns. Of a
- * wheel "setup.rail" or "setup.rail_slices[0].profile", of a contact "ics.section.profile_section.profile", whose kind
- * is set before. It is read now, and here: "setup.rail.unit", ".mirror_y", ".mirror_z" and ".smoothing_length" are then
- * those of its points, and may be set otherwise. With the path "setup.rail.file" its text is taken as it is, and read
- * when it is solved, as "setup.rail.file.unit", ".mirror_y", ".mirror_z", ".shift_y", ".shift_z" and
- * ".smoothing_length" say; what neither file nor points say is refused. Whoever has the content, and no file, sets
- * "setup.rail.file.name" and "setup.rail.file.text". */
+/* Sets the profile named by `path` from a file: Simpack (.prr, .prw), MiniProf (.ban, .whl), or two columns. The path
+ * is "setup.rail" or "setup.rail_slices[0].profile" for a wheel, "ics.section.profile_section.profile" for a contact,
+ * where the kind must be set first. The file is read in this call, by this process. "setup.rail.unit", ".mirror_y",
+ * ".mirror_z" and ".smoothing_length" are then those of its points, and you may change them. With the path
+ * "setup.rail.file" its text is stored and interpreted in the solve, according to "setup.rail.file.unit", ".mirror_y",
+ * ".mirror_z", ".shift_y", ".shift_z" and ".smoothing_length"; a profile with ambiguous settings is refused. To use
+ * content without a file, set "setup.rail.file.name" and "setup.rail.file.text". */
 CONTACTD_API int32_t contactd_read_profile(void* handle, const char* path, const char* file);
 
 /* --- steps of contacts and of wheels ------------------------------------------------------------------------- */
-/* Solves the step that contactd_step or contactd_wheel_solve asked for last anew, with what is set now: it is taken
- * back first where it was solved. So an integrator tries a step until it is content. */
+/* Solves the last step of contactd_step or contactd_wheel_solve again with the current inputs, from the state before
+ * that step. An integrator can thus repeat a step until it accepts the result. */
 CONTACTD_API int32_t contactd_step_again(void* handle);
-/* Where a contact or a wheel is, its results with it; *state is the name of it, > 0. Before the first step it is the
- * start. States of a wheel last as long as its set-up stays. */
+/* Saves the state of a contact or a wheel with its results; before the first step it is the start. *state > 0
+ * identifies it. States of a wheel are valid until its set-up changes. */
 CONTACTD_API int32_t contactd_save(void* handle, int32_t* state);
-CONTACTD_API int32_t contactd_restore(void* handle, int32_t state); /* as often as wanted */
+CONTACTD_API int32_t contactd_restore(void* handle, int32_t state); /* any number of times */
 CONTACTD_API int32_t contactd_forget(void* handle, int32_t state);
 
 /* --- wheels on rails ----------------------------------------------------------------------------------------- */
-/* From profiles and the position of a wheelset to patches and forces (docs/wheel-rail.md has coordinates and signs).
- * All that is set and read is named by its path:
+/* Computes contact patches and forces from profiles and the position of a wheelset. docs/wheel-rail.md defines
+ * coordinates and signs. Inputs and results are named by their paths:
  *
  *     contactd_wheel_new(connection, &wheel);
  *     contactd_set(wheel, "state.velocity.x", 20e3);
@@ -218,45 +224,47 @@ CONTACTD_API int32_t contactd_forget(void* handle, int32_t state);
  *         contactd_get_array(wheel, "forces.track", forces, 6);
  *     }
  *
- * There is nothing to start: a wheel that was made is a right one, S1002 on 60E1 at 1/40, gauge 1435, of steel, with
- * mu = 0.3 and elements of 0.2 mm, and all of it can be set at any time. What is set holds until it is set anew. A
- * wheel whose set-up stays keeps its profiles and operators, with a daemon in a session of its own, and a solve starts
- * where the one before ended. Of "state.motion" steady_rolling that is an estimate: the answer is that of a fresh wheel
- * within the tolerances; contactd_step_again in its place always starts anew, and has the same answers to the last bit
- * whatever was solved before. Transient steps go on from the tractions of the solve before, also a steady one. Lengths
- * are in mm, angles in rad, forces in N on the rail.
+ * A wheel needs no start. By default it is a right wheel, S1002 on 60E1 at 1/40, gauge 1435, of steel, with mu = 0.3
+ * and elements of 0.2 mm. Every input can be set at any time and applies until it is set again. While its set-up is
+ * unchanged, a wheel keeps its profiles and operators, with a daemon in its own session, and a solve starts from the
+ * end of the previous one. With "state.motion" steady_rolling this start is an estimate: the answer is that of a new
+ * wheel within the tolerances. contactd_step_again always starts from nothing, and its answers are the same to the
+ * last bit, independent of earlier solves. Transient steps start from the tractions of the previous solve, also of a
+ * steady one. Lengths are in mm, angles in rad, forces in N on the rail.
  *
- * Profiles are those of a right side, of left wheels, too: y to the field side, z down. Naming a field of a shape makes
- * the profile one: "setup.wheel.s1002" (1), "setup.rail.rail_60e1.inclination", "setup.rail.arc.radius", .slope and
- * .ends (from y to y), "setup.wheel.cone.slope" and .ends, "setup.rail.points" and beside them .smoothing_length,
- * .unit, .mirror_y and .mirror_z. Slices have one each: "setup.wheel_slices[0].angle",
+ * Profiles are those of a right side, also for left wheels: y to the field side, z down. Setting a field of a shape
+ * selects that shape: "setup.wheel.s1002" (1), "setup.rail.rail_60e1.inclination", "setup.rail.arc.radius", .slope and
+ * .ends (from y to y), "setup.wheel.cone.slope" and .ends, or "setup.rail.points" with .smoothing_length, .unit,
+ * .mirror_y and .mirror_z. Each slice has a profile: "setup.wheel_slices[0].angle",
  * "setup.wheel_slices[0].profile.points". Bodies are elastic or rigid: "setup.bodies.upper.G" and .nu, or .rigid (1),
- * of the rail; lower of the wheel. One number is enough for "setup.friction.mu". Numbers of profiles and bodies have no
- * bounds before the wheel is solved. */
-/* Sets *wheel to NULL when it fails. */
+ * for the rail; lower for the wheel. "setup.friction.mu" may be a single number. Bounds of the numbers of profiles and
+ * bodies are checked in the solve. */
+/* Creates a wheel. On failure *wheel is NULL. */
 CONTACTD_API int32_t contactd_wheel_new(contactd_connection* connection, contactd_wheel** wheel);
-/* The handle is none afterwards, unless another thread uses it (CONCURRENT_USE). */
+/* Frees the wheel. The handle is invalid after this call unless another thread uses it (CONCURRENT_USE). */
 CONTACTD_API int32_t contactd_wheel_free(contactd_wheel* wheel);
-/* No contact is an answer: no patches. So is what has not converged: the result "converged". A solve that fails leaves
- * the wheel as it was, with the results of the one before. */
+/* Solves the wheel. Without contact the call succeeds and there are no patches. It also succeeds if a solver missed
+ * its tolerance; the result "converged" reports this. A failed solve leaves the wheel and its results unchanged. */
 CONTACTD_API int32_t contactd_wheel_solve(contactd_wheel* wheel);
-/* The wheels of a vehicle, each of which is solved as contactd_wheel_solve does. In process on so many threads: this
- * one and others, which end with the call; 0 stands for as many as there are processors. A daemon gets one message,
- * which its workers share; it ends for all when one is cancelled, and at the shortest of their timeouts. Answers depend
- * on none of that. A wheel that fails does not keep the others from being solved: the code is that of the first one,
- * and each wheel has its own failure. Nothing is solved where one is none or stands twice (INVALID_ARGUMENT). Logs are
- * called from this thread, when all have been solved. */
+/* Solves the wheels of a vehicle, each like contactd_wheel_solve. `threads` is the number of threads in process,
+ * including this one; 0 means the number of processors. A daemon receives one message, which its workers share.
+ * Cancelling one wheel, or the shortest of the timeouts, ends it for all. Answers do not depend on the number of
+ * threads or workers. A wheel that fails does not affect the others: the function returns the code of the first
+ * failure, and each wheel stores its own. If a handle is invalid or repeated, no wheel is solved (INVALID_ARGUMENT).
+ * Log callbacks run in this thread after all solves. */
 CONTACTD_API int32_t contactd_wheel_solve_many(contactd_wheel* const* wheels, int32_t count, int32_t threads);
-/* Both wheels of a wheelset that is free to roll, at the height and the roll at which each presses on its rail by its
- * "state.Fz". Position, velocity and pitch rate of a roller are the same for both, but z and roll, where the right
- * wheel's tell where to start; no longitudinal force and no derivatives. Each wheel then has its results, which
- * converged when both wheels and the search for the roll did. A solve starts where the last one of the right wheel with
- * these set-ups ended, with a daemon at its height and roll, which changes the answer within the tolerances. The
- * timeout and the failures are those of the right wheel; either is cancelled for both. */
+/* Solves both wheels of a wheelset that is free to roll. Computes the height and roll at which each wheel presses on
+ * its rail with its "state.Fz". Position, velocity and pitch rate of a roller must be the same for both, except z and
+ * roll, where the values of the right wheel are the start of the search. A longitudinal force and derivatives are not
+ * supported. Each wheel receives its results, which have converged if both wheels and the search for the roll have. A
+ * solve starts from the end of the last one of the right wheel with these set-ups, with a daemon at its height and
+ * roll. This changes the answer within the tolerances. Timeout and failures are those of the right wheel; cancelling
+ * either wheel cancels both. */
 CONTACTD_API int32_t contactd_wheel_solve_wheelset(contactd_wheel* right, contactd_wheel* left);
-/* From any thread: the solve that runs ends with CONTACTD_CANCELLED soon. Does nothing when none runs. */
+/* Cancels the running solve, which soon returns CONTACTD_CANCELLED; without a running solve it has no effect. May be
+ * called from any thread. */
 CONTACTD_API int32_t contactd_wheel_cancel(contactd_wheel* wheel);
-/* Replaces the connection's timeout for solves (s). */
+/* Sets the timeout of solves (s), which replaces that of the connection. */
 CONTACTD_API int32_t contactd_wheel_set_timeout(contactd_wheel* wheel, double seconds);
 
 #ifdef __cplusplus

@@ -14,8 +14,8 @@ class Error : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// An argument that cannot be used. `field()` is its path in the words of the wire, e.g. "grid.nx" or "upper.nu";
-/// `problem()` says what the value is and what would be right, e.g. "is -1; it must be positive". what() is both.
+/// An invalid argument. `field()` is its path on the wire, e.g. "grid.nx" or "upper.nu". `problem()` states the value
+/// and the allowed values, e.g. "is -1; it must be positive". what() contains both.
 class InvalidArgument : public Error {
    public:
     InvalidArgument(std::string field, std::string problem)
@@ -27,20 +27,21 @@ class InvalidArgument : public Error {
     std::string field_, problem_;
 };
 
-/// The work was ended because its observer asked for it.
+/// The work was cancelled by its observer.
 class Cancelled : public Error {
    public:
     Cancelled() : Error("The computation was cancelled.") {}
     using Error::Error;
 };
 
-/// A finite-element or contact solve that did not reach its tolerance where an unconverged answer is of no use.
+/// A finite-element or contact solve did not reach its tolerance, and an unconverged result cannot be used.
 class NotConverged : public Error {
    public:
     using Error::Error;
 };
 
-/// A computation that needs more memory than it may use. `field()` is what asks for it, as of an InvalidArgument.
+/// A computation requires more memory than allowed. `field()` names the argument that causes it, as in
+/// InvalidArgument.
 class OutOfMemory : public Error {
    public:
     OutOfMemory(std::string field, const std::string& sentence) : Error(sentence), field_(std::move(field)) {}

@@ -13,14 +13,13 @@
 
 namespace contactd {
 
-/// Velocity-weakening (falling) friction: how its coefficient falls from the static one with the slip velocity v, by
-/// m = mu_s - mu_k, less what a second term takes of it:
-/// linear: mu_k + m max(0, 1 - v / v_c); exponential: mu_k + m exp(-v / v_c); rational: mu_k + m / (1 + v / v_c), and
-/// of its second term m / (1 + (v / v_c)^2).
+/// Velocity-weakening (falling) friction: the coefficient as a function of the slip velocity v, with m = mu_s - mu_k
+/// minus the share of a second term. linear: mu_k + m max(0, 1 - v / v_c); exponential: mu_k + m exp(-v / v_c);
+/// rational: mu_k + m / (1 + v / v_c), and for its second term m / (1 + (v / v_c)^2).
 enum class SlipLaw { linear, exponential, rational };
 
-/// Coefficients that follow the slip begin with that of adhesion, or of full slip. A law that falls steeply may have
-/// several solutions: from adhesion one with little slip is found, from full slip one with much.
+/// Initial coefficients of the iterations: those of adhesion, or of full slip. A steep law may have several solutions.
+/// A start from adhesion leads to one with little slip, a start from full slip to one with much slip.
 enum class SlipStart { adhesion, full_slip };
 
 /// A second term of a slip law.
@@ -42,24 +41,24 @@ struct KineticFriction {
     bool operator==(const KineticFriction&) const = default;
 };
 
-/// A layer of a third body between the surfaces (Hou, Kalousek, Magel, Wear 1997), which shears by flexibility times
-/// the traction. Where its yield stress is below what friction carries it flows instead of slipping, or before it does.
-/// It stands still in adhesion. Normal contact does not know it.
+/// A layer of a third body between the surfaces (Hou, Kalousek, Magel, Wear 1997). Its shear deformation is
+/// flexibility times the traction. Where its yield stress is below the friction bound, it flows instead of slip, or
+/// before it. It does not flow where the surfaces stick. The layer does not affect the normal problem.
 struct InterfacialLayer {
     double flexibility = 0;  ///< thickness over shear modulus, h3/G3 >= 0 (mm^3/N); 0 leaves flow only
-    /// Shear stress tau_c0 > 0 at which a particle that has just entered yields (N/mm^2); infinite: it never does.
+    /// Shear stress tau_c0 > 0 at which a particle yields that has just entered (N/mm^2); infinite: it never yields.
     double yield_stress = std::numeric_limits<double>::infinity();
     /// Slope k_tau of the yield stress over the accumulated length of a particle's flow (N/mm^3); negative softens.
     double hardening = 0;
-    double residual = 0.1;  ///< part of yield_stress that softening leaves, 0 to 1
+    double residual = 0.1;  ///< fraction of yield_stress that remains after softening, 0 to 1
 
     bool yields() const { return yield_stress < std::numeric_limits<double>::infinity(); }
-    /// Tells whether the yield stress changes with flow, so that it is part of the state of a step.
+    /// Returns whether the yield stress changes with flow, and thus is part of the state of a step.
     bool hardens() const { return yields() && hardening != 0; }
     bool operator==(const InterfacialLayer&) const = default;
 };
 
-/// Tangential force on the upper body (N), where it is prescribed.
+/// Prescribed tangential force on the upper body (N).
 struct Force {
     std::optional<double> Fx{}, Fy{};
 
@@ -76,10 +75,10 @@ struct RigidShift {
 
 /// A shift: slip over the step s = A p - A_prev p_prev + w, w = rigid_shift + rotation (-y, x) (mm).
 struct Shift {
-    RigidShift rigid_shift{};  ///< where `force` prescribes a component, an estimate of what is found
+    RigidShift rigid_shift{};  ///< an initial estimate for components that `force` prescribes
     double rotation = 0;       ///< about z, positive from x to y (rad)
     Force force{};
-    double duration = 1;  ///< of the step (s): slip velocity = slip / duration; only a slip law feels it
+    double duration = 1;  ///< of the step (s): slip velocity = slip / duration; only a slip law depends on it
 
     bool operator==(const Shift&) const = default;
 };
@@ -95,13 +94,13 @@ struct Rolling {
     double phi = 0;          ///< spin creepage (rad/mm)
     double chi = 0;          ///< rolling direction, angle from the x axis (rad)
     double dq = 0;           ///< distance rolled in one step (mm); 0: size of an element along chi
-    /// Where the rigid slip of spin is evaluated, in steps dq ahead of the element's centre, 0 to 1. The limit for
-    /// small elements is the same; with much spin 1/6 errs less on grids as they are used (docs/contact.md).
+    /// Point where the rigid slip of spin is evaluated, in steps dq ahead of the element's centre, 0 to 1. The limit
+    /// for small elements is the same. With much spin, 1/6 has a smaller error on typical grids (docs/contact.md).
     double spin_offset = 0;
     RollingKind kind = RollingKind::steady;
     int steps = 1;        ///< of transient rolling
     double velocity = 1;  ///< rolling velocity (mm/s): of slip velocities and of the frictional power
-    Force force{};        ///< where it prescribes a component, xi or eta is an estimate of what is found
+    Force force{};        ///< xi or eta of a prescribed component is an initial estimate
 
     bool steady() const { return kind == RollingKind::steady; }
 
@@ -109,17 +108,16 @@ struct Rolling {
 };
 
 /// Throws InvalidArgument ("friction.kinetic...") unless velocities and distances are positive and finite,
-/// 0 <= mu_k <= mu_s in every element, and the second term takes no more than the fall. Friction that rises with
-/// velocity is refused: sticking would be easier to leave than slip to enter, and adhesion at mu_s would no longer be
-/// the limit of slow slip.
+/// 0 <= mu_k <= mu_s in every element, and the second term is at most the total decrease. Friction that increases with
+/// velocity is refused, because adhesion at mu_s would no longer be the limit of slow slip.
 void validate(const KineticFriction& kinetic, std::span<const double> mu_static);
 
-/// mu(v) for a slip velocity v >= 0 (mm/s): the static coefficient in adhesion (v = 0), see SlipLaw.
+/// Returns mu(v) for a slip velocity v >= 0 (mm/s): the static coefficient in adhesion (v = 0), see SlipLaw.
 double friction_coefficient(const KineticFriction& kinetic, double mu_static, double v);
 
-/// Throws InvalidArgument ("friction.layer...") unless all are finite but the yield stress, flexibility >= 0, the yield
-/// stress > 0, the residual part in 0 to 1, and softening slower than the layer's own unloading, hardening >
-/// -1/flexibility.
+/// Throws InvalidArgument ("friction.layer...") unless all values except the yield stress are finite, flexibility >=
+/// 0, the yield stress > 0, the residual fraction is in 0 to 1, and hardening > -1/flexibility, so that softening is
+/// slower than elastic unloading of the layer.
 void validate(const InterfacialLayer& layer);
 
 using Motion = std::variant<Shift, Rolling>;
@@ -136,13 +134,13 @@ struct RigidSlip {
 /// The form of FrictionLaw::mu in messages: one number for all elements, or an array over the grid.
 struct ElementwiseCoefficient;
 
-/// Coulomb friction: |p_t| <= mu p_n, in slip equal and opposite to the slip.
+/// Coulomb friction: |p_t| <= mu p_n; in slip, equality and the direction opposite to the slip.
 struct FrictionLaw {
     std::vector<double> mu{0};  ///< (static) coefficient, >= 0: one for all elements, or shape [ny, nx]
     std::optional<KineticFriction> kinetic{};
-    std::optional<InterfacialLayer> layer{};  ///< of model full
+    std::optional<InterfacialLayer> layer{};  ///< for model full
     std::optional<TemperatureFriction> temperature{};
-    /// In place of `temperature`, one a row of the grid: of wheels on rails.
+    /// Replaces `temperature` by one law per row of the grid, for wheels on rails.
     std::vector<TemperatureFriction> temperature_of_rows{};
 
     bool follows_temperature() const { return temperature || !temperature_of_rows.empty(); }

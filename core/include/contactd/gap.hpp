@@ -1,4 +1,4 @@
-// The undeformed distance between the two bodies: how a request may give it.
+// The undeformed distance between the two bodies, in the forms that a request accepts.
 #pragma once
 
 #include <limits>
@@ -25,8 +25,8 @@ struct SemiAxes {
     bool operator==(const SemiAxes&) const = default;
 };
 
-/// Two half ellipses that pressures are prescribed over (mm), which join at y = (b_negative - b_positive)/2
-/// (Piotrowski, Liu, Bruni 2017: SDEC). The surfaces that touch so are not known.
+/// Two half ellipses with prescribed pressures (mm), which join at y = (b_negative - b_positive)/2 (Piotrowski, Liu,
+/// Bruni 2017: SDEC). The corresponding surfaces are not computed.
 struct HalfEllipses {
     double a = 0;           ///< along x
     double b_negative = 0;  ///< across, towards -y
@@ -37,10 +37,10 @@ struct HalfEllipses {
     bool operator==(const HalfEllipses&) const = default;
 };
 
-/// An array holds h per element, shape [ny, nx] (mm). Without the approach in all of them.
+/// The gap without the approach. An array contains h of each element, shape [ny, nx] (mm).
 using Gap = std::variant<Paraboloid, SemiAxes, std::vector<double>, HalfEllipses>;
 
-/// h at the element centres, shape [ny, nx] (mm).
+/// Returns h at the element centres, shape [ny, nx] (mm).
 std::vector<double> sampled(const Paraboloid& paraboloid, const Grid& grid);
 
 }  // namespace contactd

@@ -9,7 +9,7 @@ struct Material {
     double G = 0;   ///< shear modulus, force/length^2 (N/mm^2), > 0; infinite: a rigid body
     double nu = 0;  ///< Poisson's ratio, 0 <= nu <= 0.5
 
-    /// With Young's modulus E = 2 G (1 + nu) (N/mm^2) instead of G.
+    /// Creates a material from Young's modulus E = 2 G (1 + nu) (N/mm^2).
     static constexpr Material from_E(double E, double nu) { return {E / (2 * (1 + nu)), nu}; }
     static constexpr Material rigid() { return {std::numeric_limits<double>::infinity(), 0}; }
     constexpr double E() const { return 2 * G * (1 + nu); }  ///< Young's modulus (N/mm^2)
@@ -18,23 +18,24 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
-/// The materials of the two bodies. A contact problem uses the difference of their surface displacements; forces act on
-/// the upper one.
+/// The materials of the two bodies. A contact problem uses the difference of their surface displacements; forces act
+/// on the upper one.
 struct MaterialPair {
     Material upper;
     Material lower;
 
-    /// True when normal and tangential contact do not influence each other: (1-2nu)/G is the same for both bodies
-    /// ("quasi-identical", paper section 4). The pair's xz, zx, yz, zy coefficients vanish then.
+    /// Returns whether normal and tangential contact are independent because (1-2nu)/G is the same for both bodies
+    /// ("quasi-identical", paper section 4). The xz, zx, yz, zy coefficients of the pair are then zero.
     bool quasi_identical() const;
-    /// Sum of (1-nu)/(2G), which is 1/E*: all that normal contact of half-spaces knows of them (mm^2/N).
+    /// Returns the sum of (1-nu)/(2G), which is 1/E*, the only material parameter of frictionless half-space contact
+    /// (mm^2/N).
     double normal_compliance() const;
 
     bool operator==(const MaterialPair&) const = default;
 };
 
-/// Throws InvalidArgument naming `field`.G or `field`.nu when the material cannot be used.
-/// nu = 0.5 is allowed only where `incompressible_allowed`: displacement-based finite elements cannot take it.
+/// Throws InvalidArgument naming `field`.G or `field`.nu if the material is invalid. nu = 0.5 requires
+/// `incompressible_allowed`, because displacement-based finite elements do not support it.
 void validate(const Material& material, const char* field, bool incompressible_allowed);
 
 }  // namespace contactd

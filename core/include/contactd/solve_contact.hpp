@@ -7,9 +7,9 @@
 
 namespace contactd {
 
-/// Normal contact and, where the problem has friction, tangential contact, by the problem's model; the full one needs
-/// the operators. A solution that missed a tolerance says so in its evidence. Throws InvalidArgument when the problem
-/// is invalid or the operators are of another grid, and Cancelled.
+/// Solves normal contact and, with friction, tangential contact by the problem's model. The full model requires the
+/// operators. The evidence of the solution reports missed tolerances. Throws InvalidArgument if the problem is invalid
+/// or the operators belong to another grid, and Cancelled.
 ContactSolution solve_contact(const ContactProblem& problem, const ContactInfluence& influence, Observer& observer);
 
 }  // namespace contactd

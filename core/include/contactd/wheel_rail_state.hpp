@@ -5,14 +5,14 @@
 
 namespace contactd {
 
-/// Position of the wheelset's centre in track coordinates: y and z (mm) from where it stands in the middle with its
-/// tape circles on the plane of the track. Angles (rad) turn from y to z (roll), z to x (pitch) and x to y (yaw), the
-/// yaw first.
+/// Position of the wheelset's centre in track coordinates: y and z (mm) relative to the central position with its tape
+/// circles on the plane of the track. Angles (rad) rotate from y to z (roll), z to x (pitch) and x to y (yaw), the yaw
+/// first.
 struct WheelsetPosition {
     double y = 0;
-    std::optional<double> z{};  ///< absent where a force is given in its place; searches then begin at 0
+    std::optional<double> z{};  ///< absent if a force is prescribed instead; searches then start at 0
     double roll = 0, yaw = 0;
-    double x = 0;      ///< along the track (mm), where the rail varies; forces and references are told from there on
+    double x = 0;      ///< along the track (mm) on a rail that varies; forces and references are relative to it
     double pitch = 0;  ///< rotation about its axle (rad), for an out-of-round wheel; any number of revolutions
 
     double height() const { return z.value_or(0); }
@@ -20,14 +20,14 @@ struct WheelsetPosition {
 };
 
 /// Velocity of the wheelset's centre (mm/s, along x, y and z of the track) and about its own axes (rad/s): a wheelset
-/// that rolls forwards has a pitch rate near -x/nominal_radius.
+/// that rolls forward has a pitch rate near -x/nominal_radius.
 struct WheelsetVelocity {
     double x = 0, y = 0, z = 0, roll = 0, yaw = 0, pitch = 0;
 
     bool operator==(const WheelsetVelocity&) const = default;
 };
 
-/// Deviation of the rail from where track and gauge have it, in track coordinates also for a left rail (mm, rad, mm/s,
+/// Deviation of the rail from its place by track and gauge, in track coordinates, also for a left rail (mm, rad, mm/s,
 /// rad/s).
 struct RailDeviation {
     double y = 0, z = 0, roll = 0;
@@ -37,20 +37,20 @@ struct RailDeviation {
     bool operator==(const RailDeviation&) const = default;
 };
 
-/// Deviation of the wheel from where a rigid wheelset has it, as of an axle that bends: of the origin of its profile
-/// along the wheelset's axes (mm), and turns about that point (rad), the yaw first. Rates are added to the motion of
-/// the wheelset (mm/s, rad/s).
+/// Deviation of the wheel from its place on a rigid wheelset, for example due to axle bending: displacement of the
+/// origin of its profile along the wheelset's axes (mm), and rotation about that point (rad), yaw first. Rates are
+/// added to the motion of the wheelset (mm/s, rad/s).
 struct WheelDeviation {
     double x = 0, y = 0, z = 0, roll = 0, yaw = 0;
-    double pitch = 0;  ///< of an out-of-round wheel
+    double pitch = 0;  ///< for an out-of-round wheel
     double x_velocity = 0, y_velocity = 0, z_velocity = 0;
     double roll_velocity = 0, yaw_velocity = 0, pitch_velocity = 0;
 
     bool operator==(const WheelDeviation&) const = default;
 };
 
-/// What a step is: steady rolling knows nothing of the steps before; transient rolling and a shift go on from the
-/// tractions that the last one ended with. Elements of transient rolling move with the wheelset, and those of a shift
+/// Kind of step. Steady rolling does not depend on the previous steps. Transient rolling and a shift start from the
+/// tractions at the end of the previous step. Elements of transient rolling move with the wheelset; those of a shift
 /// are fixed to the rail.
 enum class WheelRailMotion { steady_rolling, transient_rolling, shift };
 
@@ -59,38 +59,37 @@ struct WheelRailState {
     WheelsetVelocity velocity{};
     WheelDeviation wheel{};
     RailDeviation rail{};
-    double roller_pitch =
-        0;  ///< pitch rate of a roller (rad/s): > 0 where the wheel on it turns as when rolling forwards
-    /// Vertical force of this wheel on the rail (N, 1e-6 at least), which position.z is found for; its value then only
-    /// tells where to start. Absent: position.z is prescribed. A solve needs one of them.
+    double roller_pitch = 0;  ///< pitch rate of a roller (rad/s), > 0 if the wheel on it turns as in forward rolling
+    /// Vertical force of this wheel on the rail (N, at least 1e-6). It determines position.z, whose value is then the
+    /// start of the search. Absent: position.z is prescribed. A solve requires one of them.
     std::optional<double> Fz{};
-    /// Longitudinal force on the rail (N), along the wheelset's x axis, which velocity.pitch is found for; its value
-    /// then means nothing. Needs friction.
+    /// Longitudinal force on the rail (N) along the wheelset's x axis. It determines velocity.pitch, whose value is
+    /// then ignored. Requires friction.
     std::optional<double> Fx{};
     WheelRailMotion motion = WheelRailMotion::steady_rolling;
-    /// Duration of a step that is not steady (s): a shift is that of the velocities in this time, and transient rolling
-    /// goes as far as the rolling velocity takes it. Absent, that rolls by the step of the set-up, dq.
+    /// Duration of a step that is not steady (s). A shift has the velocities for this time, and transient rolling
+    /// covers the distance of the rolling velocity. Absent: transient rolling covers dq of the set-up.
     std::optional<double> time_step{};
-    bool derivatives = false;    ///< whether the solution has those
-    bool displacements = false;  ///< whether the solutions of its patches have those
+    bool derivatives = false;    ///< whether the solution has derivatives
+    bool displacements = false;  ///< whether the patches have displacements
 
     bool operator==(const WheelRailState&) const = default;
 };
 
-/// Both wheels, each under a vertical force of its own: position.z and position.roll are found for them, and their
-/// values tell where to start.
+/// Both wheels, each under its own vertical force. position.z and position.roll are computed; their values are the
+/// start of the search.
 struct WheelsetState {
     WheelsetPosition position{};
     WheelsetVelocity velocity{};
     WheelDeviation left_wheel{}, right_wheel{};
     RailDeviation left_rail{}, right_rail{};
     double roller_pitch = 0;           ///< as in WheelRailState
-    double Fz_left = 0, Fz_right = 0;  ///< on the rails (N), 1e-6 at least
+    double Fz_left = 0, Fz_right = 0;  ///< on the rails (N), at least 1e-6
 
     bool operator==(const WheelsetState&) const = default;
 };
 
-/// State of one of its wheels, by the position and the force that the wheelset states.
+/// Returns the state of one of its wheels, with the position and the force of the wheelset.
 WheelRailState state_of_right_wheel(const WheelsetState& state);
 WheelRailState state_of_left_wheel(const WheelsetState& state);
 

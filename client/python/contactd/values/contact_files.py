@@ -16,23 +16,23 @@ __all__ = ["ContactCase", "ContactFile", "ContactSlice", "ContactSlices"]
 
 @dataclass(frozen=True)
 class ContactCase:
-    """A case as the CONTACT program has it: its digits, and all that is in its memory.
+    """A case of the CONTACT program: its digits, and all values in its memory.
 
     Attributes:
-        number: Its number, as CONTACT prints it: each result element counts its own.
+        number: Case number as CONTACT prints it. Each result element has its own numbering.
         line: Line of its first control word.
         module: 1: a wheel on its rail or roller; 3: basic contact.
         digits: Control digits by their names: C1 (module 1) P B T N F S V L D C M Z E M2 W2 X H G I A O W R.
-        values: All that is in memory by CONTACT's names, read in this case or kept: numbers, names of files, lists of
-            numbers. Whether a value has an effect is the digits' matter. Angles in rad.
-        read: Names of the values that this case reads; friction and subsurface are among them. The others are kept.
-        warnings: Sentences on what is probably a mistake.
-        errors: Sentences on why it cannot be computed: a word that does not fit, digits that do not go with each other,
-            data of a case with errors. It may have been read in part then.
-        reid: Its result element, where the file names one.
-        cpid: Its contact problem, where the file names a result element for module 3.
-        friction: Sets of the friction law in force, with ALPHVF, SVF or IY where friction varies.
-        subsurface: Blocks of points below the surface in force: ISUBS, and lists of IX, IY, Z or X, Y, Z.
+        values: All values in memory by CONTACT's names, read in this case or kept: numbers, file names, lists of
+            numbers. The digits determine whether a value has an effect. Angles in rad.
+        read: Names of the values that this case reads, including friction and subsurface. All other values are kept.
+        warnings: Warnings of probable mistakes.
+        errors: Errors that prevent the case from being computed: an unexpected word, incompatible digits, data of a
+            case with errors. Part of the case may have been read.
+        reid: Result element of the case, if the file names one.
+        cpid: Contact problem of the case, if the file names a result element for module 3.
+        friction: Parameter sets of the friction law in force, with ALPHVF, SVF or IY where friction varies.
+        subsurface: Blocks of subsurface points in force: ISUBS, and lists of IX, IY, Z or X, Y, Z.
     """
 
     number: int
@@ -51,12 +51,12 @@ class ContactCase:
 
 @dataclass(frozen=True)
 class ContactFile(ContactFileMethods[ContactCase]):
-    """Cases of an input file of the CONTACT program: a sequence of them, and what is wrong with the file.
+    """Cases of an input file of the CONTACT program in their order, and the errors in the file.
 
     Attributes:
         cases: The cases in the order of the file.
         warnings: Sentences on the file that are about no case.
-        errors: Sentences on what stands between cases and does not belong there.
+        errors: Errors: text between cases that does not belong there.
     """
 
     cases: tuple[ContactCase, ...]
@@ -69,10 +69,10 @@ class ContactSlice:
     """A slice, with the name of its profile.
 
     Attributes:
-        u: Where it lies: along the track (mm), or around the wheel (rad), with the list's offset and scale.
+        u: Position of the slice along the track (mm) or around the wheel (rad), with the list's offset and scale.
         file: Its profile, as written: relative to the folder of the list.
-        features: Lengths along the profile from its first point to the features (mm), as rail_slices has them; none
-            where the profile is one part.
+        features: Lengths along the profile from its first point to the features (mm), as in rail_slices. Empty if the
+            profile has one part.
     """
 
     u: float
@@ -86,7 +86,7 @@ class ContactSlices:
 
     Attributes:
         slices: Slices in rising order of u.
-        is_approximated: Whether the surface approximates the slices (U_INTPOL = 2); else it goes through them.
+        is_approximated: Whether the surface approximates the slices (U_INTPOL = 2) or interpolates them.
         kinks: Numbers of the parts that begin with a kink.
         accelerations: Numbers of the parts that begin with a jump of curvature.
     """

@@ -45,13 +45,13 @@ ErrorSource = Literal["hertz", "estimate"]
 
 @dataclass(frozen=True)
 class SlopeReduction:
-    """Reduction of the initial slope, of contaminated surfaces (Spiryagin, Polach and Cole 2013), of fastsim and
-    fastrip: flexibilities over k = k0 (alpha + (1 - alpha)/(1 + beta eps)), where eps = G pi a b k0 C11 w/(4 mu Fn) and
-    w is the size of the creepage with the spin's share.
+    """Reduction of the initial slope by contaminated surfaces (Spiryagin, Polach and Cole 2013), for fastsim and
+    fastrip: flexibilities are divided by k = k0 (alpha + (1 - alpha)/(1 + beta eps)), where eps = G pi a b k0 C11 w/(4
+    mu Fn) and w is the size of the creepage including spin. If None, k = 1, Kalker's slope.
 
     Attributes:
         k0: Share of Kalker's slope for small creepages, usually up to 1. Default 1.
-        alpha: What is left of k0 for large creepages, usually up to 1. Default 1.
+        alpha: Fraction of k0 that remains for large creepages, usually at most 1. Default 1.
         beta: How fast k falls from k0 to alpha k0. Default 0.
     """
 
@@ -62,24 +62,25 @@ class SlopeReduction:
 
 @dataclass(frozen=True)
 class SimplifiedSettings:
-    """Options of the simplified models of rolling. Each model takes those that it names, and refuses others that are
-    not left at their default.
+    """Options of the simplified models of rolling. A model refuses an option that it does not use unless the option has
+    its default.
 
     Attributes:
-        slope: Reduction of the initial slope, of contaminated surfaces (Spiryagin, Polach and Cole 2013), of fastsim
-            and fastrip: flexibilities over k = k0 (alpha + (1 - alpha)/(1 + beta eps)), where eps = G pi a b k0 C11
-            w/(4 mu Fn) and w is the size of the creepage with the spin's share. None: k = 1, Kalker's slope.
-        bound: Bound of tractions in an ellipse, of fastsim: parabolic, a third higher in the middle, as is usual;
-            elliptic, mu times Hertz's pressure. Default "parabolic".
-        on_elements: fastsim in whole steps of the grid's elements, with spin taken friction.rolling.spin_offset steps
-            ahead, and forces that are sums over them. Otherwise the ellipse has slices of its own, which come to the
-            limit of small elements. Kinetic friction, a slope, an elliptic bound, blended flexibilities and pressures
-            of a normal_model need elements and take them by themselves. Default False.
-        blended: The three flexibilities of fastsim and fastrip become one as slip grows: where the creepage is three
-            times that of full slip, the mean of the three by the shares of creepages and spin. Default False.
-        coefficients: Kalker's creepage coefficients, of fastsim on elements, fastrip and polach: computed, to 1e-3; or
-            printed, the table of three digits of his book, between its lines, 1 % off, which other programs read.
-            Default "computed".
+        slope: Reduction of the initial slope by contaminated surfaces (Spiryagin, Polach and Cole 2013), for fastsim
+            and fastrip: flexibilities are divided by k = k0 (alpha + (1 - alpha)/(1 + beta eps)), where eps = G pi a b
+            k0 C11 w/(4 mu Fn) and w is the size of the creepage including spin. If None, k = 1, Kalker's slope.
+        bound: Bound of tractions in an ellipse, for fastsim. parabolic: the usual bound, a third higher in the middle.
+            elliptic: mu times Hertz's pressure. Default "parabolic".
+        on_elements: Whether fastsim uses whole steps of the grid's elements, with spin evaluated
+            friction.rolling.spin_offset steps ahead, and sums over elements as forces. Otherwise the ellipse has its
+            own slices, which converge to the limit of small elements. Kinetic friction, a slope, an elliptic bound,
+            blended flexibilities and pressures of a normal_model require elements and select them automatically.
+            Default False.
+        blended: Blends the three flexibilities of fastsim and fastrip as slip increases: where the creepage is three
+            times that of full slip, they equal their mean weighted by the shares of creepages and spin. Default False.
+        coefficients: Kalker's creepage coefficients, for fastsim on elements, fastrip and polach. computed: to 1e-3.
+            printed: interpolated in the three-digit table of his book, 1 % off, which other programs read. Default
+            "computed".
         k_adhesion: Polach's reduction of the slope in the area of adhesion. Default 1.
         k_slip: Polach's reduction of the slope in the area of slip, at most k_adhesion. Default 1.
     """
@@ -95,7 +96,7 @@ class SimplifiedSettings:
 
 @dataclass(frozen=True)
 class SolverSettings:
-    """Stopping criterion and bound of one iterative solver.
+    """Stopping criterion and iteration limit of an iterative solver.
 
     Attributes:
         tolerance: Bound of the paper's stopping criterion (sections 4.1 and 4.2). Default 1e-06.
@@ -108,13 +109,13 @@ class SolverSettings:
 
 @dataclass(frozen=True)
 class TangentialSettings(SolverSettings):
-    """Stopping criterion for the tractions under friction, and the solver that finds them.
+    """Stopping criterion for the tractions under friction, and the solver that computes them.
 
     Attributes:
         tolerance: Bound of the paper's stopping criterion (sections 4.1 and 4.2). Default 1e-06.
         max_iterations: Bound of the iterations. Default 1000.
-        solver: newton: Newton's method on the friction law, and where that does not get there, TangCG. tangcg: TangCG
-            alone, bound-constrained conjugate gradients, of shifts and transient rolling. Default "newton".
+        solver: newton: Newton's method on the friction law, with TangCG as a fallback. tangcg: TangCG alone,
+            bound-constrained conjugate gradients, for shifts and transient rolling. Default "newton".
     """
 
     tolerance: float | None = None
@@ -141,7 +142,7 @@ class SolverEvidence:
 
 @dataclass(frozen=True)
 class LoadCase:
-    """One solve of the finite-element problem.
+    """A solve of the finite-element problem.
 
     Attributes:
         load: Axis of the load. One of "x", "y", "z".
@@ -149,7 +150,7 @@ class LoadCase:
         residual: True relative residual.
         converged: Whether the stopping criterion reached the tolerance.
         seconds: Duration of the solve (s).
-        update: Relative update of the last iteration, where that is the stopping criterion.
+        update: Relative update in the last iteration, if that is the stopping criterion.
     """
 
     load: str
@@ -162,7 +163,7 @@ class LoadCase:
 
 @dataclass(frozen=True)
 class ComponentError:
-    """Relative error of one component.
+    """Relative error of a component.
 
     Attributes:
         origin: Signed error at the origin, the paper's measure (3.1).
@@ -175,8 +176,8 @@ class ComponentError:
 
 @dataclass(frozen=True)
 class IcErrors:
-    """Errors against the closed form, or estimated ones. xy and xz vanish on the axes, so theirs are scaled by 2 pi G
-    rho / (dx dy).
+    """Errors against the closed form, or estimated errors. xy and xz vanish on the axes, so their errors are scaled by
+    2 pi G rho / (dx dy).
 
     Attributes:
         xx: Relative errors of xx.
@@ -196,15 +197,15 @@ class IcErrors:
 @dataclass(frozen=True)
 class SectionEvidence:
     """How the transform of the coefficients of a longitudinally uniform body was computed by finite elements. Errors
-    are over zz of the half-space under an element as long as a column is wide.
+    are relative to zz of the half-space under an element as long as a column is wide.
 
     Attributes:
         order: Polynomial order of the elements.
         wavenumbers: Number of wavenumbers that it was computed at.
         error: Error of any coefficient: the sum of the three below.
         mesh_error: Error of the mesh, from elements of the next order.
-        wavenumber_error: Error of interpolation between wavenumbers, from every other one.
-        end_error: Error of what lies beyond the last wavenumber.
+        wavenumber_error: Error of the interpolation between wavenumbers, estimated with every second one.
+        end_error: Error due to wavenumbers beyond the last one.
         reciprocity_defect: Reciprocity defect of the coefficients before they were made symmetric.
     """
 
@@ -219,35 +220,32 @@ class SectionEvidence:
 
 @dataclass(frozen=True)
 class IcEvidence:
-    """How the numbers of a table were made, and how good they are. A closed form, and a table that came with the
-    request, have no build.
+    """How a table was computed, and its errors. A closed form, and a table in the request, have no build.
 
     Attributes:
         source: Closed form, finite elements, or a table that came with the request. One of "analytic", "fem", "table".
-        version: contactd and the libraries that made the table.
+        version: Versions of contactd and of the libraries that made the table.
         elements: Number of finite elements.
         dofs: Number of degrees of freedom.
         processes: Number of processes of the build.
         seconds: Duration of the stages (s).
-        load_cases: The solves, one per load; of a family those of all its tables.
-        errors: Errors against the closed form where there is one, else estimated where an accuracy was asked for.
-        errors_estimated: True when errors are an estimate, there being no closed form: for a block half of the
-            difference to a coarser mesh; for layers three times the differences to a second computation, those of xx,
-            yy and zz relative to the larger of zz at the origin and 1e-3 times thickness over G of the first layer.
-        warnings: Sentences that a user of the table should know; for example that the mesh is outside of the ranges
-            that the paper recommends.
+        load_cases: The solves, one per load; for a family those of all its tables.
+        errors: Errors against the closed form if one exists; otherwise estimates, if an accuracy was requested.
+        errors_estimated: Whether errors are an estimate because no closed form exists. For a block: half of the
+            difference to a coarser mesh. For layers: three times the differences to a second computation, for xx, yy
+            and zz relative to the larger of zz at the origin and 1e-3 times thickness over G of the first layer.
+        warnings: Warnings about the table; for example that the mesh is outside the ranges recommended in the paper.
         solver: Solver of the linear systems. One of "amg_pcg", "direct", "tensor_pcg".
-        mesh: The mesh that was chosen, when an accuracy of the half-space was asked for: fields of ics that ask for it
-            by name.
+        mesh: The mesh chosen for a requested accuracy of the half-space, as fields of ics that select it.
         family_nu: Poisson's ratios of the tables of a family.
-        interpolation_error: Largest error that interpolation between the tables of a family adds, estimated; in the
-            measures of accuracy.
+        interpolation_error: Estimate of the largest error added by interpolation between the tables of a family,
+            measured like accuracy.
         section: How the transform of the coefficients of a longitudinally uniform body was computed by finite elements.
-            Errors are over zz of the half-space under an element as long as a column is wide.
-        modelling_error: Largest difference of a block's table, which is that of a load in the middle, to a load in the
-            corner of as many elements as the table has offsets, about the middle, in the measures of accuracy, and a
-            tenth more for loads between corner and middle.
-        imported: Somebody has imported the table: all of this is the importer's word.
+            Errors are relative to zz of the half-space under an element as long as a column is wide.
+        modelling_error: Modelling error of a block: the largest difference between its table, for a load in the middle,
+            and a load in the corner of as many elements about the middle as the table has offsets. It is measured like
+            accuracy and includes a margin of one tenth for loads between corner and middle.
+        imported: Whether the table was imported. All other values are then those of the importer.
     """
 
     source: str
@@ -271,11 +269,11 @@ class IcEvidence:
 
 @dataclass(frozen=True)
 class IcUse:
-    """The coefficients that a solve used for one body.
+    """The coefficients that a solve used for a body.
 
     Attributes:
-        origin: Where a table came from; given is: with the request, file: with the request that imports it. One of
-            "closed_form", "memory", "disk", "built", "given", "file".
+        origin: Origin of a table. given: in the request; file: in the request that imports it. One of "closed_form",
+            "memory", "disk", "built", "given", "file".
         key: Digest that identifies the table in the store.
         evidence: How the table was made.
     """
@@ -287,20 +285,21 @@ class IcUse:
 
 @dataclass(frozen=True)
 class Discretisation:
-    """How finely the elements divide the contact, and what that costs: sizes of relative errors against the limit of
-    small elements. It is there for model full, where there is contact.
+    """How finely the elements divide the contact, and estimates of the relative errors of this grid against the limit
+    of small elements. Only for model full with contact.
 
     Attributes:
-        elements_across: Elements across the contact, in the direction with fewer; one in which the contact fills the
-            grid does not count.
-        force_error: Error of the normal force for the approach, whichever of them was prescribed.
+        elements_across: Elements across the contact, in the direction with fewer. A direction in which the contact
+            fills the grid is not counted.
+        force_error: Error of the normal force for the given approach, whichever was prescribed.
         pmax_error: Error of the largest pressure under the prescribed load.
-        source: Source of these two errors: hertz: Hertz's closed form (a paraboloid on half-spaces); estimate: from
+        source: Source of these two errors. hertz: Hertz's closed form (a paraboloid on half-spaces). estimate: from
             elements_across.
         rolling_error: Estimated error of the tangential force in rolling under a small creepage, from elements_across
-            and dq. Where most of the contact slips the force errs by less.
-        compliance_ratio: Where a body has layers: how compliant elements of this size make them to pressures as wide as
-            the contact, over how compliant they are; 1 where elements are fine. Both errors above have it in them.
+            and dq. The error is smaller if most of the contact slips.
+        compliance_ratio: For bodies with layers: the compliance of layers that elements of this size represent, under
+            pressures as wide as the contact, over their true compliance; 1 for fine elements. Both errors above include
+            it.
     """
 
     elements_across: int
@@ -313,11 +312,13 @@ class Discretisation:
 
 @dataclass(frozen=True)
 class OperatorUse:
-    """Operators that are larger than store.influence_budget_bytes, of which only those used last are kept.
+    """Operators larger than store.influence_budget_bytes, of which only the most recently used are kept. None for
+    smaller ones.
 
     Attributes:
-        made: Whether they were made for this solve, or kept from one before; made, there is a warning.
-        bytes: About what they take in memory.
+        made: Whether the operators were made for this solve or kept from an earlier one. If they were made, a warning
+            is given.
+        bytes: Approximate memory of the operators.
         budget_bytes: store.influence_budget_bytes.
     """
 
@@ -328,27 +329,27 @@ class OperatorUse:
 
 @dataclass(frozen=True)
 class ContactEvidence:
-    """How the solvers ended, and which coefficients they used; what did not run is None.
+    """How the solvers ended, and which coefficients they used. Solvers that did not run are None.
 
     Attributes:
         normal: NORM, which finds the pressures.
-        ics: The coefficients of the bodies, upper and lower, or of the pair where the request brought them. A rigid
-            body has none, models other than full use none, and steps have those of their session.
+        ics: Coefficients of the bodies, upper and lower, or of the pair if the request contained a table of the pair.
+            None for a rigid body and for models other than full. Steps use those of their session.
         tangential: The tractions; with friction only.
         outer: Outer (Panagiotopoulos) iterations between normal and tangential contact of dissimilar bodies, and
-            between slip and kinetic friction, where they ran; residual is the relative change of the tractions that
-            further iterations would make, with kinetic friction the last change.
-        force: How the motion that a prescribed tangential force needs was found, where there is one: iterations are
-            those of Newton's method on motion and tractions, and the solves of a search where that failed; residual is
-            the last error of the force over the friction bound.
-        discretisation: How finely the elements divide the contact, and what that costs: sizes of relative errors
-            against the limit of small elements. It is there for model full, where there is contact.
-        derivatives: The linear equations of the derivatives, where these were asked for and there is contact:
-            iterations of all together, the largest relative residual. Simplified models have none to solve.
-        operators: Operators that are larger than store.influence_budget_bytes, of which only those used last are kept.
-            None of others.
-        tangential_solver: Solver that found the tractions: the one that settings.tangential asked for, or TangCG where
-            Newton's method stopped. It is there for model full with friction only.
+            between slip and kinetic friction, if needed. The residual is the relative change of the tractions expected
+            from further iterations; with kinetic friction it is the last change.
+        force: How the motion was found that produces a prescribed tangential force. The iterations are those of
+            Newton's method on motion and tractions, plus the solves of a search if that failed. The residual is the
+            last error of the force over the friction bound.
+        discretisation: How finely the elements divide the contact, and estimates of the relative errors of this grid
+            against the limit of small elements. Only for model full with contact.
+        derivatives: Linear equations of the derivatives, if these were requested and there is contact: the total number
+            of iterations, and the largest relative residual. Simplified models have no such equations.
+        operators: Operators larger than store.influence_budget_bytes, of which only the most recently used are kept.
+            None for smaller ones.
+        tangential_solver: Solver that found the tractions: the solver named by settings.tangential, or TangCG if
+            Newton's method stopped. Only for model full with friction.
     """
 
     normal: SolverEvidence

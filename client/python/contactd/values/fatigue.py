@@ -16,19 +16,19 @@ __all__ = ["DamageFunction", "FatigueRequest", "FatigueStrength", "Passage"]
 
 @dataclass(frozen=True)
 class FatigueStrength(HasParams):
-    """What its steel bears.
+    """Strength of the steel. If None, results are not compared with it.
 
     ::
 
         FatigueStrength("rail", "a torsion test of ours, 2024", shear_yield=300)
 
     Attributes:
-        name: What the steel is called.
+        name: Name of the steel.
         source: Where its numbers come from: a paper, a test.
         shear_yield: k, the yield strength in cyclic shear (N/mm^2), > 0.
-        a_DV: Dang Van's coefficient of the hydrostatic stress (>= 0); None: no stress of Dang Van.
-        tau_e: Endurance limit in alternating shear, with which Dang Van's stress is compared (N/mm^2), > 0; None: it is
-            not.
+        a_DV: Dang Van's coefficient of the hydrostatic stress (>= 0). If None, Dang Van's stress is not computed.
+        tau_e: Endurance limit in alternating shear for comparison with Dang Van's stress (N/mm^2), > 0. If None, no
+            comparison.
     """
 
     name: str
@@ -40,19 +40,19 @@ class FatigueStrength(HasParams):
 
 @dataclass(frozen=True)
 class DamageFunction(HasParams):
-    """Damage of rolling contact fatigue by T gamma without spin (N): what it is called, who says it, the range that it
-    was fitted in. None is a default.
+    """Damage of rolling contact fatigue as a function of T gamma without spin (N): its name, its source, and the range
+    in which it was fitted. There are no defaults.
 
     ::
 
         DamageFunction("ours", "field data of ours, 2024", (0, 200), [(0, 0, 0), (20, 0, 2e-7), (65, 9e-6, -9e-8)])
 
     Attributes:
-        name: What the function is called; no other one of the request is.
+        name: Name of the function, unique in the request.
         source: Where its numbers come from: a paper, a fit.
-        range: Range of T gamma (N) that it was fitted in. A contact beyond it has a warning.
-        pieces: Damage of a passage by T gamma (N): pieces from an argument on, the first from 0, of value + slope
-            (argument - from); below 0 wear takes cracks away.
+        range: Range of T gamma (N) in which the function was fitted. A contact outside the range has a warning.
+        pieces: Damage of a passage by T gamma (N), as pieces value + slope (argument - from), the first one from 0.
+            Where damage is negative, wear removes cracks.
     """
 
     name: str
@@ -63,13 +63,15 @@ class DamageFunction(HasParams):
 
 @dataclass(frozen=True)
 class Passage(HasParams):
-    """Where stresses below the surface are wanted, from which the shakedown limit and Dang Van's stress follow.
+    """Settings of the stresses below the surface, which the shakedown limit and Dang Van's stress require. If None,
+    these are not computed.
 
     Attributes:
-        depths: Depths (mm), ascending; None: 0 and 20 more, up to twice the smaller half-length of the contact. Nearer
-            to the surface than an element the steps of the tractions show, but not at 0.
-        residual: Residual stresses by depth, ascending, with straight lines between and constant beyond; stresses along
-            z balance to none. They add to the hydrostatic stress of Dang Van. None: none.
+        depths: Depths (mm), ascending. If None, 0 and 20 more, up to twice the smaller half-length of the contact. At
+            depths below the size of an element, except at 0, the steps of the tractions are visible.
+        residual: Residual stresses by depth, ascending, with linear interpolation and constant beyond the last depth.
+            The stress along z is zero by equilibrium. They are added to the hydrostatic stress of Dang Van. If None,
+            zero.
     """
 
     depths: Sequence[float] | None = None
@@ -80,7 +82,7 @@ class Passage(HasParams):
 
 @dataclass(frozen=True)
 class FatigueRequest(HasParams):
-    """Rolling contact fatigue of one of the bodies: with it, solutions of steady rolling along x have `fatigue`.
+    """Rolling contact fatigue of one of the bodies. With it, solutions of steady rolling along x contain `fatigue`.
 
     ::
 
@@ -88,10 +90,10 @@ class FatigueRequest(HasParams):
 
     Attributes:
         body: The body; of wheels on rails upper is the rail, lower the wheel.
-        strength: What its steel bears; None: nothing is compared with that.
+        strength: Strength of the steel. If None, results are not compared with it.
         damages: Functions of damage by T gamma.
-        passage: Where stresses below the surface are wanted, from which the shakedown limit and Dang Van's stress
-            follow; None: they are not.
+        passage: Settings of the stresses below the surface, which the shakedown limit and Dang Van's stress require. If
+            None, these are not computed.
     """
 
     body: WornBody

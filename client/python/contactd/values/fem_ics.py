@@ -47,44 +47,45 @@ class FemIcs:
         FemIcs("paper-test3", L_over_h=1280)
 
     Attributes:
-        preset: A test of the paper's Table 2, on Mesh1 or (mesh2) on Mesh2: sets mesh, order, l_over_h, h_over_hs and
-            f, and far_boundary clamped; fields that are named win over it.
-        L_over_h: Edge of the block over the element size (of a body block: its size, which goes with accuracy too) (>
-            0). Default 640.
-        accuracy: Largest error asked for, of xx, yy, zz relative, of the others times 2 pi G rho / (dx dy) (0.0001 to
-            0.1). Mesh and solver are chosen to reach it; 1e-3 when no field names a mesh.
-        any_nu: Build a family of tables over Poisson's ratio from 0 to 0.49; material.nu is the value to interpolate
-            to. Default False.
+        preset: A test of the paper's Table 2, on Mesh1 or (mesh2) on Mesh2. It sets mesh, order, l_over_h, h_over_hs
+            and f, and far_boundary clamped. Fields in the request override it.
+        L_over_h: Edge of the block over the element size (> 0). For body block it is the size of the body and may be
+            combined with accuracy. Default 640.
+        accuracy: Largest requested error (0.0001 to 0.1): relative for xx, yy, zz, times 2 pi G rho / (dx dy) for the
+            others. Mesh and solver are chosen to reach it. Default 1e-3 if no field names a mesh.
+        any_nu: Whether to build a family of tables over Poisson's ratio from 0 to 0.49. material.nu is the value to
+            interpolate to. Default False.
         body: The elastic body: the half-space z <= 0; the block [-L, L]^2 x [-L, 0], u = 0 on all faces but the top; or
             longitudinally_uniform: the same cross-section everywhere along x, for which an accuracy is asked for.
             Default "half_space".
         load_shape: Traction of the loaded element: 1 over it, or the bilinear hat function (1 - |x|/dx)(1 - |y|/dy).
             Default "constant".
-        l_over_h: Edge of the uniform cube over the element size, of meshes hex and prism (0.5 to 64); l_over_h *
-            h_over_hs is whole. Default 1.
-        h_over_hs: Element size over that of the cube's mesh, an even integer, of meshes hex and prism (2 to 128).
+        l_over_h: Edge of the uniform cube over the element size, for meshes hex and prism (0.5 to 64); l_over_h *
+            h_over_hs is an integer. Default 1.
+        h_over_hs: Element size over that of the cube's mesh, an even integer, for meshes hex and prism (2 to 128).
             Default 4.
         f: Growth of the layers outside of the cube, of meshes hex and prism (1 to 10). Default 1.2.
-        t1_over_hs: Thickness of the first layer outside of the cube over the element size of the cube's mesh, of meshes
+        t1_over_hs: Thickness of the first layer outside the cube over the element size of the cube's mesh, for meshes
             hex and prism (>= 0); 0 stands for f, the paper's choice. Default 0.
         order: Polynomial order of the displacement (1 to 6). Default 2.
-        mesh: Kind of mesh: hex is the paper's Mesh1, prism its Mesh2, adaptive are hexahedra refined where an estimate
-            of the error asks for it. Default "hex".
-        diagonal: Diagonal that divides a quadrilateral of the cross-section, of mesh prism: it runs outward from its
-            corner nearest to the load, or across. Default "outward".
-        max_dofs: Number of unknowns beyond which mesh adaptive is not refined. It starts from a mesh of its own, is
-            built by one process and does not go with any_nu. Default 60000.
-        far_boundary: Far faces of the mesh: clamped is u = 0, half_space the displacements of the half-space under the
-            load. Default half_space; clamped with a preset and for a body block, which takes nothing else.
+        mesh: Kind of mesh. hex is the paper's Mesh1, prism its Mesh2; adaptive meshes are hexahedra refined where an
+            error estimate requires it. Default "hex".
+        diagonal: Diagonal that divides a quadrilateral of the cross-section, for mesh prism: outward from its corner
+            nearest to the load, or across. Default "outward".
+        max_dofs: Number of unknowns beyond which an adaptive mesh is not refined. The adaptive mesh starts from its own
+            mesh, is built by one process, and cannot be combined with any_nu. Default 60000.
+        far_boundary: Condition on the far faces of the mesh: clamped is u = 0; half_space prescribes the displacements
+            of the half-space under the load. Default half_space; clamped with a preset and for body block, which
+            accepts only this value.
         sampling: Displacements at the element centres: the finite-element function, or linear between the vertices
             (linear) or all nodes (linear_nodes) of the surface mesh. Default "fem".
-        solver: BoomerAMG-preconditioned conjugate gradients, sparse Cholesky, or the one that is faster. Default auto;
-            amg_pcg with a preset.
-        stopping_criterion: Quantity that is compared with the tolerance: the true relative residual, or the relative
-            update of the displacements, as in the paper. Default "residual".
+        solver: Conjugate gradients preconditioned by BoomerAMG, sparse Cholesky, or auto, the faster of both. Default
+            auto; amg_pcg with a preset.
+        stopping_criterion: Quantity compared with the tolerance: the true relative residual, or the relative update of
+            the displacements, as in the paper. Default "residual".
         tolerance: Bound of the stopping criterion of each solve (>= 1e-13, < 1). Default 1e-08.
         max_iterations: Bound of the conjugate-gradient iterations, per load case. Default 1000.
-        strength_threshold: Strength threshold of BoomerAMG (>= 0, < 1); None, it is chosen for the mesh.
+        strength_threshold: Strength threshold of BoomerAMG (>= 0, < 1). If None, chosen for the mesh.
         section: Cross-section of a longitudinally uniform body as the wire has it (docs/protocol.md, docs/sections.md),
             for example {"rail_60e1": {"from": 2}} or {"edge_block": {"width": 100, "height": 50, "edge_distance": 1}},
             or {"profile_section": {"kind": "rail", "profile": ProfilePoints(...), "depth": 60}} of contactd.wheel_rail.

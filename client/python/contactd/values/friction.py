@@ -19,16 +19,16 @@ __all__ = ["Friction", "InterfacialLayer"]
 
 @dataclass(frozen=True)
 class InterfacialLayer:
-    """A layer of a third body between the surfaces, of model full: it shears by flexibility times the traction and,
-    where its yield stress is below what friction bears, flows before the surfaces slip. Normal contact does not know
-    it.
+    """A layer of a third body between the surfaces, for model full. Its shear deformation is flexibility times the
+    traction. Where its yield stress is below the friction bound, it flows before the surfaces slip. The layer does not
+    affect the normal problem.
 
     Attributes:
         flexibility: Thickness of the layer over its shear modulus, h3/G3 (mm^3/N), >= 0; 0 leaves flow only. Default 0.
-        yield_stress: Shear stress at which a particle yields that has just entered the contact, tau_c0 (N/mm^2), > 0;
-            None, the layer never yields.
-        hardening: Slope k_tau of the yield stress over the accumulated length of the flow of a particle (N/mm^3);
-            negative softens. Default 0.
+        yield_stress: Initial yield stress tau_c0 (N/mm^2), > 0: the shear stress at which a particle yields that has
+            just entered the contact. If None, the layer never yields.
+        hardening: Slope k_tau of the yield stress over the accumulated plastic flow of a particle (N/mm^3); negative
+            for softening. Default 0.
         residual: Part of yield_stress that softening leaves (0 to 1). Default 0.1.
     """
 
@@ -41,8 +41,8 @@ class InterfacialLayer:
 @public
 @dataclass(frozen=True, eq=False)
 class Friction(FrictionMethods):
-    """Coulomb friction and a motion: a shift (by `rigid_shift`, `force` or both), or `rolling`. Without one the shift
-    is zero.
+    """Coulomb friction and a motion: a shift (by `rigid_shift`, `force` or both), or `rolling`. Without a motion the
+    shift is zero.
 
     ::
 
@@ -52,28 +52,28 @@ class Friction(FrictionMethods):
         Friction(mu=0.3, rolling=Rolling(xi=1e-3, phi=1e-4))
 
     Attributes:
-        mu: (Static) coefficient of friction, zero or positive (>= 0): one for all elements, or an array of shape [ny,
-            nx].
-        rigid_shift: Rigid shift along x and y (mm) of a step that is a shift, default 0; where force prescribes a
-            component, an estimate.
+        mu: (Static) coefficient of friction, zero or positive (>= 0): a number for all elements, or an array of shape
+            [ny, nx].
+        rigid_shift: Rigid shift along x and y (mm) in a shift, default 0. A component for which force is prescribed is
+            an initial estimate.
         rotation: Rotation about z of a shift, positive from x to y (rad). Default 0.
         force: Fx and Fy of a shift, on the upper body (N), None where rigid_shift holds instead; the rigid shift is
             found then.
-        duration: Duration of a shift (s), > 0: slip velocity = slip / duration; only kinetic friction depends on it.
+        duration: Duration of a shift (s), > 0: slip velocity = slip / duration. Only kinetic friction depends on it.
             Default 1.
-        kinetic: Velocity-weakening (falling) friction, by the slip velocity v; None, the coefficient is constant.
+        kinetic: Velocity-weakening (falling) friction, by the slip velocity v. If None, the coefficient is constant.
             linear: mu_k + m max(0, 1 - v / v_c); rational: mu_k + m / (1 + v / v_c); exponential: mu_k + m exp(-v /
-            v_c), with m = friction.mu - mu_k, less what a second term takes of it.
+            v_c). Here m = friction.mu - mu_k, minus the share of a second term.
         rolling: Rolling instead of a shift.
         rigid_slip: Rigid slip (along x, along y) of each element, each of shape [ny, nx], beside that of the motion,
             where the surfaces do not move like a plane: of a shift over the step (mm), of rolling over the distance
             rolled, as creepages are. None: none.
-        layer: A layer of a third body between the surfaces, of model full: it shears by flexibility times the traction
-            and, where its yield stress is below what friction bears, flows before the surfaces slip. Normal contact
-            does not know it.
-        temperature: Friction by the temperature T of the surfaces, mu + change min(1, max(0, (T - reference)/range)),
-            mu that of friction; where the problem has temperature, and in model full. None: the coefficient does not
-            follow it.
+        layer: A layer of a third body between the surfaces, for model full. Its shear deformation is flexibility times
+            the traction. Where its yield stress is below the friction bound, it flows before the surfaces slip. The
+            layer does not affect the normal problem.
+        temperature: Temperature-dependent friction: mu + change min(1, max(0, (T - reference)/range)), where T is the
+            surface temperature and mu is friction.mu. Requires temperature in the problem and model full. If None, the
+            coefficient does not depend on temperature.
     """
 
     mu: float | npt.ArrayLike

@@ -23,8 +23,8 @@ class Grid(GridMethods):
         nx: Number of elements along x; nx*ny is at most limits.max_grid_elements of server.info.
         ny: Number of elements along y; nx*ny is at most limits.max_grid_elements of server.info.
         dx: Element size along x (mm), > 0.
-        dy: Element size along y, 1/1000 to 1000 times dx, 1e-6 to 1e6 under constant loads on half-spaces in closed
-            form (mm), > 0; of a line contact any length.
+        dy: Element size along y, 1/1000 to 1000 times dx (mm), > 0; 1e-6 to 1e6 times for constant loads on half-spaces
+            in closed form; any length for a line contact.
         x0: x of the lower left corner (mm); without it the grid is centred on the origin.
         y0: y of the lower left corner (mm); without it the grid is centred on the origin.
     """
@@ -42,8 +42,8 @@ class Paraboloid:
     """Undeformed distance h = x^2/(2 Rx) + y^2/(2 Ry), without the approach. One direction may be flat, not both.
 
     Attributes:
-        Rx: Radius of curvature along x, negative is concave (mm); None: flat.
-        Ry: Radius of curvature along y, negative is concave (mm); None: flat.
+        Rx: Radius of curvature along x, negative if concave (mm). If None, flat.
+        Ry: Radius of curvature along y, negative if concave (mm). If None, flat.
     """
 
     _key = "paraboloid"
@@ -54,7 +54,8 @@ class Paraboloid:
 
 @dataclass(frozen=True)
 class SemiAxes:
-    """The paraboloid whose Hertzian contact, under the approach or force of the problem, has these semi-axes.
+    """Semi-axes of a Hertzian contact. The gap is the paraboloid that has this contact under the prescribed approach or
+    force.
 
     Attributes:
         a: Semi-axis along x (mm), > 0.
@@ -69,8 +70,8 @@ class SemiAxes:
 
 @dataclass(frozen=True)
 class HalfEllipses:
-    """Two half ellipses that pressures are prescribed over, by normal_model elliptic or parabolic, under Fn (SDEC).
-    They join where y is half of b_negative - b_positive.
+    """Two half ellipses over which pressures are prescribed by normal_model elliptic or parabolic, under Fn (SDEC).
+    They join at y = (b_negative - b_positive)/2.
 
     Attributes:
         a: Semi-axis along x (mm), > 0.

@@ -25,8 +25,8 @@ class LineContact:
     depend on it; under prescribed forces, and in steady rolling, nothing else does.
 
     Attributes:
-        datum: Distance from a load along the surface at which its xx, yy and zz vanish, at least the length of the grid
-            (mm), > 0. It decides approach and rigid shift; forces and steady rolling do not depend on it.
+        datum: Distance from a load along the surface at which its displacements xx, yy and zz vanish, at least the
+            length of the grid (mm), > 0. It affects approach and rigid shift, but not forces and steady rolling.
     """
 
     datum: float

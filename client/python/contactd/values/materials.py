@@ -15,7 +15,7 @@ __all__ = ["Layer", "LayeredBody", "Material", "RigidBody", "ViscoelasticBody"]
 
 @dataclass(frozen=True, init=False)
 class Material(MaterialMethods):
-    """A homogeneous, isotropic, linearly elastic material, given by its shear modulus or by Young's.
+    """A homogeneous, isotropic, linearly elastic material, with its shear modulus or Young's modulus.
 
     ::
 
@@ -33,7 +33,7 @@ class Material(MaterialMethods):
 
 @dataclass(frozen=True)
 class RigidBody:
-    """A body that does not deform; the other one must be elastic. Influence coefficients mean nothing to it."""
+    """A body that does not deform. The other body must be elastic. It has no influence coefficients."""
 
     _fixed = ("rigid", True)
 
@@ -54,7 +54,7 @@ class ViscoelasticBody(ViscoelasticBodyMethods, Checked):
         G: Shear modulus at once (N/mm^2), > 0; after long it is G/(1 + f).
         nu: Poisson's ratio (0 to 0.5), the same at all times.
         f: Delayed compliance over that at once (>= 0); 0 is elastic of modulus G.
-        tau: Retardation time of creep (s), >= 0; 0 is elastic of modulus G/(1 + f). Stress relaxes in tau/(1 + f).
+        tau: Retardation time of creep (s), >= 0; 0 is elastic with modulus G/(1 + f). Stress relaxes in tau/(1 + f).
     """
 
     G: float
@@ -65,7 +65,7 @@ class ViscoelasticBody(ViscoelasticBodyMethods, Checked):
 
 @dataclass(frozen=True, init=False)
 class Layer(SingleLayerMethods):
-    """A layer of a LayeredBody, given by its shear modulus or by Young's.
+    """A layer of a LayeredBody, with its shear modulus or Young's modulus.
 
     ::
 
@@ -75,7 +75,7 @@ class Layer(SingleLayerMethods):
     Attributes:
         thickness: Thickness, 1e-6 to 1e6 times dx (mm), > 0.
         G: Shear modulus (N/mm^2), > 0; those of a body differ by a factor of at most 1e9.
-        nu: Poisson's ratio (0 to 0.5); 0.5 is meant exactly.
+        nu: Poisson's ratio (0 to 0.5). The value 0.5 is exact incompressibility.
     """
 
     thickness: float

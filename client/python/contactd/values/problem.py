@@ -36,8 +36,8 @@ __all__ = ["ContactColumns", "ContactProblem", "Estimate", "ProblemFields"]
 
 @dataclass(frozen=True, eq=False)
 class Estimate:
-    """Tractions (N/mm^2) on the upper body, each of shape [ny, nx]: for the solvers to start from (`initial`), or of
-    the step before (`previous`). A ContactSolution serves as well.
+    """Tractions (N/mm^2) on the upper body, each of shape [ny, nx]: an estimate for the solvers (`initial`), or those
+    of the previous step (`previous`). A ContactSolution is also accepted.
 
     Attributes:
         pressure: Pressure, >= 0, shape [ny, nx] (N/mm^2); None: zero.
@@ -64,12 +64,12 @@ class ContactColumns(HasParams):
 
     Attributes:
         frames: Position and normal of each column, in the order of rows: y and z of its middle (mm), and the angle of
-            its outward normal from +z (rad), positive towards +y, running on continuously; shape [ny, 3]. Columns are
-            numbered along the tangent (cos angle, -sin angle).
-        direction: Where the upper body comes from: an angle as of frames (rad). An approach closes the gap of a column
-            by its cosine with the column's normal; the normal force, and the axis of spin and rotation, are along it.
-        origin: y and z of the point that moments are about, and that creepages and rigid shifts are those of (mm); its
-            x is 0.
+            its outward normal from +z (rad), positive towards +y and continuous; shape [ny, 3]. Columns are numbered
+            along the tangent (cos angle, -sin angle).
+        direction: Direction from which the upper body approaches (rad): an angle as in frames. An approach closes the
+            gap of a column by its cosine with the column's normal. The normal force and the axis of spin and rotation
+            are along this direction.
+        origin: y and z of the reference point of moments, creepages and rigid shifts (mm); its x is 0.
     """
 
     frames: npt.ArrayLike = field(metadata={"array": ""})
@@ -80,7 +80,7 @@ class ContactColumns(HasParams):
 @public
 @dataclass(frozen=True, eq=False)
 class ContactProblem(ProblemMethods, Saved):
-    """Normal contact with either the approach or the normal force prescribed; with `friction`, tangential contact too.
+    """Normal contact with a prescribed approach or normal force; with `friction`, tangential contact too.
 
     Attributes:
         grid: The potential contact area, which must hold the whole contact.
@@ -91,40 +91,40 @@ class ContactProblem(ProblemMethods, Saved):
         lower: The lower body; None: as the upper one.
         ics: Where the influence coefficients of both bodies come from: closed forms (default), finite elements, or a
             table of your own, which is of the pair.
-        friction: Tangential contact with Coulomb friction: a shift, or rolling. None: frictionless.
-        normal: Stopping criterion of NORM, for the pressures, on which all else builds; its tolerance is 1e-8 unless
-            given.
-        tangential: Stopping criterion for the tractions under friction, and the solver that finds them.
+        friction: Tangential contact with Coulomb friction: a shift or rolling. If None, frictionless.
+        normal: Stopping criterion of NORM for the pressures, which all other results depend on. The default tolerance
+            is 1e-8.
+        tangential: Stopping criterion for the tractions under friction, and the solver that computes them.
         initial: Where the solvers start: tractions of a similar problem.
         Fn: Normal force (N), >= 0; the approach is found then.
         model: full: boundary elements. hertz: closed forms of elliptic contact, and with ics.line_contact of line
-            contact. The models of vehicle codes, of steady rolling: fastsim, Kalker's simplified theory; fastrip, strip
-            theory with FASTSIM where it slips; polach, Polach's forces, which knows no tractions and no spin moment.
-            All but full need a paraboloid or semi-axes, unless normal_model finds the pressures, and of ics take
-            line_contact only. Default "full".
-        previous: The tractions at the end of the step before, where a shift or transient rolling starts; what is None
-            is zero. Also the state of friction: yield stresses of a layer, coefficients with memory; what is None is
-            that of surfaces that have just met.
+            contact. The models of vehicle codes, for steady rolling: fastsim, Kalker's simplified theory; fastrip,
+            strip theory with FASTSIM in the slip area; polach, Polach's forces, without tractions and spin moment. All
+            but full require a paraboloid or semi-axes, unless normal_model computes the pressures, and accept only
+            line_contact of ics. Default "full".
+        previous: Tractions at the end of the previous step, where a shift or transient rolling starts. None fields are
+            zero. Also the state of friction: yield stresses of a layer, and coefficients with memory. Without it the
+            surfaces have just met.
         outer: Stopping criterion of the outer (Panagiotopoulos) iterations around these, which dissimilar bodies,
-            kinetic friction and prescribed tangential forces need; its iterations are at most 100 unless given.
+            kinetic friction and prescribed tangential forces require. The default limit is 100 iterations.
         upper_ics: The same as `ics`, of the upper body alone, where it is not that; a table is of this body then.
         lower_ics: The same of the lower body; None, and `lower` None too: as the upper one.
         derivatives: Whether the solution has derivatives of its forces by motion, load and friction. Refused for
             transient rolling of several steps, and with kinetic friction.
-        columns: Where the surface is curved along y: rows of the grid are columns of elements of the lower body, dy
-            their arc length, and the axes of an element are those of its column. With model full and a gap that is an
-            array of distances along the columns' normals. The section's axes are y to the right, z up, x towards the
-            reader. None: a plane.
+        columns: Shape of a surface that is curved along y. Rows of the grid are columns of elements of the lower body,
+            dy is their arc length, and the axes of an element are those of its column. Requires model full and an array
+            of distances along the columns' normals as the gap. The section's axes are y to the right, z up, x towards
+            the reader. If None, a plane.
         displacements: Whether the solution has the displacements of the surfaces, and the elastic energy. Refused for
             simplified models.
-        sheet_flexibility: Flexibility of a thin sheet between the bodies (mm^3/N), >= 0: pressure times this adds to
-            the normal displacement of an element, and of no other. Of model full. Default 0.
-        normal_model: How pressures are found. of_model: as model says, by boundary elements or Hertz. Models of vehicle
-            codes, from the overlap of the undeformed surfaces: kp (Piotrowski and Kik), kpec (Piotrowski, Liu and
+        sheet_flexibility: Flexibility of a thin sheet between the bodies (mm^3/N), >= 0: its product with the pressure
+            is added to the normal displacement of the same element only. Requires model full. Default 0.
+        normal_model: Model of the pressures. of_model: according to model, by boundary elements or Hertz. The models of
+            vehicle codes use the overlap of the undeformed surfaces: kp (Piotrowski and Kik), kpec (Piotrowski, Liu and
             Bruni), analyn (Sichani, Enblom and Berg). Tractions are then those of model: full, fastsim, fastrip or
             polach. Default "of_model".
-        simplified: Options of the simplified models of rolling. Each model takes those that it names, and refuses
-            others that are not left at their default.
+        simplified: Options of the simplified models of rolling. A model refuses an option that it does not use unless
+            the option has its default.
         temperature: What both bodies have to do with heat, where temperatures of the surfaces are wanted: of steady
             rolling along x (chi 0 or pi), with its velocity. None: none.
         wear: Laws of wear, where that is wanted: of steady rolling along x (chi 0 or pi). None: no answer of wear.

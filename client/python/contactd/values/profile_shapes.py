@@ -41,7 +41,8 @@ class ArcProfile:
     """A circular arc through the origin.
 
     Attributes:
-        radius: Radius, 1 to 1e5 in size (mm). Positive: falls off to both sides, as a rail's head; negative: rises.
+        radius: Radius, 1 to 1e5 in size (mm). Positive for a profile that falls off to both sides, such as a rail's
+            head; negative for one that rises.
         slope: dz/dy at y = 0 (-3 to 3). Default 0.
         ends: y of its ends (mm), the second at least 1 mm above the first. Default (-40, 40).
     """
@@ -58,7 +59,7 @@ class ConeProfile:
     """A straight line through the origin.
 
     Attributes:
-        slope: dz/dy (-3 to 3): a wheel has the negative of its conicity.
+        slope: dz/dy, the negative of a wheel's conicity (-3 to 3).
         ends: y of its ends (mm), the second at least 1 mm above the first. Default (-40, 40).
     """
 
@@ -70,7 +71,7 @@ class ConeProfile:
 
 @dataclass(frozen=True, eq=False)
 class ProfilePoints(MeasuredProfile):
-    """A profile as it was measured.
+    """A measured profile.
 
     Attributes:
         points: (y, z) in the order of the curve, from either end, shape [n, 2].
@@ -90,12 +91,12 @@ class ProfilePoints(MeasuredProfile):
 
 @dataclass(frozen=True)
 class KinkRule:
-    """What counts as a kink, at which the curve is broken.
+    """Definition of a kink, at which the curve is broken.
 
     Attributes:
         angle: Points turn by more than this at a kink (rad), 0 to 3.14159. Default 0.5235987755982988.
         rest: Near a kink they turn by no more than this anywhere else (rad), 0 to 3.14159. Default 0.10471975511965978.
-        width: Distance along the points, to both sides of a kink, that is near it (mm), >= 0. Default 2.
+        width: Distance along the points, on both sides of a kink, that counts as near it (mm), >= 0. Default 2.
     """
 
     angle: float | None = None
@@ -119,21 +120,21 @@ class ProfileFile(FileOfProfile):
     Attributes:
         name: Path of the file; its ending says the format.
         text: Content of the file; None: what the file at this path has.
-        unit: Length of a unit of its points in mm, in place of what the file says (>= 1e-06): 1000 for metres, 25.4 for
-            inches. None: as the file says, else mm, and widths that no wheel and no rail has are refused.
-        mirror_y: Whether y is turned to the other side, after what the file says. Default False.
-        mirror_z: Whether z is turned, after what the file says. None: as Simpack's file says; in others as the shape of
-            the points asks for, and refused where that leaves it open.
+        unit: Length of the unit of the points in mm, instead of that in the file (>= 1e-06): 1000 for metres, 25.4 for
+            inches. If None, as the file states, otherwise mm; impossible widths of wheels and rails are refused.
+        mirror_y: Whether to mirror y, after the settings of the file. Default False.
+        mirror_z: Whether to mirror z, after the settings of the file. If None, as a Simpack file states; in other files
+            as the shape of the points requires, and refused if the shape is ambiguous.
         shift_y: Added to y at last, after mirroring (mm). Default 0.
         shift_z: Added to z at last, after mirroring (mm). Default 0.
-        smoothing_length: Wavelength of the points of which half the amplitude is smoothed away, about 5 for measured
-            profiles (mm), >= 0; 0: none. Default 0.
-        smoothing_order: Order of the derivative that smoothing makes small (2 to 3): 2, of the curvature, or 3, of its
-            change, by splines of a quarter of smoothing_length. Default 2.
-        smoothing_lambda: In place of smoothing_length (mm^3), >= 0: weight of the integral of the curvature's square
-            while all points weigh 1. Half the amplitude stays of waves of 2 pi (smoothing_lambda spacing)^(1/4).
-            Default 0.
-        kinks: What counts as a kink, at which the curve is broken.
+        smoothing_length: Wavelength at which smoothing halves the amplitude, about 5 for measured profiles (mm), >= 0;
+            0: no smoothing. Default 0.
+        smoothing_order: Order of the derivative that smoothing minimizes (2 to 3): 2, the curvature, or 3, its change,
+            by splines of a quarter of smoothing_length. Default 2.
+        smoothing_lambda: Alternative to smoothing_length (mm^3), >= 0: weight of the integral of the squared curvature,
+            with weight 1 for all points. The amplitude is halved for waves of length 2 pi (smoothing_lambda
+            spacing)^(1/4). Default 0.
+        kinks: Definition of a kink, at which the curve is broken.
     """
 
     _key = "file"

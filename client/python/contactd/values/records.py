@@ -20,24 +20,25 @@ __all__ = ["ImportedIc", "QuarantinedIc", "RecentPatch", "RecentSolve", "StoredI
 
 @dataclass(frozen=True)
 class RecentSolve:
-    """One of the last solves that the user who asks had the daemon do, by whatever connection.
+    """One of the last solves that the daemon did for the requesting user, on any connection.
 
     Attributes:
-        number: Number of the solve, of all users since the daemon started; solves.pressures takes it.
-        method: Method by which it was asked for.
+        number: Number of the solve among those of all users since the daemon started. It identifies the solve in
+            solves.pressures.
+        method: Requested method.
         id: Id of the request.
         at: When it ended (s since 1970).
         seconds: Time from its start in a worker to its end (s).
         elements: Elements of its grid; of wheels on rails those of all patches.
-        patches: Number of grids: one, and of wheels on rails as many as contact patches.
+        patches: Number of grids: one, or for wheels on rails the number of contact patches.
         converged: Whether every solver reached its tolerance.
         iterations: Iterations of the normal and the tangential solvers together.
-        residual: The largest figure that one of its solvers compared with its tolerance.
-        forces: Fx, Fy, Fn on the upper body; of wheels on rails Fx, Fy, Fz on the rail or both rails, in track
+        residual: Largest of the values that the solvers compared with their tolerances.
+        forces: Fx, Fy, Fn on the upper body; for wheels on rails Fx, Fy, Fz on the rail or both rails, in track
             coordinates (N).
         pmax: Largest pressure (N/mm^2).
-        has_pressures: Whether solves.pressures has them.
-        grid: Grid of a contact; None of wheels on rails.
+        has_pressures: Whether solves.pressures can return the pressures.
+        grid: Grid of a contact. None for wheels on rails.
     """
 
     number: int
@@ -58,7 +59,7 @@ class RecentSolve:
 
 @dataclass(frozen=True)
 class RecentPatch:
-    """The pressures of one grid of a solve.
+    """The pressures on a grid of a solve.
 
     Attributes:
         grid: Its elements; of wheels on rails in contact coordinates (mm).
@@ -76,9 +77,9 @@ class ImportedIc:
     """Table that ic.import has put into the daemon's store.
 
     Attributes:
-        spec: Specification of the table. For a longitudinally uniform body dx and nx mean nothing: any are served.
-        ics: The table that this user is served now; its origin is file, or disk where there was one already.
-        new: Whether the table was kept; one that the user was served already stays.
+        spec: Specification of the table. For a longitudinally uniform body dx and nx are ignored: it serves any values.
+        ics: The table that is served to this user now. Its origin is file, or disk if a table already existed.
+        new: Whether the table was stored. A table that was already served to the user stays.
     """
 
     spec: IcSpec
@@ -95,7 +96,7 @@ class StoredIc:
         nx: Offsets along x.
         ny: Offsets along y.
         bytes: Size of the file.
-        evidence: How the table was made, where that was requested and its file can be read.
+        evidence: How the table was made, if requested and if its file can be read.
     """
 
     key: str
@@ -107,7 +108,7 @@ class StoredIc:
 
 @dataclass(frozen=True)
 class QuarantinedIc:
-    """A table whose builds failed too often; it and larger ones with its key are not tried again for now.
+    """A table whose builds failed too often. It and larger ones with its key are not built again for now.
 
     Attributes:
         key: Digest that identifies the table in the store.

@@ -44,8 +44,8 @@ class ContactRegions(RegionMethods):
         ContactRegions([RegionLimits((-3, -1), (-2, 2)), RegionLimits((1, 3), (-2, 2))], [[1, 0.4], [0.4, 1]])
 
     Attributes:
-        limits: The regions; an element belongs to the first one that its centre lies in, and those of none cannot
-            touch.
+        limits: The regions. An element belongs to the first region that contains its centre; elements outside all
+            regions cannot touch.
         shares: Of the normal displacements by the pressures of the column's region the share that acts on the row's,
             [regions, regions], or row by row; symmetric, 1 on the diagonal.
     """

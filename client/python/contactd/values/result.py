@@ -43,8 +43,8 @@ Field = Literal["element_division", "pressure", "traction_x", "traction_y", "sli
 
 @dataclass(frozen=True)
 class DerivativesOfAnswer:
-    """The derivatives of one answer by each input: units are those of the answer over those of the input. What the
-    problem does not have, or its model does not know, is None.
+    """Derivatives of an answer by each input. Units are those of the answer over those of the input. Inputs that the
+    problem lacks or that do not affect its model are None.
 
     Attributes:
         xi: Derivative by the longitudinal creepage, in rolling.
@@ -52,9 +52,9 @@ class DerivativesOfAnswer:
         phi: Derivative by the spin creepage, in rolling.
         rigid_shift: Derivatives by the rigid shift along x, and along y, in a shift.
         rotation: Derivative by the rotation, in a shift.
-        approach: Derivative by the approach, where that is prescribed.
-        Fn: Derivative by the normal force, where that is prescribed.
-        mu: Derivative by the coefficient of friction, which changes alike in every element.
+        approach: Derivative by the approach, if it is prescribed.
+        Fn: Derivative by the normal force, if it is prescribed.
+        mu: Derivative by the coefficient of friction, with the same change in every element.
     """
 
     xi: float | None = None
@@ -69,21 +69,22 @@ class DerivativesOfAnswer:
 
 @dataclass(frozen=True)
 class ContactTemperature:
-    """What a contact answers of temperatures beside those of the elements.
+    """Results for temperatures in addition to those of the elements.
 
     Attributes:
-        largest: Largest temperature in contact, where both surfaces have the same (degC); without contact that of the
-            hotter body.
-        x: x of the element that has it, the first of equals (mm).
+        largest: Largest temperature in the contact, where both surfaces have the same temperature (degC); without
+            contact the temperature of the hotter body.
+        x: x of the element with the largest temperature, the first of several equal ones (mm).
         y: y of this element (mm).
-        largest_upper: Largest temperature of the upper surface over all elements, also before and behind the contact
-            (degC).
-        largest_lower: Largest temperature of the lower surface over all elements, as largest_upper (degC).
+        largest_upper: Largest temperature of the upper surface over all elements, including those ahead of the contact
+            and behind it (degC).
+        largest_lower: Largest temperature of the lower surface over all elements, including those ahead of the contact
+            and behind it (degC).
         rise: Largest rise by friction alone (K).
-        heat_upper: Frictional power that goes into the upper body (N mm/s).
-        heat_lower: Frictional power that goes into the lower body (N mm/s).
-        peclet: Peclet number U L/(2 kappa), the smaller one of both bodies: U the speed of its surface through the
-            contact, L the longest row. Below 10 heat spreads along the surface as well.
+        heat_upper: Frictional power that flows into the upper body (N mm/s).
+        heat_lower: Frictional power that flows into the lower body (N mm/s).
+        peclet: Peclet number U L/(2 kappa), the smaller of the two bodies', where U is the surface speed through the
+            contact and L the longest row. Below 10, heat also spreads along the surface.
     """
 
     largest: float
@@ -99,16 +100,16 @@ class ContactTemperature:
 
 @dataclass(frozen=True)
 class RollingResistance:
-    """What the creep of viscoelastic bodies takes of rolling.
+    """Rolling resistance due to the creep of viscoelastic bodies.
 
     Attributes:
-        force: Force that resists rolling (N): the sum of pressures times the slopes of the undeformed distance along
-            the rolling direction.
-        power: Power that the bodies dissipate by hysteresis, the force times the velocity of rolling (N mm/s).
+        force: Force that resists rolling (N): the sum of pressures times slopes of the undeformed distance along the
+            rolling direction.
+        power: Power that the bodies dissipate by hysteresis (N mm/s): the force times the rolling velocity.
         centre_of_pressure: x of the centre of pressure (mm).
         moment: Moment of the pressures about the axis y, the sum of x p dx dy (N mm).
-        defect: Evidence of the force: its difference to minus the sum of pressures times the slopes of the surfaces,
-            which is the hysteresis, over the sum of pressures times the sizes of the slopes.
+        defect: Evidence of the force: its difference from minus the sum of pressures times slopes of the surfaces,
+            which is the hysteresis, over the sum of pressures times absolute slopes.
     """
 
     force: float
@@ -120,15 +121,16 @@ class RollingResistance:
 
 @dataclass(frozen=True)
 class WearRow:
-    """A row of elements, and what one passage takes off it.
+    """A row of elements and its wear in one passage.
 
     Attributes:
-        y: Its middle (mm): y of the grid or of the strips' section, of wheels on rails in track coordinates.
-        z: Its middle, likewise (mm); 0 on a plane.
-        angle: Its inclination, likewise (rad); depths are along its normal.
+        y: y of the middle of the row (mm): of the grid or of the strips' section; for wheels on rails in track
+            coordinates.
+        z: z of the middle of the row, in the same coordinates (mm); 0 on a plane.
+        angle: Inclination of the row, in the same coordinates (rad). Depths are along its normal.
         dissipation: Integral of |t s| along the row (N/mm).
         pressure_slip: Integral of p |s| along the row (N/mm).
-        depths: Depth that one passage takes off (mm), by the laws in their order.
+        depths: Depth removed in one passage (mm), one value per law.
     """
 
     y: float
@@ -141,12 +143,12 @@ class WearRow:
 
 @dataclass(frozen=True)
 class LawWear:
-    """What a law makes of a contact.
+    """Wear of a contact by a law.
 
     Attributes:
         name: The law.
         body: The body that wears by it. One of "upper", "lower".
-        area: Area that a passage takes off the section, the volume per distance rolled (mm^2).
+        area: Area removed from the section in one passage, the volume per distance rolled (mm^2).
         depth: Largest depth of the rows (mm).
         argument: Largest argument of the law, in the unit of its range.
     """
@@ -160,20 +162,20 @@ class LawWear:
 
 @dataclass(frozen=True)
 class ContactWear(ContactWearMethods):
-    """What a passage takes off the surfaces, row by row, with T gamma; p is the pressure, t the traction and s the slip
-    over the distance rolled.
+    """Wear of the surfaces in one passage, row by row, with T gamma. p is the pressure, t the traction and s the slip
+    per distance rolled.
 
     Attributes:
         T_gamma: T gamma by forces and creepages, without spin (N): the size of Fx xi + Fy eta.
-        T_gamma_with_spin: T gamma by forces and creepages, with spin (N): -(Fx xi + Fy eta + Mz phi), all that friction
-            dissipates per distance rolled.
+        T_gamma_with_spin: T gamma from forces and creepages, with spin (N): -(Fx xi + Fy eta + Mz phi), the total
+            frictional dissipation per distance rolled.
         dissipation: Sum of |t s| over the elements, not scaled (N).
-        factor: Factor by which slips were scaled; 1 of plain energy.
+        factor: Factor by which slips were scaled; 1 for plain energy.
         largest_pressure_slip: Largest p |s| of an element (N/mm^2).
         largest_dissipation: Largest |t s| of an element (N/mm^2).
         largest_sliding_velocity: Largest sliding velocity of an element (mm/s).
-        rows: Rows of elements, dy of the grid wide, by ascending y, from the first to the last one in contact.
-        laws: What each law makes of the contact, in the order of the request.
+        rows: Rows of elements, as wide as dy of the grid, by ascending y, from the first to the last row in contact.
+        laws: Wear of the contact by each law, in the order of the request.
     """
 
     T_gamma: float
@@ -189,11 +191,11 @@ class ContactWear(ContactWearMethods):
 
 @dataclass(frozen=True)
 class StressPlace:
-    """Largest |xz| below the surface, which no residual stress changes, or |t| on it. With passage.
+    """Largest |xz| below the surface, which residual stresses do not affect, or |t| on it. Only with passage.
 
     Attributes:
         value: The stress (N/mm^2).
-        y: The middle of its row, as of rows (mm).
+        y: y of the middle of the row, as in rows (mm).
         z: The middle of its row, as of rows (mm).
         depth: The depth below that (mm).
     """
@@ -206,11 +208,11 @@ class StressPlace:
 
 @dataclass(frozen=True)
 class FunctionDamage:
-    """What a function makes of a contact.
+    """Damage of a contact by a function.
 
     Attributes:
         name: The function.
-        value: Damage of a passage; below 0 wear takes cracks away.
+        value: Damage of a passage; if negative, wear removes cracks.
     """
 
     name: str
@@ -219,20 +221,21 @@ class FunctionDamage:
 
 @dataclass(frozen=True)
 class FatigueRow:
-    """A row of elements, and what it bears.
+    """A row of elements with its load and fatigue indices.
 
     Attributes:
-        y: Its middle (mm): y of the grid or of the strips' section, of wheels on rails in track coordinates.
+        y: y of the middle of the row (mm): of the grid or of the strips' section; for wheels on rails in track
+            coordinates.
         z: Its middle, likewise (mm); 0 on a plane.
-        angle: Its inclination, likewise (rad).
+        angle: Inclination of the row, in the same coordinates (rad).
         pressure: Largest pressure (N/mm^2).
-        traction: Largest tangential traction (N/mm^2); the surface flows where it is above k.
+        traction: Largest tangential traction (N/mm^2). The surface flows where it is above k.
         force_x: Tangential force along x on the body (N/mm).
         force_y: Tangential force along the row's y on the body (N/mm).
         shear: Largest shear below it, as shear of the contact (N/mm^2). With passage.
-        shear_depth: Where that is (mm).
+        shear_depth: Depth of the largest value (mm).
         dang_van: Largest stress of Dang Van below it (N/mm^2). With passage and a_DV.
-        dang_van_depth: Where that is (mm).
+        dang_van_depth: Depth of the largest value (mm).
     """
 
     y: float
@@ -255,24 +258,24 @@ class ContactFatigue(ContactFatigueMethods):
     Attributes:
         body: The body. One of "upper", "lower".
         T_gamma: T gamma by forces and creepages, without spin (N).
-        traction_coefficient: mu_u, the size of the tangential force over the normal one.
-        force_angle: Angle of the tangential force on the body from the way in which the contact runs over it, towards
-            +y where it runs along +x (rad); head checks run across it.
-        driven: Whether the force on the body is against the way in which the contact runs over it: the other body
-            drives, as a wheel that accelerates does a rail.
-        FI_sub: Subsurface fatigue index, Fn (1 + mu_u^2)/(4 A), with a_DV and residual stresses and a_DV times their
-            largest hydrostatic stress besides (N/mm^2).
+        traction_coefficient: mu_u, the size of the tangential force divided by the normal force.
+        force_angle: Angle of the tangential force on the body from the direction in which the contact moves over it,
+            towards +y if the contact moves along +x (rad). Head checks run across the force.
+        driven: Whether the force on the body opposes the direction in which the contact moves over it. The other body
+            then drives, like an accelerating wheel on a rail.
+        FI_sub: Subsurface fatigue index, Fn (1 + mu_u^2)/(4 A) (N/mm^2); with a_DV and residual stresses, plus a_DV
+            times their largest hydrostatic stress.
         damages: Damage of a passage by each function, in the order of the request.
-        rows: Rows of elements, dy of the grid wide, by ascending y, from the first to the last one in contact.
-        FI_surf: Surface fatigue index by the area A of the contact, mu_u - 2 A k/(3 Fn); the surface flows where it is
-            above 0. With strength.
+        rows: Rows of elements, as wide as dy of the grid, by ascending y, from the first to the last row in contact.
+        FI_surf: Surface fatigue index by the area A of the contact, mu_u - 2 A k/(3 Fn). The surface flows if it is
+            positive. Only with strength.
         load: The largest pressure over k: the load of shakedown diagrams. With strength.
-        limit: The load at which shakedown ends, by the contact's own tractions: the largest pressure over the largest
-            shear. With passage.
-        shear: Largest |xz| below the surface, which no residual stress changes, or |t| on it. With passage.
+        limit: Shakedown limit from the contact's own tractions: the largest pressure over the largest shear. Only with
+            passage.
+        shear: Largest |xz| below the surface, which residual stresses do not affect, or |t| on it. Only with passage.
         von_mises: Largest von Mises stress, without residual stresses. With passage.
-        dang_van: Largest stress of Dang Van, the shear stress less its middle of the passage and a_DV times the
-            hydrostatic stress. With passage and a_DV.
+        dang_van: Largest stress of Dang Van: the shear stress minus the centre of its path in the passage, plus a_DV
+            times the hydrostatic stress. Only with passage and a_DV.
         utilisation: Dang Van's largest stress over tau_e; cracks start beyond 1. With these.
     """
 
@@ -295,8 +298,9 @@ class ContactFatigue(ContactFatigueMethods):
 
 @dataclass(frozen=True)
 class Forces:
-    """Total forces on the upper body (N), and their moment about z. On curved columns: of pressures what is along the
-    direction of approach, of tractions what is along x and across both, and their moment about that direction.
+    """Total forces on the upper body (N), and their moment about z. On curved columns: the component of the pressures
+    along the direction of approach, those of the tractions along x and across both, and their moment about that
+    direction.
 
     Attributes:
         Fn: Normal force, positive in compression (N).
@@ -313,8 +317,8 @@ class Forces:
 
 @dataclass(frozen=True)
 class Resultant:
-    """Resultant force (N) and moment about their origin (N mm) of pressures and tractions together on curved columns,
-    on the upper body, in the axes of the section.
+    """Resultant force (N) and moment about the origin (N mm) of pressures and tractions together on curved columns, on
+    the upper body, in the axes of the section.
 
     Attributes:
         Fx: Force along x (N).
@@ -335,7 +339,7 @@ class Resultant:
 
 @dataclass(frozen=True)
 class Areas:
-    """Areas (mm^2): contact = adhesion + slip + flow; without friction all contact counts as slip.
+    """Areas (mm^2): contact = adhesion + slip + flow. Without friction the whole contact is counted as slip.
 
     Attributes:
         contact: Area of contact (mm^2).
@@ -352,13 +356,14 @@ class Areas:
 
 @dataclass(frozen=True)
 class Counts:
-    """Numbers of elements: contact = adhesion + slip + flow; without friction all contact counts as slip.
+    """Numbers of elements: contact = adhesion + slip + flow. Without friction the whole contact is counted as slip.
 
     Attributes:
         contact: Elements in contact.
         adhesion: Elements in adhesion.
         slip: Elements in slip.
-        border: Elements in contact at the border of the potential contact area; any are a reason for a warning.
+        border: Elements in contact at the border of the potential contact area. If there are any, the answer contains a
+            warning.
         flow: Elements where a layer flows. Default 0.
     """
 
@@ -371,17 +376,17 @@ class Counts:
 
 @dataclass(frozen=True)
 class Derivatives:
-    """Derivatives of the forces by the inputs, where they were requested and the solution has converged and has
-    contact: derivatives.Fx.xi is dFx/d(xi). Fixed are the undeformed distance (also where semi-axes and the load made
-    it), the tractions before the step, rigid_slip, and the division of the elements, at whose next change the
-    derivatives are one-sided. Motion is an input also where forces found it: as if it had been given.
+    """Derivatives of the forces by the inputs, if requested and if the solution has converged and has contact:
+    derivatives.Fx.xi is dFx/d(xi). Fixed are the undeformed distance (also if semi-axes and the load determined it),
+    the tractions before the step, rigid_slip, and the division of the elements; where that division changes next, the
+    derivatives are one-sided. Motion is an input even if forces determined it, as if it had been prescribed.
 
     Attributes:
         Fx: Derivatives of Fx (N), with friction.
         Fy: Derivatives of Fy (N), with friction.
         Mz: Derivatives of Mz (N mm), with friction.
-        Fn: Derivatives of the normal force (N), where the approach is prescribed.
-        approach: Derivatives of the approach (mm), where the normal force is prescribed.
+        Fn: Derivatives of the normal force (N), if the approach is prescribed.
+        approach: Derivatives of the approach (mm), if the normal force is prescribed.
     """
 
     Fx: DerivativesOfAnswer | None = None
@@ -397,58 +402,62 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
 
     Attributes:
         approach: Approach of the bodies, prescribed or found (mm).
-        forces: Total forces on the upper body (N), and their moment about z. On curved columns: of pressures what is
-            along the direction of approach, of tractions what is along x and across both, and their moment about that
-            direction.
+        forces: Total forces on the upper body (N), and their moment about z. On curved columns: the component of the
+            pressures along the direction of approach, those of the tractions along x and across both, and their moment
+            about that direction.
         pmax: Largest pressure (N/mm^2).
-        area: Areas (mm^2): contact = adhesion + slip + flow; without friction all contact counts as slip.
-        elements: Numbers of elements: contact = adhesion + slip + flow; without friction all contact counts as slip.
+        area: Areas (mm^2): contact = adhesion + slip + flow. Without friction the whole contact is counted as slip.
+        elements: Numbers of elements: contact = adhesion + slip + flow. Without friction the whole contact is counted
+            as slip.
         element_division: Bytes, shape [ny, nx]: 0 exterior, 1 adhesion, 2 slip, 3 flow of a layer.
         pressure: Pressure, shape [ny, nx] (N/mm^2), zero or positive.
         traction_x: Traction along x on the upper body, shape [ny, nx] (N/mm^2).
         traction_y: Traction along y on the upper body, shape [ny, nx] (N/mm^2).
-        converged: Whether every solver of the problem that ran reached its tolerance; derivatives that did not are
-            None.
-        evidence: How the solvers ended, and which coefficients they used; what did not run is None.
-        resultant: Resultant force (N) and moment about their origin (N mm) of pressures and tractions together on
-            curved columns, on the upper body, in the axes of the section.
+        converged: Whether every solver of the problem that ran reached its tolerance. Derivatives whose solver did not
+            are None.
+        evidence: How the solvers ended, and which coefficients they used. Solvers that did not run are None.
+        resultant: Resultant force (N) and moment about the origin (N mm) of pressures and tractions together on curved
+            columns, on the upper body, in the axes of the section.
         slip_x: Slip of the upper body over the lower along x, with friction, shape [ny, nx]: in a shift the distance
-            over the step (mm), in rolling the relative slip, per distance rolled. Zero outside of the contact.
+            over the step (mm), in rolling the relative slip per distance rolled. Zero outside the contact.
         slip_y: Slip of the upper body over the lower along y, with friction, as slip_x.
-        flow_x: Plastic flow of a layer along x, in the direction of the tractions on the upper body, where a layer
-            yields, shape [ny, nx]: over the step (mm), in rolling per distance rolled. Slip is without it.
+        flow_x: Plastic flow of a layer along x, in the direction of the tractions on the upper body, if a layer yields,
+            shape [ny, nx]: over the step (mm), in rolling per distance rolled. It is not part of the slip.
         flow_y: Plastic flow of a layer along y, as flow_x.
-        yield_stress: Yield stress of a layer that hardens or softens, behind its flow, shape [ny, nx] (N/mm^2); outside
-            of the contact that of a particle that enters.
-        friction_coefficient: Coefficient of kinetic friction, shape [ny, nx]; outside of the contact the static one.
-        displacement_x: Displacement of the upper body's surface along x less that of the lower one's, under the
-            tractions, shape [ny, nx] (mm); where asked for.
+        yield_stress: Yield stress of a layer that hardens or softens, after its flow, shape [ny, nx] (N/mm^2); outside
+            the contact that of a particle that enters.
+        friction_coefficient: Coefficient of kinetic friction, shape [ny, nx]; outside the contact the static
+            coefficient.
+        displacement_x: Displacement of the upper body's surface along x minus that of the lower body's, under the
+            tractions, shape [ny, nx] (mm). Only if requested.
         displacement_y: The same along y.
-        displacement_z: What both bodies yield along z, positive under pressure, shape [ny, nx] (mm); where asked for.
-        upper_temperature: Temperature of the upper body's surface, in contact and behind it, shape [ny, nx] (degrees
-            Celsius); where asked for.
+        displacement_z: Sum of the displacements of both bodies along z, positive under pressure, shape [ny, nx] (mm).
+            Only if requested.
+        upper_temperature: Temperature of the upper body's surface, in the contact and behind it, shape [ny, nx]
+            (degrees Celsius). Only if requested.
         lower_temperature: Temperature of the lower body's surface, as upper_temperature.
-        temperature: The largest temperature, and the heat; where temperatures were asked for.
-        wear: What a passage takes off the surfaces; where asked for.
-        fatigue: Rolling contact fatigue of a body; where asked for.
-        rolling_resistance: What the creep of viscoelastic bodies takes of rolling; of contact with such a body.
-        elastic_energy: Half the sum of traction times displacement, the energy that elastic bodies have stored (N mm);
-            with displacements.
+        temperature: The largest temperatures, and the heat. Only if requested.
+        wear: Wear of the surfaces in one passage. Only if requested.
+        fatigue: Rolling contact fatigue of a body. Only if requested.
+        rolling_resistance: Rolling resistance due to the creep of viscoelastic bodies. Only for contact with such a
+            body.
+        elastic_energy: Half the sum of traction times displacement (N mm): the elastic energy stored in the bodies.
+            Only with displacements.
         frictional_work: Energy that friction dissipates in a shift (N mm).
         frictional_power: Power that friction dissipates in rolling (N mm/s).
-        plastic_work: What of frictional_work the flow of a layer dissipates (N mm).
-        plastic_power: What of frictional_power the flow of a layer dissipates (N mm/s).
+        plastic_work: Part of frictional_work that the flow of a layer dissipates (N mm).
+        plastic_power: Part of frictional_power that the flow of a layer dissipates (N mm/s).
         largest_flow: Largest length of the flow of a layer, as flow_x: over the step (mm), in rolling per distance
             rolled.
-        motion: Motion as requested, with friction, and as found where a force is prescribed: of a shift rigid_shift,
-            rotation and duration; else as rolling of the request. force as in the request.
-        derivatives: Derivatives of the forces by the inputs, where they were requested and the solution has converged
-            and has contact: derivatives.Fx.xi is dFx/d(xi). Fixed are the undeformed distance (also where semi-axes and
-            the load made it), the tractions before the step, rigid_slip, and the division of the elements, at whose
-            next change the derivatives are one-sided. Motion is an input also where forces found it: as if it had been
-            given.
-        warnings: Sentences that a user of the solution should know; for example that the contact touches the border of
-            the potential contact area, or that elements or dq are too large for it.
+        motion: Motion as requested, with friction, or as computed for a prescribed force. For a shift, rigid_shift,
+            rotation and duration; otherwise the fields of rolling in the request. force as in the request.
+        derivatives: Derivatives of the forces by the inputs, if requested and if the solution has converged and has
+            contact: derivatives.Fx.xi is dFx/d(xi). Fixed are the undeformed distance (also if semi-axes and the load
+            determined it), the tractions before the step, rigid_slip, and the division of the elements; where that
+            division changes next, the derivatives are one-sided. Motion is an input even if forces determined it, as if
+            it had been prescribed.
+        warnings: Warnings; for example that the contact touches the border of the potential contact area, or that
+            elements or dq are too large for it.
         grid: The grid of the problem, which the client adds.
     """
 

@@ -24,8 +24,8 @@ class Progress(ProgressText):
         iteration: Iteration within the stage.
         residual: The figure that the stage's stopping criterion compares.
         state: State of the daemon, of health.watch. One of "serving", "stopping".
-        seconds_left: Until the work ends, an estimate (s); None while there is none.
-        memory_bytes: Largest memory that the build is expected to take (bytes), an estimate; None while there is none.
+        seconds_left: Estimated time until the work ends (s). None while there is no estimate.
+        memory_bytes: Estimated largest memory of the build (bytes). None while there is no estimate.
     """
 
     stage: str
@@ -40,20 +40,20 @@ class Progress(ProgressText):
 
 @dataclass(frozen=True)
 class Limits:
-    """Limits of one message.
+    """Limits of a message.
 
     Attributes:
-        max_frame_bytes: Bytes of one frame.
-        max_frames: Frames of one message, the envelope included.
-        max_message_bytes: Bytes of one message.
-        max_array_elements: Elements of one array.
-        max_grid_elements: Elements of one grid, offsets of one table.
+        max_frame_bytes: Bytes of a frame.
+        max_frames: Frames of a message, including the envelope.
+        max_message_bytes: Bytes of a message.
+        max_array_elements: Elements of an array.
+        max_grid_elements: Elements of a grid, or offsets of a table.
         max_queue: Requests that may wait for an answer.
-        max_queue_per_client: Requests of these that came through one socket.
+        max_queue_per_client: Requests from one socket that may wait for an answer.
         max_queue_bytes: Bytes of the messages whose requests wait for an answer.
         max_sessions: Sessions that may be open.
         max_session_bytes: Bytes of all sessions and their saved states together.
-        max_session_states: Saved states of one session.
+        max_session_states: Saved states of a session.
         max_lease_seconds: Longest lease of a session (s).
     """
 
@@ -77,10 +77,11 @@ class ServerInfo:
 
     Attributes:
         version: Version of contactd.
-        commit: Commit of the sources, with -dirty when they were changed after it; unknown when no repository said it.
+        commit: Commit of the sources, with -dirty if they were changed after it; unknown if they were not built from a
+            repository.
         protocol: Version of the protocol.
         libraries: Versions of the libraries by name.
-        limits: Limits of one message.
+        limits: Limits of a message.
         counters: Counted since the start.
         cache: Tables in memory.
         queue: Work that waits and runs.
@@ -112,10 +113,11 @@ class Job:
         fraction: Estimated fraction of the whole job.
         callers: Requests that wait for it.
         seconds: Time since it was queued (s).
-        seconds_left: Time to go as last reported, of builds where there is an estimate (s).
-        memory_bytes: Largest memory that it is expected to take (bytes), of builds where there is an estimate.
-        users: Users whose requests wait for it, each once: names of keys, IP addresses, or uid:NUMBER over ipc.
-        description: Words for people: what is built or solved.
+        seconds_left: Last reported remaining time, for builds with an estimate (s).
+        memory_bytes: Expected largest memory (bytes), for builds with an estimate.
+        users: Users whose requests wait for it, without repetition: names of keys, IP addresses, or uid:NUMBER over
+            ipc.
+        description: Description of the build or solve in words.
     """
 
     job: str
@@ -133,16 +135,16 @@ class Job:
 
 @dataclass(frozen=True)
 class SessionSummary:
-    """One session of the daemon; its name is the key to it and is not told.
+    """A session of the daemon. Its name is the key to it and is not included.
 
     Attributes:
         age_seconds: Time since it was opened (s).
-        idle_seconds: Time since a request used it last, 0 while one does (s).
+        idle_seconds: Time since the last request of the session ended, 0 during one (s).
         lease_seconds: It ends when idle for that long (s).
         step: Number of its last step.
         states: Saved states.
-        bytes: Bytes that it counts of limits.max_session_bytes, saved states included.
-        elements: Elements of its grid; of a wheel on its rail those of all patches of its last step.
+        bytes: Bytes of the session that are counted towards limits.max_session_bytes, including saved states.
+        elements: Elements of its grid; for a wheel on its rail those of all patches of its last step.
     """
 
     age_seconds: float

@@ -36,13 +36,13 @@ class StressBlock(StressBlockMethods):
 
 @dataclass(frozen=True)
 class LargestStress:
-    """The point with the largest von Mises stress; the first one of equals.
+    """The point with the largest von Mises stress; the first of several equal ones.
 
     Attributes:
-        von_mises: The von Mises stress there (N/mm^2).
-        x: x of the point, as it was requested (mm).
-        y: y of the point, as it was requested (mm).
-        z: z of the point, as it was requested (mm).
+        von_mises: The von Mises stress at the point (N/mm^2).
+        x: Requested x of the point (mm).
+        y: Requested y of the point (mm).
+        z: Requested z of the point (mm).
         depth: Distance from the surface, -z (mm).
     """
 
@@ -69,13 +69,13 @@ class SubsurfaceStress(SubsurfaceStressMethods, Saved, Shown):
         xz: Shear stress in the plane of x and z.
         yz: Shear stress in the plane of y and z.
         von_mises: Von Mises' equivalent stress.
-        largest: The point with the largest von Mises stress; the first one of equals.
+        largest: The point with the largest von Mises stress; the first of several equal ones.
         hydrostatic: Mean of the three normal stresses; with invariants.
         principal_1: Largest principal stress; with invariants.
         principal_2: Middle principal stress; with invariants.
         principal_3: Smallest principal stress; with invariants.
-        tresca: Tresca's equivalent stress, the largest principal stress less the smallest, twice the largest shear
-            stress; with invariants.
+        tresca: Tresca's equivalent stress: the largest principal stress minus the smallest, twice the largest shear
+            stress. Only with invariants.
         displacement_x: Displacement along x in the frame of the body (mm), zero far away; with G.
         displacement_y: Displacement along y (mm); with G.
         displacement_z: Displacement along z, out of the body (mm); with G.

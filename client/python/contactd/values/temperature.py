@@ -26,7 +26,7 @@ class SurfaceTemperatures(SurfaceTemperaturesMethods, Saved, Shown):
             Celsius).
         lower_temperature: Temperature of the lower body's surface, as upper_temperature.
         temperature: The largest temperature, and the heat.
-        warnings: Sentences that a user of the temperatures should know.
+        warnings: Warnings about the temperatures.
         grid: The grid of the problem, which the client adds.
     """
 

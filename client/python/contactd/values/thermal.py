@@ -14,11 +14,11 @@ __all__ = ["ThermalBodies", "ThermalBody"]
 
 @dataclass(frozen=True)
 class ThermalBody(HasParams):
-    """What a body has to do with heat; properties do not follow its temperature. Those of steel unless given.
+    """Thermal properties of a body, independent of its temperature. Defaults are those of steel.
 
     Attributes:
-        bulk_temperature: Temperature where the surface has not been in contact (degC), >= -273.15. Default 0.
-        conductivity: Thermal conductivity (W/(m K)), >= 0; a body of none takes no heat. Default 50.
+        bulk_temperature: Temperature of the surface before contact (degC), >= -273.15. Default 0.
+        conductivity: Thermal conductivity (W/(m K)), >= 0; a body with zero conductivity takes no heat. Default 50.
         heat_capacity: Specific heat capacity (J/(kg K)), >= 1e-12. Default 450.
         density: Density (kg/m^3), >= 1e-12. Default 7850.
     """
@@ -31,8 +31,7 @@ class ThermalBody(HasParams):
 
 @dataclass(frozen=True)
 class ThermalBodies(HasParams):
-    """What both bodies have to do with heat: with it, solutions of steady rolling along x have temperatures of the
-    surfaces.
+    """Thermal properties of both bodies. With them, solutions of steady rolling along x contain surface temperatures.
 
     ::
 
@@ -42,8 +41,8 @@ class ThermalBodies(HasParams):
     Attributes:
         upper: The upper body; None: of steel, at 0 degrees.
         lower: The lower body; None: as the upper one.
-        plastic_share: Share of the plastic work of an interfacial layer that becomes heat (0 to 1); the rest stays in
-            the layer. Default 1.
+        plastic_share: Fraction of the plastic work of an interfacial layer that becomes heat (0 to 1). The rest stays
+            in the layer. Default 1.
     """
 
     upper: ThermalBody | None = None

@@ -32,11 +32,11 @@ WornBody = Literal["upper", "lower"]
 
 @dataclass(frozen=True)
 class SevereWear:
-    """Wear where the sliding velocity is between two.
+    """Wear for sliding velocities between two bounds. If None, none.
 
     Attributes:
-        k: k there (>= 0).
-        velocity: The least and the most sliding velocity (mm/s).
+        k: k in this region (>= 0).
+        velocity: Smallest and largest sliding velocity (mm/s).
     """
 
     k: float
@@ -45,11 +45,11 @@ class SevereWear:
 
 @dataclass(frozen=True)
 class SeizureWear:
-    """Wear where the pressure is above a share of the hardness, whatever the velocity.
+    """Wear for pressures above a fraction of the hardness, at any velocity. If None, none.
 
     Attributes:
         k: k there (>= 0).
-        pressure: The pressure over the hardness above which it holds (>= 0).
+        pressure: Pressure over hardness above which the region applies (>= 0).
     """
 
     k: float
@@ -62,9 +62,9 @@ class ArchardWear(StatedWear):
 
     Attributes:
         hardness: Hardness H of the body that wears (N/mm^2), >= 1e-12.
-        mild: k where neither of the others holds (>= 0).
-        severe: Wear where the sliding velocity is between two; None: none.
-        seizure: Wear where the pressure is above a share of the hardness, whatever the velocity; None: none.
+        mild: k outside the two other regions (>= 0).
+        severe: Wear for sliding velocities between two bounds. If None, none.
+        seizure: Wear for pressures above a fraction of the hardness, at any velocity. If None, none.
         source: Where the coefficients come from, for `wear` of contactd.wheel_rail, which asks for it.
         body: The body that wears, likewise; None: the wheel.
         range: Range that the law was tested in, as of WearLaw, likewise; None: not stated, so that nothing warns.
@@ -86,7 +86,7 @@ class EnergyWear(StatedWear):
     """Depth per length of path in proportion to the dissipation, c |t s|.
 
     Attributes:
-        coefficient: c, the volume that a unit of energy takes off (mm^3/J), >= 0.
+        coefficient: c, the volume removed per unit of energy (mm^3/J), >= 0.
         source: Where the coefficients come from, for `wear` of contactd.wheel_rail, which asks for it.
         body: The body that wears, likewise; None: the wheel.
         range: Range that the law was tested in, as of WearLaw, likewise; None: not stated, so that nothing warns.
@@ -105,8 +105,7 @@ class UsfdWear(StatedWear):
     """Sheffield's function: mass per area and length of path by |t s| (N/mm^2).
 
     Attributes:
-        pieces: K (ug/(m mm^2)), by |t s| (N/mm^2): pieces from an argument on, the first from 0, of value + slope
-            (argument - from).
+        pieces: K (ug/(m mm^2)) by |t s| (N/mm^2), as pieces value + slope (argument - from), the first one from 0.
         density: Density of the body (kg/m^3), >= 1e-12.
         source: Where the coefficients come from, for `wear` of contactd.wheel_rail, which asks for it.
         body: The body that wears, likewise; None: the wheel.
@@ -124,11 +123,11 @@ class UsfdWear(StatedWear):
 
 @dataclass(frozen=True)
 class BrWear(StatedWear):
-    """British Rail's function of a whole patch, by T gamma without spin (N); spread over its rows by |t s|.
+    """British Rail's function of a whole patch, by T gamma without spin (N), distributed over its rows by |t s|.
 
     Attributes:
-        pieces: D times the area that a wheel of diameter D loses of its section per distance (mm mm^2/km), by T gamma
-            (N): pieces from an argument on, the first from 0, of value + slope (argument - from).
+        pieces: D times the area that the section of a wheel of diameter D loses per distance (mm mm^2/km), by T gamma
+            (N), as pieces value + slope (argument - from), the first one from 0.
         source: Where the coefficients come from, for `wear` of contactd.wheel_rail, which asks for it.
         body: The body that wears, likewise; None: the wheel.
         range: Range that the law was tested in, as of WearLaw, likewise; None: not stated, so that nothing warns.
@@ -147,8 +146,7 @@ class ZoboryWear(StatedWear):
     """Zobory's function: mass by energy, by the power V |t s| (W/mm^2).
 
     Attributes:
-        pieces: k (kg/J), by the power (W/mm^2): pieces from an argument on, the first from 0, of value + slope
-            (argument - from).
+        pieces: k (kg/J) by the power (W/mm^2), as pieces value + slope (argument - from), the first one from 0.
         density: Density of the body (kg/m^3), >= 1e-12.
         source: Where the coefficients come from, for `wear` of contactd.wheel_rail, which asks for it.
         body: The body that wears, likewise; None: the wheel.
@@ -166,27 +164,27 @@ class ZoboryWear(StatedWear):
 
 @dataclass(frozen=True)
 class WearLaw(HasParams):
-    """A law of wear: what it is called, who says it, the range that it was tested in, and one of its five kinds with
-    all of its coefficients. None is a default.
+    """A law of wear: its name, its source, the range in which it was tested, and one of its five kinds with all
+    coefficients. There are no defaults.
 
     ::
 
         WearLaw("mild", "our twin disc, 2024", "lower", (0, 10), energy=EnergyWear(6.75e-4))
 
     Attributes:
-        name: What the law is called; no other one of the request is.
+        name: Name of the law, unique in the request.
         source: Where its coefficients come from: a paper, a test.
-        body: The body that wears by it; of wheels on rails upper is the rail, lower the wheel.
-        range: Range that the law was tested in, of its argument: of archard the sliding velocity (mm/s), of energy and
-            usfd |t s| (N/mm^2), of br T gamma without spin (N), of zobory the power V |t s| (W/mm^2). A contact beyond
-            it has a warning.
+        body: The body that wears. For wheels on rails, upper is the rail and lower the wheel.
+        range: Range of the argument in which the law was tested: the sliding velocity (mm/s) for archard, |t s|
+            (N/mm^2) for energy and usfd, T gamma without spin (N) for br, the power V |t s| (W/mm^2) for zobory. A
+            contact outside the range has a warning.
         archard: Archard: depth per length of path k p |s|/H, with k by a map of sliding velocity and pressure.
         energy: Depth per length of path in proportion to the dissipation, c |t s|.
         usfd: Sheffield's function: mass per area and length of path by |t s| (N/mm^2).
-        br: British Rail's function of a whole patch, by T gamma without spin (N); spread over its rows by |t s|.
+        br: British Rail's function of a whole patch, by T gamma without spin (N), distributed over its rows by |t s|.
         zobory: Zobory's function: mass by energy, by the power V |t s| (W/mm^2).
-        zones: Factors of the depth by the angle of a row from the horizontal (rad), ascending, with straight lines
-            between; angles are negative on the gauge side. None: 1 everywhere.
+        zones: Factors of the depth by the angle of a row from the horizontal (rad), ascending, with linear
+            interpolation. Angles are negative on the gauge side. If None, 1 everywhere.
     """
 
     name: str
@@ -203,16 +201,16 @@ class WearLaw(HasParams):
 
 @dataclass(frozen=True)
 class WearRequest(HasParams):
-    """What a passage takes off the surfaces: with it, solutions of steady rolling along x have `wear`.
+    """Laws of wear of the surfaces. With them, solutions of steady rolling along x contain `wear`.
 
     ::
 
         WearRequest()  # T gamma, and what laws are made of, row by row
 
     Attributes:
-        laws: Laws of wear; none: rows have what laws are made of.
-        energy: Whether slips are scaled, by one factor for a patch, so that the dissipation of the elements sums to T
-            gamma by forces and creepages, to which it converges from below; or plain. Default "scaled".
+        laws: Laws of wear. An empty list returns only the inputs of the laws for each row.
+        energy: scaled: slips are multiplied by one factor per patch, so that the dissipation of the elements sums to T
+            gamma from forces and creepages, to which it converges from below. plain: not scaled. Default "scaled".
     """
 
     laws: tuple[WearLaw, ...] | None = None

@@ -1,5 +1,5 @@
-// Exceptions of the client beside InvalidArgument (a problem that cannot be solved as stated, found before anything is
-// sent). contactd::Error is the base of all.
+// Exceptions of the client in addition to InvalidArgument (invalid input, detected before anything is sent).
+// contactd::Error is the base of all.
 #pragma once
 
 #include "contactd/error.hpp"
@@ -13,21 +13,21 @@ using contactd::StatusCode;
 using contactd::StatusError;
 using contactd::Violation;
 
-/// The daemon cannot be reached: bad endpoint, or nobody listens there.
+/// The daemon cannot be reached: the endpoint is malformed, or there is no daemon at it.
 class ConnectionError : public Error {
    public:
     using Error::Error;
 };
 
-/// No answer within the call's timeout. A build goes on in the daemon, and asking again joins it; a late answer is
-/// discarded.
+/// No answer arrived within the timeout of the call. A build continues in the daemon, and a repeated request joins it.
+/// A late answer is discarded.
 class TimeoutError : public Error {
    public:
     using Error::Error;
 };
 
-/// A client or session that is in use was used once more, by another thread or in on_progress, or a session was used in
-/// a process that was forked from its own. Nothing was sent, and the call that runs goes on.
+/// A client or session was used during one of its calls, by another thread or in on_progress, or a session was used in
+/// a process that was forked from its own. Nothing was sent, and the running call continues.
 class ConcurrencyError : public Error {
    public:
     using Error::Error;

@@ -1,4 +1,4 @@
-// Reports of the daemon on itself, with the names of docs/protocol.md.
+// Status reports of the daemon, with the names of docs/protocol.md.
 #pragma once
 
 #include <array>
@@ -14,11 +14,11 @@
 
 namespace contactd::client {
 
-/// Bounds of one message, and of what may wait and be open.
+/// Limits of a message, of the queue and of sessions.
 struct ServerLimits : MessageLimits {
     std::size_t max_grid_elements = 0;      ///< elements of one grid, offsets of one table
     std::int64_t max_queue = 0;             ///< requests that may wait for an answer
-    std::int64_t max_queue_per_client = 0;  ///< of these, requests that came through one socket
+    std::int64_t max_queue_per_client = 0;  ///< of these, requests from one socket
     std::size_t max_queue_bytes = 0;        ///< of the messages whose requests wait for an answer
     std::int64_t max_sessions = 0;
     std::size_t max_session_bytes = 0;    ///< of all sessions and their saved states together
@@ -33,17 +33,17 @@ struct ServerCounters {
     std::int64_t solves = 0;           ///< contact problems solved
     std::int64_t builds_started = 0, builds_finished = 0, builds_failed = 0, builds_cancelled = 0;
     std::int64_t builds_joined = 0;                                ///< requests that joined a running build
-    std::int64_t memory_hits = 0, disk_hits = 0, closed_form = 0;  ///< tables answered, by where they came from
+    std::int64_t memory_hits = 0, disk_hits = 0, closed_form = 0;  ///< returned tables by origin
     std::int64_t tables_set_aside = 0;                             ///< damaged ones
 };
 
 /// Tables in memory.
 struct CacheUse {
     std::int64_t tables = 0;
-    std::size_t bytes = 0, budget_bytes = 0;  ///< what they take, and may take
+    std::size_t bytes = 0, budget_bytes = 0;  ///< current and allowed size
 };
 
-/// Work that waits and runs.
+/// Numbers of waiting and running solves and builds.
 struct QueueLengths {
     std::int64_t solves_waiting = 0, solves_running = 0;
     std::int64_t builds_waiting = 0, builds_running = 0;
@@ -52,8 +52,8 @@ struct QueueLengths {
 struct ServerInfo {
     std::string version;                           ///< of contactd
     std::string commit;                            ///< of its sources
-    int protocol = 0;                              ///< version that it answers in
-    std::vector<int> protocol_versions;            ///< that it understands, oldest first
+    int protocol = 0;                              ///< version of its answers
+    std::vector<int> protocol_versions;            ///< supported versions, oldest first
     std::map<std::string, std::string> libraries;  ///< their versions by name
     ServerLimits limits;
     ServerCounters counters;
@@ -62,17 +62,17 @@ struct ServerInfo {
     double uptime_seconds = 0;  ///< since its start
 };
 
-/// Observations of a histogram up to a bound, those of smaller bounds included.
+/// Cumulative observations of a histogram up to a bound.
 struct MetricBucket {
     double le = 0;  ///< the bound
     std::int64_t count = 0;
 };
 
-/// One value for each combination of labels.
+/// The value of a metric for a combination of labels.
 struct MetricSample {
     std::map<std::string, std::string> labels;  ///< their values by name
     double value = 0;                           ///< of a counter or a gauge
-    std::int64_t count = 0;                     ///< of a histogram: observations
+    std::int64_t count = 0;                     ///< of a histogram: number of observations
     double sum = 0;                             ///< their sum
     std::vector<MetricBucket> buckets;
 };
@@ -81,11 +81,11 @@ struct MetricSample {
 struct Metric {
     std::string name;  ///< with its unit
     std::string type;  ///< "counter", "gauge" or "histogram"
-    std::string help;  ///< what it is
+    std::string help;  ///< description
     std::vector<MetricSample> samples;
 };
 
-/// Work that waits or runs in the daemon.
+/// A waiting or running job of the daemon.
 struct Job {
     std::string job;                              ///< its name
     std::string kind;                             ///< "build", "solve", "subsurface" or "step"
@@ -94,62 +94,62 @@ struct Job {
     double fraction = 0;                          ///< 0..1, an estimate
     int callers = 0;                              ///< requests that wait for it
     double seconds = 0;                           ///< since it was queued
-    std::optional<double> seconds_left{};         ///< time to go as last reported, of builds where there is an estimate
-    std::optional<std::uint64_t> memory_bytes{};  ///< the most it will take, of builds where there is an estimate
-    std::vector<std::string> users{};  ///< whose requests wait, each once: names of keys, IP addresses, or uid:NUMBER
-    std::string description{};         ///< words for people: what is built or solved
+    std::optional<double> seconds_left{};         ///< last estimate of the remaining time of a build
+    std::optional<std::uint64_t> memory_bytes{};  ///< estimated largest memory of a build
+    std::vector<std::string> users{};  ///< users of waiting requests: names of keys, IP addresses, or uid:NUMBER
+    std::string description{};         ///< description of the build or solve in words
 };
 
-/// One session. Its name is not listed, for whoever knows it can use the session.
+/// A session. Its name is not listed, because any client with the name can use the session.
 struct SessionSummary {
     double age_seconds = 0;     ///< since it was opened
-    double idle_seconds = 0;    ///< since a request used it last, 0 while one does
-    double lease_seconds = 0;   ///< it ends when idle for that long
+    double idle_seconds = 0;    ///< since its last request ended, 0 during one
+    double lease_seconds = 0;   ///< idle time after which it ends
     std::int64_t step = 0;      ///< number of its last step
     std::int64_t states = 0;    ///< saved ones
-    std::size_t bytes = 0;      ///< what it counts of limits.max_session_bytes, saved states included
+    std::size_t bytes = 0;      ///< counted towards limits.max_session_bytes, including saved states
     std::int64_t elements = 0;  ///< of its grid
 };
 
 /// A table in the daemon's store.
 struct StoredIc {
-    std::string key;                       ///< what delete_ic takes
+    std::string key;                       ///< argument of delete_ic
     int nx = 0, ny = 0;                    ///< offsets along x and y
     std::size_t bytes = 0;                 ///< of its file
-    std::optional<IcEvidence> evidence{};  ///< how it was made, where that was asked for and its file can be read
+    std::optional<IcEvidence> evidence{};  ///< how it was made, if requested and its file can be read
 };
 
-/// A table whose builds failed too often; it and larger ones with its key are not tried again for now.
+/// A table whose builds failed too often. It and larger ones with its key are not built again for now.
 struct QuarantinedIc {
-    std::string key;      ///< what delete_ic takes, which ends the quarantine
+    std::string key;      ///< argument of delete_ic, which ends the quarantine
     int nx = 0, ny = 0;   ///< offsets along x and y
     int failures = 0;     ///< builds that failed
-    std::string message;  ///< how the last one failed
-    double seconds = 0;   ///< until it may be tried again
+    std::string message;  ///< message of the last failure
+    double seconds = 0;   ///< until the next build is allowed
 };
 
-/// One of the last solves of the user who asks.
+/// One of the last solves of the requesting user.
 struct RecentSolve {
-    std::int64_t number = 0;     ///< what recent_pressures takes; of all solves of all users since the daemon started
-    std::string method;          ///< by which it was asked for
+    std::int64_t number = 0;     ///< argument of recent_pressures; counts the solves of all users since the start
+    std::string method;          ///< requested method
     std::string id;              ///< of the request
     double at = 0;               ///< when it ended (s since 1970)
     double seconds = 0;          ///< from its start to its end
-    std::optional<Grid> grid{};  ///< of a contact; not of wheels on rails
-    std::int64_t elements = 0;   ///< of its grid; of wheels on rails those of all patches
-    std::int64_t patches = 0;    ///< grids: one, and of wheels on rails as many as places of contact
+    std::optional<Grid> grid{};  ///< of a contact; empty for wheels on rails
+    std::int64_t elements = 0;   ///< of its grid; for wheels on rails of all patches
+    std::int64_t patches = 0;    ///< number of grids: one, or for wheels on rails one per place of contact
     bool converged = false;      ///< whether every solver reached its tolerance
     int iterations = 0;          ///< of the normal and the tangential solvers together
-    double residual = 0;         ///< the largest figure that one of its solvers compared with its tolerance
+    double residual = 0;         ///< largest value that a solver compared with its tolerance
     std::array<double, 3>
-        forces{};     ///< Fx, Fy, Fn on the upper body; of wheels Fx, Fy, Fz on the rails, in track coordinates (N)
+        forces{};     ///< Fx, Fy, Fn on the upper body; for wheels Fx, Fy, Fz on the rails, in track coordinates (N)
     double pmax = 0;  ///< (N/mm^2)
-    bool has_pressures = false;  ///< whether recent_pressures has them
+    bool has_pressures = false;  ///< whether recent_pressures can return them
 };
 
-/// The pressures of one grid of a solve, rounded to single precision; arrays have shape [ny, nx].
+/// The pressures on a grid of a solve, rounded to single precision. Arrays have shape [ny, nx].
 struct RecentPatch {
-    Grid grid;                                      ///< of wheels on rails in contact coordinates (mm)
+    Grid grid;                                      ///< for wheels on rails in contact coordinates (mm)
     std::vector<double> pressure{};                 ///< (N/mm^2)
     std::vector<unsigned char> element_division{};  ///< 0 exterior, 1 adhesion, 2 slip
 };

@@ -1,8 +1,8 @@
-// A session of the daemon: the steps of a simulation, each of which starts where the one before ended.
+// A session of the daemon: the steps of a simulation, each of which starts from the end of the previous one.
 //
 //     contactd::SessionSpec spec;
-//     spec.setup = ...;                         // what all steps have in common
-//     spec.load.gap = ...;                      // and what holds for those that do not say it
+//     spec.setup = ...;                         // the set-up of all steps
+//     spec.load.gap = ...;                      // and the default load of a step
 //     contactd::client::Session session(client, spec);
 //     contactd::StepInput input;
 //     input.approach = 0.02;
@@ -21,7 +21,7 @@
 
 namespace contactd::client {
 
-/// A state that Session::save returns and Session::restore takes.
+/// A state that Session::save returns and Session::restore accepts.
 struct SavedState {
     std::string name;
     long long step = 0;  ///< number of the last step when it was saved
@@ -30,7 +30,7 @@ struct SavedState {
 class Session;
 class WheelRailSession;
 
-/// A step of one of several sessions.
+/// A step of a session in a call with several sessions.
 struct SessionStep {
     Session& session;
     StepInput input;
@@ -41,21 +41,22 @@ struct WheelRailSessionStep {
 };
 using AnySessionStep = std::variant<SessionStep, WheelRailSessionStep>;
 
-/// Solves the next step of each session in one message and on all workers of the daemon: the contacts of a vehicle. The
-/// client of the first session sends it, whose thread this is; clients of the others need only be of the same daemon
-/// and user, and are not used. The answers have the order of the steps; one that fails leaves its session as it was and
-/// does not fail the others. With `input.again` all are tried anew, those that failed too. Throws what Session::step
-/// does, and InvalidArgument when sessions are of several daemons or users, or one stands twice.
+/// Solves the next step of each session in one message and on all workers of the daemon, for example all contacts of a
+/// vehicle. The client of the first session sends the message, so call this from its thread. The other clients are not
+/// used, but must belong to the same daemon and user. The answers have the order of the steps. A step that fails
+/// leaves its session unchanged and does not affect the others. `input.again` repeats all steps, including those that
+/// failed. Throws the exceptions of Session::step, and InvalidArgument for several daemons or users, or a repeated
+/// session.
 std::vector<StepOrStatus> step_many(std::span<const SessionStep> steps, const CallOptions& options = {});
-/// Takes steps of contacts and of wheels on rails together, as step_many above does.
+/// Solves steps of contacts and of wheels on rails together, like step_many above.
 std::vector<AnyStepOrStatus> step_many(std::span<const AnySessionStep> steps, const CallOptions& options = {});
 
 /// The common part of sessions of contacts and of wheels on rails.
 ///
-/// Belongs to the thread of its client, and to the process that opened or joined it: elsewhere, and while another of
-/// its calls runs, a call throws ConcurrencyError. Steps are numbered here: one whose answer does not come
-/// (TimeoutError, ConnectionError) is asked for once more under its number, which the daemon answers without solving
-/// twice. A step that fails leaves the session as it was. Every call throws what Client's do.
+/// Use it from the thread of its client and in the process that opened or joined it. Elsewhere, and during another of
+/// its calls, a call throws ConcurrencyError. This class numbers the steps: a step whose answer did not arrive
+/// (TimeoutError, ConnectionError) is requested again with the same number, and the daemon does not solve it twice. A
+/// step that fails leaves the session unchanged. Every call throws the exceptions of Client.
 class AnySession {
    public:
     AnySession(const AnySession&) = delete;
@@ -63,25 +64,25 @@ class AnySession {
 
     /// Saves the state of the session.
     SavedState save(const CallOptions& options = {});
-    /// Takes the session to a saved state, which stays and can be restored again.
+    /// Returns the session to a saved state, which is kept and can be restored again.
     void restore(const SavedState& state, const CallOptions& options = {});
     void forget(const SavedState& state, const CallOptions& options = {});
-    /// Ends the session now, and says so when it has ended already (StatusError, NOT_FOUND).
+    /// Ends the session now. Throws StatusError (NOT_FOUND) if it has already ended.
     void close(const CallOptions& options = {});
 
-    /// The key to the session: who has it can join it, and end it.
+    /// Returns the name of the session. Any client with the name can join and end the session.
     const std::string& name() const;
-    /// Leaves the session to whoever joins it: neither this object's end nor anything else here ends it any more.
+    /// Releases the session for other clients to join, and returns its name. This object no longer ends it.
     std::string release();
 
     long long step_number() const;  ///< of the last step, 0 before the first
-    double lease_seconds() const;   ///< it ends when unused for that long
-    std::size_t bytes() const;      ///< of the daemon's memory, when it was opened or joined
+    double lease_seconds() const;   ///< idle time after which it ends
+    std::size_t bytes() const;      ///< memory of the daemon when it was opened or joined
 
    protected:
     class Impl;
     explicit AnySession(std::unique_ptr<Impl> impl);
-    /// Ends the session; should the daemon be out of reach, its lease does.
+    /// Ends the session. If the daemon cannot be reached, the lease ends it.
     ~AnySession();
     Impl& impl() const { return *impl_; }
 
@@ -94,37 +95,38 @@ class AnySession {
 /// The session of a contact.
 class Session : public AnySession {
    public:
-    /// Opens a session; returns when the tables lie ready, which may take a build. `client` outlives it. Throws
-    /// InvalidArgument too, for a problem that cannot be solved as stated.
+    /// Opens a session. Returns when its tables are available, which may require a build. `client` must outlive the
+    /// session. Also throws InvalidArgument for invalid input.
     Session(Client& client, const SessionSpec& spec, const CallOptions& options = {});
-    /// Opens a session of a complete problem: its gap, load and friction hold for the steps that name none.
+    /// Opens a session of a complete problem. Its gap, load and friction apply to the steps that omit them.
     Session(Client& client, const ContactProblem& problem, const CallOptions& options = {});
-    /// The session of this name, where its last step left it, whoever opened it and wherever. Two who share a session
-    /// alternate, and inform each other: the number of a step that the other one has taken is refused (StatusError,
-    /// FAILED_PRECONDITION) or, asked for with the same inputs, answered as the other one was. Throws StatusError
-    /// (NOT_FOUND) when it has ended, and InvalidArgument ("name") when it is of another kind.
+    /// Joins the session of this name in its current state; any client may have opened it. Clients that share a
+    /// session must alternate and inform each other: the number of a step that another client has taken is refused
+    /// (StatusError, FAILED_PRECONDITION) or, with the same inputs, receives the same answer. Throws StatusError
+    /// (NOT_FOUND) if the session has ended, and InvalidArgument ("name") if it is of another kind.
     static Session join(Client& client, const std::string& name, const CallOptions& options = {});
 
     /// Solves the next step. Arrays of the solution are empty unless `input.fields` names them.
     StepReply step(const StepInput& input, const CallOptions& options = {});
 
-    const IcUses& ics() const;  ///< where the influence coefficients came from
+    const IcUses& ics() const;  ///< origins of the influence coefficients
 
    private:
     explicit Session(std::unique_ptr<Impl> impl);
 };
 
-/// The session of a wheel on its rail: its profiles are sent and read once, and its operators are kept. Steady rolling
-/// knows no history: a step answers what Client::wheel_rail does, within the tolerances, and starts its searches and
-/// solvers from the step before.
+/// The session of a wheel on its rail. Its profiles are sent and read once, and its operators are kept. Steady rolling
+/// has no history: a step returns the result of Client::wheel_rail within the tolerances, but its searches and solvers
+/// start from the previous step.
 class WheelRailSession : public AnySession {
    public:
-    /// Opens a session. `client` outlives it. Throws InvalidArgument too, naming "wheelrail.setup.track.gauge", ...
+    /// Opens a session. `client` must outlive it. Also throws InvalidArgument naming the field, such as
+    /// "wheelrail.setup.track.gauge".
     WheelRailSession(Client& client, const WheelRailSessionSpec& spec, const CallOptions& options = {});
-    /// Joins a session of a wheel on its rail, as Session::join does.
+    /// Joins a session of a wheel on its rail, like Session::join.
     static WheelRailSession join(Client& client, const std::string& name, const CallOptions& options = {});
 
-    /// Solves the next step. Throws InvalidArgument naming "wheelrail.state.position.roll", ...
+    /// Solves the next step. Also throws InvalidArgument naming the field, such as "wheelrail.state.position.roll".
     WheelRailStepReply step(const WheelRailStepInput& input, const CallOptions& options = {});
 
    private:

@@ -38,7 +38,7 @@ class WheelRailForces:
     Attributes:
         track: Forces in track coordinates.
         rail: About the origin of the rail's profile, along its axes.
-        wheelset: About the wheelset's centre, along its axes, which do not turn with its pitch.
+        wheelset: About the wheelset's centre, along its axes, which do not rotate with its pitch.
     """
 
     track: Wrench
@@ -86,9 +86,9 @@ class WrenchesByVelocity:
 
 @dataclass(frozen=True)
 class WheelRailDerivatives:
-    """How the forces on the rail, in track coordinates, follow the state, to first order: derivatives.position.z.Fz is
-    dFz/dz (N/mm). Units are those of a wrench over those of the input. All inputs but the one are fixed, height and
-    pitch rate also where forces found them.
+    """First derivatives of the forces on the rail by the state, in track coordinates: derivatives.position.z.Fz is
+    dFz/dz (N/mm). Units are those of a wrench over those of the input. All other inputs are fixed, also height and
+    pitch rate found from forces.
 
     Attributes:
         position: Derivatives by the position of the wheelset.

@@ -30,7 +30,7 @@ class ContactReference:
         x: Forwards (mm).
         y: To the right (mm).
         z: Down (mm).
-        angle: Angle by which the track's axes are turned about x (rad): positive where the rail falls to the right.
+        angle: Angle by which the track's axes are rotated about x, positive if the rail falls to the right (rad).
     """
 
     x: float
@@ -41,13 +41,13 @@ class ContactReference:
 
 @dataclass(frozen=True)
 class RailPlace:
-    """The reference along and across the rail: elements of a shift lie at multiples of dx and dy from where both are 0,
-    those of transient rolling from position.x on.
+    """Position of the reference along and across the rail. Elements of a shift lie at multiples of dx and dy from the
+    point where both are 0, those of transient rolling from position.x.
 
     Attributes:
         along: x forwards, with position.x of the state (mm).
-        across: Arc length to the right, from where the rail's profile has y = 0, or, where that profile doubles back,
-            from its point nearest to the origin (mm).
+        across: Arc length to the right from y = 0 of the rail's profile or, if the profile doubles back, from its point
+            nearest to the origin (mm).
     """
 
     along: float
@@ -62,8 +62,8 @@ class OverlapRegion:
         reference: Its weighted centre.
         x: Its ends forwards, in track coordinates (mm).
         y: Its ends to the right (mm).
-        z: The rail's z there (mm).
-        penetration: Largest vertical one (mm).
+        z: z of the rail at this point (mm).
+        penetration: Largest vertical overlap (mm).
         size: Integral of the vertical penetration squared (mm^4).
     """
 
@@ -77,7 +77,7 @@ class OverlapRegion:
 
 @dataclass(frozen=True)
 class Creepages:
-    """Velocities of the rail over those of the wheel, by the rolling velocity, in contact coordinates.
+    """Velocities of the rail relative to the wheel over the rolling velocity, in contact coordinates.
 
     Attributes:
         xi: Longitudinal creepage.
@@ -96,7 +96,7 @@ class Creepages:
 
 @dataclass(frozen=True)
 class ContactRadii:
-    """Radii of curvature at the reference (mm), positive where convex.
+    """Radii of curvature at the reference (mm), positive where convex. None where straight.
 
     Attributes:
         wheel_along: Radius of the wheel along x (mm).
@@ -118,7 +118,7 @@ class ContactRow:
     Attributes:
         y: Its middle in track coordinates, to the right (mm).
         z: Its middle in track coordinates, down (mm).
-        angle: Its inclination (rad): tractions are along axes turned about x by it.
+        angle: Inclination of the row (rad). Tractions are along axes rotated about x by it.
     """
 
     y: float
@@ -133,17 +133,17 @@ class ContactPlace:
 
     Attributes:
         reference: Its origin and plane, on the rail.
-        on_rail: The reference along and across the rail: elements of a shift lie at multiples of dx and dy from where
-            both are 0, those of transient rolling from position.x on.
-        regions: Regions where the undeformed profiles overlap, from the right to the left; more than one interact with
-            a weight.
-        shares: Weights of the interaction of regions: the share of the displacements of each region that acts on each,
-            row by row; 1 on the diagonal.
+        on_rail: Position of the reference along and across the rail. Elements of a shift lie at multiples of dx and dy
+            from the point where both are 0, those of transient rolling from position.x.
+        regions: Regions where the undeformed profiles overlap, from right to left. Several regions interact with a
+            weight.
+        shares: Weights of the interaction of regions: the fraction of the displacements of each region that acts on
+            each other region, row by row; 1 on the diagonal.
         grid: The potential contact area, in contact coordinates.
         approach: Penetration along z, the largest at the elements (mm).
         penetration: Vertical penetration, the largest (mm).
-        creepages: Velocities of the rail over those of the wheel, by the rolling velocity, in contact coordinates.
-        radii: Radii of curvature at the reference (mm), positive where convex; None where straight.
+        creepages: Velocities of the rail relative to the wheel over the rolling velocity, in contact coordinates.
+        radii: Radii of curvature at the reference (mm), positive where convex. None where straight.
         rows: Rows of elements of a contact that is curved across the track. None where it is plane.
     """
 
@@ -180,16 +180,16 @@ class ProfileFrame:
 
 @dataclass(frozen=True, eq=False)
 class WheelRailGeometry:
-    """Results that the profiles and a position give without a solve.
+    """Results of the profiles and positions without a solve.
 
     Attributes:
         z: z of the wheelset (mm).
         wheel_frame: Axes of the wheel's profile.
-        rail_frame: Axes of the rail's profile, with the rail's deviation and deflection; of a roller at its top.
-        places: Possible contact patches, from the right to the left; none where wheel and rail do not overlap.
-        clearance: Least vertical distance of wheel and rail at this z, negative where they overlap (mm); None where
+        rail_frame: Axes of the rail's profile, with the rail's deviation and deflection; for a roller at its top.
+        places: Possible contact patches, from right to left. Empty if wheel and rail do not overlap.
+        clearance: Smallest vertical distance of wheel and rail at this z, negative where they overlap (mm). None if
             they are not above each other.
-        warnings: Sentences that a user should know.
+        warnings: Warnings.
     """
 
     z: float

@@ -23,10 +23,10 @@ class WheelRailPatch:
 
     Attributes:
         place: Where it is.
-        solution: The solution, as of contact.solve, in contact coordinates; arrays that were asked for. Tractions and
+        solution: The solution, as in contact.solve, in contact coordinates, with the requested arrays. Tractions and
             forces act on the rail.
         forces: Forces of this patch.
-        gap: Where asked for: undeformed distance less its least value (mm), shape [ny, nx] of the place's grid.
+        gap: Undeformed distance minus its smallest value (mm), shape [ny, nx] of the place's grid. Only if requested.
     """
 
     place: ContactPlace
@@ -50,29 +50,31 @@ class RailDeflection:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class WheelRailSolution(WheelRailSolutionMethods):
-    """The contact of a wheel with its rail. No contact is an answer: no patches. Forces act on the rail.
+    """The contact of a wheel with its rail. Without contact there are no patches, which is not an error. Forces act on
+    the rail.
 
     Attributes:
         z: z of the wheelset, as prescribed or found (mm).
         pitch_rate: Pitch rate of the wheelset, as prescribed or found (rad/s).
         wheel_frame: Axes of the wheel's profile.
-        rail_frame: Axes of the rail's profile, with the rail's deviation and deflection; of a roller at its top.
+        rail_frame: Axes of the rail's profile, with the rail's deviation and deflection; for a roller at its top.
         forces: Forces of all patches.
-        patches: Patches from the right to the left; none without contact. A step that said patches false lacks them.
+        patches: Patches from right to left. Empty without contact. None in a step with patches false.
         converged: Whether the solvers of all patches and the searches reached their tolerances.
-        warnings: Sentences that a user should know.
-        clearance: Least vertical distance of wheel and rail at this z, negative where they overlap (mm); None where
+        warnings: Warnings.
+        clearance: Smallest vertical distance of wheel and rail at this z, negative where they overlap (mm). None if
             they are not above each other.
-        force: Search for z, where Fz was given: solves, and what was left, |F - Fz|/Fz.
-        pitch_search: Search for the pitch rate, where Fx was given: searches for z, or solves, and the error of Fx that
-            was left, over Fz.
+        force: Search for z, with a prescribed Fz: number of solves, and the remaining error |F - Fz|/Fz.
+        pitch_search: Search for the pitch rate, with a prescribed Fx: number of searches for z, or of solves, and the
+            remaining error of Fx over Fz.
         rail_deflection: Deflection of a massless flexible rail, in addition to its deviation, in track coordinates
             (mm).
-        rail_search: Search for the deflection of a flexible rail: solves, and what is left of the balance of its forces
-            over Fz, sideways or downwards.
-        accuracy: Estimate of how far forces, over the normal force, and the largest pressures and tractions, over
-            these, are from those of a fresh solve with tight tolerances at this height: of model full with contact.
-        derivatives: Where asked for, of a converged solution with contact.
+        rail_search: Search for the deflection of a flexible rail: number of solves, and the remaining imbalance of its
+            forces over Fz, lateral or vertical.
+        accuracy: Estimate of the deviation of forces (relative to the normal force) and of the largest pressures and
+            tractions (relative to these) from those of a fresh solve with tight tolerances at this height. Only for
+            model full with contact.
+        derivatives: Derivatives of a converged solution with contact. Only if requested.
         contacts: Number of patches, in place of them, of a step with patches false.
         frictional_power: Power that friction dissipates in all patches, in rolling (N mm/s).
     """
@@ -101,13 +103,15 @@ class WheelsetSolution(WheelsetSolutionMethods):
     """A wheelset on its rails. Forces act on the rails.
 
     Attributes:
-        z: z of the wheelset, as found (mm): against the mean of both nominal radii, as each wheel's own is against its.
+        z: Computed z of the wheelset, relative to the mean of both nominal radii (mm); z of each wheel is relative to
+            its own nominal radius.
         roll: Roll of the wheelset, as found (rad).
         left: The left wheel on its rail.
         right: The right wheel on its rail.
-        roll_search: Search for the roll: solves of both wheels, and by how much their heights differ (mm).
+        roll_search: Search for the roll: number of solves of both wheels, and the remaining difference of their heights
+            (mm).
         converged: Whether the solvers of both wheels and the search for the roll reached their tolerances.
-        warnings: Sentences that a user should know of both wheels together; each wheel has its own, too.
+        warnings: Warnings about both wheels together. Each wheel also has its own.
     """
 
     z: float

@@ -41,8 +41,8 @@ class RigidContact:
         z: Position in track coordinates, down (mm).
         angle: Angle of the rail's tangent (rad): negative at the right wheel's flange.
         radius: Rolling radius of the wheel (mm).
-        height: z of the wheelset that brings this contact, against wheels that touch z = 0 with the nominal radius of
-            this one (mm).
+        height: z of the wheelset that produces this contact, relative to wheels that touch z = 0 with the nominal
+            radius of this wheel (mm).
         wheel_y: y in the wheel's profile (mm).
         rail_y: y in the rail's profile, as the track's cant turns it (mm).
         at_end: Whether the wheel's or the rail's profile ends before the bodies part.
@@ -60,12 +60,12 @@ class RigidContact:
 
 @dataclass(frozen=True)
 class WheelsetContacts:
-    """Where both wheels touch at one shift.
+    """Contacts of both wheels at one shift.
 
     Attributes:
         shift: Shift of the wheelset, to the right (mm).
         roll: Roll of the wheelset, from y to z (rad); 0 where it is neglected.
-        radius_difference: Rolling radius of the right wheel less that of the left one (mm).
+        radius_difference: Rolling radius of the right wheel minus that of the left one (mm).
         left: The contact of the left wheel.
         right: The contact of the right wheel.
     """
@@ -79,15 +79,16 @@ class WheelsetContacts:
 
 @dataclass(frozen=True)
 class EquivalentConicity:
-    """The conicity of the cones on which a wheelset would roll with the same wavelength, for one amplitude.
+    """Equivalent conicity for one amplitude: that of cones on which a wheelset rolls with the same wavelength.
 
     Attributes:
         amplitude: Half of the way from side to side (mm).
-        integrated: Conicity by the wavelength of the kinematic motion; 0 where there is no radius difference, None
-            where the wheelset does not swing.
-        harmonic: Conicity by the first harmonic of the radius difference; None where there is no centre to swing
-            around.
-        wavelength: Wavelength of the kinematic motion (mm); None where the wheelset does not swing, or has no conicity.
+        integrated: Conicity from the wavelength of the kinematic motion; 0 without a radius difference. None if the
+            wheelset does not oscillate.
+        harmonic: Conicity from the first harmonic of the radius difference. None if there is no equilibrium to
+            oscillate about.
+        wavelength: Wavelength of the kinematic motion (mm). None if the wheelset does not oscillate or has zero
+            conicity.
     """
 
     amplitude: float
@@ -124,7 +125,7 @@ class ProfilePlace:
 
 @dataclass(frozen=True)
 class WheelLandmarks:
-    """Places by which a wheel is known.
+    """Characteristic points of a wheel.
 
     Attributes:
         tip: Tip of the flange, the lowest point.
@@ -139,15 +140,15 @@ class WheelLandmarks:
 
 @dataclass(frozen=True)
 class ProfileReading:
-    """What a file of a profile was taken for.
+    """Detected properties of a profile file.
 
     Attributes:
         format: Format of the file.
         unit: Length of a unit of its points (mm).
-        mirror_y: Whether y of its points was turned, all told.
-        mirror_z: Whether z of its points was turned, all told.
-        oriented_by: What says which way z points: the file, the shape of its points, or the request.
-        lines_left_out: Number of lines that are neither points nor keys with a meaning here; comments are not counted.
+        mirror_y: Whether y of the points was mirrored in total.
+        mirror_z: Whether z of the points was mirrored in total.
+        oriented_by: Source of the direction of z: the file, the shape of the points, or the request.
+        lines_left_out: Number of ignored lines: neither points nor supported keys, without comments.
     """
 
     format: ProfileFormat
@@ -160,21 +161,21 @@ class ProfileReading:
 
 @dataclass(frozen=True)
 class ProfileEvidence:
-    """What became of the points of the wheel's profile.
+    """How the points of the wheel's profile were processed.
 
     Attributes:
-        points_given: Number of points that were given, or that stand for a formula.
-        points_kept: Number of points after cleaning, through or near which the curve goes.
+        points_given: Number of points in the input, or of points that represent a formula.
+        points_kept: Number of points after cleaning that the curve interpolates or approximates.
         spacing: Mean distance of these points (mm).
-        rounded_to: Step that all given coordinates are multiples of, of 1, 0.1, 0.01 and 0.001 of their unit (mm); 0:
-            of none.
-        cut_off: Wavelength of which smoothing leaves half the amplitude (mm); 0: nothing is smoothed.
+        rounded_to: Rounding step of the coordinates in the input (mm): 1, 0.1, 0.01 or 0.001 of their unit; 0: not
+            rounded.
+        cut_off: Wavelength at which smoothing halves the amplitude (mm); 0: not smoothed.
         largest_distance: Largest distance of these points from the smoothed curve (mm).
         rms_distance: Root of the mean square of these distances (mm).
         kinks: Kinks, at which the curve is broken: their y (mm).
-        warnings: Sentences that a user should know.
-        wheel: Places by which a wheel is known; None where no flange stands out by 10 mm.
-        file: What a file was taken for; None where there was none.
+        warnings: Warnings.
+        wheel: Characteristic points of a wheel. None if no flange protrudes by 10 mm.
+        file: Detected properties of the file. None if there was no file.
     """
 
     points_given: int
@@ -192,16 +193,16 @@ class ProfileEvidence:
 
 @dataclass(frozen=True, eq=False)
 class PlacedProfiles:
-    """Profiles of one side, as the daemon has read them: points through which its curves go.
+    """Profiles of one side, as the daemon read them: points on the curves.
 
     Attributes:
-        wheel: Points (y, z) of the wheel's profile (mm), shape [n, 2], cleaned and smoothed; straight lines between
-            need not be the curve.
-        rail: Points (y, z) of the rail's profile (mm), shape [n, 2], as the track's cant turns it.
+        wheel: Points (y, z) of the wheel's profile (mm), shape [n, 2], cleaned and smoothed. The curve between them is
+            not a straight line in general.
+        rail: Points (y, z) of the rail's profile (mm), shape [n, 2], rotated by the track's cant.
         wheel_origin: Origin of the wheel's profile (mm): from the middle of the axle to the field side.
         rail_origin: Origin of the rail's profile, in the track.
-        wheel_evidence: What became of the points of the wheel's profile.
-        rail_evidence: What became of the points of the rail's profile.
+        wheel_evidence: How the points of the wheel's profile were processed.
+        rail_evidence: How the points of the rail's profile were processed.
     """
 
     wheel: Array
@@ -217,7 +218,7 @@ class ProfilesOfSides:
     """Profiles of both sides.
 
     Attributes:
-        left: The left side, as if it were a right one.
+        left: The left side, as if it were a right side.
         right: The right side.
     """
 

@@ -25,17 +25,16 @@ WheelRailMotion = Literal["steady_rolling", "transient_rolling", "shift"]
 
 @dataclass(frozen=True, kw_only=True)
 class WheelsetPosition:
-    """Position of the wheelset's centre, from where it stands in the middle with its tape circles on the plane of the
+    """Position of the wheelset's centre, relative to the central position with its tape circles on the plane of the
     track.
 
     Attributes:
         y: To the right (mm).
-        z: Down (mm); a solve needs it, or Fz. Where Fz is given, only where to start.
+        z: Vertical position, positive down (mm). A solve requires it or Fz. With Fz it is the start of the search.
         roll: Roll, from y to z (rad), -0.5 to 0.5.
-        yaw: Yaw, from x to y, turned first (rad), -0.5 to 0.5.
-        x: Along the track, where the rail varies (mm); forces and references are told from there on.
-        pitch: Angle by which the wheelset has turned about its axle, for an out-of-round wheel (rad); any number of
-            revolutions.
+        yaw: Yaw, from x to y, the first rotation (rad), -0.5 to 0.5.
+        x: Position along the track on a rail that varies (mm). Forces and references are given relative to it.
+        pitch: Rotation of the wheelset about its axle, for an out-of-round wheel (rad); any number of revolutions.
     """
 
     y: float = 0.0
@@ -69,22 +68,23 @@ class WheelsetVelocity:
 
 @dataclass(frozen=True, kw_only=True)
 class WheelDeviation:
-    """Deviation of the wheel from where a rigid wheelset has it, as of an axle that bends: of the origin of its profile
-    along the wheelset's axes, and turns about that point, the yaw first. Rates are added to the motion of the wheelset.
+    """Deviation of the wheel from its place on a rigid wheelset, for example due to axle bending: displacement of the
+    origin of its profile along the wheelset's axes, and rotation about that point, yaw first. Rates are added to the
+    motion of the wheelset.
 
     Attributes:
         x: Deviation of the wheel along the wheelset's x axis (mm).
-        y: Deviation of the wheel along the wheelset's y axis (mm): of a right wheel outwards.
+        y: Deviation of the wheel along the wheelset's y axis, for a right wheel outwards (mm).
         z: Deviation of the wheel along the wheelset's z axis (mm): down.
-        roll: Roll of the wheel beside that of the wheelset, from y to z (rad), -0.5 to 0.5.
-        yaw: Yaw of the wheel beside that of the wheelset, from x to y (rad), -0.5 to 0.5.
-        pitch: Rotation of an out-of-round wheel about its axle, beside that of the wheelset (rad).
+        roll: Roll of the wheel in addition to that of the wheelset, from y to z (rad), -0.5 to 0.5.
+        yaw: Yaw of the wheel in addition to that of the wheelset, from x to y (rad), -0.5 to 0.5.
+        pitch: Rotation of an out-of-round wheel about its axle, in addition to that of the wheelset (rad).
         x_velocity: Velocity of the wheel's deviation along x (mm/s).
         y_velocity: Velocity of the wheel's deviation along y (mm/s).
         z_velocity: Velocity of the wheel's deviation along z (mm/s).
-        roll_velocity: Velocity of the wheel's roll beside that of the wheelset (rad/s).
-        yaw_velocity: Velocity of the wheel's yaw beside that of the wheelset (rad/s).
-        pitch_velocity: Velocity of the wheel's pitch beside that of the wheelset (rad/s).
+        roll_velocity: Roll velocity of the wheel in addition to that of the wheelset (rad/s).
+        yaw_velocity: Yaw velocity of the wheel in addition to that of the wheelset (rad/s).
+        pitch_velocity: Pitch velocity of the wheel in addition to that of the wheelset (rad/s).
     """
 
     x: float = 0.0
@@ -103,7 +103,7 @@ class WheelDeviation:
 
 @dataclass(frozen=True, kw_only=True)
 class RailDeviation:
-    """Deviation of the rail from where track and gauge have it, in track coordinates also for a left one.
+    """Deviation of the rail from its place by track and gauge, in track coordinates, also for a left rail.
 
     Attributes:
         y: To the right (mm).
@@ -131,24 +131,24 @@ class WheelRailState(Saved):
     """Where the wheelset is, and how it moves.
 
     Attributes:
-        position: Position of the wheelset's centre, from where it stands in the middle with its tape circles on the
-            plane of the track.
+        position: Position of the wheelset's centre, relative to the central position with its tape circles on the plane
+            of the track.
         velocity: Velocity of the wheelset's centre in track coordinates, and about its own axes.
-        wheel: Deviation of the wheel from where a rigid wheelset has it, as of an axle that bends: of the origin of its
-            profile along the wheelset's axes, and turns about that point, the yaw first. Rates are added to the motion
-            of the wheelset.
-        rail: Deviation of the rail from where track and gauge have it, in track coordinates also for a left one.
-        roller_pitch: Pitch rate of a roller (rad/s): positive where the wheel on it turns as when rolling forwards.
-        Fz: Vertical force of this wheel on the rail, which position.z is found for (N), >= 1e-06. None: position.z is
+        wheel: Deviation of the wheel from its place on a rigid wheelset, for example due to axle bending: displacement
+            of the origin of its profile along the wheelset's axes, and rotation about that point, yaw first. Rates are
+            added to the motion of the wheelset.
+        rail: Deviation of the rail from its place by track and gauge, in track coordinates, also for a left rail.
+        roller_pitch: Pitch rate of a roller, positive if the wheel on it turns as in forward rolling (rad/s).
+        Fz: Vertical force of this wheel on the rail (N), >= 1e-06. It determines position.z. If None, position.z is
             prescribed.
-        Fx: Longitudinal force on the rail along the wheelset's x axis, which velocity.pitch is found for (N); needs
-            friction. None: velocity.pitch is prescribed.
-        motion: What a step is: steady rolling knows nothing of the steps before; transient rolling and a shift go on
-            from the tractions that the step before of a session ended with, and from none where there was none.
-            Elements of transient rolling move with the wheelset, and those of a shift are fixed to the rail.
-        time_step: Duration of a step that is not steady (s), >= 1e-30: a shift, which needs it, is that of the
-            velocities in this time, and transient rolling goes as far as the rolling velocity takes it. None, that
-            rolls by dq of the set-up.
+        Fx: Longitudinal force on the rail along the wheelset's x axis (N). It determines velocity.pitch and requires
+            friction. If None, velocity.pitch is prescribed.
+        motion: Kind of step. Steady rolling does not depend on the previous steps. Transient rolling and a shift start
+            from the tractions at the end of the previous step of a session, or from zero without one. Elements of
+            transient rolling move with the wheelset; those of a shift are fixed to the rail.
+        time_step: Duration of a step that is not steady (s), >= 1e-30. A shift requires it and has the velocities for
+            this time. Transient rolling covers the distance of the rolling velocity. If None, transient rolling covers
+            dq of the set-up.
         derivatives: Whether the solution has derivatives of the forces by position and velocity.
         displacements: Whether the solutions of patches have displacements, and elastic energies, as in contact.solve.
     """
@@ -168,18 +168,18 @@ class WheelRailState(Saved):
 
 @dataclass(frozen=True, kw_only=True)
 class WheelsetState(Saved):
-    """Where a wheelset is that is free to roll, and how it moves.
+    """Position and motion of a wheelset that is free to roll.
 
     Attributes:
         Fz_left: Vertical force of the left wheel on its rail (N), >= 1e-06.
         Fz_right: Vertical force of the right wheel on its rail (N), >= 1e-06.
-        position: Position of the wheelset's centre; z and roll, which are found, only tell where to start.
+        position: Position of the wheelset's centre. z and roll are starting values of the search.
         velocity: Velocity of the wheelset's centre in track coordinates, and about its own axes.
         left_wheel: Deviation of the left wheel, along the wheelset's axes: y to the right.
         right_wheel: Deviation of the right wheel, along the wheelset's axes.
         left_rail: Deviation of the left rail, in track coordinates: y to the right.
         right_rail: Deviation of the right rail, in track coordinates.
-        roller_pitch: Pitch rate of a roller (rad/s): positive where the wheel on it turns as when rolling forwards.
+        roller_pitch: Pitch rate of a roller, positive if the wheel on it turns as in forward rolling (rad/s).
     """
 
     Fz_left: float
