@@ -5,6 +5,7 @@
 
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
+#include "contactd/ic_record.hpp"
 
 namespace contactd {
 namespace {
@@ -13,9 +14,14 @@ constexpr std::size_t most_cached = 64;
 constexpr std::size_t most_cached_elements = 400'000;  // of all together, about 100 MB
 constexpr int spare = 16;                              // offsets that a table has beyond those that were needed
 
+/// Returns a dimensionless table with units, as the engine has it: both round alike.
 IcTable table_of(const Body& body, double dx, double dy, int nx, int ny, const Observer& observer) {
     if (body.material.is_rigid()) return IcTable(nx, ny);
-    return half_space_table({std::get<Ics>(body.ics), body.material, dx, dy, nx, ny}, observer);
+    const IcSpec spec{std::get<Ics>(body.ics), body.material, dx, dy, nx, ny};
+    IcRecord record;
+    record.spec = dimensionless(spec);
+    record.tables = half_space_table(record.spec, observer);
+    return std::get<IcTable>(body_table(record, spec, 1, observer));
 }
 
 bool is_closed_form(const Body& body) {
