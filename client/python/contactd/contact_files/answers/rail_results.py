@@ -124,6 +124,10 @@ class RailResult:
         """The coefficient at rest of each row of a curved contact; none of a plane one."""
         return [self._mu_at(row.angle) for row in patch.place.rows]
 
+    def _coefficients(self, patch: WheelRailPatch) -> Floats:
+        rows = self.mu_of_rows(patch)
+        return np.array(rows)[:, None] if rows else np.array(self.mu_of(patch))
+
     def _mu_at(self, angle: float) -> float:
         friction = self.contact.setup.friction
         if friction is None:
@@ -155,7 +159,7 @@ class RailResult:
         return Elements(
             grid=place.grid, tangential=self.contact.case.digits["T"], is_frictionless=not self._rolls(patch), chi=motion.chi,
             division=division_of(solution, place.grid.shape), h=gap,
-            approach=solution.approach, mu=none + self.mu_of(patch), pressure=pressure, traction=(traction_x, traction_y),
+            approach=solution.approach, mu=none + self._coefficients(patch), pressure=pressure, traction=(traction_x, traction_y),
             slip=(slip_x, slip_y), displacement=displacement_of(solution), temperature=temperature_of(solution),
             rigid_slip=rigid_slip_on(place.grid, (motion.xi, motion.eta), motion.phi, (-offset[0], -offset[1])),
             layer=layer_of(solution, layer, place.grid, self.contact.case.digits["T"], motion.chi, step),
