@@ -223,16 +223,16 @@ def test_an_interfacial_layer_is_that_of_the_digit() -> None:
     assert friction is not None and friction.layer is None
 
 
-@pytest.mark.parametrize(("law", "name", "scale"), [(2, "linear", 2.0), (3, "rational", 1.0), (4, "exponential", 1 / math.log(2))])
-def test_friction_falls_by_two_terms_with_memory(law: int, name: str, scale: float) -> None:
+@pytest.mark.parametrize(("law", "name", "share"), [(2, "linear", 0.5), (3, "rational", 1.0), (4, "exponential", math.log(2))])
+def test_friction_falls_by_two_terms_with_memory(law: int, name: str, share: float) -> None:
     one = {"FKIN": 0.15, "F1": 0.12, "SABSH1": 60.0, "F2": 0.08, "SABSH2": 25.0}
     friction = made(FRCLAW=law, friction=(one,), MEMDST=0.003, MEM_S0=1.0).problem.friction
     assert friction is not None and friction.mu == pytest.approx(0.35)
     assert friction.kinetic == KineticFriction(
-        0.15, scale * 60, name, None, SecondTerm(0.08, scale * 25), FrictionMemory(0.003, 1.0)
+        0.15, 60 / share, name, None, SecondTerm(0.08, 25 / share), FrictionMemory(0.003, 1.0)
     )
     friction = made(FRCLAW=law, friction=({**one, "F2": 0.0},), MEMDST=0.0, MEM_S0=1.0).problem.friction
-    assert friction is not None and friction.kinetic == KineticFriction(0.15, scale * 60, name)
+    assert friction is not None and friction.kinetic == KineticFriction(0.15, 60 / share, name)
 
 
 HEAT = {"BKTEMP1": 0.0, "HEATCP1": 450.0, "LAMBDA1": 50e-3, "DENS1": 7.85e-6,
@@ -342,3 +342,20 @@ def test_pressures_are_prescribed_over_an_ellipse_or_two_halves() -> None:
 def test_what_is_in_memory_and_does_not_act_is_no_matter() -> None:
     assert missing(basic_case(MEMDST=0.1, MEM_S0=1.0, FG1=1.0, IPLAN=4, FLXZ=1.0)) == []
     assert missing(basic_case(CDAMPN=1.0, CDAMPT=1.0, M2=0)) == []
+
+
+def test_limits_of_iterations_are_those_of_the_file() -> None:
+    few = made(MAXGS=80, POISS1=0.0, MAXOUT=7).problem
+    assert few.normal is not None and few.tangential is not None and few.outer is not None
+    assert (few.normal.max_iterations, few.tangential.max_iterations, few.outer.max_iterations) == (80, 80, 7)
+
+
+@pytest.mark.parametrize(("prescribed", "shares"), [(1, (1.5, 0.0)), (2, (0.9, -1.2))])
+def test_a_force_beyond_friction_becomes_full_slip(prescribed: int, shares: tuple[float, float]) -> None:
+    motion = rolling(made(F=prescribed, FX=shares[0], **({"FY": shares[1]} if prescribed == 2 else {})))
+    assert motion.force is not None and motion.force[0] is not None
+    full = 0.3 * 5e4
+    assert motion.force[0] == pytest.approx(shares[0] / 1.5 * full, rel=1e-5)
+    assert motion.force[0] < full and (motion.force[1] is None) == (prescribed == 1)
+    if motion.force[1] is not None:
+        assert np.hypot(motion.force[0], motion.force[1]) < (1 - 1e-6) * full

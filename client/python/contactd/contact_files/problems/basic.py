@@ -24,6 +24,7 @@ from .features import Missing, missing, prescribes_pressures
 from .frictions import coefficients, layer, shares, static
 from .heat import temperature_friction, thermal_bodies
 from .models import models_of, without_memory
+from .solvers import solver_settings
 
 if TYPE_CHECKING:
     from ...values.contact_files import ContactCase as Case
@@ -37,7 +38,6 @@ ReadCoefficients = Callable[["Case", float], TableIcs]
 _BILINEAR, _OF_FILE = 3, 9  #: C
 _NONE, _SHIFT, _TRANSIENT, _STEADY = range(4)
 _NEAR = 0.01  #: rad, of a rolling direction that counts as that of an axis
-_NORMAL, _OTHERS = 1e-8, 1e-6  #: contactd's own tolerances, which a case makes smaller and never larger
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,16 +147,9 @@ def _rolling_step(case: Case, grid: Grid) -> tuple[float, float]:
 
 
 def _settings(values: Any, pair: Pair) -> dict[str, Any]:
-    eps = values["EPS"]
-    settings: dict[str, Any] = {}
-    if eps < _NORMAL:
-        settings["normal"] = SolverSettings(tolerance=eps)
-    if eps < _OTHERS:
-        settings["tangential"] = SolverSettings(tolerance=eps)
+    settings = solver_settings(values)
     if not pair.is_quasi_identical and values["MAXOUT"] == 1:
         settings["outer"] = SolverSettings(max_iterations=1)
-    elif eps < _OTHERS:
-        settings["outer"] = SolverSettings(tolerance=eps)
     return settings
 
 

@@ -47,9 +47,11 @@ class Pair:
 def pair_of(values: Mapping[str, Any]) -> Pair:
     """The bodies of a case. Where they hardly differ, both are of the combined material, as the program has them."""
     nu1, nu2, g1, g2 = (values[name] for name in ("POISS1", "POISS2", "GG1", "GG2"))
+    if nu1 == nu2 and g1 == g2:
+        return Pair(Material(G=g1, nu=nu1), None, nu1, g1, 0.0)
     nu, G, difference = combined(nu1, nu2, g1, g2)
     if abs(difference) < _ALIKE:
-        return Pair(Material(G=G, nu=nu), None, nu, G, 0.0 if nu1 == nu2 and g1 == g2 else difference)
+        return Pair(Material(G=G, nu=nu), None, nu, G, difference)
     return Pair(Material(G=g1, nu=nu1), Material(G=g2, nu=nu2), nu, G, difference)
 
 

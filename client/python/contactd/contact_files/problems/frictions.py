@@ -24,14 +24,15 @@ Coefficients = tuple[Any, KineticFriction | None]
 """mu of Friction, one or an array, and its fall."""
 
 _NO_TERM = 1e-8
+_FULL_SLIP = 1 - 2e-6  #: of the bound; from a millionth below on no creepage is found
 _BY_TEMPERATURE = 6
 _LAYER, _NEVER_YIELDS = 4, 1e10
 _LAWS: dict[int, tuple[SlipLaw, float]] = {
-    2: ("linear", 2.0),
+    2: ("linear", 0.5),
     3: ("rational", 1.0),
-    4: ("exponential", 1 / math.log(2)),
+    4: ("exponential", math.log(2)),
 }
-"""The law of contactd, and its slip velocity over SABSH."""
+"""The law of contactd, and SABSH over its slip velocity."""
 
 
 def static(law: int, one: Set) -> float:
@@ -67,8 +68,8 @@ def coefficients_of_sets(
 def _fall(law: int, one: Set, start: SlipStart | None, memory: FrictionMemory | None) -> KineticFriction | None:
     if law not in _LAWS:
         return None
-    name, factor = _LAWS[law]
-    first, second = ((one[f"F{term}"], factor * one[f"SABSH{term}"]) for term in "12")
+    name, share = _LAWS[law]
+    first, second = ((one[f"F{term}"], one[f"SABSH{term}"] / share) for term in "12")
     if first[0] <= _NO_TERM and second[0] <= _NO_TERM:
         return None
     if first[0] <= _NO_TERM and name != "rational":  # whose terms differ
@@ -87,7 +88,11 @@ def layer(case: Case) -> InterfacialLayer | None:
 
 
 def shares(case_values: Mapping[str, Any], prescribed: int, unit: float) -> Force | None:
-    """The forces that shares of `unit` (N) stand for; prescribed is the digit F."""
+    """The forces that shares of `unit` (N) stand for; prescribed is the digit F. A force beyond friction becomes that of full
+    slip in its direction."""
     if prescribed == 0:
         return None
-    return (case_values["FX"] * unit, case_values["FY"] * unit if prescribed == 2 else None)
+    x, y = case_values["FX"], case_values["FY"] if prescribed == 2 else 0.0
+    size = math.hypot(x, y)
+    unit *= _FULL_SLIP / size if size > _FULL_SLIP else 1
+    return (x * unit, y * unit if prescribed == 2 else None)

@@ -28,6 +28,7 @@ from .features import Missing, missing
 from .frictions import coefficients_of_sets, layer
 from .heat import temperature_by_angle, temperature_friction, thermal_bodies
 from .models import models_of, without_memory
+from .solvers import solver_settings
 
 if TYPE_CHECKING:
     from ...values.contact_files import ContactCase as Case
@@ -43,6 +44,7 @@ _SHIFT, _TRANSIENT = 1, 2
 _OF_DISPLACEMENTS = 3  # variants of half-spaces that turn
 _HALF_PLANE = 4  #: D: contact that follows the surfaces
 _BY_ELEMENTS = (3, 4)  #: D: slip by the motion of both surfaces
+_OF_FORCE = 1e-6  #: contactd's own tolerance of the search for a force
 _NEAR = 1e-6  #: by how much distances that are the same to the program are apart here (mm)
 _OF_DEVIATION = {
     "x": "DXWHL", "y": "DYWHL", "z": "DZWHL", "roll": "DROLLW", "yaw": "DYAWW",
@@ -177,9 +179,9 @@ def _conformal(values: Any) -> Any:
 
 
 def _settings(values: Any) -> dict[str, Any]:
-    """Tolerances of a case make contactd's own smaller, and never larger."""
-    names = (("normal", 1e-8), ("tangential", 1e-6), ("force", 1e-6))
-    return {name: SolverSettings(tolerance=values["EPS"]) for name, own in names if values["EPS"] < own}
+    """The search for a force has the tolerance of the tractions."""
+    force = {"force": SolverSettings(tolerance=values["EPS"])} if values["EPS"] < _OF_FORCE else {}
+    return {**solver_settings(values), **force}
 
 
 def _friction(case: Case) -> WheelRailFriction:
