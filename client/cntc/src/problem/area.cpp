@@ -111,11 +111,19 @@ HertzResult hertz_of(const HertzArea& area, const Settings& settings) {
     return found;
 }
 
-/// A line contact ends at the given half width.
+/// How many rows of elements divide a line; the others lie beyond its ends, as many on either side.
+int rows_of_line(int rows, double scale) {
+    if (scale <= 1) return rows;
+    const int inside = std::max(1, static_cast<int>(std::nearbyint(rows / scale)));
+    return (rows - inside) % 2 == 0 ? inside : inside + 1;
+}
+
+/// A line contact ends at the given half width, between two rows of elements.
 Grid grid_of(const HertzArea& area, const HertzResult& hertz) {
-    const double scale_y = is_line(area.option) ? 1 : area.scale;
-    return Grid::of_elements(area.mx, area.my, 2 * hertz.axes.a * area.scale / area.mx,
-                             2 * hertz.axes.b * scale_y / area.my);
+    const double width = 2 * hertz.axes.a * area.scale / area.mx;
+    if (is_line(area.option))
+        return Grid::of_elements(area.mx, area.my, width, 2 * hertz.axes.b / rows_of_line(area.my, area.scale));
+    return Grid::of_elements(area.mx, area.my, width, 2 * hertz.axes.b * area.scale / area.my);
 }
 
 const HertzArea* hertz_area(const Settings& settings) {
@@ -130,6 +138,12 @@ std::vector<double> sampled(const Grid& grid, const Function& h) {
     for (int iy = 0; iy < grid.ny; ++iy)
         for (int ix = 0; ix < grid.nx; ++ix) values.push_back(h(grid.x(ix), grid.y(iy)));
     return values;
+}
+
+/// The distance of a cylinder; rows beyond its ends are far away.
+Gap gap_of_line(const HertzResult& hertz, const Grid& grid) {
+    constexpr double excluded = 1e6;  // mm
+    return sampled(grid, [&](double x, double y) { return std::abs(y) > hertz.axes.b ? excluded : hertz.a1 * x * x; });
 }
 
 Gap gap_of(const Quadratic& quadratic, const Grid& grid) {
@@ -202,6 +216,7 @@ Area area_of(const Settings& settings) {
     const Grid grid = grid_of(*area, hertz);
     if (area->option == -3) return {grid, hertz.axes, hertz};
     if (area->option == of_halves) return {grid, HalfEllipses{hertz.axes.a, hertz.negative, hertz.positive}, hertz};
+    if (is_line(area->option)) return {grid, gap_of_line(hertz, grid), hertz};
     return {grid, Paraboloid{radius(hertz.a1), radius(hertz.b1)}, hertz};
 }
 
