@@ -47,7 +47,11 @@ ProfileOptions options_of(const Optional<int>& ints, const Optional<double>& rea
     const KinkRule usual;
     options.kinks.angle = positive_or(reals(4, 0), usual.angle);
     options.kinks.rest = positive_or(reals(5, 0), options.kinks.angle / 5);
-    options.kinks.width = reals(6, 0) > 0 ? reals(6, 0) * units.length : usual.width;
+    constexpr double none = -1;
+    const double width = reals(6, none);
+    // Zeros alone ask for the usual rule; behind an angle a width of 0 is one.
+    const bool is_given = width > 0 || (width == 0 && reals(4, 0) > 0);
+    options.kinks.width = is_given ? width * units.length : usual.width;
     return options;
 }
 
