@@ -207,14 +207,38 @@ TEST_CASE("stresses go with the solution they are of") {
     CHECK(std::isnan(block.column(8)[0]));
 }
 
-TEST_CASE("displacements below the surface are no numbers, and leave other columns alone") {
+TEST_CASE("displacements below the surface are those of its elements where the bodies meet") {
+    Case contact = wheel(1);
+    contact.material(0.28, 0.1, 82000, 41000);
+    Block block{contact};
+    constexpr double just_below = 1e-9;
+    block.add(5, {}, {}, {just_below, -just_below});
+    REQUIRE(contact.calculate() == 0);
+    REQUIRE(block.calculate() == 0);
+    constexpr int elements = 625, middle = elements / 2;
+    int length = elements;
+    Values un(elements), ux(elements), uy(elements);
+    cntc_getdisplacements(contact.ire(), contact.icp(), &length, un.data(), ux.data(), uy.data());
+    for (const auto& [column, surface] : {std::pair(4, ux), std::pair(5, uy), std::pair(6, un)}) {
+        const Values below = block.column(column);
+        REQUIRE(below.size() == 2 * elements);
+        CHECK_THAT(below[middle] - below[elements + middle], WithinRel(surface[middle], 1e-6));
+    }
+    const double up = block.column(6)[middle], down = block.column(6)[elements + middle];
+    CHECK(up > 0);    // the upper body is pressed upwards
+    CHECK(down < 0);  // and the lower one downwards
+    contact.flag(1933, 1936);
+    CHECK_THAT(block.column(6)[middle], WithinRel(up / 1000, 1e-12));
+}
+
+TEST_CASE("a column that does not exist leaves the others alone") {
     Case contact = wheel(1);
     Block block{contact};
     block.add(9, {0}, {0}, {1});
     REQUIRE(contact.calculate() == 0);
     REQUIRE(block.calculate() == 0);
     int length = 1, columns = 3;
-    std::array codes{8, 4, 3};
+    std::array codes{8, 22, 3};
     Values values(3);
 
     subs_getresults(contact.ire(), contact.icp(), &block.number, &length, &columns, codes.data(), values.data());

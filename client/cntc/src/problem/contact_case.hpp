@@ -33,6 +33,7 @@ struct SolvedBlock {
     GivenBlock given;
     StressBlock points;  ///< (mm), z as the caller has it
     SubsurfaceStress stress;
+    SubsurfaceDisplacement displacement;  ///< (mm)
 };
 
 /// Seconds that solves took.

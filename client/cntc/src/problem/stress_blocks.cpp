@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
 
 #include "contactd/subsurface.hpp"
 #include "edge/arguments.hpp"
@@ -73,7 +71,8 @@ constexpr std::array components{&SubsurfaceStress::xx,       &SubsurfaceStress::
                                 &SubsurfaceStress::xy,       &SubsurfaceStress::xz, &SubsurfaceStress::yz,
                                 &SubsurfaceStress::von_mises};
 
-/// The layers of one body. The frame of the upper one is mirrored, which changes the signs of xz and yz.
+/// The layers of one body. The frame of the upper one is mirrored, which changes the signs of xz, yz and of
+/// displacements along z.
 void add_body(ContactBody body, const Solved& solved, SolvedBlock& block) {
     const bool upper = body == ContactBody::upper;
     std::vector<std::size_t> layers;
@@ -88,32 +87,26 @@ void add_body(ContactBody body, const Solved& solved, SolvedBlock& block) {
     const ContactSolution& solution = solved.solution;
     const MaterialPair bodies = solved.problem.bodies.materials();
     Observer observer;
-    const SubsurfaceStress stress = subsurface_stress(
-        solved.problem.grid, tractions_on(body, solution.pressure, solution.traction_x, solution.traction_y),
-        upper ? bodies.upper.nu : bodies.lower.nu, inside, observer);
+    const Material& material = upper ? bodies.upper : bodies.lower;
+    const SurfaceTractions tractions = tractions_on(body, solution.pressure, solution.traction_x, solution.traction_y);
+    const SubsurfaceStress stress = subsurface_stress(solved.problem.grid, tractions, material.nu, inside, observer);
+    const SubsurfaceDisplacement moved =
+        subsurface_displacement(solved.problem.grid, tractions, material, inside, observer);
     const std::size_t layer = inside.x.size() * inside.y.size();
-    for (const auto component : components) {
-        const bool changes_sign = upper && (component == &SubsurfaceStress::xz || component == &SubsurfaceStress::yz);
+    const auto place = [&](const std::vector<double>& found, bool changes_sign, std::vector<double>& all) {
         for (std::size_t k = 0; k < layers.size(); ++k)
             for (std::size_t i = 0; i < layer; ++i) {
-                const double value = (stress.*component)[k * layer + i];
-                (block.stress.*component)[layers[k] * layer + i] = changes_sign ? 0 - value : value;
+                const double value = found[k * layer + i];
+                all[layers[k] * layer + i] = changes_sign ? 0 - value : value;
             }
+    };
+    for (const auto component : components) {
+        const bool changes_sign = upper && (component == &SubsurfaceStress::xz || component == &SubsurfaceStress::yz);
+        place(stress.*component, changes_sign, block.stress.*component);
     }
-}
-
-/// Eigenvalues of a symmetric matrix, largest first: the roots of its characteristic polynomial by cosines.
-std::array<double, 3> principal(const SubsurfaceStress& s, std::size_t i) {
-    const double mean = (s.xx[i] + s.yy[i] + s.zz[i]) / 3;
-    const double x = s.xx[i] - mean, y = s.yy[i] - mean, z = s.zz[i] - mean;
-    const double xy = s.xy[i], xz = s.xz[i], yz = s.yz[i];
-    const double radius = std::sqrt((x * x + y * y + z * z + 2 * (xy * xy + xz * xz + yz * yz)) / 6);
-    if (radius == 0) return {mean, mean, mean};
-    const double determinant = x * (y * z - yz * yz) - xy * (xy * z - yz * xz) + xz * (xy * yz - y * xz);
-    const double angle = std::acos(std::clamp(determinant / (2 * radius * radius * radius), -1.0, 1.0)) / 3;
-    const double first = mean + 2 * radius * std::cos(angle);
-    const double last = mean + 2 * radius * std::cos(angle + 2 * std::numbers::pi / 3);
-    return {first, 3 * mean - first - last, last};
+    place(moved.x, false, block.displacement.x);
+    place(moved.y, false, block.displacement.y);
+    place(moved.z, upper, block.displacement.z);
 }
 
 double coordinate(const StressBlock& points, int axis, std::size_t i) {
@@ -125,15 +118,17 @@ double coordinate(const StressBlock& points, int axis, std::size_t i) {
 double stress_of(const SubsurfaceStress& s, int column, std::size_t i) {
     switch (column) {
         case 7:
-            return (s.xx[i] + s.yy[i] + s.zz[i]) / 3;
+            return s.hydrostatic[i];
         case 8:
             return s.von_mises[i];
         case 9:
-            return principal(s, i)[0] - principal(s, i)[2];
+            return s.tresca[i];
         case 10:
+            return s.principal_1[i];
         case 11:
+            return s.principal_2[i];
         case 12:
-            return principal(s, i)[static_cast<std::size_t>(column - 10)];
+            return s.principal_3[i];
         case 13:
             return s.xx[i];
         case 14:
@@ -167,25 +162,31 @@ StressBlock block_points(const GivenBlock& block, const Grid& grid) {
 }
 
 SolvedBlock solve_block(const GivenBlock& block, const Solved& solved) {
-    SolvedBlock result{block, block_points(block, solved.problem.grid), {}};
+    SolvedBlock result{block, block_points(block, solved.problem.grid), {}, {}};
     constexpr std::size_t most = 10'000'000;
     if (result.points.size() > most)
         throw Refused(error_code::input, "A block has " + std::to_string(result.points.size()) + " points; " +
                                              std::to_string(most) + " are possible.");
     for (const auto component : components) (result.stress.*component).resize(result.points.size());
+    for (auto* values : {&result.displacement.x, &result.displacement.y, &result.displacement.z})
+        values->resize(result.points.size());
     for (const ContactBody body : {ContactBody::upper, ContactBody::lower}) add_body(body, solved, result);
+    find_invariants(result.stress);
     return result;
 }
 
 std::vector<double> block_column(const SolvedBlock& block, int column, const Units& units) {
-    if (column < 1 || column > 21 || (column >= 4 && column <= 6))
-        throw Refused(error_code::input, "Column " + std::to_string(column) +
-                                             " is asked for; contactd has 1 to 3 and 7 to 21, and no displacements "
-                                             "below the surface.");
+    if (column < 1 || column > 21)
+        throw Refused(error_code::input, "Column " + std::to_string(column) + " does not exist; columns are 1 to 21.");
+    const auto& [ux, uy, uz] = block.displacement;
     std::vector<double> result(block.points.size());
     for (std::size_t i = 0; i < result.size(); ++i)
-        result[i] = column <= 3 ? coordinate(block.points, column - 1, i) / units.length
-                                : stress_of(block.stress, column, i) / units.stress();
+        result[i] = column <= 3   ? coordinate(block.points, column - 1, i) / units.length
+                    : column <= 6 ? (column == 4   ? ux
+                                     : column == 5 ? uy
+                                                   : uz)[i] /
+                                        units.length
+                                  : stress_of(block.stress, column, i) / units.stress();
     return result;
 }
 

@@ -24,9 +24,9 @@ StressBlock block_points(const GivenBlock& block, const Grid& grid);
 /// Stresses in the frame of the contact. At z = 0 they are those of the upper body.
 SolvedBlock solve_block(const GivenBlock& block, const Solved& solved);
 
-/// One column of the answer, a value for each point, x fastest: 1 to 3 x, y, z; 7 to 9 the mean of the normal stresses,
-/// von Mises' and Tresca's stress; 10 to 12 principal stresses, largest first; 13 to 21 xx, yx, zx, xy, ... zz. Throws
-/// Refused for others: displacements below the surface, 4 to 6, are not known.
+/// One column of the answer, a value for each point, x fastest: 1 to 3 x, y, z; 4 to 6 displacements; 7 to 9 the mean
+/// of the normal stresses, von Mises' and Tresca's stress; 10 to 12 principal stresses, largest first; 13 to 21 xx, yx,
+/// zx, xy, ... zz. Throws Refused for others.
 std::vector<double> block_column(const SolvedBlock& block, int column, const Units& units);
 
 }  // namespace contactd::cntc
