@@ -45,6 +45,21 @@ TEST_CASE("a layer lowers the force, the more when it flows") {
     CHECK_THAT(contact.forces().fx, WithinRel(clean, 1e-5));
 }
 
+TEST_CASE("where surfaces stick, displacements undo a shift, with those of the layer") {
+    Case contact = wheel(1);
+    contact.flag(1972, 1);
+    contact.coulomb(10);
+    constexpr double shift = 1e-3;
+    contact.creepages(shift, 0, 0);
+    layered(contact, 8200, 0.2, 0, 0);
+    REQUIRE(contact.calculate() == 0);
+    constexpr int elements = 625, middle = elements / 2;
+    int length = elements;
+    std::vector<double> un(elements), ux(elements), uy(elements);
+    cntc_getdisplacements(contact.ire(), contact.icp(), &length, un.data(), ux.data(), uy.data());
+    CHECK_THAT(ux[middle], WithinRel(-shift, 1e-4));
+}
+
 TEST_CASE("a creep curve with a layer and memory has the published force") {
     Case contact(1);
     falling(contact, 4, 0, 0.003);

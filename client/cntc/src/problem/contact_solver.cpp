@@ -31,6 +31,16 @@ ContactSolution tractions_of(const ContactSolution& solution) {
     return part;
 }
 
+/// A layer between the bodies shears as much as its flexibility times the traction.
+Displacements with_layer(const ContactProblem& problem, ContactSolution u) {
+    if (problem.friction && problem.friction->layer)
+        for (std::size_t i = 0; i < u.traction_x.size(); ++i) {
+            u.displacement_x[i] += problem.friction->layer->flexibility * u.traction_x[i];
+            u.displacement_y[i] += problem.friction->layer->flexibility * u.traction_y[i];
+        }
+    return {u.displacement_x, u.displacement_y, u.displacement_z};
+}
+
 /// Those of each element, as the solve of the wheel has them.
 RegionShares regions_on_rail(const ContactProblem& problem, bool is_left) {
     ContactRegions regions = *problem.regions;
@@ -68,7 +78,7 @@ ContactSolution ContactSolver::solve(const ContactProblem& problem) {
 Displacements ContactSolver::displacements(const ContactProblem& problem, const ContactSolution& solution) {
     ContactSolution u = tractions_of(solution);
     find_displacements(problem.grid, *influence_of(problem).current, u);
-    return {u.displacement_x, u.displacement_y, u.displacement_z};
+    return with_layer(problem, std::move(u));
 }
 
 Displacements ContactSolver::displacements_on_rail(const ContactProblem& problem, const ContactSolution& solution,
@@ -83,7 +93,7 @@ Displacements ContactSolver::displacements_on_rail(const ContactProblem& problem
     if (problem.regions) bodies = std::make_shared<const RegionOperator>(bodies, regions_on_rail(problem, is_left));
     find_displacements(problem.grid, *bodies, u);
     if (is_left) mirror(u, problem.grid);
-    return {u.displacement_x, u.displacement_y, u.displacement_z};
+    return with_layer(problem, std::move(u));
 }
 
 }  // namespace contactd::cntc
