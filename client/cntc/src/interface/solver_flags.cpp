@@ -8,7 +8,7 @@ using namespace contactd::cntc;
 
 namespace {
 
-enum Method { usual = 0, keep = 1, of_sensitivities = 6 };
+enum Method { usual = 0, keep = 1, convex = 2, with_slip_velocity = 4, of_sensitivities = 6 };
 
 /// Solvers are contactd's own, whichever is named. A tolerance makes theirs smaller, never larger: it is one of other
 /// stopping criteria, and contactd's own cost little.
@@ -46,6 +46,9 @@ extern "C" void cntc_setsolverflags(int* ire, int* icp, int* gdigit, int* nints,
         const auto reals = list(rparam, nreals, 1, "rparam");
         if (method == of_sensitivities) return;  // theirs are contactd's own
         settings.solvers = with_bounds(with_tolerance(settings.solvers, reals[0]), ints[0], ints[3]);
+        settings.one_outer_iteration = false;
+        if (method >= convex && method <= with_slip_velocity)
+            settings.starts_in_slip = ints.size() > 4 && ints[4] < 0;  // inislp
     });
 }
 CONTACTD_FORTRAN_NAME(cntc_setsolverflags)

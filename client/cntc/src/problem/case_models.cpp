@@ -1,5 +1,6 @@
 #include "case_models.hpp"
 
+#include <cmath>
 #include <string>
 
 #include "edge/codes.hpp"
@@ -37,6 +38,17 @@ CaseModels models_of(const Settings& settings) {
     found.simplified.on_elements = true;
     if (bound == elliptic || bound == from_pressures) found.simplified.bound = TractionBound::elliptic;
     return found;
+}
+
+MaterialPair solved_materials(const MaterialPair& given) {
+    constexpr double alike = 1e-4;
+    const auto& [upper, lower] = given;
+    if (upper == lower) return given;
+    const double G = 2 / (1 / upper.G + 1 / lower.G);
+    const double K = G / 4 * ((1 - 2 * upper.nu) / upper.G - (1 - 2 * lower.nu) / lower.G);
+    if (!(std::abs(K) < alike)) return given;
+    const Material combined{G, G * (upper.nu / upper.G + lower.nu / lower.G) / 2};
+    return {combined, combined};
 }
 
 std::optional<InterfacialLayer> layer_of(const Settings& settings) {

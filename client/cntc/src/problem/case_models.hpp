@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "contactd/contact_setup.hpp"
+#include "contactd/material.hpp"
 #include "problem/settings.hpp"
 
 namespace contactd::cntc {
@@ -18,6 +19,10 @@ struct CaseModels {
 /// it. Throws Refused for a bound of 2 or 3 without a simplified theory, and for a simplified theory that has no such
 /// bound.
 CaseModels models_of(const Settings& settings);
+
+/// Returns the materials to solve with: the combined one for both bodies if Dundurs' constant K is below 1e-4, where
+/// the other program treats bodies as quasi-identical.
+MaterialPair solved_materials(const MaterialPair& given);
 
 /// The layer between the bodies, where the flag of materials asks for one; else none.
 std::optional<InterfacialLayer> layer_of(const Settings& settings);

@@ -50,7 +50,9 @@ int calculate(ContactCase& problem) {
     problem.solved = Solved{std::move(next), std::move(solution), std::move(before), std::move(plastic)};
     problem.current = true;
     Solved& solved = *problem.solved;
-    require_converged(solved.solution.evidence);
+    ContactEvidence evidence = solved.solution.evidence;
+    if (solved.problem.settings.outer.max_iterations == 1) evidence.outer.reset();  // one was asked for
+    require_converged(evidence);
     if (const int digit = settings.digits(flag::sensitivities); digit >= 2)
         solved.sensitivities = sensitivities(solved.problem, solved.solution, problem.solver, digit == 3);
     return solved.solution.elements.border;

@@ -57,8 +57,9 @@ Force force_of(const Settings& settings, const ContactProblem& problem,
                       "Tangential forces are relative to the normal force, which is not known before the solve where "
                       "the penetration is prescribed and the bodies differ or creep; prescribe the normal force.");
     const double unit = friction_of(settings).law.mu[0] * (problem.Fn ? *problem.Fn : normal_force(problem));
-    // A force beyond friction becomes that of full slip along it, which only ever larger creepages come near.
-    constexpr double full_slip = 1 - 1e-6;
+    // A force beyond friction becomes that of full slip along it, which only ever larger creepages come near;
+    // from a millionth below on the solver refuses it.
+    constexpr double full_slip = 1 - 2e-6;
     const double x = settings.force->x, y = prescribed == 2 ? settings.force->y : 0;
     const double size = std::hypot(x, y), scale = unit * (size > full_slip ? full_slip / size : 1);
     Force force;
@@ -117,6 +118,7 @@ void add_friction(ContactProblem& problem, const Settings& settings,
     const Force force = force_of(settings, problem, normal_force);
     const GivenMotion given = settings.motion.value_or(GivenMotion{});
     problem.friction = friction.law;
+    if (problem.friction->kinetic && settings.starts_in_slip) problem.friction->kinetic->start = SlipStart::full_slip;
     forget_memory(problem.friction->kinetic, problem.model);
     problem.friction->layer = layer_of(settings);
     problem.temperature = heat_of(settings);
@@ -188,8 +190,10 @@ ContactProblem problem_of(const Settings& settings, const LastCase* last,
     ContactProblem problem;
     problem.grid = area.grid;
     problem.gap = std::move(area.gap);
-    problem.bodies = Bodies::of(*settings.materials, coefficients(settings));
+    problem.bodies = Bodies::of(solved_materials(*settings.materials), coefficients(settings));
     problem.settings = settings.solvers;
+    if (settings.one_outer_iteration && !problem.bodies.materials().quasi_identical())
+        problem.settings.outer.max_iterations = 1;
     require_half_ellipses(problem, settings);
     const CaseModels models = models_of(settings);
     problem.model = models.model;

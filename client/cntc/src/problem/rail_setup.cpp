@@ -207,12 +207,14 @@ WheelRailSetup setup_of(const Settings& settings, const RailSettings& rail) {
     if (!rail.elements)
         throw Refused(error_code::discretisation, "No sizes of elements were set; call cntc_setpotcontact.");
     WheelRailSetup setup = outline_of(settings, rail);
-    setup.bodies = Bodies::of(*settings.materials);
+    setup.bodies = Bodies::of(solved_materials(*settings.materials));
     setup.dx = rail.elements->dx;
     setup.dy = rail.elements->ds;
     const int tangential = settings.digits(flag::tangential);
     setup.friction.reset();
     if (tangential != none) setup.friction = friction_of(settings, rail);
+    if (setup.friction && setup.friction->kinetic && settings.starts_in_slip)
+        setup.friction->kinetic->start = SlipStart::full_slip;
     if (tangential != none) setup.temperature = heat_of(settings);
     if (tangential == transient && rail.dq != 1) setup.dq = rail.dq * setup.dx;
     setup.patches = patches_of(*rail.elements, settings);
@@ -281,6 +283,7 @@ WheelRailState state_of(const Settings& settings, const RailSettings& rail) {
     if (force == longitudinal) {
         if (!rail.Fx) throw Refused(error_code::input, "No longitudinal force was set; call cntc_settangentialforces.");
         state.Fx = rail.Fx;
+        if (state.velocity.pitch == 0) state.velocity.pitch = free_pitch_rate(rail, state);  // where the search starts
     }
     // Velocities of a shift are increments: those of a second.
     if (tangential == shift) {

@@ -94,6 +94,8 @@ struct Settings {
     ControlDigits digits;        ///< of the module
     int most_elements = 20'000;  ///< a patch on rails has fewer, or larger ones
     ContactSettings solvers;
+    bool one_outer_iteration = false;  ///< of dissimilar bodies
+    bool starts_in_slip = false;       ///< whether falling friction starts from full slip
     std::map<int, double> metadata;
     std::optional<MaterialPair> materials;
     std::optional<std::array<Viscoelasticity, 2>> creep;  ///< of the upper and the lower body
