@@ -26,7 +26,7 @@ ROOT = TESTS.parent
 BUILD = ROOT / "build" / "development"
 FFTW = ROOT / "build" / "fftw"
 #: What the Python tests run.
-PROGRAMS = ("contactd", "contactd-ic", "contactd_local", "contactd-cpp-example", "contactd-c-examples", "contactd-fmus", "congruence-drivers")
+PROGRAMS = ("contactd", "contactd-ic", "contactd_local", "contactd_cntc", "contactd-cpp-example", "contactd-c-examples", "contactd-fmus", "congruence-drivers")
 #: What reads bytes of others, under AddressSanitizer and UBSan, and commands that read files of others, ten seconds each.
 FUZZING = ["./dev", "fuzz", "10", "request", "session", "reply", "array", "commands"]
 #: What a build with FFTW's transforms is tested with, beside core: the daemon, contacts and wheels on rails.

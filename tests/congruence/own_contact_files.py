@@ -1,0 +1,75 @@
+"""Small input files of the CONTACT program, one rule of its conventions each."""
+
+from __future__ import annotations
+
+import numpy as np
+
+__all__ = ["END", "OWN", "PROFILES"]
+
+
+def basic(
+    *, digits="203100", second="022020", third="0000301", solver="999 20 25 1 1e-6", motion="50000. 0.0005 0. 0.0001",
+    friction="0.3 0.3", step="0. 0.5 20000.", bodies="0.28 0.28 82000. 82000.", area="-3\n15 15 6. 4. 1.1", more="",
+):  # fmt: skip
+    """Steady rolling of an ellipse of 6 by 4 mm under 50 kN."""
+    lines = ["3 MODULE", digits, second, third, solver, motion, friction, step, bodies, area, more]
+    return "\n".join(line for line in lines if line) + "\n"
+
+
+def rails(
+    *, digits="1203100", second="0022033", friction="0.3 0.3", track="14. 0 1435. 0.", rail="'rail.txt' 0 1. 0. -1",
+    wheel="'wheel.txt' 0 1. 0. -1", position="0. 1. 10000. 0. 0.001 0.", velocity="2000. 0. 0. 0. 0. -4.348", more="",
+):  # fmt: skip
+    """A right wheel that rolls under 10 kN."""
+    lines = ["1 MODULE", digits, second, "0000301", "999 20 25 1 1e-6", friction, more, "0.28 0.28 82000. 82000.",
+             "0.5 0.5 1. 90d 8. 4.", track, rail, "0. 0. 0. 0. 0. 0.", "1360. -70. 460.", wheel, position, velocity]  # fmt: skip
+    return "\n".join(line for line in lines if line) + "\n"
+
+
+END = "0 MODULE\n"
+_DISSIMILAR, _FALLS, _LAYER = "0.28 0.20 82000. 41000.", "0.2 0.15 300. 0.02 2000.\n0. 1.", "0.28 0.28 82000. 82000.\n8200. 0.06"
+_SHIFT = "3 MODULE\n{}01100\n122020\n0100301\n50000. {} 0. 0.\n0.28 0.28 82000. 82000.\n-3\n15 15 6. 4. 1.1\n"
+#: Hertz's contact is computed twice, and creepages near full slip magnify the last digit.
+_RECTANGLE = "1\n15 15 -4. -4. 0.5 0.5\n1 1\n1e-3 0. 2e-3 0. 0. 0."
+_KINKS = "'wheel.txt' 0 1. 0. -1 1\n0 150d 5d 1d {}"
+
+#: Texts, with the quantities that differ today.
+OWN: dict[str, tuple[str, set[str]]] = {
+    "steady rolling": (basic(), set()),
+    "one outer iteration of dissimilar bodies": (basic(bodies=_DISSIMILAR), set()),
+    "outer iterations that reach MAXOUT": (basic(bodies=_DISSIMILAR, solver="999 20 25 2 1e-6"), set()),
+    "iterations that reach MAXGS": (basic(solver="3 20 25 1 1e-6"), set()),
+    "bodies that hardly differ": (basic(bodies="0.28 0.2803 82000. 82000."), set()),
+    "a line with rows beyond its ends, by its curvature": (basic(area="-4\n15 12 0.005 8. 1.5"), set()),
+    "a line with rows beyond its ends, by its width": (basic(area="-5\n15 12 0.4 8. 1.3"), set()),
+    "a force beyond friction": (basic(digits="203110", motion="5000. 1.2 0. 0.", area=_RECTANGLE), {"rigid slip"}),
+    "two forces beyond friction": (basic(digits="203120", motion="5000. 0.9 -0.9 0.", area=_RECTANGLE), {"rigid slip"}),
+    "falling friction from adhesion": (basic(second="422020", friction=_FALLS), set()),
+    "falling friction from full slip": (
+        basic(second="422020", third="0400301", friction=_FALLS, solver="999 20 25 1 1e-6\n-1 0.5"), set()
+    ),
+    "a layer that shears": (basic(second="022420", bodies=f"{_LAYER} 0. 0."), set()),
+    "stresses and displacements below the surface": (
+        basic(digits="203103", bodies=_DISSIMILAR, more="1 0\n9\n2 2 3\n-1. 2.\n0. 3.\n-2. 0.5 1.5\n0"), set()
+    ),
+    "shifts one after the other, the last one repeated": (
+        basic(digits="201100", step="") + _SHIFT.format("0", 0.002) + _SHIFT.format("3", 0.004), set()
+    ),
+    "a wheel on a rail": (rails(), set()),
+    "a wheel that rolls, yaws and rolls over": (rails(position="0. 3. 10000. 0.01 0.02 0."), set()),
+    "a longitudinal force": (rails(digits="1203110", velocity="2000. 0. 0. 0. 0. -500."), set()),
+    "kinks without a width": (rails(wheel=_KINKS.format("0.")), set()),
+    "kinks with a width": (rails(wheel=_KINKS.format("3.")), set()),
+    "friction by the angle of each row": (
+        rails(second="1042033", friction="2\n-10d 0.1 0.1\n10d 0.4 0.4"), set()
+    ),
+}  # fmt: skip
+
+
+def _profile(y, z):
+    return "".join(f"{a:.4f} {b:.6f}\n" for a, b in zip(y, z))
+
+
+_Y = np.linspace(-40, 40, 161)
+#: Files that the texts name: a rail of 300 mm radius, and a cone with a bend.
+PROFILES = {"rail.txt": _profile(_Y, _Y**2 / 600), "wheel.txt": _profile(_Y[::-1], np.where(_Y > 10, -0.025 * _Y - 0.1 * (_Y - 10), -0.025 * _Y)[::-1])}
