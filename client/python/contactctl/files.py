@@ -24,6 +24,7 @@ __all__ = [
     "writable", "writable_folder", "write_text",
 ]  # fmt: skip
 
+_UNMARKED = " The CONTACT program and versions of contactd before 0.1.0 write .mat and .subs files without a mark."
 COMMENT = "$comment"  #: of an object: text that is no field of it
 _DEEPEST = 50  #: levels of fields; no request has a quarter of them
 _MOST_BYTES = 1 << 25  #: of a document; what is larger is arrays, which have files of their own
@@ -96,7 +97,8 @@ def check_own(option: str, place: Path, heading: Sequence[str] | None = None) ->
     except OSError as error:
         raise click.UsageError(f"{option} {place} cannot be read, to see who has written it: {error.strerror}.") from None
     what = "is a link to nothing" if place.is_symlink() and not place.exists() else "is there, and contactd has not written it"
-    raise click.UsageError(f"{option} {place} {what}. Name another file, or give --overwrite.")
+    more = _UNMARKED if place.suffix in (".mat", ".subs") and place.exists() else ""
+    raise click.UsageError(f"{option} {place} {what}. Name another file, or give --overwrite.{more}")
 
 
 def may_overwrite() -> bool:

@@ -194,6 +194,19 @@ def test_a_file_of_another_program_is_never_written_over(ctl):
     assert "CONTACT - " in (ctl.folder / "two.out").read_text()
 
 
+def test_files_of_elements_without_a_mark_are_written_over_only_when_asked_to(ctl):
+    """The CONTACT program and versions before 0.1.0 leave such files."""
+    ctl.write("two.inp", TWO)
+    ctl.write("two.0002.mat", "% Meta-data\n  1.0  2.0  3.0\n")
+    ended = ctl("contact", "run", "two.inp")
+    assert ended.code == Code.USAGE
+    assert "two.0002.mat is there, and contactd has not written it. Name another file, or give --overwrite." in ended.err
+    assert "versions of contactd before 0.1.0 write .mat and .subs files without a mark." in ended.err
+    assert not (ctl.folder / "two.out").exists()
+    assert ctl("contact", "run", "two.inp", "--overwrite").code == Code.DONE
+    assert ctl("contact", "run", "two.inp").code == Code.DONE  # these have the mark
+
+
 def test_a_run_that_was_killed_goes_on(ctl):
     many = FIRST.replace("15  15", "90  90") + SECOND.replace("0101201", "0100201") * 60 + END
     ctl.write("many.inp", many)
