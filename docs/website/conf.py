@@ -11,6 +11,7 @@ import os
 import re
 import sys
 from pathlib import Path
+from typing import Any
 
 FOLDER = Path(__file__).resolve().parent
 ROOT = FOLDER.parents[1]
@@ -86,3 +87,13 @@ html_extra_path = [str(WORK / "beside")]
 html_copy_source = False
 html_theme_options = {"sidebar_hide_name": False, "dark_css_variables": of_the_theme()}
 graphviz_output_format = "svg"
+
+
+def shorten_classes(app: object, page: str, template: str, context: dict[str, object], doctree: object) -> None:
+    """Leaves names in text the class that the theme formats, without two that repeat it."""
+    if isinstance(body := context.get("body"), str):
+        context["body"] = body.replace('class="docutils literal notranslate"', 'class="literal"')
+
+
+def setup(app: Any) -> None:
+    app.connect("html-page-context", shorten_classes)
