@@ -91,10 +91,10 @@ def test_a_share_writes_no_table(lonely, option):
     assert f"{option} no/where: there is no folder no." in ended.err
 
 
-@pytest.mark.slow  # 2000 rows, begun four times
+@pytest.mark.slow  # 6000 rows, begun four times
 @pytest.mark.timeout(240)
 def test_two_shares_that_are_killed_three_times_have_every_row_once(lonely):
-    lonely.write("study.yaml", "problem: contact.yaml\nvary:\n  approach: {from: 1e-3, to: 2e-2, count: 500}\n"
+    lonely.write("study.yaml", "problem: contact.yaml\nvary:\n  approach: {from: 1e-3, to: 2e-2, count: 1500}\n"
                                "  friction.mu: [0.1, 0.2, 0.3, 0.4]\nanswers: [forces.Fn, forces.Fx]\n")  # fmt: skip
     lonely.environment["TMPDIR"] = str(lonely.folder)  # who is killed leaves the folder of his tables
     files = [lonely.folder / f"study.yaml.rows.{index}-of-2" for index in range(2)]
@@ -105,17 +105,17 @@ def test_two_shares_that_are_killed_three_times_have_every_row_once(lonely):
     seen = [0]
     for _ in range(3):
         tasks = [lonely.start("--local", "study", "study.yaml", "--share", f"{index}/2", "--workers", 1) for index in range(2)]
-        eventually(lambda: count() >= seen[-1] + 100, seconds=60)
+        eventually(lambda: count() > seen[-1], seconds=60)
         time.sleep(random.random() / 10)
         for task in tasks:
             task.send_signal(signal.SIGKILL)
             task.communicate(timeout=30)
         seen.append(count())
-        assert seen[-2] < seen[-1] < 2000, "they were killed on their way"
+        assert seen[-2] < seen[-1] < 6000, "they were killed on their way"
     for index in range(2):
         assert lonely("--local", "study", "study.yaml", "--share", f"{index}/2").code == 0
     ended = lonely("--local", "study", "study.yaml", "--json")
     found = [key for file in files for key in keys(file)]
-    assert len(found) == len(set(found)) == len(ended.json["rows"]) == 2000
+    assert len(found) == len(set(found)) == len(ended.json["rows"]) == 6000
     for row in ended.json["rows"]:
         assert abs(row["answers"]["forces.Fx"]) <= row["values"]["friction.mu"] * row["answers"]["forces.Fn"] * (1 + 1e-9)
