@@ -37,16 +37,15 @@ void FileSetting::flags(std::vector<std::array<int, 2>> own) {
 
 /// INISLP stays in force when G names another solver. A file takes MAXOUT = 1 literally for dissimilar bodies.
 void FileSetting::solvers() {
-    constexpr int with_slip_velocity = 4;
-    const bool has_start = read_.values.contains("INISLP");
-    int method = has_start ? with_slip_velocity : 0, count = 1;
-    std::vector<int> bounds{integer("MAXGS"), integer("MAXIN"), integer("MAXNR"), integer("MAXOUT")};
-    if (has_start) bounds.push_back(integer("INISLP"));
-    int ints = static_cast<int>(bounds.size());
+    int method = 0, ints = 4, count = 1;
+    std::array bounds{integer("MAXGS"), integer("MAXIN"), integer("MAXNR"), integer("MAXOUT")};
     double eps = real("EPS");
     cntc_setsolverflags(&ire_, &icp_, &method, &ints, bounds.data(), &count, &eps);
     pass_on();
-    for_each_settings(&ire_, &icp_, [&](Settings& settings) { settings.one_outer_iteration = bounds[3] == 1; });
+    for_each_settings(&ire_, &icp_, [&](Settings& settings) {
+        settings.one_outer_iteration = bounds[3] == 1;
+        if (read_.values.contains("INISLP")) settings.starts_in_slip = integer("INISLP") < 0;
+    });
 }
 
 void FileSetting::material() {

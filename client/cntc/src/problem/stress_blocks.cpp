@@ -178,15 +178,24 @@ SolvedBlock solve_block(const GivenBlock& block, const Solved& solved) {
 std::vector<double> block_column(const SolvedBlock& block, int column, const Units& units) {
     if (column < 1 || column > 21)
         throw Refused(error_code::input, "Column " + std::to_string(column) + " does not exist; columns are 1 to 21.");
-    const auto& [ux, uy, uz] = block.displacement;
+    const auto value = [&](std::size_t i) {
+        switch (column) {
+            case 1:
+            case 2:
+            case 3:
+                return coordinate(block.points, column - 1, i) / units.length;
+            case 4:
+                return block.displacement.x[i] / units.length;
+            case 5:
+                return block.displacement.y[i] / units.length;
+            case 6:
+                return block.displacement.z[i] / units.length;
+            default:
+                return stress_of(block.stress, column, i) / units.stress();
+        }
+    };
     std::vector<double> result(block.points.size());
-    for (std::size_t i = 0; i < result.size(); ++i)
-        result[i] = column <= 3   ? coordinate(block.points, column - 1, i) / units.length
-                    : column <= 6 ? (column == 4   ? ux
-                                     : column == 5 ? uy
-                                                   : uz)[i] /
-                                        units.length
-                                  : stress_of(block.stress, column, i) / units.stress();
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = value(i);
     return result;
 }
 
