@@ -34,40 +34,18 @@ Shift shift() {
     return motion;
 }
 
-SolverEvidence evidence_of(const ContactSolution& solution) {
-    SolverEvidence evidence = solution.evidence.tangential.value_or(solution.evidence.normal);
-    evidence.converged = solution.converged();
-    return evidence;
-}
-
-IcTable pair_of_bodies(const ContactProblem& problem) {
-    IcTable pair = bench::pair_table(problem.grid, problem.bodies.upper.material);
-    if (!(problem.bodies.upper == problem.bodies.lower)) {
-        IcSpec spec;
-        spec.dx = problem.grid.dx;
-        spec.dy = problem.grid.dy;
-        spec.nx = problem.grid.nx;
-        spec.ny = problem.grid.ny;
-        spec.material = problem.bodies.upper.material;
-        const IcTable upper = half_space_table(spec);
-        spec.material = problem.bodies.lower.material;
-        pair = pair_of(upper, half_space_table(spec));
-    }
-    return pair;
-}
-
 void run(benchmark::State& state, const ContactProblem& problem) {
     Observer observer;
-    const ContactInfluence influence = make_influence(problem, pair_of_bodies(problem));
+    const ContactInfluence influence = make_influence(problem, bench::pair_table(problem));
     bench::count_in_products(state, *influence.current,
-                             [&] { return evidence_of(solve_contact(problem, influence, observer)); });
+                             [&] { return bench::evidence_of(solve_contact(problem, influence, observer)); });
 }
 
 // Measures the cost of derivatives; the row is the solve with them. Counters are their own cost, in products and
 // relative to an alternating solve without them, and the number of their products.
 void run_derivatives(benchmark::State& state, ContactProblem problem) {
     Observer observer;
-    const ContactInfluence influence = make_influence(problem, pair_of_bodies(problem));
+    const ContactInfluence influence = make_influence(problem, bench::pair_table(problem));
     const ContactProblem plain = problem;
     problem.derivatives = true;
     ContactSolution solution = solve_contact(plain, influence, observer);
@@ -76,7 +54,7 @@ void run_derivatives(benchmark::State& state, ContactProblem problem) {
         const double start = bench::processor_seconds();
         solve_contact(plain, influence, observer);
         plain_seconds.push_back(bench::processor_seconds() - start);
-        return evidence_of(solution);
+        return bench::evidence_of(solution);
     });
     const double product = bench::median(plain_seconds) / state.counters["A_p"];
     std::vector<double> seconds;
@@ -97,8 +75,8 @@ void run_creep(benchmark::State& state, const ContactProblem& problem) {
     Observer observer;
     ContactProblem elastic = problem;
     for (Body* body : {&elastic.bodies.upper, &elastic.bodies.lower}) body->viscoelastic.reset();
-    const ContactInfluence influence = make_influence(problem, pair_of_bodies(problem)),
-                           of_elastic = make_influence(elastic, pair_of_bodies(elastic));
+    const ContactInfluence influence = make_influence(problem, bench::pair_table(problem)),
+                           of_elastic = make_influence(elastic, bench::pair_table(elastic));
     std::vector<double> seconds, elastic_seconds;
     SolverEvidence of_creep, of_norm;
     for ([[maybe_unused]] auto _ : state) {

@@ -44,22 +44,15 @@ void count_elements(benchmark::State& state, std::size_t elements) {
     state.counters["elements"] = static_cast<double>(elements);
 }
 
-SolverEvidence evidence_of(const ContactSolution& solution) {
-    SolverEvidence evidence = solution.evidence.tangential.value_or(solution.evidence.normal);
-    evidence.converged = solution.converged();
-    return evidence;
-}
-
 void run(benchmark::State& state, const ContactProblem& problem, const ContactInfluence& influence) {
     Observer observer;
     bench::count_in_products(state, *influence.current,
-                             [&] { return evidence_of(solve_contact(problem, influence, observer)); });
+                             [&] { return bench::evidence_of(solve_contact(problem, influence, observer)); });
     count_elements(state, problem.grid.size());
 }
 
 void run_on_half_spaces(benchmark::State& state, const ContactProblem& problem) {
-    const IcTable pair = bench::pair_table(problem.grid, Elliptic::steel);
-    run(state, problem, make_influence(problem, pair));
+    run(state, problem, make_influence(problem, bench::pair_table(problem)));
 }
 
 void product(benchmark::State& state) {
@@ -94,15 +87,7 @@ void dissimilar(benchmark::State& state) {
     const Material soft{41000, 0.1};
     ContactProblem problem = rolling(size_of(state), 0.5 * (of_steel + (1 - soft.nu) / soft.G));
     problem.bodies.lower.material = soft;
-    IcSpec spec;
-    spec.dx = problem.grid.dx;
-    spec.dy = problem.grid.dy;
-    spec.nx = problem.grid.nx;
-    spec.ny = problem.grid.ny;
-    spec.material = problem.bodies.upper.material;
-    const IcTable upper = half_space_table(spec);
-    spec.material = problem.bodies.lower.material;
-    run(state, problem, make_influence(problem, pair_of(upper, half_space_table(spec))));
+    run_on_half_spaces(state, problem);
 }
 
 /// Both bodies have a coating of half their modulus, 1 mm thick.

@@ -64,15 +64,31 @@ void count_in_products(benchmark::State& state, const InfluenceOperator& influen
     if (!evidence.converged) state.SkipWithError("the solver did not converge");
 }
 
-inline IcTable pair_table(const Grid& grid, const Material& material) {
+inline SolverEvidence evidence_of(const ContactSolution& solution) {
+    SolverEvidence evidence = solution.evidence.tangential.value_or(solution.evidence.normal);
+    evidence.converged = solution.converged();
+    return evidence;
+}
+
+inline IcTable half_space_of(const Grid& grid, const Material& material) {
     IcSpec spec;
     spec.material = material;
     spec.dx = grid.dx;
     spec.dy = grid.dy;
     spec.nx = grid.nx;
     spec.ny = grid.ny;
-    const IcTable body = half_space_table(spec);
+    return half_space_table(spec);
+}
+
+inline IcTable pair_table(const Grid& grid, const Material& material) {
+    const IcTable body = half_space_of(grid, material);
     return pair_of(body, body);
+}
+
+inline IcTable pair_table(const ContactProblem& problem) {
+    const auto& [upper, lower] = problem.bodies.materials();
+    if (upper == lower) return pair_table(problem.grid, upper);
+    return pair_of(half_space_of(problem.grid, upper), half_space_of(problem.grid, lower));
 }
 
 /// The paper's Cattaneo problem (section 4): a sphere at a prescribed approach, shifted.
