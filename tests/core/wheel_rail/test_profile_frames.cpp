@@ -56,6 +56,11 @@ TEST_CASE("Moments of a rail are about the origin of its frame") {
     SECTION("of a roller") {
         setup.track.roller_radius = 500;
     }
+    SECTION("in slices") {
+        setup.rail_slices = {{-500, setup.rail}, {0, setup.rail}, {500, setup.rail}};
+        setup.track.rail_origin = ProfilePoint{750, 0};
+        state.position.x = 100;
+    }
     SECTION("on springs") {
         setup.track.springs = {1e4, 1e5};
         const WheelRailSolution solution = solve(setup, state);
@@ -93,6 +98,24 @@ TEST_CASE("The frame of a wheel is that of its wheelset and its deviation") {
     check_same({x, y, z}, centre + axes * in_wheelset, 1e-9);
     CHECK_THAT(roll, WithinAbs(state.position.roll, 1e-15));
     CHECK_THAT(yaw, WithinAbs(state.position.yaw, 1e-15));
+}
+
+TEST_CASE("The frame of a wheel turns with its deviation") {
+    WheelRailSetup setup;
+    setup.dx = setup.dy = 1;
+    WheelRailState state = rolling_state(Side::right);
+    state.wheel.roll = 0.004;
+    state.wheel.yaw = -0.003;
+    const WheelRailSolution turned = solve(setup, state);
+    const double products = 1e-4;  // of two angles
+    CHECK_THAT(turned.wheel_frame.roll, WithinAbs(state.position.roll + 0.004, products));
+    CHECK_THAT(turned.wheel_frame.yaw, WithinAbs(state.position.yaw - 0.003, products));
+    state.wheel = {};
+    state.position.z = turned.z;
+    state.Fz.reset();
+    const WheelRailSolution rigid = solve(setup, state);
+    check_same({turned.wheel_frame.x, turned.wheel_frame.y, turned.wheel_frame.z},
+               {rigid.wheel_frame.x, rigid.wheel_frame.y, rigid.wheel_frame.z}, 1e-9);
 }
 
 TEST_CASE("A wheel beside its rail has frames, too") {
