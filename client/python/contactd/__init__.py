@@ -14,7 +14,7 @@
         )
         print(solution.Fn, solution.Fx, solution.elements)
 
-Units are N and mm, or any consistent system. contactd.errors draws the tree of exceptions.
+Units are N and mm, or any consistent system. contactd.errors shows the hierarchy of exceptions.
 """
 
 from importlib import import_module
@@ -247,12 +247,12 @@ register(FUNCTIONS)
 
 from . import wheel_rail as _wheel_rail_module  # noqa: E402
 
-#: The module of wheels on rails, which is a function, too.
+#: The module of wheels on rails can also be called as a function.
 wheel_rail: WheelRailModule = _wheel_rail_module  # type: ignore[assignment]
 
 
 def __getattr__(name: str) -> Any:
-    """Imports what takes asyncio along, and files of CONTACT, when they are first requested."""
+    """Imports the names that need asyncio, and files of CONTACT, on first use."""
     if name in ("AsyncClient", "AsyncSession", "AsyncWheelRailSession"):
         from . import aio
 

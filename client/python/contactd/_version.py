@@ -1,4 +1,4 @@
-"""The version of this package, and the mark of files that it writes, in one place."""
+"""Defines the version of this package and the identification of the files that it writes."""
 
 __version__ = "0.1.0"
 MARK = "written by contactd"

@@ -1,4 +1,4 @@
-"""The client that awaits its answers: the calls of Client, as coroutines of asyncio."""
+"""The asyncio client: the calls of Client as coroutines."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ __all__ = ["AsyncClient", "AsyncSession", "AsyncWheelRailSession"]
 
 
 class SessionThatAwaits(AnySession, Awaits):
-    """A session whose calls are awaited, and which ends with its ``async with`` block."""
+    """A session with asynchronous calls. It ends with its ``async with`` block."""
 
     async def _carry_out(self, asked: Request | Pause) -> Any:
         return await self._client._carry_out(asked)  # type: ignore[attr-defined]
@@ -58,24 +58,24 @@ class SessionThatAwaits(AnySession, Awaits):
         try:
             await self.close()
         except ContactdError:
-            pass  # the parent's to end, gone already, or out of reach: then its lease ends it
+            pass  # In a forked process, the parent ends it. If the daemon does not answer, the lease ends it.
 
 
 class AsyncSession(AnyContactSession, SessionThatAwaits):
-    """The Session of an AsyncClient: the same steps, which are awaited.
+    """A Session of an AsyncClient: the same steps as coroutines.
 
     ::
 
         async with await client.session(grid=grid, upper=steel, gap=gap, Fn=1e4) as session:
             solution = await session.step(Fn=2e4)
 
-    Steps have an order: one that is asked for while another one runs raises ContactdError. Tasks of one loop may take
-    turns.
+    Steps run one after the other: a call during another step raises ContactdError. Several tasks of one loop may use
+    the session alternately.
     """
 
 
 class AsyncWheelRailSession(AnyWheelRailSession, SessionThatAwaits):
-    """The WheelRailSession of an AsyncClient: the same steps, which are awaited."""
+    """A WheelRailSession of an AsyncClient: the same steps as coroutines."""
 
 
 class AsyncClient(
@@ -89,19 +89,20 @@ class AsyncClient(
     SessionCalls[AsyncSession, AsyncWheelRailSession],
     Awaits,
 ):
-    """A Client whose calls are coroutines: same names, same arguments, same answers and exceptions.
+    """A Client whose calls are coroutines. Names, arguments, answers and exceptions are the same.
 
     ::
 
         async with AsyncClient("tcp://127.0.0.1:5555") as client:
             solutions = await asyncio.gather(*(client.solve(problem, fields=[]) for problem in problems))
 
-    All calls share one connection, made with the first one. The daemon has `outstanding` of them at a time, and further
-    ones wait here for their turn, except those that are answered at once (server.*, job.*). Time spent waiting counts.
+    All calls share one connection, which the first call opens. At most `outstanding` calls are sent at a time. Others
+    wait in this process, except calls that are answered immediately (server.*, job.*). The timeout of a call includes
+    this wait.
 
-    A task that is cancelled cancels its call in the daemon, as a timeout does. `on_progress` is called in the task that
-    awaits. Belongs to one event loop at a time: a second ``asyncio.run`` connects anew, and so does a forked process, or one
-    that a pickle of it arrives in. `close()` is a coroutine, and ends what still runs with ConnectionFailed.
+    Cancelling a task cancels its call in the daemon, and so does a timeout. `on_progress` is called in the awaiting
+    task. A client belongs to one event loop at a time. It opens a new connection in a second ``asyncio.run``, in a
+    forked process, and after unpickling. `close()` is a coroutine; calls still running then raise ConnectionFailed.
     """
 
     _session_kind = AsyncSession
@@ -134,7 +135,7 @@ class AsyncClient(
             raise ValueError(f"outstanding is {outstanding}; it must be a whole number of calls, 1 or more")
         self.outstanding = outstanding
         self._exchanges: Exchanges | None = None
-        self._inherited: list[Exchanges] = []  # of the process this one was forked from: neither used nor freed
+        self._inherited: list[Exchanges] = []  # These belong to the parent process: do not use or free them.
         self._is_closed = False
 
     def __getstate__(self) -> dict[str, Any]:
@@ -155,20 +156,21 @@ class AsyncClient(
         await self.close()
 
     async def close(self) -> None:
-        """Ends the connection, and what still runs with ConnectionFailed. May be called twice."""
+        """Closes the connection. Running calls raise ConnectionFailed. A second call has no effect."""
         self._is_closed = True
         if self._exchanges is not None:
             self._exchanges.close()
 
     @property
     def is_closed(self) -> bool:
-        """Whether close() was called."""
+        """Returns whether close() was called."""
         return self._is_closed
 
     async def stored_ics(self, *, evidence: bool = False, timeout: float | None = None) -> AsyncIterator[StoredIc]:
-        """The tables in the daemon's store, by name; asked for a thousand at a time: ``async for``.
+        """Iterates over the tables in the daemon's store by name (``async for``), in requests of a thousand.
 
-        With `evidence` each says how it was made, which takes its file to be read: asked for a hundred at a time.
+        With `evidence`, each entry includes the evidence of its table. The daemon then reads the file of each table,
+        and a request is for a hundred.
         """
         tables, after = await self._page_of_stored_ics(None, evidence, timeout)
         for table in tables:
@@ -273,7 +275,7 @@ class AsyncClient(
     ) -> list[StepSolution | WheelRailStepSolution | StatusError]: ...
     @public
     async def step_many(self, steps: Iterable[Any], *, timeout: float | None = None) -> list[Any]:
-        """Takes steps as Client.step_many does."""
+        """Solves steps as Client.step_many does."""
         return await self._run(stepped_sessions(self, steps, timeout))
 
     async def _carry_out(self, asked: Request | Pause) -> Reply | None:
@@ -286,7 +288,7 @@ class AsyncClient(
         return await self._exchanges_here().exchange(request)
 
     def _exchanges_here(self) -> Exchanges:
-        """Those of this process and this loop; made where there are none."""
+        """Returns the exchanges of this process and event loop; creates them if there are none."""
         if self._is_closed:
             raise ConnectionFailed("The client is closed.")
         known = self._exchanges

@@ -1,4 +1,4 @@
-"""The module contactd.wheel_rail as a function: a wheel that rolls on its rail, in one call."""
+"""Makes the module contactd.wheel_rail callable: solves a wheel rolling on its rail."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ __all__ = ["WheelRailModule"]
 
 
 class WheelRailModule(ModuleType):
-    """The module `contactd.wheel_rail`, which can be called."""
+    """The callable module `contactd.wheel_rail`."""
 
     @public
     def __call__(
@@ -42,25 +42,26 @@ class WheelRailModule(ModuleType):
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
     ) -> WheelRailSolution:
-        """The contact of a wheel that rolls on its rail, by the default client::
+        """Solves the contact of a wheel that rolls on its rail, with the default client::
 
             solution = contactd.wheel_rail(y=3, speed=20e3, Fz=80e3)  # S1002 on 60E1 at 1/40, 3 mm to the right
             print(solution.forces.track, solution.state)
             solution.plot()
 
-        `setup` has profiles, track, material and friction; None: S1002 on 60E1 at 1/40, gauge 1435 mm, steel, mu = 0.3. The
-        wheelset stands at `y` (mm, to the right), `yaw` and `roll` (rad), and moves forwards at `speed` (mm/s). Its height is
-        `z` (mm, down), or that at which the wheel presses with `Fz` (N).
+        `setup` contains profiles, track, material and friction. If None: S1002 on 60E1 at 1/40, gauge 1435 mm, steel,
+        mu = 0.3. The position of the wheelset is given by `y` (mm, to the right), `yaw` and `roll` (rad). It moves
+        forwards at `speed` (mm/s). Prescribe either its height `z` (mm, down) or the vertical force `Fz` of the wheel
+        on the rail (N).
 
-        It rolls purely on its nominal radius: the pitch rate is -speed/nominal_radius (rad/s), as of a wheelset that
-        runs straight. A wheel that touches on another radius then has a longitudinal creepage. `pitch_rate` gives another
-        rate; with `Fx` (N, on the rail) the rate that brings this force is found, with ``Fx=0`` that of a wheel that rolls
-        freely. On a roller the wheelset stays where it is, and the roller turns at `speed`. `state` of the answer is the state
-        that was solved.
+        By default the wheel rolls purely on its nominal radius, like a wheelset on straight track: the pitch rate is
+        -speed/nominal_radius (rad/s). A wheel whose contact has another radius then has a longitudinal creepage.
+        `pitch_rate` sets another rate. `Fx` (N, on the rail) prescribes the longitudinal force instead, and the rate is
+        computed; ``Fx=0`` is a freely rolling wheel. On a roller, the wheelset does not move along the track, and the
+        roller's surface moves at `speed`. `state` of the answer is the solved state.
 
-        `wear` has the laws by which wheel and rail wear, such as ``EnergyWear(6.75e-4, source="our test")``; `wear` of the
-        answer places what they take off. `fields`, `gap` and the rest are as for Client.wheel_rail, whose
-        errors it raises.
+        `wear` contains laws of wear for wheel and rail, such as ``EnergyWear(6.75e-4, source="our test")``. `wear` of
+        the answer then returns the removed material on each profile. `fields`, `gap`, the other arguments and the
+        errors are those of Client.wheel_rail.
         """
         setup = WheelRailSetup() if setup is None else setup
         if wear is not None:

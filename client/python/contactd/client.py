@@ -1,4 +1,4 @@
-"""The client that waits for its answers: one method of Python for each method of the daemon."""
+"""The blocking client: one Python method for each method of the daemon."""
 
 from __future__ import annotations
 
@@ -54,25 +54,25 @@ class Client(
     SessionCalls[Session, WheelRailSession],
     Waits,
 ):
-    """Speaks with the daemon at `endpoint`, such as ``tcp://127.0.0.1:5555`` or ``ipc:///run/contactd.socket``.
+    """Connects to the daemon at `endpoint`, such as ``tcp://127.0.0.1:5555`` or ``ipc:///run/contactd.socket``.
 
-    Connects with the first call. Safe to share between threads: every call has a socket of its own for as long as it
-    lasts, so calls of several threads run side by side, and a progress callback may call the client. A process that is
-    forked (multiprocessing, Dask) goes on with connections of its own, and a client that is pickled connects anew where
-    it arrives; the key files are read there again, by their paths: no key is ever pickled.
+    The first call opens the connection. Threads may share a client: each call has its own socket, so calls of several
+    threads run in parallel, and a progress callback may call the client. A forked process (multiprocessing, Dask) opens
+    its own connections, and so does an unpickled client. It reads the key files again by their paths; keys are never
+    pickled.
 
-    Times are in seconds, None for a day, the longest there is. `timeout` holds for each call that is not given its own,
-    but `build_timeout` for those that may have to wait for tables by finite elements (FemIcs); `connect_timeout` bounds
-    the wait for a daemon to listen. A timeout ends the waiting and not a build: the exception says how to follow it.
+    Times are in seconds; None means one day, the maximum. `timeout` applies to each call without its own timeout.
+    `build_timeout` applies instead to calls that may wait for finite-element tables (FemIcs). `connect_timeout` limits
+    the wait for a connection. A timeout ends the wait, not the build: the exception describes how to follow the build.
 
-    `spin` is how long a call looks for its answer before its thread sleeps (s). It saves the 20 to 50 us that waking it
-    takes, and keeps a processor busy meanwhile; 0, the default, sleeps at once.
+    `spin` is the time that a call polls for its answer before its thread sleeps (s). Polling saves the 20 to 50 us that
+    a wake-up takes, but keeps a processor busy. The default is 0.
 
-    With the files `server_key` (the daemon's public key) and `own_key` (the secret key of this client, which the daemon
-    has to know) the connection is encrypted; docs/security.md says how to make them.
+    The files `server_key` (the daemon's public key) and `own_key` (the secret key of this client, whose public key the
+    daemon must have) encrypt the connection. docs/security.md describes how to create them.
 
-    A call that is interrupted (Ctrl-C, an exception of the progress callback) or times out is cancelled and leaves the
-    client usable; the daemon finishes a build for its cache, unless `cancel_job` ends it.
+    A call that is interrupted (Ctrl-C, an exception of the progress callback) or times out is cancelled. The client
+    stays usable. The daemon finishes a build for its cache, unless `cancel_job` ends it.
 
     Every method raises StatusError (a subclass per status), TimeoutExpired, ConnectionFailed or ProtocolError.
     """
@@ -122,18 +122,19 @@ class Client(
         self.close()
 
     def close(self) -> None:
-        """Ends the connections; calls still running in other threads keep theirs until they return."""
+        """Closes the connections. Calls still running in other threads keep theirs until they return."""
         self._connections.close()
 
     @property
     def is_closed(self) -> bool:
-        """Whether close() was called."""
+        """Returns whether close() was called."""
         return self._connections.is_closed
 
     def stored_ics(self, *, evidence: bool = False, timeout: float | None = None) -> Iterator[StoredIc]:
-        """The tables in the daemon's store, by name; asked for a thousand at a time.
+        """Iterates over the tables in the daemon's store by name, in requests of a thousand.
 
-        With `evidence` each says how it was made, which takes its file to be read: asked for a hundred at a time.
+        With `evidence`, each entry includes the evidence of its table. The daemon then reads the file of each table,
+        and a request is for a hundred.
         """
         tables, after = self._page_of_stored_ics(None, evidence, timeout)
         yield from tables
@@ -183,19 +184,20 @@ class Client(
         progress: bool = False,
         **problem_fields: Unpack[ProblemFields],
     ) -> ContactSolution | PartialSolution:
-        """Solves a ContactProblem, given whole, by its gap and bodies, or by its fields. Check `converged` of the solution::
+        """Solves a ContactProblem. Give the problem, its gap and bodies, or its fields. Check `converged` of the
+        solution::
 
             client.solve(problem)
             client.solve(Paraboloid(50, 50), steel, Fn=100)  # both bodies are of steel
             client.solve(gap=heights, grid=grid, upper=steel, lower=RigidBody(), approach=0.01)
 
-        `grid` is optional for half-spaces in closed form whose `gap` is a Paraboloid or SemiAxes: the solve then takes
-        40 x 40 elements over 1.25 times the ellipse of Hertz's contact. It repeats once on a larger grid where the contact
-        reaches the border, and on a smaller one where the contact has few elements. `grid` of the solution is the one that
-        was used.
+        `grid` is optional for half-spaces in closed form whose `gap` is a Paraboloid or SemiAxes. The solve then uses
+        40 x 40 elements over 1.25 times the ellipse of Hertz's contact. It is repeated once on a larger grid if the
+        contact reaches the border, or on a smaller one if the contact has few elements. `grid` of the solution is the
+        grid that was used.
 
-        `fields` names the arrays wanted back, or the one, and the others are None; ``fields=[]`` brings forces, areas and
-        the rest that is no array, for less. Left out, all arrays come.
+        `fields` names the arrays to return, or a single one; the others are None. ``fields=[]`` returns only forces,
+        areas and other results that are not arrays, which is faster. Without `fields`, all arrays are returned.
         """
         return self._run(solved(self, problem, upper, lower, problem_fields, fields, timeout, on_progress, progress))
 
@@ -229,10 +231,10 @@ class Client(
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
     ) -> list[Any]:
-        """Solves 1 to 1000 problems at once, on all workers of the daemon; the answers are in the order of the problems.
+        """Solves 1 to 1000 problems in one message, on all workers of the daemon. Returns the answers in the order of
+        the problems.
 
-        Where a problem fails, its answer is the exception that `solve` would have raised, and the others are solved all
-        the same::
+        If a problem fails, its answer is the exception that `solve` would raise. The others are not affected::
 
             for answer in client.solve_many(problems):
                 if isinstance(answer, StatusError):
@@ -240,11 +242,11 @@ class Client(
                 else:
                     print(answer.Fx, answer.converged)
 
-        `fields` names the arrays wanted back of each, as for `solve`.
+        `fields` names the arrays to return for each problem, as for `solve`.
 
-        Raises InvalidArgument for the whole when a problem lacks a field or has one out of its range, which it names
-        like ``problems[3].grid.nx``, and LIMIT_EXCEEDED when their grids or arrays are too large together. An array that
-        several problems share (a gap, TableIcs) is sent once.
+        Raises InvalidArgument for the whole call if a field of a problem is missing or out of bounds; the error names
+        it, such as ``problems[3].grid.nx``. The error is LIMIT_EXCEEDED if all grids or arrays together are too large.
+        An array that several problems share (a gap, TableIcs) is sent once.
         """
         return self._run(solved_many(self, problems, fields, timeout, on_progress, progress))
 
@@ -265,23 +267,23 @@ class Client(
     ) -> list[StepSolution | WheelRailStepSolution | StatusError]: ...
     @public
     def step_many(self, steps: Iterable[Any], *, timeout: float | None = None) -> list[Any]:
-        """Takes the next step of 1 to 1000 sessions of this client in one message, on all workers of the daemon: of all
-        contacts of a vehicle. Each is told as the session and the keywords of its step::
+        """Solves the next step of 1 to 1000 sessions of this client in one message, on all workers of the daemon, for
+        example of all contacts of a vehicle. Give each session with the keywords of its step::
 
             answers = client.step_many([(left, {"Fn": 51e3, "xi": 1e-3}), (right, {"Fn": 49e3, "xi": -1e-3})])
             answers = client.step_many([(wheel, {"state": state}) for wheel, state in zip(wheels, states)])
 
-        The answers are in the order of the steps. Where a step fails, its answer is the exception that Session.step would
-        have raised; its session stays where it was, and the others take their steps all the same. With ``"again": True``
-        in each, all are tried anew, those that failed, too. An array that several steps share (a gap) is sent once.
+        The answers are in the order of the steps. If a step fails, its answer is the exception that Session.step would
+        raise. Its session is unchanged, and the others are not affected. ``"again": True`` in every step repeats all of
+        them, including those that failed. An array that several steps share (a gap) is sent once.
 
-        Raises InvalidArgument for the whole, before any session has moved, when a step has a field that the schema does
-        not allow, which it names like ``steps[3].friction.mu``, and when a session stands twice or is of another client;
+        Raises InvalidArgument for the whole call, before any session changes, if a field of a step is invalid (the
+        error names it, such as ``steps[3].friction.mu``), or a session is repeated or belongs to another client. Raises
         ContactdError while another call of one of the sessions runs.
 
-        Steps whose answer does not come are asked for again under their numbers, as often as all of the sessions'
-        `retries` allow. When the whole fails (a timeout, Ctrl-C), some have taken their steps and others have not: the
-        same steps asked for again go on from there, and so do others with ``"again": True``.
+        Steps without an answer are repeated under the same numbers, up to the smallest `retries` of the sessions. If
+        the whole call fails (a timeout, Ctrl-C), some sessions may have advanced and others not. To continue, request
+        the same steps again, or other steps with ``"again": True``.
         """
         return self._run(stepped_sessions(self, steps, timeout))
 
@@ -296,7 +298,7 @@ class Client(
         try:
             reply = connection.exchange(request)
         except (StatusError, TimeoutExpired) as error:
-            # A socket whose handshake was refused never connects again.
+            # A socket never connects again after its handshake was refused.
             self._connections.give_back(connection, usable=not isinstance(error, Unauthenticated))
             raise
         except BaseException:
@@ -308,7 +310,7 @@ class Client(
 
 
 class ClientOptions(TypedDict, total=False):
-    """Options of Client, beside the endpoint."""
+    """Options of Client other than the endpoint."""
 
     timeout: float | None
     build_timeout: float | None

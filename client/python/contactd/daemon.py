@@ -1,4 +1,4 @@
-"""LocalDaemon under the name that scripts import it from."""
+"""LocalDaemon under the name that scripts import."""
 
 from .local import LocalDaemon
 

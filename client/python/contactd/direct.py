@@ -1,4 +1,4 @@
-"""Functions that need no client of your own: they ask that of `contactd.default_client`."""
+"""Functions that use `contactd.default_client` instead of a client of your own."""
 
 from __future__ import annotations
 
@@ -62,14 +62,14 @@ def solve(
     progress: bool = False,
     **problem_fields: Unpack[ProblemFields],
 ) -> ContactSolution | PartialSolution:
-    """Solves a contact problem by the default client; arguments, answer and errors are those of Client.solve::
+    """Solves a contact problem with the default client. Arguments, answer and errors are those of Client.solve::
 
         solution = contactd.solve(Paraboloid(50, 50), steel, Fn=100)  # radii (mm), both bodies of steel, force (N)
         print(solution.pmax, solution.approach, solution.grid)
 
-    `default_client` says who solves. Lengths are in mm, forces in N, pressures in N/mm^2.
+    See `default_client` for the client. Lengths are in mm, forces in N, pressures in N/mm^2.
     """
-    client: Any = shared_client()  # whose overloads are those of this function
+    client: Any = shared_client()  # This function has the same overloads.
     answer: ContactSolution | PartialSolution = client.solve(
         problem, upper, lower, fields=fields, timeout=timeout, on_progress=on_progress, progress=progress, **problem_fields
     )
@@ -91,8 +91,8 @@ def creep_curve(
     progress: bool = False,
     **problem_fields: Unpack[ProblemFields],
 ) -> CreepCurve:
-    """Forces of steady rolling over creepages by the default client; arguments, answer and errors are those of
-    Client.creep_curve::
+    """Computes the forces of steady rolling for many creepages with the default client. Arguments, answer and errors
+    are those of Client.creep_curve::
 
         curve = contactd.creep_curve(Paraboloid(460, 300), steel, Fn=80e3, friction=Friction(0.3), xi=np.linspace(0, 0.01, 21))
         curve.plot()

@@ -1,10 +1,10 @@
-"""Values reach pictures, xarray and files through the functions named here: the one place that knows both sides."""
+"""Functions that draw, convert and store values: the only module that knows both values and their libraries."""
 
 from __future__ import annotations
 
 __all__ = ["FUNCTIONS"]
 
-#: Method of a value, and the function that does it. Most need a library that is an extra, and say so where it is missing.
+#: Methods of values and their functions. Most need the library of an extra, and raise MissingExtra without it.
 FUNCTIONS = {
     "CreepCurve.plot": "contactd.pictures.curves:draw_creep_curve",
     "Fit.plot": "contactd.pictures.fit:draw_fit",

@@ -1,4 +1,4 @@
-"""Contact without a service: the same client, for scripts and simulations that run alone."""
+"""Contact without a service: the same client, for single scripts and simulations."""
 
 from __future__ import annotations
 
@@ -33,19 +33,19 @@ _ADVICE = (
     ' Put it on PATH, or name it: LocalDaemon(program); pip install "contactd[daemon]" brings one,'
     ' and with "contactd[local]" contactd.local() needs none.'
 )
-#: Parts of a configuration that only a daemon has.
+#: Sections of a configuration that require a daemon.
 _OF_DAEMONS = ("endpoint", "security", "methods", "log", "http", "shutdown")
 
 
 class _ClientOfItsOwn(Client):
-    """A client that has its daemon to itself, and ends it. Copies in other processes are clients as any others."""
+    """A client that owns its daemon and stops it. Copies in other processes are ordinary clients."""
 
     def __init__(self, daemon: LocalDaemon) -> None:
         super().__init__(daemon.endpoint)
         self._end = weakref.finalize(self, daemon.close)
 
     def close(self) -> None:
-        """Ends the connections and the daemon."""
+        """Closes the connections and stops the daemon."""
         super().close()
         self._end()
 
@@ -65,24 +65,24 @@ def local(
     config: Mapping[str, Any] | None = None,
     in_process: bool | None = None,
 ) -> Client:
-    """A client that needs no service::
+    """Returns a client that needs no service::
 
         with contactd.local() as client:
             solution = client.solve(...)
 
-    Its sessions and tables end with the ``with`` block, or with ``client.close()``, which may be called twice.
-    Where the extension contactd_local is installed it solves in this process, and otherwise starts a private daemon: the
-    answers are the same, and so are the errors. `in_process` insists on one of the two. Who names the `program` or says
-    what only a daemon has in `config` (endpoint, security, methods, log, http, shutdown) gets a daemon.
+    Its sessions and tables end with the ``with`` block, or with ``client.close()``. If the extension contactd_local is
+    installed, the client solves in this process; otherwise it starts a private daemon. Answers and errors are the same.
+    `in_process` requires one of the two. The arguments `program`, and settings in `config` that require a daemon
+    (endpoint, security, methods, log, http, shutdown), also select a daemon.
 
-    `program`, `folder` and `config` are those of LocalDaemon. Tables by finite elements are kept in `folder`; without
-    one they go with the client. In process they are built by ``contactd-ic``, as CONTACTD_IC names it, the package
-    contactd-daemon has it, or PATH finds it, and the log goes to the logger ``contactd.local``.
+    `program`, `folder` and `config` are those of LocalDaemon. Finite-element tables are stored in `folder`; without
+    one, they are deleted with the client. In process they are built by ``contactd-ic``: the program named by
+    CONTACTD_IC, that of the package contactd-daemon, or the one on PATH. The log goes to the logger ``contactd.local``.
 
-    A client that solves in process belongs to it: it cannot be pickled, and a process that is forked opens its own.
+    A client that solves in process cannot be pickled, and a forked process must open its own.
 
-    Raises DaemonFailed when the daemon or the engine cannot be started, and MissingExtra when `in_process` insists on the
-    extension and it is not installed.
+    Raises DaemonFailed if the daemon or the engine cannot be started, and MissingExtra if `in_process` is True and the
+    extension is not installed.
     """
     why = _needs_daemon(program, checked(config))
     if in_process and why:
@@ -100,13 +100,13 @@ def local(
 def default_client() -> Client:
     """Returns the client that `contactd.solve`, `contactd.creep_curve` and the other functions of the package use.
 
-    The first call opens it, by the rule of `contactctl`: where the environment has CONTACTD_ENDPOINT it is a client of
-    that daemon, with the keys that CONTACTD_SERVER_KEY and CONTACTD_OWN_KEY name; otherwise it is `contactd.local()`,
-    which solves in this process, or starts a private daemon where contactd_local is not installed. All threads share it.
-    A forked process opens its own. It is closed when the process ends; after ``default_client().close()`` the next call
-    reads the environment again and opens another.
+    The first call opens it by the rule of `contactctl`. If the environment contains CONTACTD_ENDPOINT, it is a client
+    of that daemon, with the key files named by CONTACTD_SERVER_KEY and CONTACTD_OWN_KEY. Otherwise it is
+    `contactd.local()`, which solves in this process, or starts a private daemon if contactd_local is not installed. All
+    threads share the client. A forked process opens its own. The client is closed when the process ends. After
+    ``default_client().close()``, the next call reads the environment again and opens another.
 
-    Raises DaemonFailed where neither contactd_local nor a daemon is installed.
+    Raises DaemonFailed if neither contactd_local nor a daemon is installed.
     """
     client: Client = shared_client()
     return client
@@ -124,7 +124,7 @@ open_by(_client_of_environment)
 
 
 def _needs_daemon(program: str | Path | None, config: Mapping[str, Any]) -> str:
-    """Why it takes a daemon; empty when it takes none."""
+    """Returns the reason why a daemon is needed; empty if none is."""
     if program is not None:
         return f"program is {str(program)!r}, a daemon"
     own = [name for name in _OF_DAEMONS if name in config]
@@ -132,20 +132,19 @@ def _needs_daemon(program: str | Path | None, config: Mapping[str, Any]) -> str:
 
 
 def _short_temporary_folder() -> TemporaryFolder:
-    # The path of a Unix socket holds 107 characters at most, and $TMPDIR may be long.
+    # The path of a Unix socket is limited to 107 characters, and $TMPDIR may be long.
     return TemporaryFolder("/tmp" if len(tempfile.gettempdir()) > 70 else None)
 
 
 class LocalDaemon:
-    """Runs ``contactd`` on a private ipc endpoint, and ends it with the ``with`` block.
+    """Runs ``contactd`` on a private ipc endpoint until the end of the ``with`` block.
 
-    `program` is looked for on PATH when it is a name without a folder, and starts the `contactd-ic` beside it. Without one
-    it is the `contactd` of the package contactd-daemon, where that is installed, and otherwise that of PATH.
-    `folder` holds its configuration, log and store; without one a temporary folder is used and removed afterwards.
-    `config` is laid over the configuration written here, section by section. Signals of the terminal (Ctrl-C) reach
-    the caller only, who ends the daemon by leaving the block. When the caller is killed, or ends by SIGTERM without a
-    handler of its own, the daemon gets SIGTERM, and a temporary folder is removed. Processes forked from the caller can
-    use the daemon, but do not end it.
+    A `program` without a folder is searched on PATH; it starts the `contactd-ic` in the same folder. The default is the
+    `contactd` of the package contactd-daemon if installed, otherwise that on PATH. `folder` contains configuration, log
+    and store; the default is a temporary folder, which is removed afterwards. `config` replaces values of the default
+    configuration, section by section. Signals of the terminal (Ctrl-C) reach only the calling process, which stops the
+    daemon by leaving the block. If the calling process is killed, or ends by SIGTERM without a handler, the daemon
+    receives SIGTERM and a temporary folder is removed. Forked processes can use the daemon, but do not stop it.
     """
 
     @public
@@ -190,7 +189,7 @@ class LocalDaemon:
 
     @property
     def pid(self) -> int:
-        """Process id."""
+        """The process ID."""
         return self.process.pid
 
     @property
@@ -199,19 +198,19 @@ class LocalDaemon:
 
     @property
     def log(self) -> str:
-        """Log of the daemon so far."""
+        """The log of the daemon up to now."""
         return self.log_path.read_text(errors="replace") if self.log_path.exists() else ""
 
     def client(self, **options: Unpack[ClientOptions]) -> Client:
-        """A new client of this daemon; `options` as of Client."""
+        """Returns a new client of this daemon; `options` are those of Client."""
         return Client(self.endpoint, **options)
 
     @public
     def stop(self, timeout: float = 30.0) -> int:
-        """Asks the daemon to end in order (SIGTERM) and returns its exit status.
+        """Stops the daemon (SIGTERM) and returns its exit status.
 
-        Raises DaemonFailed when it has not ended within `timeout` seconds, after killing it, and in a process that was
-        forked from the one that started it.
+        If the daemon does not stop within `timeout` seconds, kills it and raises DaemonFailed. Also raises DaemonFailed
+        in a process forked from the one that started it.
         """
         if self._owner != os.getpid():
             raise DaemonFailed(f"contactd was started by process {self._owner}, which alone can end it.")
@@ -230,7 +229,9 @@ class LocalDaemon:
                 self.process.stdout.close()
 
     def close(self) -> None:
-        """Stops the daemon and removes the temporary folder. May be called twice; does nothing in a forked process."""
+        """Stops the daemon and removes the temporary folder. A second call, or a call in a forked process, has no
+        effect.
+        """
         if self._owner != os.getpid():
             return
         try:
@@ -273,7 +274,7 @@ class LocalDaemon:
 
 
 class InProcessClient(Client):
-    """A client that asks the engine in its own process. `folder` and `config` are those of contactd.local()."""
+    """A client of the engine in its own process. `folder` and `config` are those of contactd.local()."""
 
     def __init__(self, folder: str | Path | None = None, config: Mapping[str, Any] | None = None) -> None:
         self._folder, self._config = None if folder is None else Path(folder), config or {}

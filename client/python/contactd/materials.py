@@ -29,7 +29,7 @@ aluminium = Material(E=70000.0, nu=0.3)
 #: Soda-lime silicate glass.
 glass = Material(E=70000.0, nu=0.2)
 
-#: Where the constants of each material come from, by its name.
+#: Sources of the constants by the name of the material.
 SOURCES: Mapping[str, str] = MappingProxyType(
     {
         "steel": "usual in wheel-rail contact, as in the examples of CONTACT: G = 82000 N/mm^2, nu = 0.28",

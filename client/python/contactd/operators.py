@@ -1,4 +1,4 @@
-"""Tables of influence coefficients as linear operators of scipy."""
+"""Tables of influence coefficients as scipy linear operators."""
 
 from __future__ import annotations
 
@@ -31,15 +31,16 @@ def operator(
     tractions: bool = False,
     timeout: float | None = None,
 ) -> LinearOperator:
-    """The displacements of one body's surface under pressures, as a scipy.sparse.linalg.LinearOperator, by the default client::
+    """Returns the displacements of one body's surface under pressures as a scipy.sparse.linalg.LinearOperator, using
+    the default client::
 
         K = contactd.operator(steel, Grid.centred(40, 40, 2, 2))
         inward = K @ pressure.ravel()  # mm, from N/mm^2, row by row
         pair = K + contactd.operator(aluminium, grid)
 
-    It is of shape (n, n), n = nx ny, symmetric and positive definite; with `tractions` of shape (3n, 3n), from tractions along x,
-    y and the outward normal, [3, ny, nx], to displacements along these. `ics` are the coefficients: None, those of the
-    half-space in closed form. Products are by FFT. Needs scipy ("contactd[fit]").
+    The operator has shape (n, n), n = nx ny, and is symmetric and positive definite. With `tractions` it has shape (3n,
+    3n): it maps tractions along x, y and the outward normal, [3, ny, nx], to displacements along these axes. `ics` are
+    the coefficients; if None, those of the half-space in closed form. Products use FFTs. Needs scipy ("contactd[fit]").
     """
     _scipy()
     table: IcTable = shared_client().get_ic(material, grid, AnalyticIcs() if ics is None else ics, timeout=timeout)
@@ -47,7 +48,7 @@ def operator(
 
 
 def linear_operator(table: IcTable, ny: int | None, nx: int | None, tractions: bool) -> LinearOperator:
-    """Does what IcTable.operator does."""
+    """Implements IcTable.operator."""
     most = table.array.shape[-2:]
     shape = (most[0] if ny is None else ny, most[1] if nx is None else nx)
     if not all(0 < size <= there for size, there in zip(shape, most)) or (table.frames is not None and shape[0] != most[0]):

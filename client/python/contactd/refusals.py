@@ -1,4 +1,4 @@
-"""How this package refuses what it is given: checks of types, the name that was meant, and tracebacks that end where the caller's line is."""
+"""Refusals of arguments: type checks, suggestions for misspelt names, and tracebacks that end at the caller's line."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ __all__ = ["check_either", "check_type", "did_you_mean", "package_of", "public"]
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-#: These types refuse, beside the exceptions of this package. All else that leaves a call is a defect, or the caller's own.
+#: These types are refusals, like the exceptions of this package. Others are defects, or exceptions of the caller.
 _REFUSALS = (TypeError, ValueError, OSError, ImportError, Warning)
-#: Packages whose frames tell a caller nothing: this one, and the library of Python that it calls.
+#: Packages whose frames are hidden: this one, and the Python libraries that it calls.
 _INSIDE = {__name__.partition(".")[0], *sys.stdlib_module_names}
 _LONGEST_NAME = 100
 _LEAST_LIKENESS = 0.6
-_SWITCH = "CONTACTD_TRACEBACK"  #: "full" leaves tracebacks as they are
+_SWITCH = "CONTACTD_TRACEBACK"  #: The value "full" keeps complete tracebacks.
 
 
 def check_type(name: str, value: object, *types: type, optional: bool = False) -> None:
-    """Raises TypeError when `value` is of none of the types; what is in it is the daemon's business."""
+    """Raises TypeError if `value` has none of the types; the daemon checks its content."""
     if isinstance(value, types) or (optional and value is None):
         return
     words = " or ".join(kind.__name__ for kind in types)
@@ -34,7 +34,7 @@ def check_type(name: str, value: object, *types: type, optional: bool = False) -
 
 
 def check_either(call: str, words: str, **two: object) -> None:
-    """Raises TypeError unless just one of two arguments is given; `words` name both, as in "approach or Fn"."""
+    """Raises TypeError unless exactly one of two arguments is given; `words` name both, as in "approach or Fn"."""
     given = [name for name, value in two.items() if value is not None]
     if len(given) != 1:
         problem = f"has both {' and '.join(two)}" if given else f"lacks {' or '.join(two)}"
@@ -42,7 +42,7 @@ def check_either(call: str, words: str, **two: object) -> None:
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """A question behind a refusal, with a blank before it; empty where no known name is like this one."""
+    """Returns a question to append to a refusal, with a leading blank; empty if no known name is similar."""
     names = list(known)
     lowered = {one.lower(): one for one in names}
     near = difflib.get_close_matches(name[:_LONGEST_NAME].lower(), lowered, 1, _LEAST_LIKENESS)
@@ -50,9 +50,9 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
 
 
 def public(call: F) -> F:
-    """A function, coroutine or class that users call: the traceback of what it refuses ends at the line that called it.
+    """Marks a function, coroutine or class for users: the traceback of its refusals ends at the caller's line.
 
-    Frames of the caller's own, such as those of a progress callback, stay. So does the whole traceback of a defect.
+    Frames of the caller, such as those of a progress callback, are kept, and so is the whole traceback of a defect.
     """
     if isinstance(call, type):
         kind: Any = call
@@ -66,7 +66,7 @@ def public(call: F) -> F:
                 return await call(*args, **keywords)
             except Exception as error:
                 _shorten_traceback(error)
-                raise  # which adds no frame; before Python 3.11 it brings back those that were there
+                raise  # A bare raise adds no frame. Before Python 3.11 it restores the removed ones.
 
         return cast(F, awaited)
 
@@ -82,12 +82,12 @@ def public(call: F) -> F:
 
 
 def package_of(frame: FrameType) -> str:
-    """The package, or the module outside of packages, whose code a frame runs."""
+    """Returns the package of a frame's code, or the module outside packages."""
     return str(frame.f_globals.get("__name__", "")).partition(".")[0]
 
 
 def _shorten_traceback(error: Exception) -> None:
-    """Takes off the frames down to the first that is neither of this package nor of Python."""
+    """Removes the frames down to the first that belongs neither to this package nor to Python."""
     is_defect = getattr(error, "is_defect", not isinstance(error, _REFUSALS))
     if is_defect or os.environ.get(_SWITCH) == "full":
         return
@@ -95,5 +95,5 @@ def _shorten_traceback(error: Exception) -> None:
     while rest is not None and package_of(rest.tb_frame) in _INSIDE:
         rest = rest.tb_next
     if rest is None:
-        error.__suppress_context__ = True  # what was handled here meanwhile; a cause that was named stays
+        error.__suppress_context__ = True  # Hides exceptions that were handled internally. An explicit cause is kept.
     error.__traceback__ = rest

@@ -1,8 +1,9 @@
-"""A wheel on a rail. The module is a function, too, for one that rolls::
+"""A wheel on a rail. For a rolling wheel, call the module as a function::
 
     solution = contactd.wheel_rail(y=3, speed=20e3, Fz=80e3)
 
-Here are the values that `Client.wheel_rail` and `Client.wheelset` take: profiles, track, wheelset and where it is.
+The module contains the arguments of `Client.wheel_rail` and `Client.wheelset`: profiles, track, wheelset and its
+position.
 
 ::
 
@@ -19,8 +20,8 @@ Here are the values that `Client.wheel_rail` and `Client.wheelset` take: profile
         solution = client.wheel_rail(setup, state)
         print(solution.z, solution.forces.track.Fy, len(solution.patches))
 
-Lengths are in mm, angles in rad, forces in N. Track coordinates have x forwards, y to the right, z down; docs/wheel-rail.md
-draws them. Forces act on the rail. What is None takes the daemon's default.
+Lengths are in mm, angles in rad, forces in N. Track coordinates have x forwards, y to the right, z down; see
+docs/wheel-rail.md. Forces act on the rail. None is the daemon's default.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Pictures of wheels on rails, drawn on axes of matplotlib that you bring.
+"""Draws wheels on rails on your matplotlib axes.
 
 ::
 
@@ -11,7 +11,7 @@
     figure.colorbar(draw_contact_locus(locus, profiles, contacts), ax=locus, label="lateral shift (mm)")
     draw_conicity(curve, client.equivalent_conicity(setup, range(1, 9)), "1/40")
 
-Nothing here needs matplotlib by itself.
+This module does not import matplotlib.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Answers as arrays of xarray, with names, coordinates and units: ``pip install "contactd[xarray]"``."""
+"""Converts answers to xarray objects with names, coordinates and units: ``pip install "contactd[xarray]"``."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def _places(grid: Grid) -> dict[str, Any]:
 
 
 def solution_dataset(solution: Solution[Any, Any]) -> xarray.Dataset:
-    """Makes what Solution.to_xarray returns."""
+    """Implements Solution.to_xarray."""
     if solution.grid is None:
         raise ValueError("grid is None; a solution with coordinates must be one of a client, which knows its grid")
     arrays: dict[str, Any] = {
@@ -70,7 +70,7 @@ def solution_dataset(solution: Solution[Any, Any]) -> xarray.Dataset:
 
 
 def table_array(table: IcTable) -> xarray.DataArray:
-    """Makes what IcTable.to_xarray returns."""
+    """Implements IcTable.to_xarray."""
     grid, axes = table.spec.grid, list("xyz")
     offsets = {"dy": _length("dy", np.arange(grid.ny) * grid.dy), "dx": _length("dx", np.arange(grid.nx) * grid.dx)}
     array_with_labels: xarray.DataArray = _xarray().DataArray(
@@ -81,7 +81,7 @@ def table_array(table: IcTable) -> xarray.DataArray:
 
 
 def stress_dataset(stress: SubsurfaceStress) -> xarray.Dataset:
-    """Makes what SubsurfaceStress.to_xarray returns."""
+    """Implements SubsurfaceStress.to_xarray."""
     if stress.block is not None:
         dimensions: tuple[str, ...] = ("z", "y", "x")
         places = {name: _length(name, np.atleast_1d(getattr(stress.block, name))) for name in dimensions}

@@ -1,1 +1,1 @@
-"""Calls of a client, written once for the client that waits (Client) and the one that awaits (AsyncClient)."""
+"""Calls of a client, written once for the blocking client (Client) and the asyncio client (AsyncClient)."""

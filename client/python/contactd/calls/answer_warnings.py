@@ -1,4 +1,4 @@
-"""Warnings of answers, as warnings of Python."""
+"""Gives the warnings of answers as Python warnings."""
 
 from __future__ import annotations
 
@@ -13,26 +13,27 @@ from ..refusals import package_of
 
 __all__ = ["ContactWarning", "collected", "give", "sentences_in"]
 
-#: Methods that tell what lies in the store, and use none of it.
+#: Methods that list the store without using its tables.
 _LISTS = ("ic.list", "ic.import")
-#: Where answers have `warnings` besides at their top, and what the request calls that part; "" where it is of the whole.
+#: Places of further `warnings` in answers, and the name of that part in the request ("" for the whole).
 _PARTS = {"result": "", "evidence": "", "ics": "", "upper": "", "lower": "", "pair": "", "wheelrail": "", "solution": "",
           "solutions": "problems", "steps": "steps", "geometries": "states", "left": "left", "right": "right",
           "patches": "patches", "profiles": "profiles", "wheel_evidence": "wheel", "rail_evidence": "rail",
           "cases": "cases"}  # fmt: skip
-_MOST_PARTS = 5  #: that are named of those that have the same sentence
+_MOST_PARTS = 5  #: Maximum number of named parts with the same sentence.
 _COLLECTED: ContextVar[list[str] | None] = ContextVar("collected", default=None)
 
 
 class ContactWarning(UserWarning):
-    """Whole sentences of an answer's `warnings`, which say what should be known of it, one after the other.
+    """The `warnings` of an answer: complete sentences about its limitations, joined to one message.
 
-    Each answer gives at most one, where it was asked for. The filters of Python's `warnings` silence it, or make it an
-    exception, which comes when the call has ended: a step that warns has been taken then.
+    Each answer gives at most one warning, located at the caller's line. Filters of Python's `warnings` can silence it
+    or turn it into an exception. The exception is raised after the call: the session has then already advanced by the
+    step.
 
     Attributes:
-        sentences: One by one. Of a call with several problems, steps or patches each begins with the part that it is of,
-            such as ``problems[3]:``.
+        sentences: The sentences. For a call with several problems, steps or patches, each begins with its part, such as
+            ``problems[3]:``.
     """
 
     @property
@@ -44,7 +45,7 @@ class ContactWarning(UserWarning):
 
 
 def sentences_in(method: str, answer: dict[str, Any]) -> tuple[str, ...]:
-    """All that the answer to `method` warns of, each sentence once."""
+    """Returns all warnings of the answer to `method`, each sentence once."""
     found: dict[str, list[str]] = {}
     if method not in _LISTS:
         _collect(answer, "", found)
@@ -57,7 +58,7 @@ def sentences_in(method: str, answer: dict[str, Any]) -> tuple[str, ...]:
 
 
 def _is_in(part: str, whole: str) -> bool:
-    """Whether it is a part of the other: what that tells with a place, "The contact at y = 750 mm: ...", it tells without."""
+    """Returns whether the other sentence is the same with a place in front of it, "The contact at y = 750 mm: ..."."""
     return part != whole and (whole == "" or part.startswith((f"{whole}.", f"{whole}[")))
 
 
@@ -85,8 +86,9 @@ def _of_parts(parts: list[str], sentence: str) -> str:
 
 @contextmanager
 def collected() -> Iterator[list[str]]:
-    """Collects the sentences that answers in this thread warn of inside the block, each once. They are no warnings of Python then:
-    the caller names the case, row or state that they are of."""
+    """Collects the warnings of answers in this thread inside the block, each sentence once. They are not given as
+    Python warnings: the caller adds the case, row or state.
+    """
     found: list[str] = []
     token = _COLLECTED.set(found)
     try:
@@ -96,7 +98,7 @@ def collected() -> Iterator[list[str]]:
 
 
 def give(sentences: Iterable[str]) -> None:
-    """Warns of them, where the caller of this package is, unless they are collected."""
+    """Gives the sentences as a warning at the line that called this package, unless they are collected."""
     given = tuple(dict.fromkeys(sentences))
     if (found := _COLLECTED.get()) is not None:
         found.extend(sentence for sentence in given if sentence not in found)
@@ -105,7 +107,7 @@ def give(sentences: Iterable[str]) -> None:
 
 
 def _level_of_caller() -> int:
-    """For `give` to call warnings.warn with."""
+    """Returns the stack level for warnings.warn in `give`."""
     frame, level = sys._getframe(1), 1
     while frame.f_back is not None and package_of(frame) == "contactd":
         frame, level = frame.f_back, level + 1

@@ -1,4 +1,4 @@
-"""Parts that sessions have in common, whatever their steps are of (docs/sessions.md)."""
+"""The common part of sessions of contacts and of wheels on rails (docs/sessions.md)."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ T = TypeVar("T")
 
 
 def reported_number(reported: dict[str, Any], name: str, kind: Callable[[Any], T]) -> T:
-    """A number of the answer to session.open or session.info."""
+    """Returns a number in the answer to session.open or session.info."""
     try:
         return kind(reported[name])
     except (KeyError, TypeError, ValueError):
@@ -35,10 +35,10 @@ def reported_number(reported: dict[str, Any], name: str, kind: Callable[[Any], T
 
 
 class AnySession(Shown):
-    """The steps of a session, whatever they are of, and whether they are waited for or awaited."""
+    """The common part of blocking and asyncio sessions."""
 
-    _joins: ClassVar[str]  #: the method of Client that joins such a session
-    _builds = False  #: whether a step may have to wait for tables by finite elements
+    _joins: ClassVar[str]  #: Method of Client that joins such a session.
+    _builds = False  #: Whether a step may have to wait for finite-element tables.
 
     def __init__(self, client: Caller, steps: Steps, reported: dict[str, Any]) -> None:
         self.lease_seconds = reported_number(reported, "lease_seconds", float)
@@ -49,12 +49,14 @@ class AnySession(Shown):
 
     @property
     def name(self) -> str:
-        """The key to the session, for Client.join_session: who has it can take steps, and end it."""
+        """The name of the session for Client.join_session. It is a key: any client that has it can solve steps and
+        close the session.
+        """
         return self._steps.session
 
     @property
     def step_number(self) -> int:
-        """Number of the last step, 0 before the first."""
+        """The number of the last step; 0 before the first."""
         return self._steps.number
 
     def __reduce__(self) -> Any:
@@ -63,31 +65,31 @@ class AnySession(Shown):
         )
 
     def _title(self) -> str:
-        return f"{type(self).__name__} {self.name[:6]}... of {self._client.endpoint}"  # no more of the key
+        return f"{type(self).__name__} {self.name[:6]}... of {self._client.endpoint}"  # Do not print the whole key.
 
     def _rows(self) -> Rows:
         return [("last step", self.step_number), *self._common(), ("lease", f"{self.lease_seconds:g} s")]
 
     def _common(self) -> Rows:
-        """Returns what all steps have in common."""
+        """Returns the parameters that all steps have in common."""
         return []
 
     @asks
     def close(self, *, timeout: float | None = None) -> Answering[None]:
-        """Ends the session in the daemon. Raises NotFound when it has ended already."""
+        """Closes the session in the daemon. Raises NotFound if it has already ended."""
         self._steps.check_process()
         yield from self._client.asked("session.close", {"session": self.name}, timeout=timeout)
 
     @asks
     def save(self, *, timeout: float | None = None) -> Answering[SavedState]:
-        """Keeps where the session is, for restore()."""
+        """Saves the state of the session for restore()."""
         with self._steps.alone():
             result = yield from self._client.asked("session.save", {"session": self.name}, timeout=timeout)
         return SavedState(str(result["state"]), int(result["step"]))
 
     @asks
     def restore(self, state: SavedState, *, timeout: float | None = None) -> Answering[None]:
-        """Takes the session to a saved state, which stays: as often as wanted."""
+        """Returns the session to a saved state. You may restore a state any number of times."""
         check_type("state", state, SavedState)
         with self._steps.alone():
             result = yield from self._insist("session.restore", {"session": self.name, "state": state.name}, timeout)
@@ -121,7 +123,9 @@ class AnySession(Shown):
         progress: bool = False,
         builds: bool = False,
     ) -> Answering[dict[str, Any]]:
-        """Asks again when no answer came: the daemon tells a request that it has answered by its number."""
+        """Repeats a request without an answer. The daemon recognises a request that it has already answered by its
+        number.
+        """
 
         def ask() -> Answering[dict[str, Any]]:
             return self._client.asked(
@@ -132,7 +136,7 @@ class AnySession(Shown):
 
 
 class SessionThatWaits(AnySession, Waits):
-    """A session whose calls wait, and which ends with its ``with`` block."""
+    """A session with blocking calls. It ends with its ``with`` block."""
 
     def _carry_out(self, asked: Request | Pause) -> Any:
         return self._client._carry_out(asked)  # type: ignore[attr-defined]
@@ -146,4 +150,4 @@ class SessionThatWaits(AnySession, Waits):
         try:
             self.close()
         except ContactdError:
-            pass  # the parent's to end, gone already, or out of reach: then its lease ends it
+            pass  # In a forked process, the parent ends it. If the daemon does not answer, the lease ends it.

@@ -1,7 +1,7 @@
-"""Calls that are said once, and carried out in two ways: a thread waits for answers, or a coroutine awaits them.
+"""Calls that are written once and run in two ways: a thread waits for answers, or a coroutine awaits them.
 
-A call is a generator. It yields each Request it makes, is sent the Reply, or thrown what came instead, and returns its
-answer. It may also yield a Pause, or what an answer warns of.
+A call is a generator. It yields its Requests. The runner sends it each Reply, or throws the exception. It returns its
+answer. It may also yield a Pause, or the warnings of an answer.
 """
 
 from __future__ import annotations
@@ -26,14 +26,14 @@ T = TypeVar("T")
 
 @dataclass(frozen=True)
 class Pause:
-    """A time in which nothing is asked (s)."""
+    """A pause between requests (s)."""
 
     seconds: float
 
 
 @dataclass(frozen=True)
 class Noted:
-    """Warnings of an answer: sentences, which are given as a warning of Python when the call has ended."""
+    """Warnings of an answer. Their sentences are given as a Python warning after the call."""
 
     sentences: tuple[str, ...]
 
@@ -43,7 +43,9 @@ Answering = Generator[Asked, Any, T]
 
 
 def insist(ask: Callable[[], Answering[T]], retries: int) -> Answering[T]:
-    """Asks, and as often as `retries` says again when no answer came; for requests that may be answered twice."""
+    """Sends a request, and repeats it up to `retries` times without an answer. Only for requests that may be answered
+    twice.
+    """
     for _ in range(retries):
         try:
             return (yield from ask())
@@ -55,7 +57,7 @@ def insist(ask: Callable[[], Answering[T]], retries: int) -> Answering[T]:
 
 
 class Waits:
-    """Carries calls out in the thread that makes them."""
+    """Runs calls in the calling thread."""
 
     def _carry_out(self, asked: Request | Pause) -> Any:
         """The Reply to a Request; None after a Pause."""
@@ -83,7 +85,7 @@ class Waits:
 
 
 class Awaits:
-    """Carries calls out in an event loop."""
+    """Runs calls in an event loop."""
 
     async def _carry_out(self, asked: Request | Pause) -> Any:
         """The Reply to a Request; None after a Pause."""
@@ -111,7 +113,7 @@ class Awaits:
 
 
 class asks(Generic[P, T]):  # noqa: N801: a decorator
-    """A method that is such a generator: a call that waits in what Waits, and a coroutine in what Awaits."""
+    """Turns such a generator into a method: a blocking call in subclasses of Waits, a coroutine in those of Awaits."""
 
     def __init__(self, steps: Callable[Concatenate[Any, P], Answering[T]]) -> None:
         self.steps = steps
@@ -139,7 +141,7 @@ class asks(Generic[P, T]):  # noqa: N801: a decorator
 
 
 def _shown_as(steps: Callable[..., Any], function: Any) -> Any:
-    """`function` with name, docstring and signature of `steps`, but for the answer, which is that of the call."""
+    """Gives `function` the name, docstring and signature of `steps`; the return type is that of the call."""
     functools.update_wrapper(function, steps)
     signature = inspect.signature(steps)
     answer = str(signature.return_annotation).removeprefix("Answering[").removesuffix("]")

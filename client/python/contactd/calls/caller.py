@@ -1,4 +1,4 @@
-"""Parts that both clients share: what they know about the daemon, and how a call of theirs becomes a request."""
+"""The common part of both clients: data about the daemon, and the conversion of calls to requests."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ ProgressCallback = Callable[[Progress], None]
 
 
 class Caller(Shown):
-    """Where the daemon is, how long calls wait, and the call that all others make."""
+    """Holds the address of the daemon and the timeouts, and makes the call that all others use."""
 
     def __init__(
         self,
@@ -49,7 +49,7 @@ class Caller(Shown):
 
     @property
     def is_closed(self) -> bool:
-        """Whether close() was called."""
+        """Returns whether close() was called."""
         raise NotImplementedError
 
     def __getstate__(self) -> dict[str, Any]:
@@ -75,10 +75,11 @@ class Caller(Shown):
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
     ) -> Answering[dict[str, Any]]:
-        """Any method of the daemon by its name: plain JSON and numpy arrays in, the same out.
+        """Calls any method of the daemon by its name. Parameters and answer are plain JSON and numpy arrays.
 
-        `timeout` in seconds; None: the client's `build_timeout` where the request may have to wait for finite elements,
-        else its `timeout`. `progress` shows a bar (needs rich) beside what `on_progress` does.
+        `timeout` is in seconds. If None, it is the client's `build_timeout` for requests that may wait for finite
+        elements, otherwise its `timeout`. `progress` shows a progress bar (needs rich) in addition to calling
+        `on_progress`.
         """
         return (yield from self.asked(method, params, timeout=timeout, on_progress=on_progress, progress=progress))
 
@@ -92,8 +93,9 @@ class Caller(Shown):
         progress: bool = False,
         builds: bool = False,
     ) -> Answering[dict[str, Any]]:
-        """The steps of `call`, for other calls to be made of; `builds`: it may have to wait for finite elements, which its
-        parameters do not tell."""
+        """The steps of `call`, for use in other calls. Set `builds` if the call may wait for finite elements and its
+        parameters do not show it.
+        """
         builds = builds or may_build(params or {})
         usual = self.build_timeout if builds else self.timeout
         seconds = seconds_of("timeout", usual if timeout is None else timeout)
@@ -129,7 +131,7 @@ class Caller(Shown):
                 raise
         if sentences := sentences_in(method, reply.result):
             yield Noted(sentences)
-        if not reply.frames:  # nothing to decode; server.describe speaks of "$array" without meaning one
+        if not reply.frames:  # Nothing to decode: "$array" in the answer of server.describe is not an array.
             return reply.result
         result: dict[str, Any] = decode(reply.result, reply.frames)
         return result
@@ -139,7 +141,7 @@ class Caller(Shown):
         return read(ServerInfo, (yield from self.asked("server.info", timeout=timeout)))
 
     def _check_limits(self, frames: list[bytes], deadline: float) -> Answering[None]:
-        """Refuses here what the daemon would refuse, before many megabytes are sent for nothing."""
+        """Refuses requests that exceed the daemon's limits before sending them."""
         if self._limits is None:
             self._limits = (yield from self.info_asked(max(1e-3, deadline - time.monotonic()))).limits
         limits = self._limits
@@ -156,7 +158,7 @@ def _check_limit(what: str, size: int, limit: int, unit: str) -> None:
 
 
 def check_shapes(answer: Any, names: list[str], shape: tuple[int, ...]) -> None:
-    """Raises ProtocolError where an array of the answer has another shape."""
+    """Raises ProtocolError if an array of the answer has another shape."""
     for name in names:
         if (array := getattr(answer, name)) is None:
             raise ProtocolError(f"The answer lacks {name}, which was asked for.")

@@ -1,4 +1,4 @@
-"""One case by all contact models that can compute it."""
+"""Solves one case with all contact models that support it."""
 
 from __future__ import annotations
 
@@ -31,16 +31,16 @@ __all__ = ["ComparisonCalls"]
 T = TypeVar("T")
 
 _FIELDS = ["element_division", "pressure", "traction_x", "traction_y"]
-#: Options of `simplified` that each model has; others have none.
+#: Options of `simplified` by model; other models have none.
 _OPTIONS = {
     "fastsim": ("slope", "bound", "on_elements", "blended", "coefficients"),
     "fastrip": ("slope", "blended", "coefficients"),
     "polach": ("coefficients", "k_adhesion", "k_slip"),
 }
-#: Answers that are not compared, and that some models do not have.
+#: Answers that are not compared; some models do not have them.
 _NOT_COMPARED = ("derivatives", "displacements")
-_LONG = 1.0  #: s, of what is not asked for again to see how long it takes
-#: These say nothing of the case.
+_LONG = 1.0  #: Solves longer than this (s) are not repeated to measure their time.
+#: These errors do not depend on the case.
 _NO_REFUSALS = (Cancelled, DeadlineExceeded, InternalError, Unauthenticated, Unavailable)
 
 
@@ -58,20 +58,20 @@ class ComparisonCalls(Caller):
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
     ) -> Answering[ModelComparison]:
-        """One contact by all models that can compute it, beside the full theory::
+        """Solves one contact with all models that support it, and compares them with the full theory::
 
             found = client.compare(problem)
             print(found["fastsim"].errors.force, found["kpec+fastsim"].seconds)
             found.plot().savefig("models.png")
 
-        `problem` may also be the parameters of contact.solve, or of wheelrail.solve, as they are on the wire. `models` are
-        names such as "fastsim" or "kpec+fastsim"; the full theory is always among them. A model that cannot compute the case
-        says why in its `refusal`. Options of `simplified` go to the models that have them.
+        `problem` may also be the parameters of contact.solve or wheelrail.solve, as on the wire. `models` are names
+        such as "fastsim" or "kpec+fastsim"; the full theory is always included. If a model does not support the case,
+        its `refusal` contains the reason. Options of `simplified` apply to the models that have them.
 
-        Models are asked one after the other, and `repeats` times where that is short, for how long they take. `timeout` is that
-        of each request.
+        Models are solved one after the other. Short solves are repeated `repeats` times to measure their time.
+        `timeout` applies to each request.
 
-        Raises what the full theory raised, where no model computes the case.
+        If no model supports the case, raises the exception of the full theory.
         """
         check_type("problem", problem, ContactProblem, Mapping)
         params = problem_params(problem) if isinstance(problem, ContactProblem) else dict(problem)
@@ -89,7 +89,7 @@ class ComparisonCalls(Caller):
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
     ) -> Answering[ModelComparison]:
-        """A wheel on its rail by all models that can compute it, as `compare`."""
+        """Compares all models that support a wheel on its rail, like `compare`."""
         params = {"setup": setup_params(setup), "state": state_params(state, "state")}
         return (yield from _compared(self, params, models, repeats, timeout, on_progress, progress))
 
@@ -145,7 +145,7 @@ def _shortest_of_nothing(caller: Caller, repeats: int, timeout: float | None) ->
 
 
 class _Asked:
-    """The case by one model."""
+    """The case with one model."""
 
     def __init__(
         self, caller: Caller, params: dict[str, Any], name: str, timeout: float | None, on_progress: ProgressCallback | None
@@ -190,7 +190,7 @@ class _Asked:
         )
 
     def _report(self, progress: Progress) -> None:
-        """Builds that the request waits for; solves are over before anybody reads of them."""
+        """Reports builds that the request waits for. Solves end too soon to be reported."""
         if self._on_progress is not None and progress.job.startswith("build-"):
             self._on_progress(progress)
 
@@ -221,11 +221,11 @@ def _largest_mu(friction: Any) -> float | None:
     try:
         return float(np.max(np.asarray(given, dtype=float)))
     except (TypeError, ValueError):
-        return 0.0  # the daemon says what is wrong with it
+        return 0.0  # The daemon reports the error.
 
 
 def _named(steps: Answering[T], name: str) -> Answering[T]:
-    """Repeats these steps, with warnings that say which model they are of."""
+    """Runs these steps, and adds the model to their warnings."""
     try:
         asked = next(steps)
         while True:

@@ -53,19 +53,19 @@ class ContactCalls(Caller):
     ) -> Answering[SubsurfaceStress]:
         """Stresses inside a body, a half-space or layers, under the tractions of the `solution` of a `problem`.
 
-        They are wanted either at `points`, shape [n, 3] (x, y, z in mm), or on a `block`::
+        Give either `points`, shape [n, 3] (x, y, z in mm), or a `block`::
 
             stress = client.subsurface(problem, solution, block=StressBlock(x=grid.x, y=0, z=-np.linspace(0, 5, 51)))
             print(stress.largest.von_mises, stress.largest.depth)
 
-        Points and stresses are in the frame of `body`, where z <= 0 is inside, for the upper body too: see
-        SubsurfaceStress. `nu` is Poisson's ratio of the body, where it is not that of the problem; a LayeredBody has its
-        own. With `invariants` there are the hydrostatic, principal and Tresca's stresses, too, with
-        `displacements` those of a half-space. Below a line contact y means nothing. Nearer to the surface than an element the steps of the tractions show.
-        Below curved columns y is the arc length, counted as in the grid, and stresses are in the axes of the column above:
-        tractions act from column to column as on half-spaces, turned by the angle between them. Blocks, longitudinally
-        uniform bodies without columns and TableIcs, which are not or may not be half-spaces, are refused
-        (InvalidArgument).
+        Points and stresses are in the frame of `body`, where z <= 0 is inside, also for the upper body: see
+        SubsurfaceStress. `nu` replaces Poisson's ratio of the problem; a LayeredBody has its own. `invariants` adds
+        hydrostatic, principal and Tresca stresses; `displacements` adds the displacements, for half-spaces only. Below
+        a line contact, y has no effect. At depths below one element size, the results show the piecewise constant
+        tractions. Below curved columns, y is the arc length as in the grid, and stresses are in the axes of the column
+        above: each column acts on the others as on a half-space, rotated by the angle between them. Bodies that are
+        not, or may not be, half-spaces are refused (InvalidArgument): blocks, longitudinally uniform bodies without
+        columns, and TableIcs.
         """
         params, shape = subsurface_params(problem, solution, body, points, block, nu)
         if invariants:
@@ -93,21 +93,23 @@ class ContactCalls(Caller):
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
     ) -> Answering[SurfaceTemperatures]:
-        """Temperatures of both surfaces, in contact and behind it, of a `solution` that rolls steadily along x.
+        """Computes the temperatures of both surfaces, in and behind the contact, for a `solution` of steady rolling
+        along x.
 
-        Friction heats both surfaces alike; `bodies` say what they have to do with heat, None: of steel at 0 degrees. A
-        patch of a wheel on its rail serves as well::
+        Frictional heat is shared so that both surfaces have equal temperatures. `bodies` are their thermal properties;
+        if None, steel at 0 degrees. You can also use a patch of a wheel on its rail::
 
             found = client.temperature(solution, ThermalBodies(upper=ThermalBody(bulk_temperature=120), lower=ThermalBody()))
             print(found.temperature.largest, found.lower_temperature.max())
 
-        `velocity` is that of rolling (mm/s), where it is not that of the solution. A problem that has `temperature` is
-        answered with the same. Shifts, transient rolling, and rolling across the rows are refused (InvalidArgument).
+        `velocity` is the rolling velocity (mm/s), if it differs from that of the solution. The result is the same as
+        that of a problem with `temperature`. Shifts, transient rolling, and rolling across the rows are refused
+        (InvalidArgument).
         """
         params = temperature_params(solution, bodies, velocity)
         result = yield from self.asked("contact.temperature", params, timeout=timeout, on_progress=on_progress, progress=progress)
         found = read(SurfaceTemperatures, result)
-        assert solution.grid is not None  # temperature_params has looked
+        assert solution.grid is not None  # temperature_params has checked it.
         check_shapes(found, ["upper_temperature", "lower_temperature"], solution.grid.shape)
         return replace(found, grid=solution.grid)
 

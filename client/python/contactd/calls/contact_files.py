@@ -17,10 +17,11 @@ class ContactFileCalls(Caller):
 
     @asks
     def read_contact_file(self, text: str, *, name: str = "text", timeout: float | None = None) -> Answering[ContactFile]:
-        """Cases of the `text` of an input file of the CONTACT program: control digits, and all values in force.
+        """Reads the cases of an input file of the CONTACT program from its `text`: control digits and all values that
+        apply.
 
-        Nothing that the file names is opened. `name` is that of the file, for refusals. What is wrong with a case is in
-        its `errors`. contactd.contact_files.read reads a file on disk by this.
+        Files named in the text are not opened. `name` is the name of the file in error messages. Errors of a case are
+        in its `errors`. Use contactd.contact_files.read for a file on disk.
         """
         cases: list[ContactCase] = []
         first = 0
@@ -36,10 +37,10 @@ class ContactFileCalls(Caller):
 
     @asks
     def read_contact_slices(self, text: str, *, name: str = "text", timeout: float | None = None) -> Answering[ContactSlices]:
-        """Slices of the `text` of a list of the CONTACT program (.slcs of rails, .slcw of wheels).
+        """Reads a list of slices of the CONTACT program from its `text` (.slcs for rails, .slcw for wheels).
 
-        Profiles that the list names are not opened: contactd.contact_files.read_slices reads them, too. `name` is that of
-        the file, for refusals. Raises InvalidArgument with line and column of what does not fit.
+        Profiles named in the list are not opened; contactd.contact_files.read_slices reads them, too. `name` is the
+        name of the file in error messages. Raises InvalidArgument with line and column of an error.
         """
         answer = yield from self.asked("contact_file.slices", {"text": text, "name": name}, timeout=timeout)
         return read(ContactSlices, answer)

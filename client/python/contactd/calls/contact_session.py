@@ -1,4 +1,6 @@
-"""Sessions of a contact: the steps of a simulation, each of which starts where the one before ended (docs/sessions.md)."""
+"""Sessions of a contact: the steps of a simulation, each starting from the end of the previous one
+(docs/sessions.md).
+"""
 
 from __future__ import annotations
 
@@ -129,17 +131,17 @@ class AnyContactSession(AnySession):
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
     ) -> Answering[StepSolution]:
-        """Solves the next step. What is None is as the session was opened.
+        """Solves the next step. Arguments that are None keep their values from the opening of the session.
 
-        Friction may be given whole, or by the fields of Friction and Rolling that change: `force` is that of rolling in
-        a session that rolls, else that of a shift. `fields` names the arrays wanted back, or the one; `derivatives` and
-        `displacements` say whether those are wanted, too.
+        Give friction as a whole, or only the fields of Friction and Rolling that change. `force` is that of rolling if
+        the session rolls, otherwise that of a shift. `fields` names the arrays to return, or a single one. Set
+        `derivatives` and `displacements` to return these, too.
 
-        With `again` the step that was asked for last is tried anew: had it been solved, it is taken back, and this one
-        starts where it started. As often as wanted, also after one that failed or whose answer was lost.
+        `again` repeats the last requested step with new inputs, from the same initial state. If that step was solved,
+        its result is discarded. You may repeat it any number of times, also after it failed or its answer was lost.
 
-        Raises FailedPrecondition when the daemon is at another step, Aborted (reason NOT_CONVERGED) when a solver
-        missed its tolerance, NotFound when the session has ended, and what Client.solve raises.
+        Raises FailedPrecondition if the daemon is at another step, Aborted (reason NOT_CONVERGED) if a solver missed
+        its tolerance, NotFound if the session has ended, and the exceptions of Client.solve.
         """
         step = StepInput(
             approach=approach, Fn=Fn, gap=gap, friction=friction, mu=mu, force=force, rigid_shift=rigid_shift,
@@ -152,7 +154,7 @@ class AnyContactSession(AnySession):
 
 
 class Session(AnyContactSession, SessionThatWaits):
-    """The steps of a simulation, of which each starts where the one before ended.
+    """The steps of a simulation, each starting from the end of the previous one.
 
     ::
 
@@ -160,22 +162,21 @@ class Session(AnyContactSession, SessionThatWaits):
             for xi in creepages:
                 solution = session.step(Fn=1e4, xi=xi)
 
-    Client.session takes a ContactProblem without `initial`, or its fields; `gap`, `approach` or `Fn` and `friction` hold
-    for the steps that name no others, and may be left out. It returns when the tables lie ready. The session ends with its
-    ``with`` block, or when unused for `lease` seconds (None: the daemon's choice). A step that missed a tolerance fails,
-    unless `accept_unconverged`.
+    Client.session accepts a ContactProblem without `initial`, or its fields. Its `gap`, `approach` or `Fn` and
+    `friction` are optional defaults for the steps. It returns when the tables are available. The session ends with its
+    ``with`` block, or after `lease` seconds without use (None: the daemon's default). A step that misses a tolerance
+    fails, unless `accept_unconverged` is set.
 
-    Steps are numbered here. A step whose answer does not come is asked for again under its number, which the daemon
-    answers without solving twice; should that fail too, the session is either where it was or one step further, and the
-    same step asked for again goes on from there. A step that fails leaves the session as it was.
+    The client numbers the steps. It repeats a step without an answer under the same number, and the daemon does not
+    solve it twice. If the repetition fails too, the session may or may not have advanced by that step; requesting the
+    same step again continues correctly. A failed step leaves the session unchanged.
 
-    Belongs to the process that opened it, and there to one thread at a time, because steps have an order: a call while
-    another one runs raises ContactdError. Others, a forked process too, take it over by its `name`, which is the key to
-    it: ``client.join_session(name)``.
+    Only the process that opened a session may use it, from one thread at a time: a call during another call raises
+    ContactdError. Another process, also a forked one, takes it over by its `name`: ``client.join_session(name)``.
 
     Attributes:
-        lease_seconds: The session ends when unused for that long (s).
-        bytes: What it took of the daemon's memory when it was opened or joined.
-        ics: Where the influence coefficients came from, as in ContactEvidence.
-        retries: How often a step or a restore whose answer does not come is asked for again.
+        lease_seconds: Time without use after which the session ends (s).
+        bytes: Its use of the daemon's memory when it was opened or joined.
+        ics: Origin of the influence coefficients, as in ContactEvidence.
+        retries: Number of times that a step or a restore without an answer is repeated.
     """

@@ -1,4 +1,4 @@
-"""Curves of creep forces: many contacts that differ in their creepages."""
+"""Creep curves: forces of a contact for many creepages."""
 
 from __future__ import annotations
 
@@ -32,9 +32,9 @@ if TYPE_CHECKING:
 
 __all__ = ["CreepCurveCalls"]
 
-_MOST_POINTS = 1000  #: of one message
-_MOST_ELEMENTS = 2_000_000  #: of all grids of one message
-_FARTHEST = 1e12  #: that creepages may be, as the schema has it
+_MOST_POINTS = 1000  #: Maximum number of points in a message.
+_MOST_ELEMENTS = 2_000_000  #: Maximum number of elements of all grids in a message.
+_FARTHEST = 1e12  #: Largest creepage that the schema allows.
 _FORCES = ("Fn", "Fx", "Fy", "Mz", "pmax")
 _MOST_SHOWN = 3
 
@@ -58,19 +58,21 @@ class CreepCurveCalls(Caller):
         progress: bool = False,
         **problem_fields: Unpack[ProblemFields],
     ) -> Answering[CreepCurve]:
-        """Forces of steady rolling over creepages. The contact is given as for `solve`, with a grid or without::
+        """Computes the forces of steady rolling for many creepages. Describe the contact as for `solve`; the grid is
+        optional::
 
             friction = Friction(0.3)
             curve = client.creep_curve(Paraboloid(460, 300), steel, Fn=80e3, friction=friction, xi=np.linspace(0, 0.01, 21))
             print(curve.Fx / curve.Fn)
 
         `xi`, `eta` and `phi` (rad/mm) are numbers or arrays that are broadcast together; arrays of the answer have the
-        shape that results. They are the creepages of the upper body over the lower one. Other values of the motion, such
-        as the rolling direction and velocity, are those of ``friction.rolling``. `timeout` is that of each message.
+        resulting shape. They are the creepages of the upper body relative to the lower one. Other values of the motion,
+        such as the rolling direction and velocity, are those of ``friction.rolling``. `timeout` applies to each
+        message.
 
-        Where a point fails its values are NaN, `errors` has the exception, and a ContactWarning names it. Points that did
-        not converge keep their values; a ContactWarning counts them. Raises the exception where all points fail, and
-        TypeError where the friction has no coefficient, prescribes a force, or is that of a shift.
+        If a point fails, its values are NaN, `errors` contains the exception, and a ContactWarning names the point.
+        Points that did not converge keep their values; a ContactWarning states their number. Raises the exception if
+        all points fail, and TypeError if the friction has no coefficient, prescribes a force, or is that of a shift.
         """
         stated = stated_problem(contact, upper, lower, problem_fields, "creep_curve")
         friction = _friction_of(stated.problem)
@@ -119,7 +121,7 @@ def _rolling(friction: Friction, motion: dict[str, Any]) -> Friction:
 
 
 def _broadcast(**creepages: npt.ArrayLike) -> dict[str, Any]:
-    """The creepages in one shape. Raises InvalidArgument where there is none."""
+    """Broadcasts the creepages to one shape. Raises InvalidArgument if that is impossible."""
     arrays = {}
     for name, values in creepages.items():
         try:
@@ -142,7 +144,7 @@ def _points(points: dict[str, Any]) -> Iterator[tuple[tuple[int, ...], dict[str,
 
 
 def _refused(index: tuple[int, ...], point: dict[str, float]) -> StatusError | None:
-    """Why a point cannot be asked for; the daemon would refuse all others with it."""
+    """Returns the reason why a point is invalid; the daemon would refuse the whole message."""
     for name, value in point.items():
         if not math.isfinite(value) or abs(value) > _FARTHEST:
             return invalid(f"{name}[{', '.join(map(str, index))}]", f"is {value}; it must be a finite number")
@@ -187,7 +189,7 @@ def _sentences(curve: CreepCurve) -> list[str]:
 
 
 def _of_points(sentence: str, indices: list[tuple[int, ...]]) -> str:
-    """Names points by their indices in place of the problems of a message."""
+    """Replaces the problems of a message by the indices of points."""
     return re.sub(r"\bproblems\[(\d+)\]", lambda found: _name(indices[int(found[1])]), sentence)
 
 

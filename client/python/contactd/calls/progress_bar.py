@@ -1,4 +1,4 @@
-"""A progress bar in the terminal, or in a notebook, for the calls that are told `progress=True`. Needs rich."""
+"""A progress bar in the terminal or in a notebook for calls with `progress=True`. Needs rich."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ __all__ = ["progress_shown"]
 
 @contextmanager
 def progress_shown(method: str, requested: bool) -> Iterator[Callable[[Progress], None]]:
-    """Yields what progress is reported to while the block runs: a bar where one is `requested`, and nothing where not."""
+    """Yields the callback for progress during the block: a bar if `requested`, otherwise None."""
     if not requested:
         yield lambda progress: None
         return

@@ -1,4 +1,4 @@
-"""The daemon: what it is, how it does, and what it works on."""
+"""The daemon: its version, its health and its current work."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class ServerCalls(Caller):
 
     @asks
     def health(self, *, timeout: float | None = None) -> Answering[str]:
-        """``"serving"`` or ``"stopping"``; never waits for other work."""
+        """Returns ``"serving"`` or ``"stopping"``. It never waits for other work."""
         state = (yield from self.asked("server.health", timeout=timeout)).get("state")
         if not isinstance(state, str):
             raise ProtocolError("The answer to server.health lacks its state.")
@@ -33,7 +33,7 @@ class ServerCalls(Caller):
 
     @asks
     def metrics(self, *, timeout: float | None = None) -> Answering[list[dict[str, Any]]]:
-        """Returns what is measured of the daemon, as docs/operations.md lists it: name, type, help and samples of each."""
+        """Returns the metrics of the daemon (docs/operations.md): name, type, help and samples of each."""
         metrics = (yield from self.asked("server.metrics", timeout=timeout)).get("metrics")
         if not isinstance(metrics, list):
             raise ProtocolError("The answer to server.metrics lacks its metrics.")
@@ -41,7 +41,7 @@ class ServerCalls(Caller):
 
     @asks
     def watch_health(self, on_state: Callable[[str], None], *, timeout: float | None = None) -> Answering[str]:
-        """Calls `on_state` with the state of the daemon, at once and whenever it changes, until the daemon ends.
+        """Calls `on_state` with the state of the daemon, immediately and after each change, until the daemon ends.
 
         Returns the last state, ``"stopping"``. An exception of `on_state` ends the watch.
         """
@@ -62,13 +62,14 @@ class ServerCalls(Caller):
 
     @asks
     def describe(self, *, timeout: float | None = None) -> Answering[dict[str, Any]]:
-        """The OpenRPC document of the daemon, with the JSON Schema of every message."""
+        """Returns the OpenRPC document of the daemon, with the JSON Schema of every message."""
         return (yield from self.asked("server.describe", timeout=timeout))
 
     @asks
     def config(self, *, timeout: float | None = None) -> Answering[dict[str, Any]]:
-        """The configuration of the daemon (docs/configuration.md) with its defaults, but for secrets and what names
-        files, programs, variables and addresses."""
+        """Returns the configuration of the daemon (docs/configuration.md) with its defaults, except secrets and the
+        names of files, programs, variables and addresses.
+        """
         config = (yield from self.asked("server.config", timeout=timeout)).get("config")
         if not isinstance(config, dict):
             raise ProtocolError("The answer to server.config lacks the configuration.")
@@ -76,7 +77,7 @@ class ServerCalls(Caller):
 
     @asks
     def jobs(self, *, timeout: float | None = None) -> Answering[tuple[Job, ...]]:
-        """Work that waits or runs."""
+        """Returns the jobs that wait or run."""
         jobs = (yield from self.asked("job.list", timeout=timeout)).get("jobs")
         if not isinstance(jobs, list):
             raise ProtocolError("The answer to job.list lacks its jobs.")
@@ -84,13 +85,14 @@ class ServerCalls(Caller):
 
     @asks
     def cancel_job(self, job: str, *, timeout: float | None = None) -> Answering[None]:
-        """Ends a job; every call that waits for it raises Cancelled."""
+        """Ends a job. Every call that waits for it raises Cancelled."""
         yield from self.asked("job.cancel", {"job": job}, timeout=timeout)
 
     @asks
     def recent_solves(self, *, timeout: float | None = None) -> Answering[tuple[RecentSolve, ...]]:
-        """The last solves of the same user, the latest first: a user is a key or, without keys, an address or, over ipc,
-        a user of the machine. The daemon's `recent_solves` bounds how many it keeps of all users."""
+        """Returns the last solves of this user, the latest first. A user is a key; without keys, an address or, over
+        ipc, a user of the machine. The daemon's `recent_solves` limits their number for all users.
+        """
         solves = (yield from self.asked("solves.recent", timeout=timeout)).get("solves")
         if not isinstance(solves, list):
             raise ProtocolError("The answer to solves.recent lacks its solves.")
@@ -98,9 +100,9 @@ class ServerCalls(Caller):
 
     @asks
     def recent_pressures(self, number: int, *, timeout: float | None = None) -> Answering[tuple[RecentPatch, ...]]:
-        """The pressures of one of recent_solves, whose number it is: of each of its grids.
+        """Returns the pressures of a solve on each of its grids, by its number in recent_solves.
 
-        Raises NotFound when the daemon has them not, or not any more.
+        Raises NotFound if the daemon does not have them or no longer has them.
         """
         patches = (yield from self.asked("solves.pressures", {"number": number}, timeout=timeout)).get("patches")
         if not isinstance(patches, list):

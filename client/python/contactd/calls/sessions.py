@@ -1,4 +1,4 @@
-"""Sessions: those that are opened or joined, and the steps of many."""
+"""Opens and joins sessions, and solves steps of several sessions."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ if TYPE_CHECKING:
 
 __all__ = ["SessionCalls"]
 
-S = TypeVar("S")  #: a session of a contact that waits, or awaits
-W = TypeVar("W")  #: the same of a wheel on its rail
+S = TypeVar("S")  #: A session of a contact, blocking or asyncio.
+W = TypeVar("W")  #: A session of a wheel on its rail, blocking or asyncio.
 
 
 class SessionCalls(Caller, Generic[S, W]):
-    """The methods session.* of the daemon, which give sessions that wait, or await, as their client."""
+    """The methods session.* of the daemon. Sessions are blocking or asyncio like their client."""
 
     _session_kind: Callable[[Caller, str, dict[str, Any], Grid, bool], S]
     _wheel_rail_session_kind: Callable[[Caller, str, dict[str, Any], Side, bool], W]
@@ -48,10 +48,10 @@ class SessionCalls(Caller, Generic[S, W]):
         progress: bool = False,
         **fields: Unpack[ProblemFields],
     ) -> Answering[S]:
-        """Opens a Session, which says more: the steps of a simulation.
+        """Opens a Session for the steps of a simulation; see Session.
 
-        What its steps have in common is given as a ContactProblem, as to `solve`, or by its fields, of which `gap`,
-        `approach` or `Fn`, and `friction` may be left to the steps.
+        Give the common part of its steps as a ContactProblem or by its fields, as for `solve`. You may leave `gap`,
+        `approach` or `Fn`, and `friction` to the steps.
         """
         if problem is not None:
             check_type("problem", problem, ContactProblem)
@@ -69,11 +69,11 @@ class SessionCalls(Caller, Generic[S, W]):
 
     @asks
     def join_session(self, name: str, *, timeout: float | None = None) -> Answering[S]:
-        """The session with this name (Session.name), where its last step left it, whoever opened it and wherever.
+        """Joins the session with this name (Session.name) at its current step. Any process may have opened it.
 
-        Raises NotFound when it has ended. Two who share a session take turns, and must tell each other: the number of a
-        step that the other one has taken is refused (FailedPrecondition) or, asked for in the same words, answered as the
-        other one was.
+        Raises NotFound if it has ended. Programs that share a session must take turns and tell each other the step
+        number. A step that the other program has already solved raises FailedPrecondition, or returns the same answer
+        if the requests are equal.
         """
         reported = yield from self.asked("session.info", {"session": name}, timeout=timeout)
         if "side" in reported:
@@ -90,7 +90,7 @@ class SessionCalls(Caller, Generic[S, W]):
         accept_unconverged: bool = False,
         timeout: float | None = None,
     ) -> Answering[W]:
-        """Opens a WheelRailSession, which says more: the steps of a wheel on its rail, whose set-up is sent once.
+        """Opens a WheelRailSession for the steps of a wheel on its rail. The set-up is sent once; see WheelRailSession.
 
         Raises InvalidArgument naming ``wheelrail.setup.track.gauge``, ...
         """
@@ -101,8 +101,8 @@ class SessionCalls(Caller, Generic[S, W]):
 
     @asks
     def join_wheel_rail_session(self, name: str, *, timeout: float | None = None) -> Answering[W]:
-        """Joins the session of a wheel on its rail, as join_session does. Steps that may have to wait for finite elements need a `timeout` of their
-        own: only who has opened the session knows it.
+        """Joins the session of a wheel on its rail, as join_session does. Pass a `timeout` to steps that may wait for
+        finite elements, because only the client that opened the session knows that.
         """
         reported = yield from self.asked("session.info", {"session": name}, timeout=timeout)
         if (side := reported.get("side")) not in ("left", "right"):
@@ -111,7 +111,7 @@ class SessionCalls(Caller, Generic[S, W]):
 
     @asks
     def sessions(self, *, timeout: float | None = None) -> Answering[tuple[SessionSummary, ...]]:
-        """Ages and counts of the open sessions, oldest first."""
+        """Returns ages and counts of the open sessions, oldest first."""
         sessions = (yield from self.asked("session.list", timeout=timeout)).get("sessions")
         if not isinstance(sessions, list):
             raise ProtocolError("The answer to session.list lacks its sessions.")
@@ -125,13 +125,13 @@ def _name_in(reported: dict[str, Any]) -> str:
 
 
 def _lease_params(lease: float | None, accept_unconverged: bool) -> dict[str, Any]:
-    """Returns what sessions of all kinds are opened with."""
+    """Returns the parameters that opening has for all kinds of sessions."""
     params: dict[str, Any] = {} if lease is None else {"lease_seconds": lease}
     return {**params, "accept_unconverged": True} if accept_unconverged else params
 
 
 def _opening(fields: dict[str, Any], lease: float | None, accept_unconverged: bool) -> dict[str, Any]:
-    """The parameters of session.open."""
+    """Returns the parameters of session.open."""
     given = {name: value for name, value in fields.items() if value is not None}
     check_field_types(ContactProblem, given)
     if given.keys() >= {"approach", "Fn"}:
@@ -140,6 +140,6 @@ def _opening(fields: dict[str, Any], lease: float | None, accept_unconverged: bo
 
 
 def _wheel_rail_opening(setup: WheelRailSetup, lease: float | None, accept_unconverged: bool) -> dict[str, Any]:
-    """The parameters of session.open."""
+    """Returns the parameters of session.open."""
     opened = {"wheelrail": {"setup": setup_params(setup, "wheelrail.setup")}}
     return opened | _lease_params(lease, accept_unconverged)

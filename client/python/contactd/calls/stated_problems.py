@@ -1,4 +1,4 @@
-"""Problems as calls take them: whole, by gap and bodies, or by their fields, with a grid or without one."""
+"""Problems as arguments of calls: as a whole, by gap and bodies, or by their fields, with or without a grid."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Stated:
 def stated_problem(
     problem: ContactProblem | Gap | None, upper: Body | None, lower: Body | None, fields: ProblemFields, call: str = "solve"
 ) -> Stated:
-    """Makes the problem of what was given. Raises TypeError where it is given twice or not at all."""
+    """Returns the problem described by the arguments. Raises TypeError if there is none, or more than one."""
     if isinstance(problem, ContactProblem):
         names = [*(name for name, body in (("upper", upper), ("lower", lower)) if body is not None), *fields]
         if names:
@@ -68,8 +68,9 @@ _ANY_GRID = Grid(1, 1, 1.0, 1.0)
 def on_chosen_grid(
     stated: Stated, solve: Callable[[ContactProblem], Answering[T]], solutions: Callable[[T], Iterable[Solution[Any, Any]]]
 ) -> Answering[T]:
-    """Solves a problem; where its grid was chosen here and does not fit a solution, once more on one that does. The answer
-    on the first grid then warns of nothing."""
+    """Solves a problem. If its grid was chosen here and does not fit the solution, solves it again on a better one.
+    Warnings of the first answer are then dropped.
+    """
     if not stated.is_grid_chosen:
         return (yield from solve(stated.problem))
     noted: list[str] = []
@@ -85,7 +86,7 @@ def on_chosen_grid(
 
 
 def without_warnings(steps: Answering[T], noted: list[str]) -> Answering[T]:
-    """Passes the steps on, but for what answers warn of, which it adds to `noted`."""
+    """Runs the steps, and adds the warnings of answers to `noted` instead of giving them."""
     try:
         asked = next(steps)
         while True:

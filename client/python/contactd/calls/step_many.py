@@ -30,7 +30,7 @@ def stepped_sessions(
     with ExitStack() as locks:
         for own, _ in steps:
             locks.enter_context(own.alone())
-        numbers = [own.number_of(step) for own, step in steps]  # of all, should one of them have no form on the wire
+        numbers = [own.number_of(step) for own, step in steps]  # number all first: one may be invalid
         params = [own.params(number, step) for number, (own, step) in zip(numbers, steps)]
 
         def ask() -> Answering[dict[str, Any]]:

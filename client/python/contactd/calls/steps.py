@@ -1,4 +1,4 @@
-"""The order of the steps of a session: their numbers, and who may take one."""
+"""The order of the steps of a session: their numbers, and which thread may use the session."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ __all__ = ["Steps"]
 
 
 class Steps(ABC):
-    """The steps of one session, which have an order: numbers them, and lets one thread of one process take them.
+    """The steps of one session. Numbers them, and admits one thread of one process at a time.
 
     Attributes:
-        session: Its name.
-        number: That of the last step, 0 before the first.
+        session: The name of the session.
+        number: Number of the last step; 0 before the first.
     """
 
     words: frozenset[str]  #: keywords of a step
@@ -32,7 +32,7 @@ class Steps(ABC):
         self.go_to(number)
 
     def go_to(self, number: int) -> None:
-        """Where the session is, whatever was asked for before."""
+        """Sets the current step of the session, independent of earlier requests."""
         self.number = self._asked = number
 
     def check_process(self) -> None:
@@ -45,7 +45,7 @@ class Steps(ABC):
 
     @contextmanager
     def alone(self) -> Iterator[None]:
-        """Two calls at once would give two steps the same number."""
+        """Excludes concurrent calls, which would give two steps the same number."""
         self.check_process()
         if not self._in_use.acquire(blocking=False):
             raise ContactdError(
@@ -58,13 +58,15 @@ class Steps(ABC):
             self._in_use.release()
 
     def number_of(self, step: Mapping[str, Any]) -> int:
-        """The number to ask for: the next one, or with `again` the one asked for last, whatever came of it."""
+        """Returns the number to request: the next one, or with `again` the last one requested, whether it succeeded or
+        not.
+        """
         if not step.get("again") or self._asked == 0:
             self._asked = self.number + 1
         return self._asked
 
     def params(self, number: int, step: Mapping[str, Any]) -> dict[str, Any]:
-        """The parameters of session.step. Raises TypeError or InvalidArgument for what has no form on the wire."""
+        """Returns the parameters of session.step. Raises TypeError or InvalidArgument for invalid values."""
         params: dict[str, Any] = {"session": self.session, "step": number}
         if step.get("again"):
             params["again"] = True
@@ -75,8 +77,8 @@ class Steps(ABC):
 
     @abstractmethod
     def _given(self, step: Any) -> dict[str, Any]:
-        """Returns what the step says beside its number and the arrays that it requests."""
+        """Returns the parameters of the step other than its number and the requested arrays."""
 
     @abstractmethod
     def read(self, asked: dict[str, Any], result: Any, path: str = "result") -> Any:
-        """The answer to the step with the parameters `asked`, with which the session has moved on."""
+        """Reads the answer to the step with the parameters `asked`, and advances the session."""

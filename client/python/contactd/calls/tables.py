@@ -41,10 +41,11 @@ class TableCalls(Caller):
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
     ) -> Answering[IcTable]:
-        """The influence coefficients of one body; built when no cache has them, which may take minutes.
+        """Returns the influence coefficients of one body. If no cache has them, the daemon builds them, which may take
+        minutes.
 
-        A timeout ends the waiting, not the build. A table that is too large for one message comes in several, each with
-        the same timeout.
+        A timeout ends the wait, not the build. A table that is too large for one message is returned in several, each
+        with the same timeout.
         """
         params = table_params(material, grid, ics)
 
@@ -80,8 +81,9 @@ class TableCalls(Caller):
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
     ) -> Answering[bytes]:
-        """The table of get_ic as the content of a file: "hdf5" (docs/ic-tables.md), or "contact", the text in which the
-        CONTACT program takes the coefficients of a pair of bodies, of which `lower` is the second (None: as the first).
+        """Returns the table of get_ic as the content of a file. The format "hdf5" is described in docs/ic-tables.md.
+        "contact" is the text format of the CONTACT program for a pair of bodies; `lower` is the second body (None:
+        equal to the first).
         """
         params = {**table_params(material, grid, ics), "format": format}
         if lower is not None:
@@ -96,13 +98,15 @@ class TableCalls(Caller):
 
     @asks
     def import_ic(self, file: bytes, *, timeout: float | None = None) -> Answering[ImportedIc]:
-        """Puts a table into the daemon's store, from the content of a file: of export_ic ("hdf5"), or of another store.
+        """Imports a table into the daemon's store from the content of a file: of export_ic ("hdf5"), or of another
+        store.
 
-        The file is read here (needs h5py); the daemon gets what is in it. What the daemon has already stays. The table
-        serves you only, unless store.share_imported_tables says otherwise; all that uses it says in its warnings that it
-        was imported. Tables of longitudinally uniform bodies then serve any length and number of elements along x. Raises
-        TableFileError for what is no such file, or a damaged one, and InvalidArgument for a table of a closed form, one
-        that errs by more than it states, or that no elastic body has.
+        The file is read in this process (needs h5py), and its content is sent to the daemon. Tables that the daemon
+        already has are kept. Only your own requests use the table, unless store.share_imported_tables is set. Answers
+        that use it contain a warning that it was imported. Tables of longitudinally uniform bodies then apply to any
+        length and number of elements along x. Raises TableFileError for other or damaged files. Raises InvalidArgument
+        for a table with a closed form, a table whose error exceeds the stated one, or a table that no elastic body can
+        have.
         """
         if not isinstance(file, bytes | bytearray | memoryview):
             raise TypeError(f"file is {file!r}; it must be the bytes of a file, such as Path(name).read_bytes()")
@@ -115,7 +119,9 @@ class TableCalls(Caller):
     def _page_of_stored_ics(
         self, after: str | None, evidence: bool, timeout: float | None
     ) -> Answering[tuple[list[StoredIc], str | None]]:
-        """A thousand tables of the store that follow `after`, and what the next ones follow; None: there are none."""
+        """Returns up to a thousand tables of the store after `after`, and the start of the next page; None if there are
+        no more.
+        """
         params: dict[str, Any] = {} if after is None else {"after": after}
         if evidence:
             params |= {"evidence": True, "limit": 100}
@@ -127,7 +133,9 @@ class TableCalls(Caller):
 
     @asks
     def quarantined_ics(self, *, timeout: float | None = None) -> Answering[tuple[QuarantinedIc, ...]]:
-        """Tables whose builds failed too often: requests for them raise FailedPrecondition, with .retry_delay (s)."""
+        """Returns the tables whose builds failed too often. Requests for them raise FailedPrecondition with
+        .retry_delay (s).
+        """
         entries = (yield from self.asked("ic.list", {"limit": 1}, timeout=timeout)).get("quarantined")
         if not isinstance(entries, list):
             raise ProtocolError("The answer to ic.list lacks its builds in quarantine.")
@@ -135,9 +143,10 @@ class TableCalls(Caller):
 
     @asks
     def delete_ic(self, key: str, *, timeout: float | None = None) -> Answering[int]:
-        """Removes the tables of a key from the daemon's store and ends its quarantine; returns how many tables went.
+        """Removes the tables of a key from the daemon's store and ends its quarantine. Returns the number of removed
+        tables.
 
-        Raises NotFound when there was nothing to do.
+        Raises NotFound if there is neither.
         """
         removed = (yield from self.asked("ic.delete", {"key": key}, timeout=timeout)).get("tables")
         if not isinstance(removed, int):
@@ -152,7 +161,7 @@ def fetch_in_pieces(
     ics: Ics,
     limits: Limits,
 ) -> Answering[dict[str, Any]]:
-    """The result of ic.get for a whole table, put together from parts of it that fit the daemon's `limits`."""
+    """Returns the result of ic.get for a whole table, assembled from parts that fit the daemon's `limits`."""
     shape = table_shape(grid, ics)
     rows = int(np.prod(shape[:-1]))
     table: Array = np.empty((len(_COMPONENTS), rows, grid.nx))
@@ -172,7 +181,7 @@ def fetch_in_pieces(
 
 
 def _parts(nx: int, ny: int, most_bytes: int) -> Iterator[tuple[list[int], int, int]]:
-    """Numbers of components, the first row and the number of rows, as large as they may be."""
+    """Yields component numbers, first row and number of rows of parts that are as large as possible."""
     numbers = max(1, most_bytes // _BYTES)
     together = min(len(_COMPONENTS), max(1, numbers // nx))
     rows = max(1, numbers // (nx * together))

@@ -1,4 +1,4 @@
-"""How long calls wait, and what they do about answers that do not come."""
+"""Timeouts of calls, and repetitions of calls without an answer."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from ..errors import StatusError, TimeoutExpired
 
 __all__ = ["LONGEST", "may_build", "say_that_the_build_goes_on", "seconds_of", "spin_of", "wheel_may_build"]
 
-LONGEST = 86_400.0  #: seconds that a call may take
+LONGEST = 86_400.0  #: Maximum time of a call (s).
 
 
 def seconds_of(name: str, value: Any) -> float:
-    """A time to wait that the caller gave (s); None stands for the longest. Raises TypeError or ValueError."""
+    """Returns a timeout from the caller's argument (s); None is the maximum. Raises TypeError or ValueError."""
     if value is None:
         return LONGEST
     right = f"it must be a number of seconds, more than 0 and at most {LONGEST:g}, or None, which is the latter"

@@ -1,4 +1,4 @@
-"""Wheels on rails."""
+"""Calls for wheels on rails."""
 
 from __future__ import annotations
 
@@ -45,11 +45,12 @@ class WheelRailCalls(Caller):
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
     ) -> Answering[WheelRailSolution]:
-        """The contact of a wheel with its rail: patches, and forces on the rail. `contactd.wheel_rail` says how to ask.
+        """Solves the contact of a wheel with its rail: patches, and forces on the rail. See `contactd.wheel_rail` for
+        the arguments.
 
-        `fields` names the arrays wanted back of each patch, as for `solve`; `gap` asks for the undeformed distances.
-        A set-up that was asked for before costs less: the daemon keeps its profiles and operators. Raises InvalidArgument
-        naming ``setup.track.gauge``, ``state.position.z``, ...
+        `fields` names the arrays to return for each patch, as for `solve`; `gap` requests the undeformed distances.
+        Repeated requests with the same set-up are faster, because the daemon keeps its profiles and operators. Raises
+        InvalidArgument naming the field, such as ``setup.track.gauge`` or ``state.position.z``.
         """
         names = None if fields is None else names_of(fields)
         params = {"setup": setup_params(setup), "state": state_params(state, "state"), **_of_patches(names, gap)}
@@ -72,12 +73,12 @@ class WheelRailCalls(Caller):
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
     ) -> Answering[WheelsetSolution]:
-        """Both wheels of a wheelset that is free to roll: its height and its roll, at which each presses on its rail as the
-        state says, with patches and forces of both.
+        """Solves both wheels of a wheelset with free roll. Computes the height and roll at which each wheel has its
+        prescribed vertical force, with patches and forces of both.
 
-        `setup` is that of both wheels, whatever its side; `left` that of the left wheel, where it differs. `fields` and `gap`
-        are as for `wheel_rail`. Raises InvalidArgument naming ``setup.track.gauge``, ``left.rail.points``,
-        ``state.left_rail.y``, ...
+        `setup` is that of both wheels, whatever its side; `left` is the set-up of the left wheel if it differs.
+        `fields` and `gap` are as for `wheel_rail`. Raises InvalidArgument naming the field, such as
+        ``setup.track.gauge``, ``left.rail.points`` or ``state.left_rail.y``.
         """
         names = None if fields is None else names_of(fields)
         params = {"setup": setup_params(setup), "state": wheelset_state_params(state), **_of_patches(names, gap)}
@@ -96,9 +97,9 @@ class WheelRailCalls(Caller):
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
     ) -> Answering[list[WheelRailGeometry]]:
-        """Where a wheel touches its rail in 1 to 1000 states, without a solve: contact points, angles, radii, creepages.
+        """Computes the contact geometry of 1 to 1000 states without a solve: contact points, angles, radii, creepages.
 
-        Where a state has Fz the wheelset stands at the height at which Hertz's theory expects that force.
+        If a state has Fz, the height is that at which Hertz's theory yields this force.
         """
         listed = list(states)
         if not listed:
@@ -121,11 +122,11 @@ class WheelRailCalls(Caller):
         roll: WheelsetRoll | None = None,
         timeout: float | None = None,
     ) -> Answering[list[WheelsetContacts]]:
-        """Where a rigid wheelset touches rigid rails at 1 to 1000 lateral shifts (mm): contact points, angles and rolling
-        radii of both wheels. `left` is the set-up of the left side, where it differs.
+        """Computes the contacts of a rigid wheelset on rigid rails at 1 to 1000 lateral shifts (mm): contact points,
+        angles and rolling radii of both wheels. `left` is the set-up of the left side if it differs.
 
-        `roll` is "neglected" (default), where each wheel finds its own height, or "demanded" by both contacts. Raises
-        InvalidArgument naming ``contacts.shifts[3]``, ``setup.track.gauge``, ``left.rail.points``, ...
+        `roll` is "neglected" (default: each wheel has its own height) or "demanded" by both contacts. Raises
+        InvalidArgument naming the field, such as ``contacts.shifts[3]``, ``setup.track.gauge`` or ``left.rail.points``.
         """
         requested: dict[str, Any] = {"shifts": [float(shift) for shift in shifts]}
         if roll is not None:
@@ -145,12 +146,13 @@ class WheelRailCalls(Caller):
         tolerance: float | None = None,
         timeout: float | None = None,
     ) -> Answering[list[EquivalentConicity]]:
-        """The equivalent conicity of a rigid wheelset for 1 to 100 amplitudes (mm): integrated over the kinematic motion
-        (EN 15302), and by the harmonic approximation. `left` is the set-up of the left side, where it differs.
+        """Computes the equivalent conicity of a rigid wheelset for 1 to 100 amplitudes (mm), by integration of the
+        kinematic motion (EN 15302) and by the harmonic approximation. `left` is the set-up of the left side if it
+        differs.
 
-        `roll` is "neglected" (default), by which a cone has its own conicity, or as both contacts demand. `contact_distance`
-        is that between the contact points of both wheels (mm, default 1500), `tolerance` that of the radius difference
-        (mm, default 1e-3). The set-up may also be its parameters in the words of the wire.
+        `roll` is "neglected" (default: the conicity of a cone is exact) or "demanded" by both contacts.
+        `contact_distance` is the distance between the contact points of both wheels (mm, default 1500), `tolerance`
+        that of the radius difference (mm, default 1e-3). The set-up may also be given as parameters on the wire.
         """
         given = {"roll": roll, "contact_distance": contact_distance, "tolerance": tolerance}
         requested = {"amplitudes": list(amplitudes), **{name: v for name, v in given.items() if v is not None}}
@@ -161,8 +163,9 @@ class WheelRailCalls(Caller):
     def placed_profiles(
         self, setup: WheelRailSetup | Mapping[str, Any], *, left: WheelRailSetup | None = None, timeout: float | None = None
     ) -> Answering[ProfilesOfSides]:
-        """The profiles of both sides as the daemon has read them, and where they lie: for whoever draws them, or wears them.
-        The set-up may also be its parameters in the words of the wire."""
+        """Returns the profiles of both sides as read by the daemon, and their positions, for plots and wear. The set-up
+        may also be given as parameters on the wire.
+        """
         profiles = yield from self._of_wheelset(setup, left, "profiles", True, "profiles", timeout)
         found = read(ProfilesOfSides, profiles, "result.profiles")
         if any(points.ndim != 2 or points.shape[1] != 2 for side in (found.left, found.right) for points in (side.wheel, side.rail)):
@@ -189,12 +192,14 @@ class WheelRailCalls(Caller):
 
 
 def _profiles_by(client: WheelRailCalls, setup: WheelRailSetup) -> Callable[[], PlacedProfiles | None]:
-    """Asks the client for the profiles of the side, or that of the package where it is gone, closed or must be awaited."""
+    """Requests the profiles of the side from the client, or from the default client if that one is gone, closed or
+    asyncio.
+    """
     asked = weakref.ref(client)
 
     def profiles() -> PlacedProfiles | None:
         there: Any = asked()
-        if there is None or there.is_closed or not isinstance(there, Waits):  # an AsyncClient must be awaited
+        if there is None or there.is_closed or not isinstance(there, Waits):  # Calls of an AsyncClient must be awaited.
             there = _shared_client()
         if there is None:
             return None
@@ -205,7 +210,7 @@ def _profiles_by(client: WheelRailCalls, setup: WheelRailSetup) -> Callable[[], 
 
 
 def _shared_client() -> Any:
-    """Returns the client of the package; None where nothing is installed that solves, or it may not be opened."""
+    """Returns the default client; None if no solver is installed, or it may not be opened."""
     try:
         return shared_client()
     except ContactdError:
@@ -213,5 +218,5 @@ def _shared_client() -> Any:
 
 
 def _of_patches(names: list[str] | None, gap: bool) -> dict[str, Any]:
-    """`fields` and `gap` of wheelrail.solve and wheelrail.wheelset."""
+    """Returns `fields` and `gap` of wheelrail.solve and wheelrail.wheelset."""
     return {**({} if names is None else {"fields": names}), **({"gap": True} if gap else {})}

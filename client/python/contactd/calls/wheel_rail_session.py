@@ -56,7 +56,7 @@ class WheelRailSteps(Steps):
 
 
 class AnyWheelRailSession(AnySession):
-    """The session of a wheel on its rail, whether its steps are waited for or awaited."""
+    """The common part of blocking and asyncio sessions of a wheel on its rail."""
 
     _joins = "join_wheel_rail_session"
 
@@ -82,15 +82,16 @@ class AnyWheelRailSession(AnySession):
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
     ) -> Answering[WheelRailStepSolution]:
-        """Solves the next step: `state` says all of where the wheelset is and how it moves.
+        """Solves the next step. `state` is the complete position and motion of the wheelset.
 
-        `friction` is that of this step, None: as the session was opened. `fields` names the arrays wanted back of each
-        patch, or the one; `gap` asks for the undeformed distances. Without `patches` the answer tells their number only:
-        simulations that take nothing but forces save most of the message.
+        `friction` is that of this step; if None, that of the opening. `fields` names the arrays to return for each
+        patch, or a single one; `gap` requests the undeformed distances. Without `patches`, the answer contains only
+        their number. This makes the message much smaller for simulations that only use forces.
 
-        With `again` the step that was asked for last is tried anew, as in Session.step.
+        `again` repeats the last requested step, as in Session.step.
 
-        Raises InvalidArgument naming ``wheelrail.state.position.z``, ..., and what Session.step raises.
+        Raises InvalidArgument naming the field, such as ``wheelrail.state.position.z``, and the exceptions of
+        Session.step.
         """
         step = WheelRailStepInput(state=state, friction=friction, fields=fields, gap=gap, patches=patches, again=again)
         solution: WheelRailStepSolution = yield from self._step(step, timeout, on_progress, progress)
@@ -98,7 +99,7 @@ class AnyWheelRailSession(AnySession):
 
 
 class WheelRailSession(AnyWheelRailSession, SessionThatWaits):
-    """The steps of a simulation, of a wheel on its rail.
+    """The steps of a simulation of a wheel on its rail.
 
     ::
 
@@ -106,13 +107,13 @@ class WheelRailSession(AnyWheelRailSession, SessionThatWaits):
             for state in states:
                 solution = wheel.step(state)
 
-    The set-up is sent and its profiles are read once. A step answers what `Client.wheel_rail` does: steady rolling knows
-    no history. It starts its searches and solvers from the step before, which changes its answer within their tolerances
-    only. Numbers, retries, saved states, the lease and what may share a session are as of a Session.
+    The set-up is sent and its profiles are read once. A step of steady rolling, which has no history, returns the
+    answer of `Client.wheel_rail`. Its searches and solvers start from the previous step, which changes the answer only
+    within their tolerances. For step numbers, retries, saved states, the lease and shared sessions see Session.
 
     Attributes:
-        side: Which wheel.
-        lease_seconds: The session ends when unused for that long (s).
-        bytes: What it took of the daemon's memory when it was opened or joined.
-        retries: How often a step or a restore whose answer does not come is asked for again.
+        side: The side of the wheel.
+        lease_seconds: Time without use after which the session ends (s).
+        bytes: Its use of the daemon's memory when it was opened or joined.
+        retries: Number of times that a step or a restore without an answer is repeated.
     """

@@ -1,4 +1,4 @@
-"""The part of a client that reading and computing files use."""
+"""The calls of a client that reading and computing files needs."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ __all__ = ["AskedClient"]
 
 
 class AskedClient(Protocol):
-    """A Client, or what has these calls of it."""
+    """A Client, or any object with these calls."""
 
     @property
     def info(self) -> Any: ...

@@ -1,4 +1,4 @@
-"""Numbers of a case beside those that the CONTACT program printed: what differs by more than what is in tolerance."""
+"""Compares numbers of a case with those printed by the CONTACT program."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ _COUNTS = ("NCON", "NADH", "NSLIP")
 _SHARE = 5e-4
 _SHARE_OF_PMAX = 4e-3
 _ELEMENTS = 3.0
-_NO_MOTION = 1e-9  #: creepages and spin (1/mm) that rounding leaves of velocities
+_NO_MOTION = 1e-9  #: Creepages and spin (1/mm) that result from rounded velocities.
 _LENGTH = 0.01  # mm
 _ANGLE = 2e-4  # rad
 
 
 @dataclass(frozen=True)
 class Difference:
-    """A number beside the printed one, and by how much it may differ."""
+    """A number, the printed one, and the allowed difference."""
 
     name: str
     printed: float
@@ -34,7 +34,7 @@ class Difference:
 
     @property
     def share(self) -> float:
-        """The difference over what is in tolerance: 1 is just in it; of what is no number infinity."""
+        """Returns the difference divided by the tolerance; infinity for NaN."""
         apart = abs(self.found - self.printed)
         if apart == 0:
             return 0.0
@@ -42,7 +42,7 @@ class Difference:
 
     @property
     def is_in_tolerance(self) -> bool:
-        """Tells whether it does not differ by more than it may."""
+        """Returns whether the difference is within the tolerance."""
         return abs(self.found - self.printed) <= self.allowed
 
     def __str__(self) -> str:
@@ -51,8 +51,9 @@ class Difference:
 
 
 def matched(cases: Iterable[tuple[int, int | None, int | None]], printed: Sequence[PrintedCase]) -> list[PrintedCase | None]:
-    """The printed case for each number, result element and contact problem: the first that has the same and is not taken yet;
-    None where there is none."""
+    """Returns the printed case for each number, result element and contact problem: the first match that is not used
+    yet, or None.
+    """
     waiting: dict[tuple[int, int | None], list[PrintedCase]] = {}
     for case in printed:
         waiting.setdefault((case.number, case.reid), []).append(case)
@@ -67,7 +68,7 @@ def matched(cases: Iterable[tuple[int, int | None, int | None]], printed: Sequen
 
 
 def case_differences(found: Compared, printed: PrintedCase) -> list[str]:
-    """A sentence for each number of a case that is not in tolerance."""
+    """Returns a sentence for each number of a case that exceeds its tolerance."""
     sentences = [str(apart) for apart in differences(found.numbers, printed.numbers, found.bound)]
     if len(found.patches) != len(printed.patches):
         return [*sentences, f"{len(found.patches)} patches, printed {len(printed.patches)}"]
@@ -77,14 +78,16 @@ def case_differences(found: Compared, printed: PrintedCase) -> list[str]:
 
 
 def differences(found: Mapping[str, float], printed: Mapping[str, float], friction_bound: float) -> Iterator[Difference]:
-    """The numbers that both have and that are not in tolerance."""
+    """Returns the numbers that both sides have and that exceed their tolerances."""
     return (one for one in common(found, printed, friction_bound) if not one.is_in_tolerance)
 
 
 def common(found: Mapping[str, float], printed: Mapping[str, float], friction_bound: float) -> Iterator[Difference]:
-    """The numbers that both have. In tolerance are forces and moments within 5e-4 of themselves or of `friction_bound`,
-    mu Fn, which moments have per mm; the approach within 5e-4, motions within 5e-4 of the largest, spin of it per mm; the
-    largest pressure within 4e-3; numbers of elements within 3; places within 0.01 mm, and angles within 2e-4 rad."""
+    """Returns the numbers that both sides have. Relative tolerances are 5e-4 for forces and moments, the approach and
+    motions, and 4e-3 for the largest pressure. Forces and moments refer to themselves or to `friction_bound`, mu Fn
+    (moments: per mm); motions refer to the largest one (spin: per mm). Absolute tolerances are 3 elements, 0.01 mm for
+    positions and 2e-4 rad for angles.
+    """
     largest = max((abs(value) for name, value in printed.items() if name in _MOTIONS), default=0.0)
     rules: tuple[tuple[tuple[str, ...], Callable[[float], float]], ...] = (
         (_FORCES, lambda theirs: _SHARE * max(abs(theirs), friction_bound)),

@@ -1,4 +1,4 @@
-"""Input files of the CONTACT program, from disk to the service that reads their text."""
+"""Reads input files of the CONTACT program and sends their text to the service."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ __all__ = ["read"]
 
 
 def read(path_or_text: str | os.PathLike[str], client: AskedClient) -> ContactFile:
-    """The cases of an input file (.inp), or of its text: a string with an end of line in it is a text.
+    """Reads the cases of an input file (.inp), or of its text: a string with a line break is a text.
 
-    The `client` reads the text, ``contactd.local()`` as well as one of a daemon, and opens no file. What is wrong with a
-    case is in its `errors`, what stands between cases in those of the file.
+    The `client` parses the text and opens no file; it may be ``contactd.local()`` or a client of a daemon. Errors of a
+    case are in its `errors`. Errors between cases are in those of the file.
 
-    Raises OSError for a file that cannot be read or has more than 16 MiB.
+    Raises OSError for a file that cannot be read or is larger than 16 MiB.
     """
     if isinstance(path_or_text, str) and "\n" in path_or_text:
         file: ContactFile = client.read_contact_file(path_or_text)

@@ -1,4 +1,4 @@
-"""An .out file: its head, and the lines of each case."""
+"""Writes an .out file: its head, and the lines of each case."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ __all__ = ["lines_of", "out_text"]
 
 
 def lines_of(outcome: Outcome) -> list[str]:
-    """The lines of a case; where it was not computed, why."""
+    """Returns the lines of a case, or the reason why it was not computed."""
     if outcome.result is None:
         return [*case_head(outcome.case), f" {outcome.status.upper()}: {outcome.sentence}"]
     if isinstance(outcome.result, BasicResult):
@@ -30,5 +30,5 @@ def lines_of(outcome: Outcome) -> list[str]:
 
 
 def out_text(cases: Iterable[list[str]]) -> str:
-    """The whole file, from the lines of its cases."""
+    """Returns the whole file from the lines of its cases."""
     return "\n".join([*head(), *(line for lines in cases for line in lines), ""])

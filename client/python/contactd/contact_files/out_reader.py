@@ -1,4 +1,4 @@
-"""The numbers of an .out file, whoever wrote it: cases, and in them rows of labels above rows of numbers."""
+"""Reads the numbers of an .out file from any program: cases with rows of labels above rows of numbers."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ __all__ = ["PrintedCase", "printed_cases"]
 _CASE = re.compile(r" Case +(\d+)(?:, result element +(\d+)| for contact problem +(\d+) on result element +(\d+))?\s*$")
 _PATCH = re.compile(r" -+ DATA FOR CONTACT PATCH +(\d+)")
 _LABEL = re.compile(r"(?:CREEP|SHIFT) [XYS]|\S+")
-#: Rows of labels whose numbers are read, by how they begin.
+#: First labels of the rows whose numbers are read.
 _FIRST = ("FN", "BAR_FN", "TILDE_FN", "FN/G", "NPOT", "FX(TR)", "XCP(TR)", "XCP(W)", "S_WS", "X_WS", "VX_WS", "CHI", "DT", "KY_RAIL")
 _LONGEST_LINE = 1000
 
@@ -21,12 +21,12 @@ class PrintedCase:
     """One case as printed.
 
     Attributes:
-        number: Of its memory.
-        reid: Result element; None: there is none.
-        line: Where it begins in the file, from 1.
-        numbers: Those of the whole case, by their labels; of module 3 all.
-        patches: Those of each patch, by their labels.
-        cpid: Its contact problem; None: none is named.
+        number: Number of the case (its memory).
+        reid: Result element, or None.
+        line: Its first line in the file, from 1.
+        numbers: Numbers of the whole case by their labels; for module 3, all numbers.
+        patches: Numbers of each patch by their labels.
+        cpid: Its contact problem, or None.
     """
 
     number: int
@@ -38,7 +38,7 @@ class PrintedCase:
 
 
 def printed_cases(text: str) -> list[PrintedCase]:
-    """The cases of a file, in its order. What is no row of known labels is passed over."""
+    """Returns the cases of a file in order. Rows without known labels are skipped."""
     cases: list[PrintedCase] = []
     lines = [line[:_LONGEST_LINE].rstrip() for line in text.splitlines()]
     for index, line in enumerate(lines):
@@ -73,5 +73,5 @@ def _row(labels: str, numbers: str) -> Iterator[tuple[str, float]]:
 
 
 def _plain(name: str) -> str:
-    """Work of shifts and power of rolling have one name; no case has both."""
+    """Gives the work of shifts and the power of rolling one name; no case has both."""
     return "FRIC" if name.startswith("FRIC.") else name

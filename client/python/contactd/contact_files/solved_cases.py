@@ -1,4 +1,4 @@
-"""The cases of a file after a run: forces, patches and arrays of each, and a comparison with what was printed."""
+"""The cases of a file after a run: forces, patches and arrays of each, and a comparison with printed results."""
 
 from __future__ import annotations
 
@@ -23,44 +23,45 @@ __all__ = ["CaseComparison", "ComparedCase", "SolvedCase", "SolvedCases"]
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SolvedCase(Shown):
-    """A case of an input file, and what became of it. Units are those of CONTACT: mm, N, rad, N/mm^2.
+    """A case of an input file with its results. Units are those of CONTACT: mm, N, rad, N/mm^2.
 
     Attributes:
-        outcome: The outcome of the runner: with the case, and the problem and the answers that it became.
+        outcome: The outcome of the runner: the case, its problem and its answers.
     """
 
     outcome: Any
 
     @property
     def case(self) -> Case:
-        """The case as the file has it."""
+        """The case as read from the file."""
         case: Case = self.outcome.case
         return case
 
     @property
     def number(self) -> int:
-        """Its number, as CONTACT prints it."""
+        """Its number, as printed by CONTACT."""
         return self.case.number
 
     @property
     def status(self) -> str:
-        """The outcome: ``solved`` or ``not converged`` where there are numbers; ``read``, ``refused``, ``failed``,
-        ``follows`` (from a case that was not computed) or ``wrong`` where there are none."""
+        """The outcome. With results: ``solved`` or ``not converged``. Without: ``read``, ``refused``, ``failed``,
+        ``follows`` (it continues a case that was not computed) or ``wrong``.
+        """
         return str(self.outcome.status)
 
     @property
     def sentence(self) -> str:
-        """Why there are no numbers, or what is wrong with them; empty of a case that is solved."""
+        """The reason why there are no results, or their limitations; empty for a solved case."""
         return str(self.outcome.sentence)
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Sentences of the answers of this case."""
+        """Warnings in the answers of this case."""
         return tuple(self.outcome.warnings)
 
     @property
     def solution(self) -> ContactSolution | WheelRailSolution | None:
-        """The solution, of module 3 that of a contact, of module 1 that of a wheel on its rail; None where there is none."""
+        """The solution: of a contact for module 3, of a wheel on its rail for module 1; or None."""
         result = self.outcome.result
         solution: ContactSolution | WheelRailSolution | None = None if result is None else result.solution
         return solution
@@ -72,8 +73,9 @@ class SolvedCase(Shown):
 
     @property
     def patches(self) -> tuple[Solution[Any, Any], ...]:
-        """The contacts with their forces and their arrays over the elements, shape [ny, nx]: one of module 3, of module 1 all
-        patches in CONTACT's order, from the field side to the gauge side."""
+        """The contacts with their forces and their element arrays, shape [ny, nx]. Module 3 has one; module 1 has all
+        patches in CONTACT's order, from the field side to the gauge side.
+        """
         result = self.outcome.result
         if result is None:
             return ()
@@ -98,12 +100,12 @@ class SolvedCase(Shown):
 
 @dataclass(frozen=True, eq=False)
 class ComparedCase:
-    """A case beside the printed one.
+    """A case and the printed one.
 
     Attributes:
         case: The case.
-        is_printed: Whether the file to compare with has it.
-        differences: A sentence for each number that is not in tolerance.
+        is_printed: Whether the printed file contains the case.
+        differences: A sentence for each number that exceeds its tolerance.
     """
 
     case: SolvedCase
@@ -125,7 +127,7 @@ class ComparedCase:
 
 @dataclass(frozen=True, eq=False)
 class CaseComparison(Sequence[ComparedCase]):
-    """All cases beside the printed ones, in the order of the input file. As text it has a line for each that differs.
+    """All cases and the printed ones, in the order of the input file. As text, it has a line for each difference.
 
     Attributes:
         cases: The cases.
@@ -160,7 +162,7 @@ class SolvedCases(Sequence[SolvedCase], Shown):
 
     Attributes:
         cases: The cases.
-        errors: Sentences on what stands between cases and does not belong there.
+        errors: Sentences about invalid text between cases.
     """
 
     cases: tuple[SolvedCase, ...]
@@ -183,8 +185,8 @@ class SolvedCases(Sequence[SolvedCase], Shown):
     def compare(self, path: str | os.PathLike[str]) -> CaseComparison:
         """Compares the numbers of all cases with those that CONTACT printed in a file (.out).
 
-        docs/contact-files.md has the tolerances. Raises OSError for a file that cannot be read, and InvalidArgument for one
-        in which no case is printed.
+        docs/contact-files.md lists the tolerances. Raises OSError for a file that cannot be read, and InvalidArgument
+        for one without printed cases.
         """
         printed = printed_cases(text_of(path))
         if not printed:

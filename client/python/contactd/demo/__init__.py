@@ -1,1 +1,1 @@
-"""The Cattaneo problem beside its closed form, solved and drawn: ``python -m contactd.demo``."""
+"""Solves and draws the Cattaneo problem, and compares it with its closed form: ``python -m contactd.demo``."""

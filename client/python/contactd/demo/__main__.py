@@ -1,7 +1,8 @@
-"""Solves the Cattaneo problem in this process, prints it beside Hertz and Cattaneo, and draws it.
+"""Solves the Cattaneo problem in this process, prints it next to Hertz and Cattaneo, and draws it.
 
-Run: python -m contactd.demo [PICTURE]. It takes a second, and needs no daemon where contactd-local is installed.
-Ends with 0 when forces and pressure are within 1 % of the closed form, 1 when not, 2 when something is missing or cannot be written.
+Run: python -m contactd.demo [PICTURE]. It takes a second, and needs no daemon if contactd-local is installed. Exit
+status: 0 if forces and pressure are within 1 % of the closed form, 1 if not, 2 if something is missing or cannot be
+written.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ __all__ = ["main"]
 SPHERE = Sphere(G=200, nu=0.42, radius=50, approach=0.02, mu=0.4, shift=0.00817)
 GRID = Grid.centred(40, 40, 2.4, 2.4)
 _ENDINGS = (".png", ".pdf", ".svg")
-ACCURACY = 0.01  #: relative, of 40 elements across; Cattaneo also leaves lateral tractions out
+ACCURACY = 0.01  #: Relative, for 40 elements across. Cattaneo's solution also neglects lateral tractions.
 
 
 def run(picture: Path) -> int:
@@ -71,7 +72,7 @@ def main() -> int:
         status = run(picture)
         sys.stdout.flush()
         return status
-    except BrokenPipeError:  # who read the output has gone
+    except BrokenPipeError:  # The reader of the output has closed it.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 141
     except (ContactdError, OSError) as error:

@@ -1,4 +1,4 @@
-"""Hertz and Cattaneo in closed form: a sphere on a plane of the same material (Johnson, Contact Mechanics)."""
+"""Closed forms of Hertz and Cattaneo: a sphere on a plane of the same material (Johnson, Contact Mechanics)."""
 
 from __future__ import annotations
 
@@ -50,11 +50,11 @@ class Sphere:
         return self.mu * self.normal_force * (1 - (self.adhesion_radius / self.contact_radius) ** 3)
 
     def pressure(self, r: Array) -> Array:
-        """At the distance `r` (mm) from the centre (N/mm^2)."""
+        """Returns the pressure (N/mm^2) at the distance `r` (mm) from the centre."""
         return self._ellipse(r, self.contact_radius)
 
     def traction(self, r: Array) -> Array:
-        """Size of the tangential traction (N/mm^2)."""
+        """Returns the size of the tangential traction (N/mm^2)."""
         return self.mu * (self._ellipse(r, self.contact_radius) - self._ellipse(r, self.adhesion_radius))
 
     def _ellipse(self, r: Array, radius: float) -> Array:

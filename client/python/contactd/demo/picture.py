@@ -1,4 +1,4 @@
-"""The solution of the Cattaneo problem as one picture: a map of the contact, and a cut through its middle."""
+"""Draws the solution of the Cattaneo problem: a map of the contact, and a section through its middle."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _ADHESION = 1  #: of element_division
 
 
 def draw(path: Path, grid: Grid, solution: ContactSolution, sphere: Sphere, subtitle: str) -> None:
-    """Writes the picture, in the format that its name says; missing folders are made."""
+    """Writes the picture in the format given by its name. Creates missing folders."""
     plt = pyplot()
     style = {"font.size": 10, "axes.edgecolor": INK, "text.color": INK, "axes.labelcolor": INK, "figure.dpi": 150}
     with plt.rc_context(style):
@@ -37,7 +37,7 @@ def _draw_map(figure: Any, axes: Any, grid: Grid, solution: ContactSolution) -> 
     figure.colorbar(image, ax=axes, label="pressure $p_z$ (N/mm$^2$)", shrink=0.92)
     axes.set_facecolor("#f4f4f6")
 
-    # Every second element: all of them would be a thicket.
+    # Arrows at every second element only, to keep the picture readable.
     pick = (slice(None, None, 2), slice(None, None, 2))
     size = np.hypot(solution.traction_x, solution.traction_y)
     shown = size[pick] > 0.02 * size.max()

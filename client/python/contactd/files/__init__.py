@@ -1,1 +1,1 @@
-"""Values in files: problems and solutions, tables of influence coefficients."""
+"""Files of values: problems and solutions, tables of influence coefficients."""

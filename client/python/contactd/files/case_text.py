@@ -12,7 +12,7 @@ _MOST_BYTES = 16 << 20
 
 
 def text_of(path: str | os.PathLike[str]) -> str:
-    """The text of a file. Raises OSError for one that cannot be read or has more than 16 MiB."""
+    """Returns the text of a file. Raises OSError if it cannot be read or is larger than 16 MiB."""
     content = read_whole(path, _MOST_BYTES)
     try:
         return content.decode("utf-8-sig")

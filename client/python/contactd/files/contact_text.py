@@ -1,4 +1,4 @@
-"""The text in which the CONTACT program reads numerical influence coefficients (docs/ic-tables.md, Exchange)."""
+"""The text format of the CONTACT program for numerical influence coefficients (docs/ic-tables.md, Exchange)."""
 
 from __future__ import annotations
 
@@ -18,22 +18,22 @@ if TYPE_CHECKING:
 
 __all__ = ["format_text", "parse_text", "read_text"]
 
-_ORDER = 312  # of the columns: z (normal), x, y
+_ORDER = 312  # order of the columns: z (normal), x, y
 _COLUMNS = [(i, j) for i in (2, 0, 1) for j in (2, 0, 1)]
 _ROW = 2 + len(_COLUMNS)
 _MARK = "times G = "
-#: Our own comments say this of the block that follows.
+#: Our own comment in front of each block.
 _OFFSET = re.compile(r"offset iy = (\S+), y = (\S+);")
 #: Parities of A[i,j] along x and y: -1 where exactly one of i and j is that axis.
 _PARITY = [tuple(-1 if (i == axis) != (j == axis) else 1 for axis in (0, 1)) for i, j in _COLUMNS]
 _MOST_OFFSETS = 4_000_000
-_MOST_BYTES = 1 << 31  #: of their lines, of 250 characters, for offsets to both sides
+_MOST_BYTES = 1 << 31  #: Largest size: lines of 250 characters, for offsets to both sides.
 #: Largest relative difference of coordinates and the header's element sizes that counts as rounding.
 _SIZE_TOLERANCE = 1e-6
 
 
 def format_text(array: Array, dx: float, dy: float, G: float) -> str:
-    """The text of a pair's table [3, 3, ny, nx] (mm^3/N); `G` is the pair's combined modulus (N/mm^2)."""
+    """Returns the text for a pair's table [3, 3, ny, nx] (mm^3/N); `G` is the pair's combined modulus (N/mm^2)."""
     ny, nx = array.shape[2:]
     lines = ["1 1", f"0 {_ORDER}", "1 0", f"{nx} {ny} {dx:.17g} {dy:.17g}"]
     heads = "%  ix                       x" + "".join(f"{'C':>22}{'xyz'[i]}{'xyz'[j]}" for i, j in _COLUMNS)
@@ -49,7 +49,7 @@ def format_text(array: Array, dx: float, dy: float, G: float) -> str:
 
 
 def read_text(path: str | os.PathLike[str], G: float | None, tolerance: float) -> tuple[Array, float, float, float]:
-    """Reads the text of a file by parse_text. Raises TableFileError naming the file and the line."""
+    """Reads a file with parse_text. Raises TableFileError naming the file and the line."""
     try:
         return parse_text(read_whole(path, _MOST_BYTES).decode("ascii", "replace"), G, tolerance)
     except TableFileError as error:
@@ -57,7 +57,7 @@ def read_text(path: str | os.PathLike[str], G: float | None, tolerance: float) -
 
 
 def parse_text(text: str, G: float | None, tolerance: float) -> tuple[Array, float, float, float]:
-    """Table (mm^3/N), dx, dy and modulus of such a text. Raises TableFileError naming the line."""
+    """Returns table (mm^3/N), dx, dy and modulus of such a text. Raises TableFileError naming the line."""
     if G is not None and not (math.isfinite(G) and G > 0):
         raise ValueError(f"G is {G}; it must be positive")
     return _Reader(text, G).read(tolerance)
@@ -68,20 +68,20 @@ def _fail(line: int, problem: str) -> NoReturn:
 
 
 def _words(line: str) -> list[str]:
-    """Splits what stands before the comment at blanks and commas."""
+    """Splits the part before a comment at blanks and commas."""
     return line.split("%", 1)[0].replace(",", " ").split()
 
 
 def _plain(word: str) -> str:
-    """Writes a number as Python does."""
+    """Writes a number in Python's format."""
     text = word.lower().replace("d", "e")
-    if "e" not in text:  # Fortran leaves it out before an exponent of three digits
+    if "e" not in text:  # Fortran omits the E before an exponent of three digits.
         text = re.sub(r"(?<=[0-9.])(?=[+-])", "e", text, count=1)
     return text
 
 
 def _number(word: str) -> float | None:
-    """The finite number that `word` is, as Python or Fortran writes it."""
+    """Returns the finite number written as `word` in the format of Python or Fortran."""
     text = _plain(word)
     if not re.fullmatch(r"[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?", text, re.ASCII):
         return None
@@ -90,7 +90,9 @@ def _number(word: str) -> float | None:
 
 
 def _off_by(word: str, exact: float) -> float:
-    """Returns what rounding may leave between `word` and `exact`: half its last digit, and the digits of the element size."""
+    """Returns the largest rounding difference between `word` and `exact`: half its last digit, and the digits of the
+    element size.
+    """
     digits, _, exponent = _plain(word).partition("e")
     return 0.5000001 * 10.0 ** (int(exponent or 0) - len(digits.partition(".")[2])) + _SIZE_TOLERANCE * abs(exact)
 
@@ -132,7 +134,7 @@ class _Reader:
         return self._lines[self._at - 1]
 
     def _header(self, requested: str) -> list[str]:
-        """The words of the next line that is not empty and no comment."""
+        """Returns the words of the next line that is neither empty nor a comment."""
         words: list[str] = []
         while not words:
             words = _words(self._next(requested))
@@ -199,7 +201,7 @@ class _Reader:
             self._check_offset(own.groups(), iy, dy)
 
     def _take_modulus(self, words: Sequence[str]) -> None:
-        """The modulus of our own comments: the same one in each, which that of the caller wins over."""
+        """Reads the modulus from our own comments, which must agree. The caller's modulus takes precedence."""
         reported = _number(words[0]) if words else None
         if reported is None or reported <= 0:
             _fail(self._at, 'does not tell the modulus behind "times G ="')
@@ -210,7 +212,7 @@ class _Reader:
             self._modulus = reported
 
     def _check_offset(self, given: Sequence[str], iy: int, dy: float) -> None:
-        """A header that was changed contradicts the comments that were not."""
+        """Detects a header that was changed without its comments."""
         offset, y = _number(given[0]), _number(given[1])
         if offset != iy:
             _fail(self._at, f"announces the y offset {given[0]:.30}; by the extent in the header it must be {iy}")
@@ -224,7 +226,7 @@ class _Reader:
             quick = block.shape == (nx, _ROW) and bool(np.isfinite(block).all()) and "_" not in "".join(lines)
         except ValueError:
             quick = False
-        if not quick:  # other numbers than Python's, or a broken line
+        if not quick:  # another number format, or a broken line
             block = np.array([self._read_row(line, n, (n, iy)) for n, line in enumerate(lines)])
         k = np.arange(nx)
         for wrong in np.flatnonzero(block[:, 0] != k)[:1]:
@@ -261,12 +263,12 @@ class _Reader:
                 _fail(number, "stands behind the last y offset; the fourth line of the header says where that is")
 
     def _line_of(self, nx: int, ny: int, k: int, iy: int) -> int:
-        """Number of the line of an offset, counted from the last one of the blocks."""
+        """Returns the line number of an offset, counted from the last one of the blocks."""
         blocks_behind = ny - 1 - iy
         return self._at - blocks_behind * (nx + 2) - (nx - 1 - k)
 
     def _symmetric_part(self, rows: Array, nx: int, ny: int, tolerance: float) -> Array:
-        """The table with the part of each component that has its parities in both offsets."""
+        """Returns the part of each component that has its parities in both offsets."""
         plus, minus = rows[ny - 1 :], rows[ny - 1 :: -1]
         allowed = tolerance * max(abs(rows[ny - 1, 0, n]) for n, (i, j) in enumerate(_COLUMNS) if i == j)
         array = np.empty((3, 3, ny, nx))

@@ -1,5 +1,4 @@
-"""The library of HDF5, and what it does for whoever reads a file of a stranger, and no file of contactd asks for: reading
-other files."""
+"""Protects readers against HDF5 files that refer to other files, which files of contactd never do."""
 
 from __future__ import annotations
 
@@ -12,8 +11,9 @@ __all__ = ["has_own_data", "need_h5py", "own_members"]
 
 
 def own_members(h5py: Any, group: Any) -> Iterator[tuple[str, Any]]:
-    """Datasets and groups of a group. Raises ValueError for a link to another place or another file, and for what is
-    neither."""
+    """Returns datasets and groups of a group. Raises ValueError for links to another place or file, and for other
+    objects.
+    """
     for name in group:
         if not isinstance(group.get(name, getlink=True), h5py.HardLink):
             raise ValueError(f"{name} is a link to somewhere else; these files have none")
@@ -23,13 +23,13 @@ def own_members(h5py: Any, group: Any) -> Iterator[tuple[str, Any]]:
 
 
 def has_own_data(h5py: Any, dataset: Any) -> bool:
-    """Whether its data lie in the file itself."""
+    """Returns whether the data of a dataset are in the file itself."""
     how = dataset.id.get_create_plist()
     return bool(how.get_external_count() == 0 and how.get_layout() != h5py.h5d.VIRTUAL)
 
 
 def need_h5py() -> Any:
-    """The package. Raises MissingExtra where it is missing."""
+    """Returns the package h5py. Raises MissingExtra if it is not installed."""
     try:
         import h5py
     except ImportError:

@@ -1,5 +1,6 @@
-"""HDF5 files read in a process of their own, since a file that was made to may hang the library of HDF5, end it, or have it
-take all memory. The process gets the content of a file, and answers an archive of numpy's, without objects."""
+"""Reads HDF5 files in a separate process, because a malicious file may hang or crash the HDF5 library, or make it
+allocate all memory. The process receives the content of a file and returns a numpy archive without objects.
+"""
 
 from __future__ import annotations
 
@@ -21,24 +22,25 @@ from .whole import arrays_of
 
 __all__ = ["SECONDS", "read_apart"]
 
-SECONDS = 30.0  #: that reading may take; a second more for each _BYTES_A_SECOND
+SECONDS = 30.0  #: Time limit of reading (s), plus a second for each _BYTES_A_SECOND.
 _BYTES_A_SECOND = 50_000_000
-_MEMORY = 1 << 31  #: bytes that reading may take beside eight times the content
+_MEMORY = 1 << 31  #: Memory limit of reading (bytes), in addition to eight times the content.
 _PROGRAM = f"import sys; sys.path[:] = sys.argv[4:]; from {__name__} import _main; _main(*sys.argv[1:4])"
-_REPORTED = "told"  #: the member of the answer that is JSON
+_REPORTED = "told"  #: Member of the answer that contains JSON.
 
 
 def read_apart(read: Callable[[bytes], Any], content: bytes) -> Any:
-    """Returns what `read`, a function of a module, makes of the content of a file: dictionaries, lists, numbers, texts and arrays.
+    """Returns the result of `read`, a function of a module, for the content of a file: dictionaries, lists, numbers,
+    texts and arrays.
 
-    Raises ValueError with the words of what `read` raises, or where it takes more time or memory than any file of contactd,
-    and ContactdError where there is no Python program to read it.
+    Raises ValueError with the message of an exception of `read`, or if it needs more time or memory than any file of
+    contactd. Raises ContactdError if there is no Python program to run.
     """
     if not sys.executable:
         raise ContactdError("HDF5 files are read by a Python program of its own, and sys.executable names none")
     seconds = SECONDS + len(content) / _BYTES_A_SECOND
     command = [sys.executable, "-c", _PROGRAM, read.__module__, read.__qualname__, str(seconds), *sys.path]
-    # Threads of linear algebra, which nothing here needs, would reserve memory.
+    # Threads of linear algebra are not needed, but would reserve memory.
     environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
     try:
         ended = subprocess.run(command, input=content, capture_output=True, timeout=seconds, env=environment)
@@ -103,7 +105,7 @@ def _archive(reported: Any, arrays: dict[str, np.ndarray[Any, Any]]) -> bytes:
 
 
 def _main(module: str, function: str, seconds: str) -> None:
-    """Runs the process."""
+    """Runs in the separate process."""
     read = getattr(import_module(module), function)
     content = sys.stdin.buffer.read()
     _limit(float(seconds), _MEMORY + 8 * len(content))
@@ -111,23 +113,24 @@ def _main(module: str, function: str, seconds: str) -> None:
         answer = _packed(read(content))
     except MemoryError:
         answer = _archive({"refused": "reading it takes more memory than any file of contactd"}, {})
-    except Exception as error:  # there is no end of what h5py raises
+    except Exception as error:  # h5py may raise any exception.
         answer = _archive({"refused": str(error) or type(error).__name__}, {})
     sys.stdout.buffer.write(answer)
 
 
 def _limit(seconds: float, size: int) -> None:
-    """Without it the process could take all memory, and outlive its parent in an endless loop. Windows has no such limits: there
-    the parent ends what takes too long, and memory is as much as there is."""
+    """Limits memory and processor time: the process could otherwise use all memory, or outlive its parent in an endless
+    loop. Windows has no such limits; there the parent ends a slow process, and memory is not limited.
+    """
     try:
         import resource
     except ModuleNotFoundError:
         return
     reserved = 0  # by libraries
-    with suppress(OSError):  # Linux tells it, in pages
+    with suppress(OSError):  # Linux reports it in pages.
         with open("/proc/self/statm") as file:
             reserved = int(file.read().split()[0]) * resource.getpagesize()
     most = {resource.RLIMIT_CORE: 0, resource.RLIMIT_CPU: int(seconds) + 1, resource.RLIMIT_AS: reserved + size}
     for which, value in most.items():
-        with suppress(OSError, ValueError):  # where the system or who started us allows less already
+        with suppress(OSError, ValueError):  # A lower limit may already apply.
             resource.setrlimit(which, (value, value))

@@ -1,4 +1,4 @@
-"""Units that the heading of a file with numbers states for its values, as programs for surfaces write them."""
+"""Units in the headings of files with numbers, as written by surface measurement programs."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .number_text import number_in
 
 __all__ = ["heading_of", "unit_factor"]
 
-#: Millimetres, or N/mm^2, that a unit has; None of what has no unit.
+#: Factors from units to mm or N/mm^2; None for words without a unit.
 _UNITS = {
     "m": 1e3, "dm": 1e2, "cm": 10.0, "mm": 1.0, "um": 1e-3, "nm": 1e-6, "pm": 1e-9, "å": 1e-7, "in": 25.4, "mil": 0.0254, "ft": 304.8,
     "pa": 1e-6, "kpa": 1e-3, "mpa": 1.0, "gpa": 1e3, "n/mm^2": 1.0, "n/mm2": 1.0, "n/mm²": 1.0, "n/m^2": 1e-6, "n/m2": 1e-6, "n/m²": 1e-6,
@@ -28,12 +28,12 @@ _STATED = (
     re.compile(rf"\b{_VALUES}\s*[\[(]\s*{_UNIT}\s*[\])]", re.IGNORECASE),
 )
 _IN_WORDS = re.compile(rf"\b{_VALUES}\s+(?:are\s+)?in\s+{_UNIT}", re.IGNORECASE)
-_LONGEST = 400  #: characters of a line that are looked at
+_LONGEST = 400  #: Number of characters examined in a line.
 _SCALE = re.compile(r"(?<![^\W_])z[\s_-]*(?:scale|factor|multiplier)\b\s*[:=]?\s*(\S+)", re.IGNORECASE)
 
 
 def heading_of(text: str) -> list[str]:
-    """The lines above the first one that begins with a number, with the signs of their comments."""
+    """Returns the lines above the first one that begins with a number, including comment signs."""
     heading = []
     for line in text.splitlines():
         words = line.replace(";", " ").replace(",", " ").split()
@@ -44,9 +44,9 @@ def heading_of(text: str) -> list[str]:
 
 
 def unit_factor(text: str) -> float:
-    """What values are to be multiplied with to be in mm, or in N/mm^2, by what the heading says; 1 where it says nothing.
+    """Returns the factor from the unit in the heading to mm, or to N/mm^2; 1 without a unit.
 
-    Raises ValueError for a unit that is neither of a length nor of a pressure, for two different ones, and for a scale.
+    Raises ValueError for a unit of neither length nor pressure, for two different units, and for a scale.
     """
     found: dict[float, str] = {}
     for line in heading_of(text):
@@ -64,7 +64,7 @@ def _units_in(line: str) -> Iterator[str]:
         for match in stated.finditer(line):
             if _OF_PLACES.search(line[: match.start()]) is None:
                 yield match.group(1)
-    for match in _IN_WORDS.finditer(line):  # of which most say something else, such as "values in rows"
+    for match in _IN_WORDS.finditer(line):  # most such lines contain no unit, such as "values in rows"
         if _known(match.group(1)) in _UNITS:
             yield match.group(1)
 

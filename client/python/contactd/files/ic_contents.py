@@ -1,8 +1,8 @@
-"""Contents of an IC file, taken apart (needs h5py): attributes and datasets by their paths, as ic.import takes them.
+"""Contents of an IC file (needs h5py): attributes and datasets by their paths, as ic.import accepts them.
 
-A file may come from anywhere, and HDF5 follows what it finds in one: to other files, into filters, to sizes that the file
-has no room for. Everything that contactd does not write is refused before any data is read, and HDF5 reads in a process of
-its own, which it may hang.
+Files may come from untrusted sources, and HDF5 follows references in them: to other files, into filters, to sizes
+beyond the file. Everything that contactd does not write is refused before any data is read. HDF5 runs in a separate
+process, which it may hang.
 """
 
 from __future__ import annotations
@@ -38,24 +38,26 @@ Value = float | int | str | list[float] | list[str]
 
 @dataclass
 class FileContents:
-    """Attributes by their paths, such as "spec/body", and datasets, of doubles."""
+    """Attributes by their paths, such as "spec/body", and datasets of doubles."""
 
     attributes: dict[str, Value] = field(default_factory=dict)
     datasets: dict[str, np.ndarray[Any, np.dtype[np.float64]]] = field(default_factory=dict)
 
     def at(self, path: str) -> dict[str, Any]:
-        """The attributes of a group or a dataset, by their names."""
+        """Returns the attributes of a group or a dataset by their names."""
         before = path + "/"
         rest = ((name.removeprefix(before), value) for name, value in self.attributes.items() if name.startswith(before))
         return {name: value for name, value in rest if "/" not in name}
 
     def has(self, path: str) -> bool:
-        """Whether the group has an attribute."""
+        """Returns whether the group has an attribute."""
         return any(name.startswith(path + "/") for name in self.attributes)
 
 
 def contents_of(content: bytes, name: str) -> FileContents:
-    """Returns what the bytes of a file hold; `name` is for the words of the TableFileError that says what is wrong with them."""
+    """Returns the contents of the bytes of a file; `name` is the name of the file in the message of a
+    TableFileError.
+    """
     need_h5py()
     _check_digest(name, content)
     try:
@@ -65,7 +67,9 @@ def contents_of(content: bytes, name: str) -> FileContents:
 
 
 def contents_of_image(image: bytes) -> dict[str, Any]:
-    """Attributes and datasets of what follows the digest. Raises TableFileError; a file may have h5py raise anything else."""
+    """Returns attributes and datasets of the part after the digest. Raises TableFileError; h5py may raise any
+    exception.
+    """
     h5py = need_h5py()
     try:
         with h5py.File(io.BytesIO(image), "r") as file:
@@ -90,7 +94,7 @@ def _check_digest(name: str, content: bytes) -> None:
 
 
 def file_of(contents: FileContents) -> bytes:
-    """A file of our own that holds the same."""
+    """Returns a file with the same contents, written by contactd."""
     import h5py
 
     image = io.BytesIO()
@@ -113,7 +117,9 @@ def _type_of(value: Value, h5py: Any) -> Any:
 
 
 class _Reader:
-    """Takes a file apart. What several links share counts as often as it is read, so that none gives more than it has."""
+    """Reads a file. Objects with several links count each time they are read, so the total is bounded by the file
+    size.
+    """
 
     def __init__(self, h5py: Any, size: int) -> None:
         self._h5py = h5py
@@ -122,7 +128,7 @@ class _Reader:
 
     def read(self, file: Any) -> FileContents:
         number = self._value(file.attrs.get_id("contactd_format"), "contactd_format") if "contactd_format" in file.attrs else None
-        if number != _FORMAT:  # first, since another format may have anything
+        if number != _FORMAT:  # first, because another format may contain anything
             raise TableFileError(f"it has another format than {_FORMAT}, which this version reads")
         self._group(file, "", 0)
         return self._found

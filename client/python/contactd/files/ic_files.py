@@ -1,4 +1,4 @@
-"""Tables of contactd's IC files (docs/ic-tables.md). Needs h5py, which nothing else in this package does."""
+"""Reads tables of contactd's IC files (docs/ic-tables.md). Needs h5py."""
 
 from __future__ import annotations
 
@@ -24,35 +24,36 @@ from .whole import MOST_BYTES, read_whole
 __all__ = ["import_params", "imported_contents", "read_hdf5", "stored_extent"]
 
 _IMPORTED = "This table was imported from a file"
-_MOST_ELEMENTS = 4_000_000  #: of any grid
+_MOST_ELEMENTS = 4_000_000  #: Largest number of elements of a grid.
 
 
 T = TypeVar("T")
 
 
 def read_hdf5(path: str | os.PathLike[str]) -> IcTable:
-    """The table of an IC file: in mm^3/N when it came from Client.export_ic, for dx = 1 and G = 1 from the store."""
+    """Returns the table of an IC file: in mm^3/N from Client.export_ic; for dx = 1 and G = 1 from the store."""
     return _read(path, _table)
 
 
 def stored_extent(path: str | os.PathLike[str]) -> tuple[int, int]:
-    """(ny, nx) of what a file of the store holds: a table, a family of them, or the transform of a longitudinally
-    uniform body, which serves as many elements along x as any grid has. Raises TableFileError, also for what is no file
-    of a store."""
+    """Returns (ny, nx) of a file of the store: a table, a family of tables, or the transform of a longitudinally
+    uniform body, which applies to any number of elements along x. Raises TableFileError, also for files of other
+    formats.
+    """
     return _read(path, _stored_extent)
 
 
 def import_params(content: bytes) -> dict[str, Any]:
-    """The parameters of ic.import for the content of a file. Raises TableFileError."""
+    """Returns the parameters of ic.import for the content of a file. Raises TableFileError."""
     contents = contents_of(content, "the file")
     datasets: dict[str, Any] = dict(contents.datasets)
     if "transform" in datasets:
-        datasets.pop("influence_coefficients", None)  # follows from the transform
+        datasets.pop("influence_coefficients", None)  # computed from the transform
     return {"attributes": contents.attributes, "datasets": datasets}
 
 
 def imported_contents(path: str | os.PathLike[str]) -> FileContents:
-    """Returns what a file of another store holds, for a store that did not make it: its evidence says so. Raises TableFileError."""
+    """Returns the contents of a file of another store, marked as imported in its evidence. Raises TableFileError."""
     contents = contents_of(read_whole(path, MOST_BYTES), os.fspath(path))
     warnings = contents.attributes.get("evidence/warnings", [])
     if not isinstance(warnings, list):
@@ -64,7 +65,7 @@ def imported_contents(path: str | os.PathLike[str]) -> FileContents:
 
 
 def _read(path: str | os.PathLike[str], read: Callable[[FileContents, str], T]) -> T:
-    need_h5py()  # what is missing is told before a file that is
+    need_h5py()  # Report a missing package before a missing file.
     name = os.fspath(path)
     contents = contents_of(read_whole(path, MOST_BYTES), name)
     try:
@@ -113,7 +114,9 @@ def _stored_extent(file: FileContents, name: str) -> tuple[int, int]:
 
 
 def _frames(file: FileContents, grid: Grid, name: str) -> Any:
-    """Reads the frames of the columns of a longitudinally uniform body; in the file their places are over the width of a column."""
+    """Reads the frames of the columns of a longitudinally uniform body. In the file, positions are divided by the
+    column width.
+    """
     frames = file.datasets["frames"]
     if frames.shape != (grid.ny, 3):
         raise TableFileError(f"{name}: the frames have shape {list(frames.shape)}; they must be [ny, 3], ny = {grid.ny}")
@@ -127,7 +130,7 @@ def _layered(given: dict[str, Any]) -> LayeredBody:
 
 def _evidence(file: FileContents) -> IcEvidence:
     given = file.at("evidence")
-    is_built = given["elements"] > 0  # the file has a place for all the rest, too, of a table that was not
+    is_built = given["elements"] > 0  # The file also has fields for the evidence of other tables.
     stages = ("assembly", "setup", "solve", "total") if is_built else ()
     places = (f"evidence/load_case_{n}" for n in range(len(file.attributes)))
     cases = [file.at(place) for place in itertools.takewhile(file.has, places)]

@@ -1,4 +1,4 @@
-"""The mark of files that contactd has written, by which they are told from others: only these are written over."""
+"""Identifies files written by contactd. Only these may be overwritten."""
 
 from __future__ import annotations
 
@@ -12,24 +12,25 @@ from .._version import MARK, __version__
 __all__ = ["MARK", "can_be_written_over", "written_by"]
 
 _HDF5 = b"\x89HDF\r\n\x1a\n"
-_PIECE = 1 << 16  #: bytes at both ends in which a mark is looked for
-_MOST_BYTES = 1 << 27  #: of a file that is searched as a whole
-#: Of formats that have a mark of their own: the first lines of printed results, of tables, and of their text.
+_PIECE = 1 << 16  #: Number of bytes at both ends in which the mark is searched.
+_MOST_BYTES = 1 << 27  #: Largest size of a file that is searched completely.
+#: Marks of formats with their own: the first lines of printed results, of tables, and of their text.
 _OWN_MARKS = (b"|  contactd - ", b"contactd ic table, format ", b"sums over both bodies, times g = ", b"by contactctl ")
-#: Of a wear study's measures, and of the answers to its shares.
+#: Marks of a wear study's measures, and of the answers to its shares.
 _OWN_BEGINNINGS = (b'{\n "distance": [', b'{"study": "')
 _OF_ARCHIVES = (b"array.npy", b"evidence.npy", b"pair.npy")
 
 
 def written_by() -> str:
-    """The mark with the version, for comments."""
+    """Returns the mark with the version, for comments."""
     return f"{MARK} {__version__}"
 
 
 def can_be_written_over(path: str | os.PathLike[str], heading: Sequence[str] | None = None) -> bool:
-    """Whether there is no file at the path, an empty one, or one that contactd has written; links are followed. A table without
-    comments has the mark in its `heading`, how the names of its columns begin. What is no ordinary file is written to as it is. A link
-    to nothing is none that contactd makes. Raises OSError for what cannot be read."""
+    """Returns whether the path has no file, an empty one, or one written by contactd. Links are followed; a broken link
+    returns False. For a table without comments, the mark is its `heading`, the start of its column names. Special files
+    return True. Raises OSError if the file cannot be read.
+    """
     place = Path(path)
     try:
         status = place.stat()

@@ -1,4 +1,6 @@
-"""Numbers in text, by the rules that files of profiles have, too (docs/profiles.md): rows of them, and tables with columns."""
+"""Reads numbers from text, with the same rules as profiles (docs/profiles.md): rows of numbers, and tables with
+columns.
+"""
 
 from __future__ import annotations
 
@@ -17,18 +19,18 @@ _NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eEdD][+-]?\d+)?", re.ASCII)
 
 
 def number_in(word: str) -> float | None:
-    """The number that a word is as a whole, with an exponent behind e or, as Fortran writes it, d; None where it is none."""
+    """Returns the number that a whole word represents, with an exponent after e or (Fortran) d; otherwise None."""
     if _NUMBER.fullmatch(word) is None:
         return None
     return float(word.lower().replace("d", "e"))
 
 
 def rows_of(text: str) -> list[list[float]]:
-    """The numbers of each line, as many in each.
+    """Returns the numbers of each line; all lines have the same count.
 
-    Between them are blanks, tabs, semicolons or commas; a comma is that of a decimal fraction where others part the numbers.
-    What follows #, % or ! is a comment, and what follows a quotation mark without another one. Numbers may stand in these, and
-    lines of words above all numbers are headings. Raises ValueError with the line.
+    Separators are blanks, tabs, semicolons or commas. If there is another separator, a comma is a decimal comma. Text
+    after #, % or !, or after an unpaired quotation mark, is a comment. Numbers may be quoted, and lines of words above
+    all numbers are headings. Raises ValueError with the line.
     """
     rows: list[list[float]] = []
     style = _Style()
@@ -49,10 +51,11 @@ def rows_of(text: str) -> list[list[float]]:
 
 
 def table_of(text: str) -> tuple[list[str], list[tuple[int, list[str]]]]:
-    """The names in the first line, and the cells of the others with their lines; decimal fractions have points.
+    """Returns the names in the first line, and the cells of the other lines with their line numbers. Decimal fractions
+    have points.
 
-    Between cells are semicolons or tabs, where the first line has one, or else commas. In quotation marks no sign begins a
-    comment. Raises ValueError with the line, also where columns have no names or the same.
+    Separators are semicolons or tabs if the first line has one, otherwise commas. Comment signs inside quotation marks
+    are text. Raises ValueError with the line, also if a column has no name or a repeated one.
     """
     names: list[str] = []
     rows: list[tuple[int, list[str]]] = []
@@ -91,13 +94,13 @@ def _problem_of(line: str, between: str) -> str:
 
 
 class _Style:
-    """How the numbers of a text are written, as its lines have shown it so far."""
+    """The number format of a text, as far as its lines determine it."""
 
     def __init__(self) -> None:
         self._has_decimal_commas = False
 
     def numbers(self, line: str) -> list[float] | None:
-        """Those of a line; None where one of its words is none."""
+        """Returns the numbers of a line; None if a word is not a number."""
         words = _BLANKS_AND_SEMICOLONS.split(line)
         any_comma = any("," in word[1:-1] for word in words)
         if len(words) > 1 or self._has_decimal_commas or not any_comma:
@@ -109,7 +112,7 @@ class _Style:
 
 
 def _numbers_in(words: Iterable[str]) -> list[float] | None:
-    """The numbers that words are; None where one is none, which the others are not read behind."""
+    """Returns the numbers of words; None if a word is not a number."""
     found: list[float] = []
     for word in words:
         value = number_in(word)
@@ -120,7 +123,7 @@ def _numbers_in(words: Iterable[str]) -> list[float] | None:
 
 
 def _lines(text: str, *, keeps_quotes: bool = False) -> Iterator[tuple[int, str]]:
-    """Lines that say something, with their numbers: without comments and quotation marks."""
+    """Yields lines with content and their numbers, without comments and quotation marks."""
     for number, line in enumerate(text.splitlines(), 1):
         found = _TEXT_AND_QUOTES.match(line) if keeps_quotes else None
         line = found.group().rstrip(" ") if found is not None else _COMMENTS.split(line, maxsplit=1)[0]

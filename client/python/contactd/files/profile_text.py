@@ -1,4 +1,4 @@
-"""Files of profiles: read as they are, for a daemon to parse, and written as other programs read them."""
+"""Profile files: read unchanged for the daemon to parse, and written in the formats of other programs."""
 
 from __future__ import annotations
 
@@ -15,14 +15,15 @@ if TYPE_CHECKING:
 
 __all__ = ["ENDINGS", "format_profile", "read_profile_text"]
 
-_MOST_BYTES = 1 << 21  #: as proto/schema has it
-#: The formats that are written, by the endings of files.
+_MOST_BYTES = 1 << 21  #: Limit in proto/schema.
+#: Output formats by file name extension.
 ENDINGS = (".prr", ".prw", ".ban", ".whl", ".csv", ".txt")
 
 
 def read_profile_text(path: str | os.PathLike[str]) -> bytes:
-    """Returns the content of a file. Raises OSError where there is none and for a file that is too large for a profile, and
-    InvalidArgument for an empty one."""
+    """Returns the content of a file. Raises OSError if it does not exist or is too large for a profile, and
+    InvalidArgument if it is empty.
+    """
     content = read_whole(path, _MOST_BYTES)
     if not content:
         raise invalid("file", f"= {os.fspath(path)}: the file is empty. Name a file with the points of a profile, y and z")
@@ -30,9 +31,10 @@ def read_profile_text(path: str | os.PathLike[str]) -> bytes:
 
 
 def format_profile(points: Array, kind: Literal["wheel", "rail"], ending: str, remarks: Sequence[str] = ()) -> str:
-    """The text of a file with this ending: of Simpack, of MiniProf, or of two columns with commas (.csv) or blanks between.
+    """Returns the text of a file with this extension: Simpack, MiniProf, or two columns separated by commas (.csv) or
+    blanks.
 
-    `points` are (y, z), shape [n, 2], in mm, y to the field side and z downwards; they are written with all their digits.
+    `points` are (y, z), shape [n, 2], in mm, y to the field side and z downwards. They are written with all digits.
     """
     if ending in (".ban", ".whl"):
         return _miniprof(points, remarks)
@@ -47,7 +49,7 @@ def format_profile(points: Array, kind: Literal["wheel", "rail"], ending: str, r
 
 
 def _miniprof(points: Array, remarks: Sequence[str]) -> str:
-    """Returns the text of a file of MiniProf, in which z is upwards."""
+    """Returns the text of a MiniProf file, in which z is upwards."""
     head = [f"Remark={one_line(' '.join(remark.split()))}" for remark in remarks]
     return "\n".join([*head, "ColumnDef=X,Y", "", *(f"{float(y)!r} {0.0 - float(z)!r}" for y, z in points), ""])
 

@@ -1,4 +1,4 @@
-"""Which files a file may name: a stranger's must not have those read that lie elsewhere."""
+"""Limits the files that a file may name: a file from an untrusted source must not read files elsewhere."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ __all__ = ["check_within"]
 
 
 def check_within(path: str | os.PathLike[str], folders: Iterable[str | os.PathLike[str]]) -> None:
-    """Raises OSError for a path that lies in none of the folders, nor below them, once links are followed."""
+    """Raises OSError for a path that is not inside one of the folders after links are resolved."""
     try:
         place = os.path.realpath(path)
         kind = os.stat(place).st_mode if os.path.exists(place) else 0
     except ValueError:
-        return  # No file has such a name, and its reader refuses it.
+        return  # Such a name is invalid; opening it fails.
     if stat.S_ISCHR(kind) or stat.S_ISBLK(kind) or stat.S_ISSOCK(kind):
-        return  # Every reader refuses devices and sockets.
+        return  # Devices and sockets are refused when they are read.
     for folder in folders:
         top = os.path.realpath(folder)
         if place == top or place.startswith(top.rstrip(os.sep) + os.sep):

@@ -1,5 +1,6 @@
-"""Problems and solutions as files of HDF5 (needs h5py): a group for each value, its arrays as data sets, all else as
-attributes, so that other programs read them, too."""
+"""Saves problems and solutions in HDF5 files (needs h5py). Each value is a group; its arrays are datasets, and
+everything else is attributes, so that other programs can read the files.
+"""
 
 from __future__ import annotations
 
@@ -21,16 +22,16 @@ __all__ = ["load", "save"]
 
 PathLike = str | os.PathLike[str]
 _FORMAT = 1
-_GROUP = "contactd_group"  #: whether a group is a mapping or a sequence
-_LARGEST_GAIN = 1100  #: of gzip, which packs no more than 1032 bytes into one
-_MOST_IN_ATTRIBUTE = 256  #: numbers; HDF5 takes 64 KiB
+_GROUP = "contactd_group"  #: Attribute: whether a group is a mapping or a sequence.
+_LARGEST_GAIN = 1100  #: Largest compression ratio of gzip.
+_MOST_IN_ATTRIBUTE = 256  #: Largest count of numbers in an attribute; HDF5 allows 64 KiB.
 
 
 @public
 def save(path: PathLike, value: Saved) -> None:
     """Writes a problem, a solution, a step, stresses, or a set-up, state or solution of a wheel on a rail to a file.
 
-    The file is whole or not there: it is written under another name first.
+    The file is first written under another name, so it is never incomplete.
     """
     if not isinstance(value, Saved):
         raise TypeError(f"{value!r:.80} is a {type(value).__name__}; save() takes a problem, a solution or the like")
@@ -44,9 +45,9 @@ def save(path: PathLike, value: Saved) -> None:
 
 @public
 def load(path: PathLike) -> Any:
-    """The value that `save` has written.
+    """Returns the value that `save` has written.
 
-    Raises SavedFileError when the file holds none, or a damaged one, and OSError when it cannot be read.
+    Raises SavedFileError if the file has none or is damaged, and OSError if it cannot be read.
     """
     _h5py()
     name, content = os.fspath(path), read_whole(path, MOST_BYTES)
@@ -61,8 +62,9 @@ def load(path: PathLike) -> Any:
 
 
 def content_of(content: bytes) -> Any:
-    """Returns what to_dict told of the value that the content of a file holds. ValueError has the words for what is none; a file may
-    have h5py raise anything else."""
+    """Returns the dictionary of the value in the content of a file. Raises ValueError for other content; a malicious
+    file may make h5py raise any exception.
+    """
     h5py = _h5py()
     try:
         with h5py.File(io.BytesIO(content), "r") as file:
@@ -87,7 +89,7 @@ def _h5py() -> Any:
 
 
 def _write(group: Any, value: Any) -> None:
-    """A dictionary, or the items of a list by their numbers."""
+    """Writes a dictionary, or the items of a list by their numbers."""
     items = value.items() if isinstance(value, dict) else enumerate(value)
     group.attrs[_GROUP] = "mapping" if isinstance(value, dict) else "sequence"
     for key, item in items:
@@ -104,7 +106,7 @@ def _write(group: Any, value: Any) -> None:
 
 
 def _as_array(items: list[Any]) -> Any:
-    """A list of numbers, None among them as NaN, or of lists of numbers, as an array; None of anything else."""
+    """Returns a list of numbers (None becomes NaN), or of lists of numbers, as an array; None for everything else."""
     flat = [number for item in items for number in (item if isinstance(item, list) else [item])]
     if not flat or not all(number is None or type(number) in (int, float) for number in flat):
         return None
@@ -116,7 +118,7 @@ def _as_array(items: list[Any]) -> Any:
 
 
 def _read(group: Any, most_bytes: int) -> Any:
-    """Refuses data that lie in other files, or that the file cannot have packed."""
+    """Reads a group. Refuses data in other files, and data larger than the file can contain."""
     h5py = _h5py()
     found = {name: _of_attribute(value) for name, value in group.attrs.items() if name != _GROUP}
     for name, member in own_members(h5py, group):
@@ -132,7 +134,7 @@ def _read(group: Any, most_bytes: int) -> Any:
 
 
 def _protect(reported: Any) -> Any:
-    """Makes the arrays such that they can only be read: what was loaded may be the history of several problems."""
+    """Makes arrays read-only: a loaded value may be the history of several problems."""
     if isinstance(reported, np.ndarray):
         reported.flags.writeable = False
     for part in reported.values() if isinstance(reported, dict) else reported if isinstance(reported, list) else ():

@@ -1,10 +1,10 @@
-"""Tables as files, by the end of their name (docs/ic-tables.md, Exchange):
+"""Table files by their extension (docs/ic-tables.md, Exchange):
 
-========  ====================================  ==========================================================
-``.npz``  IcTable or TableIcs                   numpy's archive: the array, and what it is as JSON
-``.txt``  TableIcs (IcTable: two such bodies)   what the CONTACT program reads
-``.h5``   IcTable, loading only (needs h5py)    contactd's IC file; `Client.export_ic` gives its bytes
-========  ====================================  ==========================================================
+========  ====================================  ========================================================== ``.npz``
+IcTable or TableIcs                   numpy archive: the array, and its description as JSON ``.txt``  TableIcs (IcTable:
+two such bodies)   text for the CONTACT program ``.h5``   IcTable, loading only (needs h5py)    contactd's IC file, as
+returned by `Client.export_ic` ========  ====================================
+==========================================================
 """
 
 from __future__ import annotations
@@ -30,14 +30,14 @@ from .whole import MOST_BYTES, arrays_of, read_whole, write_whole
 __all__ = ["load_table", "save_table"]
 
 PathLike = str | os.PathLike[str]
-_ONE_ARRAY = b"\x93NUMPY"  #: how a file of one array begins, .npy, which is no archive
+_ONE_ARRAY = b"\x93NUMPY"  #: First bytes of a .npy file of one array, which is not an archive.
 
 
 @public
 def save_table(path: PathLike, table: IcTable | TableIcs, *, G: float | None = None) -> None:
-    """Writes `table` to a file `.npz` or `.txt`; `G`, for the latter, as in TableIcs.to_contact_text.
+    """Writes `table` to a file `.npz` or `.txt`. For `.txt`, `G` is that of TableIcs.to_contact_text.
 
-    The file is whole or not there: it is written under another name first.
+    The file is first written under another name, so it is never incomplete.
     """
     suffix = _suffix(path)
     if isinstance(table, IcTable) and table.frames is not None and suffix == ".txt":
@@ -58,9 +58,9 @@ def save_table(path: PathLike, table: IcTable | TableIcs, *, G: float | None = N
 
 @public
 def load_table(path: PathLike, *, G: float | None = None) -> IcTable | TableIcs:
-    """Reads what save_table or Client.export_ic wrote; `G`, for `.txt`, as in TableIcs.from_contact_text.
+    """Reads a file written by save_table or Client.export_ic. For `.txt`, `G` is that of TableIcs.from_contact_text.
 
-    Raises TableFileError when the file holds no table, or a damaged one, and OSError when it cannot be read.
+    Raises TableFileError if the file has no table or is damaged, and OSError if it cannot be read.
     """
     suffix = _suffix(path)
     if suffix == ".txt":
@@ -96,7 +96,7 @@ def _read_npz(path: PathLike) -> IcTable | TableIcs:
     content = io.BytesIO(read_whole(path, MOST_BYTES))
     try:
         members = {} if content.getvalue().startswith(_ONE_ARRAY) else arrays_of(content)
-    except Exception:  # there is no end of what zipfile and numpy raise for a damaged archive, and of what they advise
+    except Exception:  # zipfile and numpy may raise any exception for a damaged archive.
         raise TableFileError(f"{name} is no archive of numpy, or damaged; save_table writes one that can be read") from None
     array = members.get("array")
     frames = members.get("frames")
@@ -128,7 +128,7 @@ def _read_npz(path: PathLike) -> IcTable | TableIcs:
 
 
 def _check(array: np.ndarray[Any, Any], spec: IcSpec, name: str) -> None:
-    """Raises TableFileError where a file holds numbers that no table has."""
+    """Raises TableFileError if a file contains values that are invalid in a table."""
     sizes = {"dx": spec.grid.dx, "dy": spec.grid.dy, "G": spec.material.G}
     for field, size in sizes.items():
         if not (math.isfinite(size) and size > 0):

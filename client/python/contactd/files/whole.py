@@ -1,4 +1,4 @@
-"""Files that somebody names, read whole: of a kind that ends, and of a size that memory has room for. And written whole."""
+"""Reads whole regular files of limited size, and writes whole files."""
 
 from __future__ import annotations
 
@@ -16,26 +16,26 @@ import numpy as np
 
 __all__ = ["MOST_BYTES", "arrays_of", "check_npy", "digest_of", "read_whole", "write_whole"]
 
-MOST_BYTES = 1 << 34  #: of tables and solutions
+MOST_BYTES = 1 << 34  #: Largest size of tables and solutions.
 _KINDS = ((stat.S_ISCHR, "a device"), (stat.S_ISBLK, "a device"), (stat.S_ISSOCK, "a socket"),
           (stat.S_ISFIFO, "a named pipe"))  # fmt: skip
-_OPEN_FILES = ("/dev/fd", "/proc/self/fd")  #: where a shell puts what <(COMMAND) writes
+_OPEN_FILES = ("/dev/fd", "/proc/self/fd")  #: Folder in which a shell puts the output of <(COMMAND).
 _PIECE = 1 << 20
-#: What systems have of: no wait for a pipe, no terminal, no heirs, and no other line ends.
+#: Available flags against waiting for a pipe, terminals, inheritance, and converted line ends.
 _OPENED = sum(getattr(os, name, 0) for name in ("O_NONBLOCK", "O_NOCTTY", "O_CLOEXEC", "O_NOINHERIT", "O_BINARY"))
 
 
 def read_whole(path: str | os.PathLike[str], most: int) -> bytes:
-    """The content of a file of at most `most` bytes.
+    """Returns the content of a file of at most `most` bytes.
 
-    Raises OSError, whose `strerror` says what is wrong: also of what is no regular file. A device may have no end, and who
-    reads a named pipe waits for somebody to write.
+    Raises OSError with the reason as `strerror`, also for a file that is not regular: a device may have no end, and
+    reading a named pipe may wait forever.
     """
     name = os.fspath(path)
     try:
-        # Opening a named pipe would wait, too.
+        # Opening a named pipe could also wait.
         opened = os.open(name, os.O_RDONLY | _OPENED)
-    except ValueError:  # a null character
+    except ValueError:  # The name contains a null character.
         raise OSError(errno.EINVAL, "this is no name of a file", name) from None
     try:
         status = os.fstat(opened)
@@ -44,7 +44,7 @@ def read_whole(path: str | os.PathLike[str], most: int) -> bytes:
         for is_kind, kind in _KINDS:
             if is_kind(status.st_mode) and not (kind == "a named pipe" and str(Path(name).absolute().parent) in _OPEN_FILES):
                 raise OSError(errno.EINVAL, f"it is {kind}; it must be a file", name)
-        if stat.S_ISFIFO(status.st_mode):  # the others stay as they were opened: files of /proc may wait as well
+        if stat.S_ISFIFO(status.st_mode):  # Others remain non-blocking, because files of /proc may wait, too.
             os.set_blocking(opened, True)
     except BaseException:
         os.close(opened)
@@ -65,7 +65,7 @@ def read_whole(path: str | os.PathLike[str], most: int) -> bytes:
 
 
 def _piece(file: IO[bytes], count: int, name: str) -> bytes:
-    """The next bytes; an error of reading names the file, as one of opening does."""
+    """Returns the next bytes. A read error names the file, like an error of opening."""
     try:
         return file.read(count)
     except OSError as error:
@@ -74,7 +74,7 @@ def _piece(file: IO[bytes], count: int, name: str) -> bytes:
 
 
 def digest_of(path: str | os.PathLike[str], most: int = 1 << 29) -> str:
-    """The digest of what a file has in it; empty where it cannot be read whole."""
+    """Returns the digest of the content of a file; empty if it cannot be read completely."""
     try:
         return hashlib.sha256(read_whole(path, most)).hexdigest()
     except OSError:
@@ -82,8 +82,10 @@ def digest_of(path: str | os.PathLike[str], most: int = 1 << 29) -> str:
 
 
 def check_npy(file: IO[bytes], size: int, kinds: str = "fiub") -> None:
-    """Raises ValueError where a file of numpy's (.npy) with `size` bytes does not hold the array that its header promises, or
-    one of another kind than `kinds` (numpy.dtype.kind): before memory is taken for it. Leaves the file where it stops."""
+    """Raises ValueError if a numpy file (.npy) with `size` bytes does not contain the array of its header, or an array
+    of another kind than `kinds` (numpy.dtype.kind), before memory is allocated. Does not restore the position in the
+    file.
+    """
     npy: Any = np.lib.format
     version = npy.read_magic(file)
     if version not in ((1, 0), (2, 0)):
@@ -91,7 +93,7 @@ def check_npy(file: IO[bytes], size: int, kinds: str = "fiub") -> None:
     read = npy.read_array_header_1_0 if version == (1, 0) else npy.read_array_header_2_0
     try:
         shape, _, dtype = read(file)
-    except Exception:  # there is no end of what numpy and Python's parser raise
+    except Exception:  # numpy and Python's parser may raise any exception.
         raise ValueError("its header is none of numpy's") from None
     if dtype.kind not in kinds:
         raise ValueError(f"its type is {dtype}; it must be one of real numbers")
@@ -103,10 +105,11 @@ def check_npy(file: IO[bytes], size: int, kinds: str = "fiub") -> None:
 
 
 def arrays_of(archive: IO[bytes]) -> dict[str, np.ndarray[Any, Any]]:
-    """The arrays of numpy's archive (.npz), of numbers and texts: nothing in it is unpickled.
+    """Returns the arrays of a numpy archive (.npz) of numbers and texts. Nothing in it is unpickled.
 
-    Raises whatever zipfile and numpy raise for a damaged one, and ValueError, before memory is taken for it, where a member is
-    not the array that its header promises, or where all take far more than the file: numbers are not compressed a hundredfold.
+    Raises the exceptions of zipfile and numpy for a damaged archive. Raises ValueError, before memory is allocated, if
+    a member does not match its header, or if all members are far larger than the file: numbers cannot be compressed a
+    hundredfold.
     """
     size = archive.seek(0, os.SEEK_END)
     with zipfile.ZipFile(archive) as opened:
@@ -122,16 +125,17 @@ def arrays_of(archive: IO[bytes]) -> dict[str, np.ndarray[Any, Any]]:
 
 
 def write_whole(path: str | os.PathLike[str], write: Any) -> None:
-    """Writes a file under another name first, so that nobody finds half of it, and of several that write it at once the last
-    one stays. `write` takes the open file, which can be read and sought in, too. A link goes on pointing where it does, and
-    what is no ordinary file, such as /dev/stdout, is written to as it is."""
+    """Writes a file under another name first, so that it is never incomplete; if several programs write it at once, the
+    last one wins. `write` receives the open file, which it may also read and seek. Links keep their target, and special
+    files such as /dev/stdout are written directly.
+    """
     place = Path(path)
     if place.exists() and not place.is_file():
         with place.open("wb") as file:
             write(file)
         return
     place = Path(os.path.realpath(place))
-    part = Path(f"{place}.{secrets.token_hex(4)}.part")  # of this call alone: others may write the same file
+    part = Path(f"{place}.{secrets.token_hex(4)}.part")  # a name for this call only: others may write the same file
     try:
         with open(os.open(part, os.O_RDWR | os.O_CREAT | os.O_EXCL | _OPENED, 0o666), "w+b") as file:
             write(file)

@@ -1,1 +1,1 @@
-"""Parameters of friction from measured creep curves."""
+"""Fits parameters of friction to measured creep curves."""

@@ -1,4 +1,4 @@
-"""Creep curves of a contact for given values of its parameters, solved in batches on all workers of the daemon."""
+"""Solves creep curves of a contact for given parameters, in batches on all workers of the daemon."""
 
 from __future__ import annotations
 
@@ -17,28 +17,28 @@ from ..values.field_paths import copied, get, put
 
 __all__ = ["Ask", "CreepCurves", "Response"]
 
-#: Names of creepages, and the force that goes with each.
+#: Names of creepages, and the force of each.
 _CREEPAGES = {"xi": "Fx", "eta": "Fy", "phi": "Fy"}
 _NUMBER = re.compile(r"\d+(\.\d+)?(e[+-]?\d+)?")
 _MOST_AT_ONCE = 1000
-_TARGET = 2.0  #: s that a batch may take, for Ctrl-C and news to come in time
-_UNUSABLE = ("FIELD_INVALID", "ARRAY_INVALID")  #: reasons that are of a problem, and not of the batch
-#: Inputs of which the daemon knows derivatives of forces, by their paths.
+_TARGET = 2.0  #: Target time of a batch (s), so that Ctrl-C and progress are not delayed.
+_UNUSABLE = ("FIELD_INVALID", "ARRAY_INVALID")  #: Reasons that concern a single problem, not the batch.
+#: Paths of inputs for which the daemon computes derivatives of forces.
 _DERIVATIVES = {"friction.mu": "mu", "Fn": "Fn"}
 
 
-#: Any method of the daemon by its name, as Client.call.
+#: A function that calls any method of the daemon, like Client.call.
 Ask = Callable[..., dict[str, Any]]
 
 
 @dataclass(frozen=True)
 class Response:
-    """Where a measured value stands in each answer.
+    """The location of the measured value in each answer.
 
     Attributes:
         by: Path of the creepage.
         force: "Fx" or "Fy".
-        is_coefficient: Whether it is over the normal force.
+        is_coefficient: Whether it is divided by the normal force.
     """
 
     by: str
@@ -47,7 +47,7 @@ class Response:
 
     @staticmethod
     def of(by: str, force: str | None, quantity: str) -> Response:
-        """`by` is xi, eta or phi of rolling, or a path. Raises ValueError."""
+        """Creates the response. `by` is xi, eta or phi of rolling, or a path. Raises ValueError."""
         if quantity not in ("coefficient", "force"):
             raise ValueError(f'quantity is {quantity!r}; it must be "coefficient" or "force"')
         if force not in (None, "Fx", "Fy"):
@@ -59,12 +59,12 @@ class Response:
         return Response(path, force or usual, quantity == "coefficient")
 
     def value(self, answer: dict[str, Any]) -> float:
-        """Positive where the force opposes a positive creepage."""
+        """Returns the value, positive if the force opposes a positive creepage."""
         forces = answer["forces"]
         return float(-forces[self.force] / (forces["Fn"] if self.is_coefficient and forces["Fn"] else 1.0) + 0.0)
 
     def derivative(self, answer: dict[str, Any], path: str) -> float:
-        """By an input of _DERIVATIVES; NaN where the answer does not have it."""
+        """Returns the derivative with respect to an input of _DERIVATIVES; NaN if the answer does not have it."""
         found = get(answer, f"derivatives.{self.force}.{_DERIVATIVES[path]}")
         if found is None:
             return float("nan")
@@ -76,12 +76,12 @@ class Response:
 
 
 class CreepCurves:
-    """Solves curves; what cannot be solved, or does not converge, is NaN, and `trouble` says why.
+    """Solves curves. Points that cannot be solved, or do not converge, are NaN; `trouble` is the reason.
 
     Attributes:
         solves: Number of contact problems that were solved.
-        trouble: What was wrong with the last point that has no value; empty while there is none.
-        refusal: The exception of that point, where the daemon refused it.
+        trouble: The error of the last point without a value; empty if there is none.
+        refusal: The exception of that point, if the daemon refused it.
     """
 
     def __init__(
@@ -100,7 +100,7 @@ class CreepCurves:
         self.refusal: StatusError | None = None
 
     def problem(self, values: Sequence[float], creepage: float | None = None) -> dict[str, Any]:
-        """The parameters of contact.solve."""
+        """Returns the parameters of contact.solve."""
         made: dict[str, Any] = copied(self._params)
         for path, value in zip(self._paths, values):
             put(made, path, float(value))
@@ -109,15 +109,17 @@ class CreepCurves:
         return made
 
     def curves(self, values: Sequence[Sequence[float]], creepage: Array) -> Array:
-        """A curve for each of some sets of values, shape [n, m]."""
+        """Returns a curve for each of several sets of values, shape [n, m]."""
         return self.points([(one, x) for one in values for x in creepage]).reshape(len(values), len(creepage))
 
     def points(self, points: Sequence[tuple[Sequence[float], float]]) -> Array:
-        """Single points: values of the parameters and a creepage each."""
+        """Returns single points, each with its own parameters and creepage."""
         return np.array([self._value(answer) for answer in self._answers([self.problem(*point) for point in points])])
 
     def curve_with_warnings(self, values: Sequence[float], creepage: Array) -> tuple[Array, tuple[str, ...]]:
-        """One curve, and what its answers warn of: of sentences that differ by their numbers only one."""
+        """Returns a curve and the warnings of its answers. Sentences that differ only in their numbers are reported
+        once.
+        """
         answers = self._answers([self.problem(values, x) for x in creepage])
         alike: dict[str, list[str]] = {}
         for sentence in (str(one) for answer in answers if isinstance(answer, dict) for one in answer.get("warnings", ())):
@@ -126,7 +128,9 @@ class CreepCurves:
         return np.array([self._value(answer) for answer in answers]), tuple(sentences)
 
     def derivatives(self, values: Sequence[float], creepage: Array, path: str) -> Array | None:
-        """Derivatives of the curve by one parameter as the daemon knows them; None where it does not."""
+        """Returns derivatives of the curve with respect to a parameter, computed by the daemon; None if it does not
+        support it.
+        """
         if path not in _DERIVATIVES or self._params.get("model", "full") not in ("full", "fastsim", "fastrip", "polach"):
             return None
         problems = [{**self.problem(values, x), "derivatives": True} for x in creepage]
@@ -159,7 +163,7 @@ class CreepCurves:
                     continue
                 if error.reason not in _UNUSABLE:
                     raise
-                # Which of them cannot be used only those that are alone can tell.
+                # Solve them one by one to find those that are invalid.
                 answers = [self._alone(one) for one in part]
             found.extend(answers)
             self.solves += len(part)

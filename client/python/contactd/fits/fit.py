@@ -1,4 +1,4 @@
-"""Finds parameters of friction, or of anything else, by which a contact has a measured creep curve."""
+"""Fits parameters of friction, or others, to a measured creep curve."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from .statistics import Certainty, certainty_of
 
 __all__ = ["fit"]
 
-_STARTS = 16  #: where nobody says where to begin
+_STARTS = 16  #: Default for parameters without a start.
 
 
 @public
@@ -51,30 +51,33 @@ def fit(
     timeout: float | None = None,
     on_progress: ProgressCallback | None = None,
 ) -> Fit:
-    """Finds parameters by which a contact has a measured creep curve, by least squares::
+    """Fits parameters of a contact to a measured creep curve by least squares::
 
         found = contactd.fit(client, problem, creepage, coefficient,
                              {"friction.mu": (0.1, 0.6), "friction.layer.flexibility": (1e-6, 1e-3)})
         print(found["friction.mu"].value, found["friction.mu"].interval, found.warnings)
 
-    `problem` is a ContactProblem, or the parameters of contact.solve; steady rolling is meant, any contact with a motion
-    serves. `creepage` and `measured` are the curve: creepages `by` "xi", "eta" or "phi", or by any path, and the coefficient of
-    traction, or with `quantity` "force" the force (N), positive where it opposes a positive creepage. It is Fx, or Fy where
-    `by` is lateral or spin; `force` says otherwise. `parameters` are fields by their paths on the wire, each with its bounds.
-    Of what is positive the logarithm is varied. `start` says where to begin; else the problem does, and for what has no value
-    there the best of some places between the bounds is taken, `starts` in number (16). `uncertainty` are standard
-    uncertainties of the measured values: points have weights by them.
+    `problem` is a ContactProblem, or the parameters of contact.solve, usually of steady rolling; other motions are
+    possible. `creepage` and `measured` are the points of the curve. `by` names the creepage: "xi", "eta", "phi", or any
+    path. Measured values are traction coefficients, or forces (N) with `quantity="force"`; they are positive if they
+    oppose a positive creepage. The force is Fx, or Fy if `by` is eta or phi; `force` overrides this. `parameters` are
+    fields by their paths on the wire, each with its bounds. The logarithm of positive parameters is varied. The search
+    begins at `start`, otherwise at the values of the problem. For parameters without a value, it begins at the best of
+    `starts` points (16) between the bounds. `uncertainty` contains the standard uncertainties of the measured values,
+    which determine the weights.
 
-    Errors are those of a linear theory: from the covariance by the residuals' own scatter, with Student's quantile for the
-    `confidence`. Parameters at bounds, and those that the curve does not tell, have none, and `warnings` says so. With `curve`,
-    creepages, there is a curve with its band.
+    Uncertainties of the parameters follow linear theory: from the covariance and the scatter of the residuals, with
+    Student's quantile for the `confidence`. Parameters at bounds, and those that the curve does not determine, have no
+    uncertainty, and `warnings` names them. With creepages as `curve`, the answer includes the fitted curve with its
+    band.
 
-    Solves run on all workers of the daemon, in batches. Where the daemon knows derivatives they are taken; others are
-    differences. A curve with a solve that failed or did not converge is none: the search turns back there.
+    Problems are solved in batches on all workers of the daemon. Derivatives are those of the daemon where available,
+    otherwise differences. If a solve fails or does not converge, the search rejects that curve.
 
-    `timeout` is that of each batch. `on_progress` is told of each curve. Needs scipy ("contactd[fit]").
+    `timeout` applies to each batch. `on_progress` is called for each curve. Needs scipy ("contactd[fit]").
 
-    Raises InvalidArgument for what is no curve or no parameter, and FitFailed, a ContactdError, where no curve can be computed.
+    Raises InvalidArgument for an invalid curve or parameter, and FitFailed, a ContactdError, if no curve can be
+    computed.
     """
     check_type("client", client, Client)
     check_type("problem", problem, ContactProblem, Mapping)
@@ -101,7 +104,7 @@ def fit(
     search = Search(fields, points, curves, report)
     has_no_start = any(one.start is None for one in fields)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", ContactWarning)  # the last curve tells what its answers warn of
+        warnings.simplefilter("ignore", ContactWarning)  # only the last curve reports its warnings
         found = search.run(starts or (_STARTS if has_no_start else 1), max_evaluations)
         return _made(found, fields, points, search, curves, response, confidence, asked)
 
@@ -147,7 +150,7 @@ def _made(
 
 
 def _usual_weight(points: MeasuredCurve) -> float:
-    """By which weighted residuals are as large as the curve's values again."""
+    """Returns the weight that makes weighted residuals as large as the values of the curve."""
     return float(np.sqrt(np.mean(points.weight**2)))
 
 

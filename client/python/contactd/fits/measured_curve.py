@@ -29,7 +29,7 @@ class MeasuredCurve:
 
     @staticmethod
     def of(creepage: npt.ArrayLike, measured: npt.ArrayLike, uncertainty: npt.ArrayLike | None) -> MeasuredCurve:
-        """Raises InvalidArgument for what is no curve."""
+        """Creates the curve. Raises InvalidArgument for invalid values."""
         x, value = _numbers(creepage, "creepage"), _numbers(measured, "measured")
         if len(x) != len(value):
             raise invalid("measured", f"has {len(value)} values, and creepage {len(x)}; they must be as many")
@@ -52,7 +52,7 @@ class MeasuredCurve:
         return MeasuredCurve(x, value, 1 / sigma)
 
     def residuals(self, computed: Array) -> Array:
-        """Weighted differences of the measured values and others."""
+        """Returns the weighted differences of the measured values and others."""
         return (self.value - computed) * self.weight
 
 

@@ -1,4 +1,4 @@
-"""A parameter that is varied, between its bounds: its place there is a number from 0 to 1."""
+"""A varied parameter; its position between its bounds is a number from 0 to 1."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ..values.field_paths import get, parts
 
 __all__ = ["VariedParameter", "varied"]
 
-_RELATIVE_STEP = 1e-2  #: of differences: above the jumps of curves where elements begin to slip, below what they bend over
+_RELATIVE_STEP = 1e-2  #: Step of differences: above the jumps when elements begin to slip, below the curvature.
 _LINEAR_STEP = 3e-3
 
 
@@ -25,7 +25,7 @@ class VariedParameter:
         path: Its field.
         low: Least value.
         high: Largest value.
-        start: Where the search begins, None: nobody says it.
+        start: Start of the search, or None.
     """
 
     path: str
@@ -42,31 +42,32 @@ class VariedParameter:
         return math.log(self.high / self.low) if self.is_logarithmic else self.high - self.low
 
     def value(self, place: float) -> float:
-        """The value at a place, which may lie outside of the bounds."""
+        """Returns the value at a position, which may be outside the bounds."""
         try:
             return self.low * math.exp(place * self._span) if self.is_logarithmic else self.low + place * self._span
         except OverflowError:
             return math.inf
 
     def place(self, value: float) -> float:
-        """The place of a value."""
+        """Returns the position of a value."""
         return (math.log(value / self.low) if self.is_logarithmic else value - self.low) / self._span
 
     def slope(self, place: float) -> float:
-        """Derivative of the value by the place."""
+        """Returns the derivative of the value with respect to the position."""
         return self._span * (self.value(place) if self.is_logarithmic else 1.0)
 
     @property
     def step(self) -> float:
-        """Step of differences, as a change of the place."""
+        """Returns the step of differences, as a change of the position."""
         return min(0.05, _RELATIVE_STEP / self._span) if self.is_logarithmic else _LINEAR_STEP
 
 
 def varied(
     parameters: Mapping[str, tuple[float, float]], start: Mapping[str, float], params: Mapping[str, Any]
 ) -> list[VariedParameter]:
-    """The parameters of a fit; where `start` does not say where to begin, the problem does, if it has a value within the bounds.
-    Raises InvalidArgument."""
+    """Returns the parameters of a fit. Without `start`, a parameter starts at its value in the problem if it is within
+    the bounds. Raises InvalidArgument.
+    """
     if not parameters:
         raise invalid("parameters", "has none; name at least one field with its bounds, such as friction.mu: (0.1, 0.6)")
     if unknown := [path for path in start if path not in parameters]:

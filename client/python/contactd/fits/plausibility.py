@@ -1,4 +1,4 @@
-"""Units of a measured curve, as far as its magnitudes tell them."""
+"""Checks the units of a measured curve by its magnitudes."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from .measured_curve import MeasuredCurve
 
 __all__ = ["check_coefficients", "unlikely_forces"]
 
-_LARGEST_COEFFICIENT = 2.0  #: as the daemon has it of friction.mu
-_LEAST_COEFFICIENT = 1e-3  #: of a curve: less than any lubricated contact has
+_LARGEST_COEFFICIENT = 2.0  #: The daemon's limit of friction.mu.
+_LEAST_COEFFICIENT = 1e-3  #: Lower limit for a curve: less than any lubricated contact.
 
 
 def check_coefficients(points: MeasuredCurve, response: Response) -> None:
-    """Raises InvalidArgument for forces, or per cent, in the place of coefficients."""
+    """Raises InvalidArgument for forces, or percentages, given as coefficients."""
     largest = float(np.max(np.abs(points.value)))
     if response.is_coefficient and largest > _LARGEST_COEFFICIENT:
         raise invalid(
@@ -29,7 +29,7 @@ def check_coefficients(points: MeasuredCurve, response: Response) -> None:
 
 
 def unlikely_forces(points: MeasuredCurve, response: Response, params: Mapping[str, Any]) -> list[str]:
-    """Sentences about forces that are no part of the normal force that is prescribed."""
+    """Returns sentences about forces that are implausible for the prescribed normal force."""
     Fn = params.get("Fn")
     if response.is_coefficient or not isinstance(Fn, (int, float)) or not Fn > 0:
         return []

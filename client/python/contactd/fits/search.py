@@ -1,4 +1,4 @@
-"""The search for the parameters of a curve by least squares."""
+"""Searches the parameters of a curve by least squares."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from .parameter import VariedParameter
 
 __all__ = ["FitFailed", "Found", "Search"]
 
-_INSIDE = 1e-3  #: that starts keep from bounds
-_STEPS = (1.0, -1.0, 0.25, -0.25)  #: parts of the step of differences that are tried
-_ATTEMPTS = 4  #: starts from which the search goes on at most
-_STUCK = 0.05  #: cosine between residuals and the change of the curve by a parameter, far above what differences leave
+_INSIDE = 1e-3  #: Distance of starts from the bounds.
+_STEPS = (1.0, -1.0, 0.25, -0.25)  #: Fractions of the step of differences that are tried.
+_ATTEMPTS = 4  #: Largest number of starts from which the search continues.
+_STUCK = 0.05  #: Cosine between residuals and the change by a parameter, far above errors of differences.
 _REASONS = {
     0: "the bound of its evaluations was reached",
     1: "the residuals cannot become smaller in any direction",
@@ -30,22 +30,23 @@ _REASONS = {
 
 
 class FitFailed(ContactdError):
-    """No curve can be computed where the search would begin, or goes on; the daemon's refusal is its cause, where there is
-    one."""
+    """No curve can be computed at the start of the search, or at its next point. The cause is the daemon's refusal, if
+    any.
+    """
 
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """Where the search has ended.
+    """The end of the search.
 
     Attributes:
-        places: Places of the parameters between their bounds.
-        start: Where it began.
-        jacobian: Of the curve by the places, shape [m, n].
-        converged: Whether it came to its end.
-        reason: How it ended.
-        evaluations: Number of curves that it computed.
-        trouble: Why curves on the way could not be computed; empty where all could.
+        places: Positions of the parameters between their bounds.
+        start: Start of the search.
+        jacobian: Derivatives of the curve with respect to the positions, shape [m, n].
+        converged: Whether the search converged.
+        reason: Reason for its end.
+        evaluations: Number of computed curves.
+        trouble: Reason why curves could not be computed; empty if all were computed.
     """
 
     places: Array
@@ -58,7 +59,7 @@ class Found:
 
 
 class Search:
-    """Varies the places of parameters between their bounds, 0 to 1."""
+    """Varies the positions of parameters between their bounds, 0 to 1."""
 
     def __init__(
         self, parameters: Sequence[VariedParameter], curve: MeasuredCurve, curves: CreepCurves, report: Callable[[int, float], None]
@@ -71,12 +72,13 @@ class Search:
         self._has_derivatives: dict[str, bool] = {}
 
     def values(self, places: Array) -> list[float]:
-        """The values of the parameters."""
+        """Returns the values of the parameters."""
         return [one.value(float(place)) for one, place in zip(self._parameters, places)]
 
     def run(self, starts: int, most: int) -> Found:
-        """From the best of some starts on, and from the next best ones where that gets stuck. Raises FitFailed, and MissingExtra
-        without scipy."""
+        """Searches from the best of several starts, and from the next best ones if that stops early. Raises FitFailed,
+        and MissingExtra without scipy.
+        """
         least_squares = _least_squares()
         failure: FitFailed | None = None
         for start in self._starts(starts)[:_ATTEMPTS]:
@@ -84,7 +86,7 @@ class Search:
                 return self._from(start, least_squares, most)
             except FitFailed as error:
                 failure = error
-        assert failure is not None  # there is a start, or an exception
+        assert failure is not None  # There is at least one start; otherwise _starts has raised.
         raise failure
 
     def _from(self, start: Array, least_squares: Any, most: int) -> Found:
@@ -103,7 +105,7 @@ class Search:
         return Found(ended.x, start, jacobian, converged, reason, self._evaluations, trouble)
 
     def _is_stuck(self, places: Array, jacobian: Array, residuals: Array) -> bool:
-        """Says whether a change of a parameter, within the bounds, would make residuals smaller."""
+        """Returns whether a change of a parameter within the bounds would reduce the residuals."""
         weighted = jacobian * self._curve.weight[:, None]
         sizes = np.linalg.norm(weighted, axis=0) * np.linalg.norm(residuals)
         downhill = (weighted.T @ residuals) / np.where(sizes > 0, sizes, 1.0)  # by larger places
@@ -111,8 +113,9 @@ class Search:
         return bool(np.any((may_rise & (downhill > _STUCK)) | (may_fall & (downhill < -_STUCK))))
 
     def jacobian(self, places: Array, creepage: Array) -> Array:
-        """Derivatives of the curve by the places, shape [m, n]: of the daemon where it knows them, else by differences. Raises
-        FitFailed where a point has none."""
+        """Returns the derivatives of the curve with respect to the positions, shape [m, n]: of the daemon if available,
+        otherwise differences. Raises FitFailed if a point has none.
+        """
         found = self._known_derivatives(places, creepage)
         if np.any(np.isnan(found)):
             point, index = divmod(int(np.isnan(found).argmax()), len(places))
@@ -123,7 +126,7 @@ class Search:
         return found
 
     def _known_derivatives(self, places: Array, creepage: Array) -> Array:
-        """Those that can be computed, upwards, downwards or nearer by, and NaN for others."""
+        """Returns derivatives by differences upwards, downwards or with smaller steps, and NaN where all fail."""
         found = np.full((len(creepage), len(places)), np.nan)
         for index in range(len(places)):
             known = self._derivatives(index, places, creepage)
@@ -143,7 +146,7 @@ class Search:
         return found
 
     def _moved(self, places: Array, index: int, part: float) -> Array:
-        """With one place moved by a part of its step, upwards where that is within the bounds."""
+        """Returns the positions with one moved by a fraction of its step, upwards if that is within the bounds."""
         at = places.copy()
         way = 1.0 if places[index] + self._parameters[index].step <= 1 else -1.0
         at[index] += way * part * self._parameters[index].step
@@ -174,7 +177,7 @@ class Search:
         return found
 
     def _jacobian_of_residuals(self, places: Array) -> Array:
-        """Points without derivatives have no say in the direction of a step; whether it is taken they decide, too."""
+        """Points without derivatives do not affect the direction of a step, but they affect whether it is accepted."""
         found = self._known_derivatives(places, self._curve.creepage)
         has_all = np.all(np.isfinite(found), axis=1)
         if np.count_nonzero(has_all) < len(places):
@@ -186,7 +189,7 @@ class Search:
         return ", ".join(f"{one.path} {value:g}" for one, value in zip(self._parameters, self.values(places)))
 
     def _starts(self, count: int) -> list[Array]:
-        """The start and others, spread between the bounds: those with curves, the best first."""
+        """Returns the start and others between the bounds: those with curves, the best first."""
         first = np.array([0.5 if one.start is None else one.place(one.start) for one in self._parameters])
         found: list[tuple[float, int, Array]] = []
         for place in (first, *_spread(count - 1, len(first))):
@@ -203,7 +206,7 @@ class Search:
 
 
 def _spread(count: int, dimensions: int) -> list[Array]:
-    """Halton's points, which fill the box more evenly than chance does."""
+    """Returns Halton's points, which fill the box more evenly than random points."""
     if dimensions > len(_PRIMES):
         raise invalid("parameters", f"has {dimensions} fields; at most {len(_PRIMES)} can be fitted")
     return [np.array([_radical_inverse(index + 1, base) for base in _PRIMES[:dimensions]]) for index in range(max(0, count))]

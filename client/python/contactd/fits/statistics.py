@@ -1,4 +1,4 @@
-"""How well a curve tells the parameters that were fitted to it: errors, correlations, and sentences about them."""
+"""Uncertainties of fitted parameters: errors, correlations, and sentences about them."""
 
 from __future__ import annotations
 
@@ -12,21 +12,21 @@ from .parameter import VariedParameter
 
 __all__ = ["Certainty", "certainty_of"]
 
-_AT_BOUND = 1e-3  #: of the way from bound to bound
-_CLOSE = 0.98  #: correlation from which on parameters cannot be told apart
-_SINGULAR = 1e-6  #: singular value over the largest one, below which the curve does not tell a combination of parameters
+_AT_BOUND = 1e-3  #: Fraction of the distance between the bounds.
+_CLOSE = 0.98  #: Correlation from which parameters cannot be distinguished.
+_SINGULAR = 1e-6  #: Relative singular value below which a combination of parameters is undetermined.
 
 
 @dataclass(frozen=True, eq=False)
 class Certainty:
-    """Errors of places between bounds.
+    """Errors of positions between bounds.
 
     Attributes:
-        covariance: Covariance of the places, shape [n, n]; zero for those at bounds, infinite for what is not told.
-        quantile: Student's quantile; None where there are no more points than parameters.
-        at_bound: "low", "high" or empty, of each.
+        covariance: Covariance of the positions, shape [n, n]; zero for those at bounds, infinite for undetermined ones.
+        quantile: Student's quantile; None if there are no more points than parameters.
+        at_bound: "low", "high" or empty for each parameter.
         is_known: Whether a parameter has an error.
-        sentences: What should be known.
+        sentences: Sentences about limitations.
     """
 
     covariance: Array
@@ -36,7 +36,7 @@ class Certainty:
     sentences: tuple[str, ...]
 
     def correlation(self) -> Array:
-        """Correlation of the errors; NaN of parameters without one."""
+        """Returns the correlation of the errors; NaN for parameters without one."""
         sizes = np.sqrt(np.diag(self.covariance))
         with np.errstate(all="ignore"):
             found: Array = self.covariance / np.outer(sizes, sizes)
@@ -45,7 +45,9 @@ class Certainty:
         return found
 
     def band(self, jacobian: Array) -> Array:
-        """Half the height of the confidence band where the curve has this Jacobian, shape [m, n]; NaN without one."""
+        """Returns half the height of the confidence band of a curve with this Jacobian, shape [m, n]; NaN without
+        one.
+        """
         free = np.array(self.is_known)
         if self.quantile is None or not free.any() or any(not known and not bound for known, bound in zip(self.is_known, self.at_bound)):
             return np.full(len(jacobian), np.nan)
@@ -57,7 +59,9 @@ class Certainty:
 def certainty_of(
     parameters: Sequence[VariedParameter], places: Array, jacobian: Array, residuals: Array, confidence: float
 ) -> Certainty:
-    """`jacobian` of the weighted residuals by the places, shape [m, n]."""
+    """Computes the errors from `jacobian`, the derivatives of weighted residuals with respect to the positions, shape
+    [m, n].
+    """
     from scipy.special import stdtrit
 
     at_bound = tuple("low" if u < _AT_BOUND else "high" if u > 1 - _AT_BOUND else "" for u in places)
@@ -87,7 +91,7 @@ def certainty_of(
 
 
 def _untold(sizes: Array, ways: Array, count: int) -> Array:
-    """Which parameters are part of a combination that changes nothing."""
+    """Returns the parameters in combinations that do not change the curve."""
     found = np.zeros(count, dtype=bool)
     largest = sizes.max(initial=0.0)
     for size, way in zip(sizes, ways):

@@ -1,7 +1,7 @@
-"""Pictures of answers, by matplotlib, which is imported when the first one is drawn: ``pip install "contactd[pictures]"``.
+"""Plots of answers. Matplotlib is imported for the first plot: ``pip install "contactd[pictures]"``.
 
-`ContactSolution.plot`, `IcTable.plot`, `SubsurfaceStress.plot` and `WheelRailSolution.plot` draw one answer. Here are those of
-several::
+`ContactSolution.plot`, `IcTable.plot`, `SubsurfaceStress.plot` and `WheelRailSolution.plot` draw one answer. This
+package draws several::
 
     from contactd.pictures import ConvergenceHistory, plot_creep_curves
 
@@ -11,7 +11,7 @@ several::
     client.get_ic(material, grid, FemIcs(), on_progress=history)
     history.plot()
 
-Each returns the Axes, or the Figure where there are several; `axes` draws into axes of your own.
+Each function returns the Axes, or the Figure if there are several Axes. Use `axes` to draw into your own.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""One case by several models: pressures of each, forces, errors and costs."""
+"""One case with several models: pressures, forces, errors and computing times."""
 
 from __future__ import annotations
 
@@ -17,14 +17,16 @@ if TYPE_CHECKING:
 
 __all__ = ["draw_comparison"]
 
-_WIDTH = 2.1  #: of a map (inches)
-_ROUNDING = 1e-12  #: of the normal force, as in tables of the command line
+_WIDTH = 2.1  #: Size of a map (inches).
+_ROUNDING = 1e-12  #: Fraction of the normal force, as in tables of the command line.
 _MARKERS = "os^DvP*X"
 _NORMAL_MODELS = {"of_model": INK, "kp": COLOURS[1], "kpec": COLOURS[2], "analyn": COLOURS[3]}
 
 
 def draw_comparison(comparison: ModelComparison) -> Figure:
-    """Draws what ModelComparison.plot does: a line of maps for each way to find pressures, a column for each to find tractions."""
+    """Implements ModelComparison.plot: a row of maps for each model of pressures, a column for each model of
+    tractions.
+    """
     shown = comparison.computed
     rows = list(dict.fromkeys(one.normal_model for one in shown))
     columns = list(dict.fromkeys(one.model for one in shown))
@@ -54,7 +56,7 @@ def draw_comparison(comparison: ModelComparison) -> Figure:
 
 
 def _window(shown: tuple[ComparedModel, ...]) -> tuple[float, float, float, float]:
-    """Left, right, bottom and top of all contacts, with an edge."""
+    """Returns left, right, bottom and top of all contacts, with a margin."""
     found = []
     for one in shown:
         for grid, solution, place in _contacts(one):
@@ -71,7 +73,7 @@ def _window(shown: tuple[ComparedModel, ...]) -> tuple[float, float, float, floa
 
 
 def _contacts(one: ComparedModel) -> list[tuple[Grid, Any, float]]:
-    """Grid, solution, and the place across the track of each contact."""
+    """Returns grid, solution and lateral position of each contact."""
     if isinstance(one.solution, WheelRailSolution):
         return [(patch.place.grid, patch.solution, patch.place.reference.y) for patch in one.solution.patches]
     assert one.solution is not None and one.solution.grid is not None
@@ -112,7 +114,7 @@ def _add_edges(axes: Axes, inside: Any, grid: Grid, y: float, **style: Any) -> N
 
 
 def _forces(one: ComparedModel) -> tuple[float, float]:
-    """Those along and across, without what is rounding only, whose axis would show nothing else."""
+    """Returns longitudinal and lateral forces without rounding errors, which would scale an axis."""
     assert one.solution is not None
     if isinstance(one.solution, WheelRailSolution):
         found = one.solution.forces.track
@@ -124,7 +126,7 @@ def _forces(one: ComparedModel) -> tuple[float, float]:
 
 
 def _style(one: ComparedModel, shown: tuple[ComparedModel, ...]) -> dict[str, Any]:
-    """A sign for each model, a colour for each way to find pressures."""
+    """Returns a symbol for each model, and a colour for each model of pressures."""
     models = list(dict.fromkeys(other.model for other in shown))
     marker = _MARKERS[models.index(one.model) % len(_MARKERS)]
     return {
@@ -137,7 +139,7 @@ def _style(one: ComparedModel, shown: tuple[ComparedModel, ...]) -> dict[str, An
 
 
 def _draw_forces(axes: Axes, shown: tuple[ComparedModel, ...], has_friction: bool) -> None:
-    """Tangential forces, or without friction largest pressures."""
+    """Draws tangential forces, or the largest pressures without friction."""
     for one in shown:
         Fx, Fy = _forces(one)
         at = (Fx / 1e3, Fy / 1e3) if has_friction else (_area(one), _pmax(one))
@@ -167,7 +169,7 @@ def _draw_costs(axes: Axes, shown: tuple[ComparedModel, ...], comparison: ModelC
         axes.plot(1e3 * one.seconds, error, label=one.name, **_style(one, shown))
     axes.axvline(1e3 * comparison.request_seconds, color="#9a978f", lw=0.8, ls=":")
     axes.set_xscale("log")
-    axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))  # times are seldom a decade apart
+    axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))  # Times usually span less than a decade.
     axes.xaxis.set_major_formatter("{x:g}")
     axes.xaxis.set_minor_formatter("")
     axes.set_ylim(bottom=-0.03 * axes.get_ylim()[1])

@@ -1,4 +1,4 @@
-"""One contact: a map of pressures and tractions, and a cut through it."""
+"""One contact: a map of pressures and tractions, and a section through it."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ if TYPE_CHECKING:
 
 __all__ = ["draw_contact", "draw_section", "title_of"]
 
-_ARROWS = 16  #: across the longer side, at most: all of them would be a thicket
+_ARROWS = 16  #: Largest number of arrows along the longer side, to keep the plot readable.
 
 
 def draw_contact(solution: Solution[Any, Any], axes: Axes | None = None) -> Axes:
-    """Draws what Solution.plot does."""
+    """Implements Solution.plot."""
     grid = grid_of(solution)
     _check(solution, "pressure", "element_division")
     axes = axes_or_new(axes, 6.8, 5.4)
@@ -35,7 +35,7 @@ def draw_contact(solution: Solution[Any, Any], axes: Axes | None = None) -> Axes
 
 
 def draw_section(solution: Solution[Any, Any], y: float = 0.0, axes: Axes | None = None) -> Axes:
-    """Draws what Solution.plot_section does."""
+    """Implements Solution.plot_section."""
     grid = grid_of(solution)
     _check(solution, "pressure", "element_division", "traction_x", "traction_y")
     axes = axes_or_new(axes)
@@ -58,14 +58,14 @@ def draw_section(solution: Solution[Any, Any], y: float = 0.0, axes: Axes | None
 
 
 def grid_of(solution: Solution[Any, Any]) -> Grid:
-    """Raises ValueError where nobody knows it."""
+    """Returns the grid. Raises ValueError if it is unknown."""
     if solution.grid is None:
         raise ValueError("grid is None; a solution that is drawn must be one of a client, which knows its grid")
     return solution.grid
 
 
 def title_of(solution: Solution[Any, Any]) -> str:
-    """Its forces."""
+    """Returns a title with the forces."""
     names = ["Fn", *(name for name in ("Fx", "Fy") if abs(getattr(solution, name)) > 1e-9 * solution.Fn)]
     forces = [f"$F_{name[1]}$ = {getattr(solution, name):.5g} N" for name in names]
     return ", ".join(forces) + ("" if solution.converged else " (NOT CONVERGED)")
@@ -89,7 +89,7 @@ def _add_tractions(axes: Axes, grid: Grid, solution: Solution[Any, Any]) -> None
     shown = size[pick] > 0.02 * size.max()
     x, y = np.meshgrid(grid.x, grid.y)
     scale = size.max() / (1.4 * max(steps) * max(grid.dx, grid.dy))
-    if axes.get_aspect() == "auto":  # arrows are as long as there is room for in both directions
+    if axes.get_aspect() == "auto":  # The arrows fit into the space in both directions.
         of_x, of_y = (np.abs(traction[pick]).max() for traction in (solution.traction_x, solution.traction_y))
         scale = max(of_x / (1.4 * steps[1] * grid.dx), of_y / (1.4 * steps[0] * grid.dy)) or scale
     label = f"traction on the upper body, {size.max():.4g} N/mm$^2$ at most"
@@ -102,6 +102,6 @@ def _add_tractions(axes: Axes, grid: Grid, solution: Solution[Any, Any]) -> None
 
 
 def _stretches(mask: Any) -> list[tuple[int, int]]:
-    """First and last index of each run of True."""
+    """Returns the first and last index of each run of True."""
     changes = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]])))
     return [(int(a), int(b) - 1) for a, b in zip(changes[::2], changes[1::2])]

@@ -1,4 +1,4 @@
-"""Forces over creepages."""
+"""Forces against creepages."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ __all__ = ["draw_creep_curve", "plot_creep_curves"]
 
 _CREEPAGES = {"xi": "longitudinal creepage", "eta": "lateral creepage", "phi": "spin creepage (rad/mm)"}
 _STYLES = ("o-", "s--", "^:", "d-.")
-_ROUNDING = 1e-9  #: of forces over the normal force
+_ROUNDING = 1e-9  #: Fraction of the normal force.
 Solutions = Sequence[Solution[Any, Any]]
 
 
@@ -34,9 +34,9 @@ def plot_creep_curves(
     creepages: npt.ArrayLike | None = None,
     axes: Axes | None = None,
 ) -> Axes:
-    """Draws -Fx/Fn and -Fy/Fn of rolling over a creepage, of one series of solutions or several by their names.
+    """Plots -Fx/Fn and -Fy/Fn of rolling against a creepage, for one series of solutions or several named ones.
 
-    `by` is "xi", "eta" or "phi", as the solutions tell it in `motion`; `creepages` takes its place where they do not.
+    `by` is "xi", "eta" or "phi" in the `motion` of the solutions. Use `creepages` for solutions without it.
     """
     if by not in _CREEPAGES:
         raise ValueError(f'by is {by!r}; it must be "xi", "eta" or "phi"')
@@ -57,7 +57,7 @@ def plot_creep_curves(
 
 
 def draw_creep_curve(curve: CreepCurve, axes: Axes | None = None) -> Axes:
-    """Draws what CreepCurve.plot does."""
+    """Implements CreepCurve.plot."""
     if curve.xi.ndim != 1:
         raise ValueError(f"the curve has shape {list(curve.xi.shape)}; only one of a single dimension can be drawn")
     by = max(_CREEPAGES, key=lambda name: _extent(getattr(curve, name)))

@@ -1,4 +1,4 @@
-"""A measured creep curve and the one that was fitted to it."""
+"""A measured creep curve and the fitted one."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _CREEPAGES = {"xi": "longitudinal creepage", "eta": "lateral creepage", "phi": "
 
 
 def draw_fit(fit: Fit, axes: Axes | None = None) -> Axes:
-    """Draws what Fit.plot does."""
+    """Implements Fit.plot."""
     axes = axes_or_new(axes)
     curve = fit.curve
     if curve is not None:

@@ -1,4 +1,4 @@
-"""How the residuals of iterations fall."""
+"""Residuals of iterations."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ __all__ = ["ConvergenceHistory"]
 
 
 class ConvergenceHistory:
-    """Keeps the residuals that a call tells of, as its `on_progress`.
+    """Records the residuals reported during a call; pass it as `on_progress`.
 
     Attributes:
-        stages: By stage its runs, such as one for each load case: pairs (iteration, residual) as they were told.
+        stages: The runs of each stage, such as one for each load case: reported pairs (iteration, residual).
     """
 
     def __init__(self) -> None:
         self.stages: dict[str, list[list[tuple[int, float]]]] = {}
 
     def __call__(self, progress: Progress) -> None:
-        """Takes one report."""
+        """Records one report."""
         if not (progress.iteration and progress.residual > 0):
             return
         runs = self.stages.setdefault(progress.stage, [])
@@ -34,7 +34,7 @@ class ConvergenceHistory:
             runs[-1].append((progress.iteration, progress.residual))
 
     def plot(self, axes: Axes | None = None) -> Axes:
-        """Draws residuals over iterations, a line for each stage."""
+        """Plots residuals against iterations, one line per stage."""
         axes = axes_or_new(axes)
         for (stage, runs), color in zip(self.stages.items(), [*COLOURS] * (len(self.stages) + 1)):
             for number, run in enumerate(runs):

@@ -1,4 +1,4 @@
-"""One profile and its curvature, drawn on axes of matplotlib that the caller brings: contactd.wheel_rail_pictures."""
+"""Draws a profile and its curvature on the caller's matplotlib axes; used by contactd.wheel_rail_pictures."""
 
 from __future__ import annotations
 
@@ -14,12 +14,13 @@ from .canvas import COLOURS, INK, bare
 
 __all__ = ["curvature_of", "draw_curvature", "draw_profile"]
 
-_SHOWN = 0.12  #: 1/mm, of throats and gauge corners, whose radii are 13 mm
+_SHOWN = 0.12  #: 1/mm, for throats and gauge corners with radii of 13 mm.
 
 
 def curvature_of(points: npt.ArrayLike) -> tuple[Array, Array]:
-    """y (mm) of the inner points of a profile, and its curvature there (1/mm), that of the circle through three points:
-    positive on the head of a rail and in the throat of a wheel."""
+    """Returns y (mm) of the inner points of a profile, and its curvature (1/mm) by the circle through three points:
+    positive on the head of a rail and in the throat of a wheel.
+    """
     at = np.asarray(points, dtype=float)
     if at.ndim != 2 or at.shape[1] != 2 or len(at) < 3:
         raise invalid("points", f"has shape {list(at.shape)}; it must be [n, 2], n at least 3")
@@ -32,7 +33,9 @@ def curvature_of(points: npt.ArrayLike) -> tuple[Array, Array]:
 def draw_profile(
     axes: Any, points: npt.ArrayLike, evidence: ProfileEvidence | None = None, measured: npt.ArrayLike | None = None
 ) -> None:
-    """A profile, y to the field side and z downwards (mm), with its kinks; `measured` are its points before smoothing."""
+    """Draws a profile, y to the field side and z downwards (mm), with its kinks; `measured` are its points before
+    smoothing.
+    """
     at = np.asarray(points, dtype=float)
     if measured is not None:
         axes.plot(*np.asarray(measured).T, ".", ms=2.5, color=COLOURS[1], label="measured", zorder=2)
@@ -56,7 +59,9 @@ def draw_profile(
 
 
 def draw_curvature(axes: Any, points: npt.ArrayLike, measured: npt.ArrayLike | None = None) -> None:
-    """The curvature against y, cut off at radii of 8 mm; that of the points before smoothing behind it."""
+    """Draws the curvature against y, limited to radii of at least 8 mm, and behind it that of the points before
+    smoothing.
+    """
     for given, style in ((measured, {"color": COLOURS[1], "lw": 0.6, "alpha": 0.6}), (points, {"color": INK, "lw": 1})):
         if given is not None:
             axes.plot(*curvature_of(given), **style)

@@ -1,4 +1,4 @@
-"""Wheels and rails as their profiles lie, drawn on axes of matplotlib that the caller brings: contactd.wheel_rail_pictures."""
+"""Draws wheels and rails in their positions on the caller's matplotlib axes; used by contactd.wheel_rail_pictures."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ INK, STEEL, PRESSURE = "#1d1d2b", "0.88", "#c8401d"
 def placed_wheel(
     profiles: PlacedProfiles, position: WheelsetPosition, side: Side = "right", nominal_radius: float = 460
 ) -> Array:
-    """(y, z) of the wheel's profile in the track (mm), shape [n, 2], for a wheelset without yaw."""
+    """Returns (y, z) of the wheel's profile in the track (mm), shape [n, 2], for a wheelset without yaw."""
     out = 1 if side == "right" else -1
     along, below = profiles.wheel_origin + profiles.wheel[:, 0], nominal_radius + profiles.wheel[:, 1]
     cosine, sine = np.cos(position.roll), out * np.sin(position.roll)
@@ -31,7 +31,7 @@ def placed_wheel(
 
 
 def placed_rail(profiles: PlacedProfiles, deviation: RailDeviation | None = None, side: Side = "right") -> Array:
-    """(y, z) of the rail's profile in the track (mm), shape [n, 2]."""
+    """Returns (y, z) of the rail's profile in the track (mm), shape [n, 2]."""
     moved = deviation or RailDeviation()
     out = 1 if side == "right" else -1
     cosine, sine = np.cos(moved.roll), out * np.sin(moved.roll)
@@ -48,10 +48,10 @@ def draw_contact_locus(
     *,
     lift: float = 12,
 ) -> Any:
-    """The contact-locus diagram: lines between the points of wheel and rail that touch each other at each shift.
+    """Draws the contact-locus diagram: lines between the contact points on wheel and rail for each lateral shift.
 
-    The wheel is drawn with the wheelset in the middle, `lift` (mm) above where it stands. Returns what a colour bar of
-    the shifts is made of.
+    The wheel is drawn for the centred wheelset, raised by `lift` (mm). Returns the mappable for a colour bar of the
+    shifts.
     """
     listed = list(at_shifts)
     if not listed:
@@ -78,7 +78,7 @@ def draw_contact_locus(
 
 
 def draw_conicity(axes: Any, conicities: Iterable[EquivalentConicity], label: str, color: str = "C0") -> None:
-    """Equivalent conicity against amplitude: as integrated a full line, by the first harmonic a dashed one."""
+    """Plots equivalent conicity against amplitude: solid by integration, dashed by the first harmonic."""
     listed = list(conicities)
     amplitudes = [conicity.amplitude for conicity in listed]
     for way, style in (("integrated", "o-"), ("harmonic", "s--")):
@@ -106,10 +106,11 @@ def draw_patches(
     nominal_radius: float = 460,
     scale: float | None = None,
 ) -> None:
-    """Wheel and rail where they are, and the pressure of each patch (the largest along x) as a hill into the rail.
+    """Draws wheel and rail in their positions, and the pressure of each patch (the largest along x) as a hill into the
+    rail.
 
-    The wheel is drawn without its yaw, so that its flange may seem to miss the rail. `scale` is how far 1 N/mm^2 reaches
-    (mm); None: the largest pressure reaches 6 mm. Patches must have their pressures.
+    The wheel is drawn without its yaw, so there may be a gap at its flange. `scale` is the height of 1 N/mm^2 (mm); if
+    None, the largest pressure has a height of 6 mm. Patches must have their pressures.
     """
     at = state.position
     position = WheelsetPosition(y=at.y, z=solution.z, roll=at.roll)
@@ -137,21 +138,21 @@ def draw_patches(
 
 
 def _hill(patch: WheelRailPatch, rail: Array, scale: float) -> tuple[Array, Array]:
-    """(y, z) of the rows of a patch on the rail, and of the tops of their pressures."""
+    """Returns (y, z) of the rows of a patch on the rail, and of the tops of their pressures."""
     if patch.solution.pressure is None:
         raise invalid("solution", 'has patches without pressure; ask for fields=["pressure"], or for all')
     pressure = np.asarray(patch.solution.pressure).max(axis=1)
     at, rows = patch.place.reference, patch.place.grid.y
     along, into = np.array([np.cos(at.angle), np.sin(at.angle)]), np.array([-np.sin(at.angle), np.cos(at.angle)])
     middle = np.array([at.y, at.z])
-    inside = rail[np.argsort((rail - middle) @ along)] - middle  # in the coordinates of the contact
+    inside = rail[np.argsort((rail - middle) @ along)] - middle  # Contact coordinates.
     depth = np.interp(rows, inside @ along, inside @ into)
     surface = middle + rows[:, None] * along + depth[:, None] * into
     return surface, surface + scale * pressure[:, None] * into
 
 
 def draw_body(axes: Any, outline: Array, upwards: bool) -> None:
-    """Fills a body whose outline is given, shape [n, 2]: a wheel lies above it, `upwards`, a rail below."""
+    """Fills a body with a given outline, shape [n, 2]: above the outline for a wheel (`upwards`), below for a rail."""
     beyond = outline[:, 1].min() - 12 if upwards else outline[:, 1].max() + 6
     axes.fill_between(*outline.T, beyond, color=STEEL, lw=0)
     axes.plot(*outline.T, color=INK, lw=1.2)

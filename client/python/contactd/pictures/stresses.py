@@ -1,4 +1,4 @@
-"""Stresses inside a body: a cut through a block of points."""
+"""Stresses inside a body: a section through a block of points."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 __all__ = ["draw_stress"]
 
-_AXES = "zyx"  #: of the arrays
-_UNSIGNED = ("von_mises", "tresca")  #: equivalent stresses
+_AXES = "zyx"  #: Axes of the arrays.
+_UNSIGNED = ("von_mises", "tresca")  #: Equivalent stresses.
 _NAMES = {"von_mises": "Von Mises stress", "tresca": "Tresca's stress", "hydrostatic": "Hydrostatic stress"}
 _NAMES |= {f"principal_{i}": f"Principal stress {i}" for i in (1, 2, 3)}
 
@@ -30,7 +30,7 @@ def draw_stress(
     z: float | None = None,
     axes: Axes | None = None,
 ) -> Axes:
-    """Draws what SubsurfaceStress.plot does."""
+    """Implements SubsurfaceStress.plot."""
     if component not in get_args(Component):
         raise ValueError(f"component is {component!r}; it must be one of {', '.join(get_args(Component))}")
     if getattr(stress, component) is None:
@@ -55,7 +55,9 @@ def draw_stress(
 
 
 def _cut(places: dict[str, Any], requested: dict[str, float | None], stress: SubsurfaceStress) -> dict[str, int]:
-    """Index of each axis that does not vary in the picture: those of one point, those asked for, the largest stress's."""
+    """Returns the index on each axis that is constant in the plot: the only point, the requested one, or that of the
+    largest stress.
+    """
     cut = {name: 0 for name, values in places.items() if len(values) == 1}
     for name, value in requested.items():
         if value is not None:

@@ -1,4 +1,4 @@
-"""A table of influence coefficients: how its components fall off with the distance from the load."""
+"""A table of influence coefficients: its components against the distance from the load."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ __all__ = ["draw_table"]
 
 
 def draw_table(table: IcTable, components: Iterable[str] = ("xx", "yy", "zz", "xz"), axes: Axes | None = None) -> Axes:
-    """Draws what IcTable.plot does."""
+    """Implements IcTable.plot."""
     axes = axes_or_new(axes, 7.0, 4.8)
     grid = table.spec.grid
     along_x, along_y = np.arange(grid.nx) * grid.dx, np.arange(grid.ny) * grid.dy
     for component, color in zip(components, [*COLOURS] * 2):
         values = np.abs(table[component])
-        values[values == 0] = np.nan  # odd components vanish on an axis
+        values[values == 0] = np.nan  # Odd components vanish on an axis.
         if not np.isnan(values[0]).all():
             axes.plot(along_x, values[0], "o-", ms=3, color=color, label=f"|{component}| along x")
         if not np.isnan(values[:, 0]).all():

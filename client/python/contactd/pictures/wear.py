@@ -1,4 +1,4 @@
-"""Worn profiles, what wore them and what they bear, drawn on axes of matplotlib that the caller brings."""
+"""Draws worn profiles, the causes of wear, and the loads of profiles, on the caller's matplotlib axes."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _WORN = "#c8553d"
 
 
 def draw_worn(axes: Any, steps: Sequence[WornStep], magnified: float = 1.0, unit: str = "km") -> None:
-    """The new profile and that of the last step; what is gone is filled. `magnified` lets depths appear larger."""
+    """Draws the new profile and that of the last step, and fills the removed area. `magnified` scales the depths."""
     first, last = _ends(steps)
     worn = np.stack([np.interp(_shares(first), _shares(last), column) for column in last.points.T], axis=1)
     shown = first.points + magnified * (worn - first.points)
@@ -36,7 +36,7 @@ def draw_worn(axes: Any, steps: Sequence[WornStep], magnified: float = 1.0, unit
 
 
 def draw_passage(wear: PassageWear, axes: Any = None) -> Any:
-    """Draws what PassageWear.plot does."""
+    """Implements PassageWear.plot."""
     axes = axes_or_new(axes)
     of_wheel = wear.body == "wheel"
     depths = wear.depths_per_km if of_wheel else wear.depths * 1e6
@@ -53,7 +53,7 @@ def draw_passage(wear: PassageWear, axes: Any = None) -> Any:
 
 
 def draw_depths(axes: Any, steps: Sequence[WornStep], unit: str = "km", most: int = 6) -> None:
-    """The depth from the new profile, over its y, of up to `most` steps."""
+    """Plots the wear depth normal to the new profile against its y, for up to `most` steps."""
     first, _ = _ends(steps)
     chosen = [steps[i] for i in np.unique(np.linspace(1, len(steps) - 1, min(most, len(steps) - 1)).round().astype(int))]
     for i, step in enumerate(chosen):
@@ -64,7 +64,7 @@ def draw_depths(axes: Any, steps: Sequence[WornStep], unit: str = "km", most: in
 
 
 def draw_groups(axes: Any, steps: Sequence[WornStep], unit: str = "km") -> None:
-    """The area that each group of states has taken off, over the distance; of many groups those that take most, and all others."""
+    """Plots the area removed by each group of states against the distance. With many groups, small ones are summed."""
     sums = _sums_of_groups(steps)
     axes.stackplot([step.distance for step in steps], *sums.values(), labels=list(sums), colors=COLOURS[: len(sums)], alpha=0.75)
     axes.set(xlabel=unit, ylabel="area taken off (mm$^2$)")
@@ -73,8 +73,9 @@ def draw_groups(axes: Any, steps: Sequence[WornStep], unit: str = "km") -> None:
 
 
 def _sums_of_groups(steps: Sequence[WornStep]) -> dict[str, Any]:
-    """What groups have taken off up to each step, by what they are called in a legend: where there are more of them than
-    colours, those that take most, and all others together."""
+    """Returns the removed area of groups up to each step, by their legend labels. If there are more groups than
+    colours, it returns the largest ones and the sum of the others.
+    """
     sums = {name: np.cumsum([step.groups.get(name, 0.0) for step in steps]) for name in {name for step in steps for name in step.groups}}
     by_size = sorted(sums, key=lambda name: (-sums[name][-1], name))
     few = by_size if len(by_size) <= len(COLOURS) else by_size[: len(COLOURS) - 1]
@@ -85,8 +86,9 @@ def _sums_of_groups(steps: Sequence[WornStep]) -> dict[str, Any]:
 
 
 def draw_competition(axes: Any, steps: Sequence[WornStep], function: str) -> Any:
-    """Cracks and wear over y: damage by a function, summed over all steps, and the depth beside it. Returns the second axes.
-    Raises InvalidArgument where no step has such damage."""
+    """Plots cracks and wear against y: the damage of a function, summed over all steps, and the depth. Returns the
+    second axes. Raises InvalidArgument if no step has such damage.
+    """
     first, last = _ends(steps)
     y, sums = first.points[:, 0], np.zeros(len(first.points))
     found = False
@@ -114,13 +116,15 @@ def draw_competition(axes: Any, steps: Sequence[WornStep], function: str) -> Any
 
 
 def shakedown_limit(mu: Any) -> Any:
-    """p0/k at which shakedown ends in a line contact in full slip (Johnson): the largest shear of Hertz's pressure with a
-    traction in proportion to it, below the surface or on it."""
+    """Returns p0/k at the shakedown limit of a line contact in full slip (Johnson): from the largest shear below or on
+    the surface, under Hertz's pressure and a proportional traction.
+    """
     coefficients = np.atleast_1d(np.asarray(mu, dtype=np.float64))
     depth = np.linspace(0.005, 1.5, 300)[:, None]
     angle = np.linspace(0.0, np.pi, 361)[None, :]
     s, t = depth, np.cos(angle) * 1.6
-    # By McEwen's formulas, Johnson (4.49) and section 7.2: m and n of a point, the stresses of pressure and of traction.
+    # McEwen's formulas, Johnson (4.49) and section 7.2: m and n of a point, the stresses due to pressure and to
+    # traction.
     inner = np.sqrt((1 - t**2 + s**2) ** 2 + 4 * t**2 * s**2)
     m = np.sqrt(np.maximum((inner + 1 - t**2 + s**2) / 2, 1e-300))
     n = np.sign(t) * np.sqrt(np.maximum((inner - (1 - t**2 + s**2)) / 2, 0.0))
@@ -131,8 +135,9 @@ def shakedown_limit(mu: Any) -> Any:
 
 
 def draw_shakedown(axes: Any, steps: Sequence[WornStep], step: int = 1) -> None:
-    """The loads of all contacts before a step over their traction coefficients, each with its own limit, and the limit of a line
-    contact in full slip, which is the only one that maps can draw."""
+    """Plots the loads of all contacts before a step against their traction coefficients, each with its own limit, and
+    the limit of a line contact in full slip, which is the only one that can be drawn in a map.
+    """
     tired = steps[step].fatigue
     if tired is None or np.isnan(tired.contacts[:, 1]).all():
         raise invalid("steps", "have no loads; ask for fatigue with a strength")
@@ -152,9 +157,9 @@ def draw_shakedown(axes: Any, steps: Sequence[WornStep], step: int = 1) -> None:
 
 
 def draw_measures(axes: Any, distances: Sequence[float], measures: dict[str, Sequence[float]], unit: str = "km", label: str = "") -> None:
-    """Numbers of a profile over the distance, such as conicities."""
+    """Plots numbers of a profile, such as conicities, against the distance."""
     for i, (name, values) in enumerate(measures.items()):
-        style = ("-", "--", ":")[i % 3]  # lines that lie on each other are seen
+        style = ("-", "--", ":")[i % 3]  # keeps coincident lines visible
         axes.plot(distances, values, style, marker=".", color=COLOURS[i % len(COLOURS)], label=name)
     axes.set(xlabel=unit, ylabel=label)
     axes.legend(frameon=False)

@@ -1,4 +1,4 @@
-"""A wheel on a rail: where it touches, with which forces and pressures."""
+"""A wheel on a rail: its contacts with their forces and pressures."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ if TYPE_CHECKING:
 
 __all__ = ["draw_wheel_rail"]
 
-_ROUNDING = 1e-12  #: of the largest force, as in tables of the command line
+_ROUNDING = 1e-12  #: Fraction of the largest force, as in tables of the command line.
 
 
 def draw_wheel_rail(solution: WheelRailSolution) -> Figure:
-    """Draws what WheelRailSolution.plot does."""
+    """Implements WheelRailSolution.plot."""
     shown = [patch for patch in solution.patches if patch.solution.pressure is not None]
     figure = new_figure(6.0 + 5.6 * len(shown), 5.4)
     panels = figure.subplots(1, 1 + len(shown), squeeze=False)[0]
@@ -42,8 +42,9 @@ def draw_wheel_rail(solution: WheelRailSolution) -> Figure:
 
 
 def _draw_cross_section(axes: Axes, solution: WheelRailSolution) -> None:
-    """Contacts in the plane across the track, as wide as they are, and the forces on the rail, with wheel and rail behind
-    them where their profiles can be had."""
+    """Draws the contacts in the cross-section with their widths and the forces on the rail, and wheel and rail behind
+    them if their profiles are available.
+    """
     _draw_profiles(axes, solution)
     largest = max((_across(patch) for patch in solution.patches), default=1.0)
     for number, (patch, color) in enumerate(zip(solution.patches, [*COLOURS] * (len(solution.patches) + 1)), 1):

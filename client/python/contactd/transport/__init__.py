@@ -1,1 +1,1 @@
-"""How a request reaches whoever answers it: sockets, messages, keys, a private daemon, the engine in this process."""
+"""Transport of requests: sockets, messages, keys, a private daemon, the engine in this process."""

@@ -1,4 +1,4 @@
-"""The sockets of a client: one for each call that runs, kept for the next one."""
+"""The sockets of a client: one for each running call, reused by later calls."""
 
 from __future__ import annotations
 
@@ -33,45 +33,45 @@ __all__ = ["Connection", "ConnectionPool", "Connections", "Exchanging"]
 
 
 class Exchanging(Protocol):
-    """Takes one request to where it is answered."""
+    """Sends one request and returns its answer."""
 
     def exchange(self, request: Request) -> Reply:
         """Raises StatusError, TimeoutExpired, ConnectionFailed or ProtocolError."""
 
 
 class ConnectionPool(Protocol):
-    """Lends a client a connection for each call. Thread-safe."""
+    """Lends each call a connection. Thread-safe."""
 
     is_closed: bool
 
     def take(self) -> Exchanging:
-        """Raises ConnectionFailed."""
+        """Lends a connection. Raises ConnectionFailed."""
 
     def give_back(self, connection: Any, usable: bool = True) -> None:
-        """`usable`: whether the next call may have it."""
+        """Takes a connection back; `usable` means that the next call may use it."""
 
     def close(self) -> None:
-        """May be called twice."""
+        """Closes the connections. A second call has no effect."""
 
 
-#: Lets another thread have the processor; Windows knows it as a sleep of no time.
+#: Yields the processor to another thread; on Windows, a sleep of zero time.
 yield_processor: Callable[[], None] = getattr(os, "sched_yield", partial(time.sleep, 0))
 
-#: The longest wait for a socket, in seconds. A signal that comes after Python has looked for one and before the system waits
-#: does not end that wait, so that an interrupt may be late by this much, and is never lost.
+#: The longest wait for a socket (s). A signal between Python's check and the wait of the system does not end the wait,
+#: so an interrupt may be delayed by this time, but is never lost.
 LONGEST_WAIT = 0.2
 
 
 def milliseconds(remaining: float) -> int:
-    """How long the next wait for a socket lasts, with so many seconds to go."""
+    """Returns the duration of the next wait for a socket, for the remaining time in seconds."""
     return max(1, round(min(remaining, LONGEST_WAIT) * 1000))
 
 
 class Connection:
-    """A socket of its own, for one exchange at a time; belongs to one thread while that lasts.
+    """A socket for one exchange at a time; during the exchange it belongs to one thread.
 
-    An exchange that timed out leaves the socket usable: its late answer is recognised by its id and dropped. What the
-    exchange gives up, it cancels.
+    The socket stays usable after a timeout: a late answer is recognised by its ID and dropped. An abandoned request is
+    cancelled in the daemon.
     """
 
     def __init__(
@@ -85,16 +85,16 @@ class Connection:
         self._spin = spin
         self._process = os.getpid()
         self._encrypted = curve is not None
-        self._lost = False  # the connection, and no handshake has made a new one since
+        self._lost = False  # The connection was lost, and there is no new handshake since.
         self._socket, self._monitor = connected_socket(context, endpoint, curve)
 
     @property
     def is_of_this_process(self) -> bool:
-        """False in a process that was forked from the one it belongs to, and must leave it alone."""
+        """False in a forked process, which must not use the connection."""
         return self._process == os.getpid()
 
     def close(self) -> None:
-        """Drops what is under way. May be called twice."""
+        """Drops pending messages. A second call has no effect."""
         close(self._socket, self._monitor)
 
     def exchange(self, request: Request) -> Reply:
@@ -119,7 +119,7 @@ class Connection:
                 return answer, message[1:]
             if "progress" in answer and answer.get("id") == request.id and request.on_progress is not None:
                 request.on_progress(answer["progress"])
-            # Anything else belongs to an exchange that was given up.
+            # All other messages belong to abandoned exchanges.
 
     def _send(self, request: Request) -> None:
         self._wait_until_connected(min(request.deadline, time.monotonic() + request.connect_timeout))
@@ -129,7 +129,7 @@ class Connection:
             raise ConnectionFailed(f"The daemon at {self.endpoint} went away.") from None
 
     def _wait_until_connected(self, deadline: float) -> None:
-        """Forgets what happened to earlier connections; raises why there is none."""
+        """Ignores events of earlier connections; raises an exception with the reason if there is no connection."""
         handshakes = Handshakes(self.endpoint, self._encrypted)
         poller = zmq.Poller()
         poller.register(self._socket, zmq.POLLOUT)
@@ -153,9 +153,9 @@ class Connection:
                 poller.poll(milliseconds(remaining))
 
     def _next_event(self) -> Event | None:
-        """Returns what happened to the connection, in order; None when all is read."""
+        """Returns the next event of the connection; None if there is none."""
         event = next_event(self._monitor)
-        # The socket itself may take a message for a connection that is being taken down a little longer.
+        # The socket may still accept messages while its connection is being closed.
         if event is not None and event.is_of_connection:
             self._lost = event.kind == zmq.EVENT_DISCONNECTED
         return event
@@ -168,15 +168,15 @@ class Connection:
         while time.monotonic() < awake:
             if self._socket.poll(0):
                 return received(self._socket)
-            yield_processor()  # to the daemon, where it shares this processor
+            yield_processor()  # Yields to the daemon if it shares this processor.
         while True:
             remaining = deadline - time.monotonic()
             if remaining <= 0:
                 raise too_late(self.endpoint, method)
-            if not self.is_of_this_process:  # a progress callback has forked, and has returned here, too
+            if not self.is_of_this_process:  # A progress callback has forked; this is the child process.
                 raise ConnectionFailed(f"This process was forked from the one that gets the answer to {method}.")
             poller.poll(milliseconds(remaining))
-            # The answer first: a daemon that is ending answers and then hangs up.
+            # Read the answer first: a stopping daemon answers before it closes the connection.
             event = self._next_event()
             if self._socket.poll(0):
                 return received(self._socket)
@@ -185,32 +185,32 @@ class Connection:
 
 
 class Connections:
-    """Lends each call a Connection of its own. Thread-safe.
+    """Lends each call its own Connection. Thread-safe.
 
-    A process that was forked starts over with sockets of its own: those it inherited share descriptors with its parent,
-    and the threads of ZeroMQ that serve them are in the parent only.
+    A forked process opens its own sockets: inherited ones share descriptors with the parent, and the ZeroMQ threads
+    that serve them only exist in the parent.
     """
 
     def __init__(self, endpoint: str, curve: CurveKeys | None, spin: float = 0.0) -> None:
         self._endpoint, self._curve, self._spin = endpoint, curve, spin
-        self._inherited: list[Any] = []  # never used, and never freed either, which would wait for the parent's threads
+        self._inherited: list[Any] = []  # Neither used nor freed: freeing would wait for the parent's threads.
         self.is_closed = False
         self._begin()
         _ALL.add(self)
 
     def _begin(self) -> None:
         self._context: ZmqContext = zmq.Context()
-        self._lock = threading.Lock()  # guards the two below, and is_closed
+        self._lock = threading.Lock()  # protects the two attributes below, and is_closed
         self._idle: list[Connection] = []
         self._busy = 0
 
     def start_over(self) -> None:
-        """In a process that was just forked, before anything else runs there."""
+        """Resets the state of a process that was just forked, before other code runs there."""
         self._inherited.append((self._context, self._idle))
         self._begin()
 
     def take(self) -> Connection:
-        """Raises ConnectionFailed."""
+        """Lends a connection. Raises ConnectionFailed."""
         with self._lock:
             if self.is_closed:
                 raise ConnectionFailed("The client is closed.")
@@ -222,7 +222,7 @@ class Connections:
         return Connection(self._context, self._endpoint, self._curve, self._spin)
 
     def give_back(self, connection: Connection, usable: bool = True) -> None:
-        """`usable`: whether the next call may have it."""
+        """Takes a connection back; `usable` means that the next call may use it."""
         if not connection.is_of_this_process:
             self._inherited.append(connection)
             return
@@ -236,7 +236,7 @@ class Connections:
                 self._context.term()
 
     def close(self) -> None:
-        """May be called twice. What is lent stays usable until it is given back."""
+        """Closes the connections. A second call has no effect. Lent connections stay usable until they are returned."""
         with self._lock:
             self.is_closed = True
             while self._idle:
@@ -253,5 +253,5 @@ def _start_all_over() -> None:
         connections.start_over()
 
 
-if hasattr(os, "register_at_fork"):  # not where nothing forks
+if hasattr(os, "register_at_fork"):  # not available on systems without fork
     os.register_at_fork(after_in_child=_start_all_over)

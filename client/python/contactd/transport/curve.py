@@ -1,4 +1,4 @@
-"""The keys of encrypted connections: the files of CURVE."""
+"""Keys of encrypted connections: CURVE key files."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..files.whole import read_whole
 
 __all__ = ["CurveKeys", "load_curve_keys"]
 
-_MOST_BYTES = 1 << 16  #: of a key file
+_MOST_BYTES = 1 << 16  #: Largest size of a key file.
 
 
 @dataclass(frozen=True)
@@ -30,16 +30,16 @@ class CurveKeys:
     secret: bytes = field(repr=False)
 
     def apply(self, socket: zmq.Socket[bytes]) -> None:
-        """Makes the socket encrypt what it sends; before it connects."""
+        """Makes the socket encrypt its messages; call it before the socket connects."""
         socket.curve_serverkey = self.server
         socket.curve_publickey = self.public
         socket.curve_secretkey = self.secret
 
 
 def load_curve_keys(server_key: str | Path | None, own_key: str | Path | None) -> CurveKeys | None:
-    """Reads the daemon's public file and the client's own secret one; None when neither is given.
+    """Reads the daemon's public key file and the client's secret key file; returns None if neither is given.
 
-    Raises ValueError naming the file that cannot be used or the option that is missing.
+    Raises ValueError naming the invalid file or the missing option.
     """
     if server_key is None and own_key is None:
         return None
@@ -57,7 +57,7 @@ def load_curve_keys(server_key: str | Path | None, own_key: str | Path | None) -
 
 def _load(path: str | Path) -> tuple[bytes, bytes | None]:
     try:
-        read_whole(path, _MOST_BYTES)  # no pipe that waits
+        read_whole(path, _MOST_BYTES)  # does not wait for a pipe
         public, secret = zmq.auth.load_certificate(path)
     except OSError as error:
         raise ValueError(f"The key file {path} cannot be read: {error.strerror or error}.") from None

@@ -1,4 +1,4 @@
-"""One DEALER socket in an event loop, and the exchanges of many requests for their answers over it."""
+"""One DEALER socket in an event loop, which carries the exchanges of many requests."""
 
 from __future__ import annotations
 
@@ -30,12 +30,12 @@ from .sockets import (
 
 __all__ = ["Exchanges"]
 
-#: Methods that are answered at once, or wait for no worker: they overtake what waits for its turn.
+#: Methods that are answered immediately or need no worker; they are sent before waiting requests.
 _AT_ONCE = ("server.", "health.", "job.", "session.list", "session.close")
 
 
 class _Open:
-    """A request that waits for its answer: what comes for it, or why nothing will."""
+    """A request that waits for its answer, or for the reason why there is none."""
 
     def __init__(self, request: Request) -> None:
         self.request = request
@@ -45,21 +45,21 @@ class _Open:
 
 
 class Exchanges:
-    """Carries requests of one event loop, of which the daemon has `most` at a time; further ones wait for their turn.
+    """Carries the requests of one event loop. At most `most` are sent at a time; others wait.
 
-    Nothing runs while nothing happens: the loop watches the descriptors of the socket and of its monitor. An exchange that
-    is given up (a timeout, a cancelled task) is cancelled in the daemon too, and its late answer dropped.
+    The loop watches the descriptors of the socket and of its monitor; there is no polling. An abandoned exchange (a
+    timeout, a cancelled task) is also cancelled in the daemon, and its late answer is dropped.
     """
 
     def __init__(self, endpoint: str, curve: CurveKeys | None, most: int) -> None:
         self._endpoint, self._encrypted = endpoint, curve is not None
         self._process, self._loop = os.getpid(), asyncio.get_running_loop()
         self._open: dict[str, _Open] = {}
-        self._unsent: deque[_Open] = deque()  # at once
-        self._queued: deque[_Open] = deque()  # when it is their turn
+        self._unsent: deque[_Open] = deque()  # sent immediately
+        self._queued: deque[_Open] = deque()  # sent later, in order
         self._free_places = most
         self._is_connected = False
-        self._timer: asyncio.TimerHandle | None = None  # with a daemon that does not listen
+        self._timer: asyncio.TimerHandle | None = None  # while the daemon does not listen
         self._context: ZmqContext = zmq.Context()
         try:
             self._socket, self._monitor = connected_socket(self._context, endpoint, curve)
@@ -74,21 +74,21 @@ class Exchanges:
 
     @property
     def is_of_this_process(self) -> bool:
-        """False in a process that was forked from the one it belongs to, and must leave it alone."""
+        """False in a forked process, which must not use it."""
         return self._process == os.getpid()
 
     @property
     def is_of_this_loop(self) -> bool:
-        """Whether it is the running loop that watches it."""
+        """Whether the running event loop watches it."""
         return self._loop is asyncio.get_running_loop()
 
     @property
     def loop_has_ended(self) -> bool:
-        """Whether nobody watches it any more."""
+        """Whether its event loop has ended."""
         return self._loop.is_closed()
 
     def close(self) -> None:
-        """Ends all exchanges. May be called twice, and does nothing in a forked process."""
+        """Ends all exchanges. A second call, or a call in a forked process, has no effect."""
         if self.is_closed or not self.is_of_this_process:
             return
         self.is_closed = True
@@ -139,20 +139,20 @@ class Exchanges:
         if cancel:
             give_up(self._socket, one.request.id)
         self._free_places += one.is_queued
-        self._look()  # another one may have its turn now
+        self._look()  # the next waiting request can be sent
 
     def _too_late(self, one: _Open) -> None:
         connecting = not (one.is_sent or self._is_connected)
         one.arrived.put_nowait(no_daemon(self._endpoint) if connecting else too_late(self._endpoint, one.request.method))
 
-    # --- what happens
+    # --- events
 
     def _look(self) -> None:
-        """Takes what has come, and sends what can go. ZeroMQ tells of changes only: all of them must be looked at."""
+        """Receives all messages and sends waiting ones. ZeroMQ only signals changes, so everything must be checked."""
         if self.is_closed or not self.is_of_this_process:
             return
         events = self._events()
-        self._receive()  # the answers first: a daemon that is ending answers and then hangs up
+        self._receive()  # Read answers first: a stopping daemon answers before it closes the connection.
         for event in events:
             self._note(event)
         if self._is_connected:
@@ -160,7 +160,7 @@ class Exchanges:
         elif self._timer is None and (first := [*self._unsent, *self._queued][:1]):
             wait = first[0].request.connect_timeout
             self._timer = self._loop.call_later(wait, self._time_out)
-        self._receive()  # sending may have taken the news of answers from the descriptor
+        self._receive()  # sending may have cleared the signal of new answers
 
     def _events(self) -> list[Event]:
         events = []
@@ -173,12 +173,12 @@ class Exchanges:
             self._is_connected = True
             self._handshakes = Handshakes(self._endpoint, self._encrypted)
             self._stop_timer()
-        elif event.is_of_connection:  # lost; also behind each handshake that failed
+        elif event.is_of_connection:  # lost; also reported after each failed handshake
             self._is_connected = False
             sent = [one for one in self._open.values() if one.is_sent]
             self._end(sent, lambda one: went_away(self._endpoint, one.request.method))
         elif (failure := self._handshakes.judge(event)) is not None:
-            # A socket whose handshake was refused never connects again.
+            # A socket never connects again after its handshake was refused.
             self._end(self._open.values(), lambda one: copy(failure))
             self.close()
 
@@ -190,14 +190,14 @@ class Exchanges:
                 return
             try:
                 name = parsed(message[0]).get("id")
-            except ProtocolError as error:  # nobody knows whose it was
+            except ProtocolError as error:  # its request is unknown
                 self._end(self._open.values(), lambda one, error=error: copy(error))  # type: ignore[misc]
                 continue
             if name is None:
                 self._end([*self._open.values()][:1], lambda one, message=message: message)  # type: ignore[misc]
             elif (one := self._open.get(name)) is not None:
                 one.arrived.put_nowait(message)
-            # Anything else belongs to an exchange that was given up.
+            # All other messages belong to abandoned exchanges.
 
     def _send(self) -> None:
         while self._unsent and self._sent(self._unsent[0]):
@@ -209,7 +209,7 @@ class Exchanges:
     def _sent(self, one: _Open) -> bool:
         try:
             self._socket.send_multipart(one.request.message(), flags=zmq.DONTWAIT)
-        except zmq.Again:  # as many as the socket takes; it tells when it takes more
+        except zmq.Again:  # as many as the socket accepts; it signals when it accepts more
             return False
         one.is_sent = True
         return True

@@ -1,4 +1,4 @@
-"""Values of Python and numpy to the JSON and array frames of docs/protocol.md, and back."""
+"""Converts Python and numpy values to the JSON and array frames of docs/protocol.md, and back."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from .messages import Buffer
 
 __all__ = ["Frames", "decode", "encode"]
 
-# Double precision and bytes may come back. Both are little-endian on every machine.
+# Types of received arrays: double precision and bytes, little-endian on every machine.
 _DTYPES: dict[str, np.dtype[Any]] = {"<f8": np.dtype("<f8"), "|u1": np.dtype("u1")}
 
-_JSON = frozenset({int, str, bool, type(None)})  # floats, too, where they are finite
+_JSON = frozenset({int, str, bool, type(None)})  # also finite floats
 
 
 class Frames(list[bytes]):
-    """The array frames of a request. Arrays that are the same memory, such as the table of many problems, are one."""
+    """The array frames of a request. Arrays in the same memory, such as the table of many problems, share a frame."""
 
     def __init__(self) -> None:
         super().__init__()
         self._numbers: dict[Any, int] = {}
 
     def number_of(self, array: np.ndarray[Any, Any], field: str) -> int:
-        """The frame that holds `array`, which must live as long as this; raises InvalidArgument naming `field`."""
+        """Returns the frame of `array`, which must outlive this object. Raises InvalidArgument naming `field`."""
         memory = array.__array_interface__["data"][0], array.dtype.str, array.shape, array.strides
         if memory not in self._numbers:
             self.append(_bytes_of(array, field))
@@ -37,10 +37,10 @@ class Frames(list[bytes]):
 
 
 def encode(value: Any, field: str, frames: Frames) -> Any:
-    """`value` as JSON. An array of any real dtype, byte order or memory layout goes to `frames`, and so do
+    """Returns `value` as JSON. Arrays of any real dtype, byte order or memory layout are added to `frames`, and so are
     the bytes of a file.
 
-    Numbers that are not finite are refused: JSON has no word for them, and no contact problem has a use for them.
+    Numbers that are not finite are refused: JSON cannot represent them, and no contact problem needs them.
     """
     if isinstance(value, np.ndarray):
         return _encode_array(value, field, frames)
@@ -49,7 +49,7 @@ def encode(value: Any, field: str, frames: Frames) -> Any:
         return {"$array": {"frame": len(frames), "dtype": "|u1", "shape": [len(value)]}}
     if isinstance(value, np.generic):
         value = value.item()
-    if isinstance(value, (dict, Mapping)):  # dict first: most are, and Mapping takes its time
+    if isinstance(value, (dict, Mapping)):  # Test for dict first: it is the usual case, and Mapping is slow.
         return {
             key: item if _is_json(item) else encode(item, f"{field}.{key}" if field else str(key), frames)
             for key, item in value.items()
@@ -64,7 +64,7 @@ def encode(value: Any, field: str, frames: Frames) -> Any:
 
 
 def _is_json(value: Any) -> bool:
-    """Whether a value, as most of a request are, is JSON as it is: its path need not be told."""
+    """Returns whether a value is valid JSON as it is, like most parts of a request; then its path is not needed."""
     kind = type(value)
     return math.isfinite(value) if kind is float else kind in _JSON
 
@@ -86,7 +86,7 @@ def _bytes_of(array: np.ndarray[Any, Any], field: str) -> bytes:
 
 
 def decode(value: Any, frames: Sequence[Buffer]) -> Any:
-    """The inverse of `encode` for answers: each reference to a frame becomes a read-only array on its bytes."""
+    """Inverts `encode` for answers: each reference to a frame becomes a read-only array on its bytes."""
     if isinstance(value, dict):
         if value.keys() == {"$array"}:
             return _decode_array(value["$array"], frames)

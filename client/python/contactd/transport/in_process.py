@@ -1,4 +1,4 @@
-"""The engine in this process, where the extension contactd_local is installed: a client without a daemon."""
+"""The engine in this process, from the extension contactd_local: a client without a daemon."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from .temporary import TemporaryFolder
 __all__ = ["Engine", "can_solve_here", "remove_temporary_folders"]
 
 _LOG = logging.getLogger("contactd.local")
-_LOG.addHandler(logging.NullHandler())  # silent unless the program says where to
+_LOG.addHandler(logging.NullHandler())  # silent unless the program configures the logger
 
 
 def can_solve_here() -> bool:
-    """Whether the extension is installed. Raises DaemonFailed where it is, and cannot be loaded."""
+    """Returns whether the extension is installed. Raises DaemonFailed if it is installed but cannot be loaded."""
     try:
         import contactd_local  # noqa: F401
     except ModuleNotFoundError as error:
@@ -42,9 +42,10 @@ def _builder() -> str:
 
 
 class Engine:
-    """Is to the engine what Connections is to a daemon: lends each call a way to ask, which is one and the same. Thread-safe.
+    """The in-process counterpart of Connections: lends each call the same engine. Thread-safe.
 
-    Belongs to the process that made it. One that was forked has none of its threads and sessions, and is told so.
+    Belongs to the process that created it. In a forked process, which has none of its threads and sessions, calls raise
+    an exception.
     """
 
     def __init__(self, folder: Path | None, config: Mapping[str, Any]) -> None:
@@ -55,7 +56,7 @@ class Engine:
         self._temporary = TemporaryFolder() if folder is None else None
         store = str(Path(self._temporary or folder or "").absolute() / "store")
         builder = {"program": os.environ.get("CONTACTD_IC") or _builder()}
-        # Ctrl-C at a terminal is for this process, not for what it builds meanwhile.
+        # Ctrl-C at a terminal must not reach its builders.
         launcher = {"launcher": ["setsid"]} if shutil.which("setsid") else {}
         own = {"store": {"folder": store}, "builds": {**builder, **launcher}}
         try:
@@ -81,18 +82,18 @@ class Engine:
             )
 
     def take(self) -> Engine:
-        """Raises ConnectionFailed."""
+        """Lends the engine. Raises ConnectionFailed."""
         self._check_process()
         if self.is_closed:
             raise ConnectionFailed("The client is closed.")
         return self
 
     def give_back(self, connection: Any, usable: bool = True) -> None:
-        """Nothing to do, as nothing was taken away."""
+        """Has no effect."""
 
     def exchange(self, asked: Request) -> Reply:
-        """Exchanges as Connection.exchange does. It is the envelope's `timeout_ms` that ends it."""
-        request = None  # an interrupt may come as soon as it is made; one that is let go of ends, too
+        """Exchanges like Connection.exchange. The envelope's `timeout_ms` is the timeout."""
+        request = None  # An interrupt may occur at once; an unreferenced engine is closed, too.
         try:
             envelope, *frames = asked.message()
             request = self._ask(envelope, frames)
@@ -103,7 +104,7 @@ class Engine:
                     return reply_of(answer, message[1:])
                 if asked.on_progress is not None:
                     asked.on_progress(answer["progress"])
-                    self._check_process()  # a callback that has forked returns here, too
+                    self._check_process()  # A callback may have forked; this is the child process.
         except BaseException:
             if request is not None and self.is_of_this_process:
                 request.cancel()
@@ -115,11 +116,11 @@ class Engine:
     def _ask(self, envelope: bytes, frames: Sequence[bytes]) -> Any:
         try:
             return self._service.ask(envelope, list(frames))
-        except RuntimeError as error:  # closed by another thread, just now
+        except RuntimeError as error:  # Another thread has just closed it.
             raise ConnectionFailed(str(error)) from None
 
     def close(self) -> None:
-        """May be called twice; does nothing in a forked process."""
+        """Closes the engine. A second call, or a call in a forked process, has no effect."""
         if self.is_closed or not self.is_of_this_process:
             return
         self.is_closed = True
@@ -142,7 +143,7 @@ _ALL: weakref.WeakSet[Engine] = weakref.WeakSet()
 
 
 def remove_temporary_folders() -> None:
-    """Those of this process, which is about to end without closing its engines."""
+    """Removes the folders of this process, which is about to end without closing its engines."""
     for engine in list(_ALL):
         if engine.is_of_this_process:
             engine._remove_temporary()
@@ -150,6 +151,6 @@ def remove_temporary_folders() -> None:
 
 @atexit.register
 def _close_all() -> None:
-    """Threads must not outlive the interpreter that their answers are for."""
+    """Ends all threads before the interpreter: their answers need it."""
     for engine in list(_ALL):
         engine.close()

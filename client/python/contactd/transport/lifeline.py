@@ -1,4 +1,4 @@
-"""Lifeline, which ends a private daemon when the process that started it was killed, and could not end it itself."""
+"""Lifeline, which stops a private daemon if the process that started it was killed."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from pathlib import Path
 
 __all__ = ["Lifeline"]
 
-#: $1: the daemon's process, $2: what its command line holds, $3: a folder to be removed, or nothing. A process that has
-#: the daemon's number by chance is not touched.
+#: $1: the daemon's process ID, $2: a part of its command line, $3: a folder to remove, or nothing. Another process with
+#: the same ID is left alone.
 _WATCH = """
 is_there() { grep -qsaF -e "$2" "/proc/$1/cmdline"; }
 read -r _
@@ -23,10 +23,10 @@ is_there "$@" && kill -KILL "$1"
 
 
 class Lifeline:
-    """A shell that waits for the end of a pipe, which this process holds, and then ends the daemon.
+    """A shell that waits for the end of a pipe held by this process, and then stops the daemon.
 
-    However this process ends, the kernel closes the pipe. (PR_SET_PDEATHSIG would end the daemon with the thread that
-    started it.) Processes that are forked close it at once, so that they hold nothing up.
+    The kernel closes the pipe however this process ends. (PR_SET_PDEATHSIG would stop the daemon with the thread that
+    started it.) Forked processes close the pipe immediately, so they cannot keep the daemon alive.
     """
 
     def __init__(self, process: int, configuration: Path, folder: Path | None) -> None:
@@ -45,7 +45,9 @@ class Lifeline:
         _ALL.add(self)
 
     def let_go(self) -> None:
-        """The daemon is ended otherwise. May be called twice; does nothing in a forked process."""
+        """Ends the shell, because the daemon is stopped otherwise. A second call, or a call in a forked process, has no
+        effect.
+        """
         if self._owner != os.getpid() or self._writing < 0:
             return
         self._watcher.kill()
@@ -66,5 +68,5 @@ def _leave_to_the_parent() -> None:
         lifeline._close()
 
 
-if hasattr(os, "register_at_fork"):  # not where nothing forks
+if hasattr(os, "register_at_fork"):  # not available on systems without fork
     os.register_at_fork(after_in_child=_leave_to_the_parent)

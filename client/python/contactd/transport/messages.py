@@ -1,4 +1,4 @@
-"""Requests and answers, whole or in parts, as they go over the wire (docs/protocol.md), whoever carries them."""
+"""Requests and answers as messages (docs/protocol.md), whole or in parts, for any transport."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ __all__ = [
 
 
 PROTOCOL_VERSION = 1
-CLIENT = f"contactd-python {__version__}"  #: as the daemon's log names this client
+CLIENT = f"contactd-python {__version__}"  #: Name of this client in the daemon's log.
 
 
-Buffer = bytes | memoryview  #: what arrays and envelopes come in
+Buffer = bytes | memoryview  #: Types of received arrays and envelopes.
 
 
 def _refuse(word: str) -> Any:
@@ -41,14 +41,14 @@ _WRITER = json.JSONEncoder(allow_nan=False, separators=(",", ":"))
 
 @dataclass(frozen=True)
 class Request:
-    """Question of a call to the daemon, and how long the call waits for the answer.
+    """A request to the daemon, and the time to wait for its answer.
 
     Attributes:
         envelope: JSON, in which arrays are references to frames.
         frames: The arrays, as bytes.
-        deadline: When the wait ends, a time of time.monotonic().
-        connect_timeout: How long to wait for a daemon that listens (s).
-        on_progress: What takes the progress that comes before the answer, as JSON.
+        deadline: End of the wait, by time.monotonic().
+        connect_timeout: Time to wait for a connection (s).
+        on_progress: Called with reports of progress before the answer, as JSON.
     """
 
     envelope: dict[str, Any]
@@ -59,7 +59,7 @@ class Request:
 
     @property
     def id(self) -> str:
-        """Tells its answers from others."""
+        """Identifies its answers."""
         return str(self.envelope["id"])
 
     @property
@@ -74,7 +74,7 @@ class Request:
 
 @dataclass(frozen=True)
 class Reply:
-    """The answer to one request: the JSON of its `result` and the array frames behind it.
+    """The answer to one request: the JSON of its `result` and the array frames after it.
 
     Attributes:
         result: JSON, in which arrays are references to frames.
@@ -86,14 +86,14 @@ class Reply:
 
 
 def cancellation(name: str) -> bytes:
-    """Tells the daemon that the request with this id is abandoned."""
+    """Returns a message that cancels the request with this ID."""
     params = {"id": name}
     request = {"contactd": PROTOCOL_VERSION, "id": f"{name}-cancel", "method": "request.cancel", "params": params}
     return json.dumps(request).encode()
 
 
 def parsed(text: Buffer) -> dict[str, Any]:
-    """The envelope of an answer. Raises ProtocolError."""
+    """Returns the envelope of an answer. Raises ProtocolError."""
     try:
         answer = _READER.decode(str(text, "utf-8"))
     except (ValueError, RecursionError):
@@ -120,7 +120,7 @@ def reply_of(answer: dict[str, Any], frames: Sequence[Buffer]) -> Reply:
 
 
 def status_error_of(status: Any) -> StatusError | None:
-    """The exception that a status stands for; None when it is OK. Raises ProtocolError when it is no status."""
+    """Returns the exception of a status; None if it is OK. Raises ProtocolError for an invalid status."""
     try:
         if status["code"] == 0:
             return None
@@ -142,7 +142,7 @@ T = TypeVar("T")
 def results(
     method: str, result: dict[str, Any], name: str, readers: Sequence[Callable[[Any, str], T]]
 ) -> list[T | StatusError]:
-    """`result[name]`, the answer of each part to `method`, read by the reader of that part, which is told its path."""
+    """Returns `result[name]`, the answer of each part to `method`. The reader of each part receives its path."""
     parts = result.get(name)
     if not isinstance(parts, list) or len(parts) != len(readers):
         raise ProtocolError(f"The answer to {method} lacks its {len(readers)} {name}.")

@@ -1,4 +1,4 @@
-"""The client that functions of the package share, such as `contactd.solve`: opened with the first call, one for a process."""
+"""The client shared by functions such as `contactd.solve`: one per process, opened by the first call."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ __all__ = ["open_by", "shared_client"]
 
 
 class _Holder:
-    """Keeps the client of this process."""
+    """Holds the client of this process."""
 
     def __init__(self) -> None:
         self.lock = threading.Lock()
@@ -20,18 +20,18 @@ class _Holder:
 
 
 _holder = _Holder()
-#: Holders of the processes that this one was forked from. Their clients must not end here what those still use.
+#: Holders of parent processes. Their clients must not be freed here, because the parents still use them.
 _inherited: list[_Holder] = []
 _openers: list[Callable[[], Any]] = []
 
 
 def open_by(opener: Callable[[], Any]) -> None:
-    """Names the function that opens the client; contactd.local does, which knows how."""
+    """Registers the function that opens the client; contactd.local calls it."""
     _openers[:] = [opener]
 
 
 def shared_client() -> Any:
-    """Returns the client of this process; opens it where there is none, or the last one was closed."""
+    """Returns the client of this process. Opens one if there is none, or the last one was closed."""
     holder = _holder
     with holder.lock:
         if holder.client is None or holder.client.is_closed:
@@ -40,7 +40,7 @@ def shared_client() -> Any:
 
 
 def _start_anew() -> None:
-    """In a forked process: the lock may be held by a thread that does not exist here."""
+    """Resets a forked process: the lock may be held by a thread that does not exist there."""
     global _holder
     _inherited.append(_holder)
     _holder = _Holder()

@@ -1,4 +1,4 @@
-"""The sockets of ZeroMQ that speak with a daemon: how they are made, what they tell of their connection, how they end."""
+"""ZeroMQ sockets to a daemon: their creation, their events, and their end."""
 
 from __future__ import annotations
 
@@ -29,38 +29,38 @@ __all__ = [
 ZmqSocket = zmq.Socket[bytes]
 ZmqContext = zmq.Context[ZmqSocket]
 _CANCEL_LINGER_MS = 200
-#: A socket reports these of the handshakes of its connection.
+#: Events of handshakes that a socket reports.
 _HANDSHAKE_EVENTS = (
     zmq.EVENT_HANDSHAKE_FAILED_AUTH | zmq.EVENT_HANDSHAKE_FAILED_PROTOCOL | zmq.EVENT_HANDSHAKE_FAILED_NO_DETAIL
 )
 _EVENTS = zmq.EVENT_DISCONNECTED | zmq.EVENT_HANDSHAKE_SUCCEEDED | _HANDSHAKE_EVENTS
 
-#: A daemon that cannot read what a client says hangs up without a word, and so does one that is ending, once.
+#: A daemon that cannot decrypt a client's messages closes the connection silently. A stopping daemon does so once.
 _SILENT_ENDS = 3
 
 
 class Event(NamedTuple):
-    """Event of the connection of a socket: a number zmq.EVENT_..., and what that says besides."""
+    """An event of a socket's connection: a number zmq.EVENT_..., and its value."""
 
     kind: int
     value: int
 
     @property
     def is_of_connection(self) -> bool:
-        """Whether it was made or lost; else a handshake has failed."""
+        """Whether a connection was made or lost; otherwise a handshake has failed."""
         return self.kind in (zmq.EVENT_DISCONNECTED, zmq.EVENT_HANDSHAKE_SUCCEEDED)
 
 
 def connected_socket(context: ZmqContext, endpoint: str, curve: CurveKeys | None) -> tuple[ZmqSocket, ZmqSocket]:
-    """A DEALER that connects to the endpoint, and its monitor. Raises ConnectionFailed."""
+    """Returns a DEALER that connects to the endpoint, and its monitor. Raises ConnectionFailed."""
     socket = context.socket(zmq.DEALER)
     socket.setsockopt(zmq.LINGER, 0)
-    # Without a listener nothing is queued: sending fails instead of waiting for ever.
+    # Without a listener, sending fails instead of queueing and waiting forever.
     socket.setsockopt(zmq.IMMEDIATE, 1)
-    # Notices a machine that went away without a word; the other side's libzmq answers by itself.
+    # Detects a machine that disappeared silently; the other side's libzmq answers automatically.
     socket.setsockopt(zmq.HEARTBEAT_IVL, 10_000)
     socket.setsockopt(zmq.HEARTBEAT_TIMEOUT, 30_000)
-    # Not for names: what they stand for would be looked for among IPv6 addresses first.
+    # Not for host names, which would be resolved to IPv6 addresses first.
     socket.setsockopt(zmq.IPV6, endpoint.startswith("tcp://["))
     if curve is not None:
         curve.apply(socket)
@@ -78,15 +78,16 @@ def connected_socket(context: ZmqContext, endpoint: str, curve: CurveKeys | None
 
 
 def next_event(monitor: ZmqSocket) -> Event | None:
-    """Returns what happened, in order; None when all is read. (zmq.utils.monitor would take asyncio along.)"""
+    """Returns the next event; None if there is none. (zmq.utils.monitor would import asyncio.)"""
     if not monitor.poll(0):
         return None
     return Event(*struct.unpack("=hi", monitor.recv_multipart()[0]))
 
 
 def received(socket: ZmqSocket, flags: int = 0) -> list[Buffer]:
-    """The parts of a message: the envelope, and frames, which stay where ZeroMQ has put them: a table may have a hundred
-    megabytes. Raises zmq.Again."""
+    """Returns the parts of a message: the envelope, and frames, which are not copied because a table may have a hundred
+    megabytes. Raises zmq.Again.
+    """
     parts: list[Buffer] = [socket.recv(flags)]
     while socket.getsockopt(zmq.RCVMORE):
         parts.append(socket.recv(copy=False).buffer.toreadonly())
@@ -94,13 +95,13 @@ def received(socket: ZmqSocket, flags: int = 0) -> list[Buffer]:
 
 
 def give_up(socket: ZmqSocket, request: str) -> None:
-    """Tells the daemon that this request is abandoned. Its answers are dropped as they come."""
+    """Tells the daemon that this request is abandoned. Later answers to it are dropped."""
     try:
-        # Who gives up closes the socket perhaps at once: this may still go out.
+        # The socket may be closed immediately; this message may still be sent.
         socket.setsockopt(zmq.LINGER, _CANCEL_LINGER_MS)
         socket.send(cancellation(request), flags=zmq.DONTWAIT)
     except zmq.ZMQError:
-        pass  # the daemon has gone, and the request with it
+        pass  # The daemon has stopped, and the request has ended with it.
 
 
 def close(socket: ZmqSocket, monitor: ZmqSocket) -> None:
@@ -112,28 +113,28 @@ def close(socket: ZmqSocket, monitor: ZmqSocket) -> None:
 
 
 def no_daemon(endpoint: str) -> ConnectionFailed:
-    """Nobody listens."""
+    """Returns the exception for an endpoint without a daemon."""
     return ConnectionFailed(f"No daemon answers at {endpoint}. The program contactd is one; contactd.local() and contactctl --local need none.")
 
 
 def went_away(endpoint: str, method: str) -> ConnectionFailed:
-    """The connection broke."""
+    """Returns the exception for a lost connection."""
     return ConnectionFailed(f"The daemon at {endpoint} went away while it worked on {method}.")
 
 
 def too_late(endpoint: str, method: str) -> TimeoutExpired:
-    """The time of a call is over."""
+    """Returns the exception for a timeout."""
     return TimeoutExpired(f"{method} was not answered in time by {endpoint}.")
 
 
 class Handshakes:
-    """Judges why a socket gets no connection, from the events of its monitor."""
+    """Determines why a socket gets no connection, from the events of its monitor."""
 
     def __init__(self, endpoint: str, encrypted: bool) -> None:
         self._endpoint, self._encrypted, self._silent_ends = endpoint, encrypted, 0
 
     def judge(self, event: Event) -> Unauthenticated | ConnectionFailed | None:
-        """The exception that an event amounts to, or None while there is hope."""
+        """Returns the exception for an event, or None while a connection is still possible."""
         if event.kind == zmq.EVENT_HANDSHAKE_FAILED_AUTH:
             return self._refused("the daemon does not know this client's key; ask who runs it to allow own_key")
         if event.kind == zmq.EVENT_HANDSHAKE_FAILED_PROTOCOL:

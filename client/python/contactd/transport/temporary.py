@@ -1,4 +1,4 @@
-"""Temporary folders that go with the process that made them, or else with the next one."""
+"""Temporary folders, which are removed with the process that created them or by a later one."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ except ImportError:  # where a process that ends takes its folder along, or noth
 __all__ = ["TemporaryFolder"]
 
 _PREFIX = "contactd-"
-_OWNER = "owner"  #: a file that its process holds locked
+_OWNER = "owner"  #: A file locked by its process.
 
 
 class TemporaryFolder:
-    """A folder in the temporary folder of the system, or in `within`.
+    """A folder in the system's temporary folder, or in `within`.
 
-    Making one sweeps the folders of processes that were killed: those whose lock nobody holds.
+    Creating a folder removes those of killed processes, which are no longer locked.
     """
 
     def __init__(self, within: str | None = None) -> None:
@@ -35,13 +35,13 @@ class TemporaryFolder:
             new = self.path / f"{_OWNER}.new"
             self._lock = os.open(new, os.O_RDWR | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC, 0o600)
             fcntl.flock(self._lock, fcntl.LOCK_EX)
-            new.rename(self.path / _OWNER)  # a folder without this file is never swept
+            new.rename(self.path / _OWNER)  # A folder without this file is never removed.
 
     def __fspath__(self) -> str:
         return os.fspath(self.path)
 
     def remove(self) -> None:
-        """May be called twice."""
+        """Removes the folder. A second call has no effect."""
         shutil.rmtree(self.path, ignore_errors=True)
         if self._lock >= 0:
             os.close(self._lock)
@@ -58,7 +58,7 @@ def _sweep(parent: Path) -> None:
 
 
 def _sweep_one(path: Path) -> None:
-    """Raises OSError for a folder that is another user's, in use or not of this kind."""
+    """Removes a folder. Raises OSError if it belongs to another user, is in use, or is not of this kind."""
     status = path.lstat()
     if not stat.S_ISDIR(status.st_mode) or status.st_uid != os.getuid():
         return

@@ -1,1 +1,1 @@
-"""Values that users build and receive, plain and immutable, and their forms on the wire."""
+"""Immutable values that users create and receive, and their forms on the wire."""

@@ -1,5 +1,6 @@
-"""JSON answers to the dataclasses of solution.py. What an answer lacks, or holds in the wrong type, is a ProtocolError;
-fields this version does not know are ignored, so that a newer daemon can be asked."""
+"""Converts JSON answers to the dataclasses of solution.py. Missing fields and wrong types raise ProtocolError. Unknown
+fields are ignored, so that answers of newer daemons can be read.
+"""
 
 from __future__ import annotations
 
@@ -23,7 +24,7 @@ Convert = Callable[[Any], Any]
 
 @functools.cache
 def _hints(kind: Any) -> dict[str, Any]:
-    """The types of the fields; what a generic base leaves open is as the class says."""
+    """Returns the types of the fields; type variables of a generic base are replaced by the class's types."""
     hints = hints_of(kind)
     for base in getattr(kind, "__orig_bases__", ()):
         meant = dict(zip(getattr(get_origin(base), "__parameters__", ()), get_args(base), strict=False))
@@ -32,8 +33,9 @@ def _hints(kind: Any) -> dict[str, Any]:
 
 
 class _Unreadable(Exception):
-    """Tells what is wrong, and where: those who read what is around it say so as it comes by, so that no path is made of what
-    can be read."""
+    """Reports an error and its location. Enclosing readers add their part of the path, so that no paths are built
+    without errors.
+    """
 
     def __init__(self, problem: str, path: str = "") -> None:
         super().__init__(problem, path)
@@ -44,7 +46,7 @@ class _Unreadable(Exception):
 
 
 def read(kind: type[T], value: Any, path: str = "result") -> T:
-    """`value` (decoded JSON with its arrays in place) as the dataclass `kind`."""
+    """Reads `value` (decoded JSON with its arrays) as the dataclass `kind`."""
     try:
         made: T = _reader(cast(Any, kind))(value)
     except _Unreadable as error:
@@ -53,7 +55,7 @@ def read(kind: type[T], value: Any, path: str = "result") -> T:
 
 
 class _Field(NamedTuple):
-    """How a field of a dataclass is read."""
+    """The reader of a field of a dataclass."""
 
     name: str
     convert: Convert
@@ -85,10 +87,10 @@ def _reader(kind: Any) -> Convert:
         if of_wire is not None:
             value = of_wire(value)
         found: dict[str, Any] = {}
-        for name, convert, has_default, may_be_none in _fields(kind):  # not before: types that no answer has stay unknown
+        for name, convert, has_default, may_be_none in _fields(kind):  # on first use, not at import
             if name in value:
                 reported = value[name]
-                if type(reported) is float and convert is _read_float:  # as most are
+                if type(reported) is float and convert is _read_float:  # the usual case
                     found[name] = reported
                     continue
                 try:
@@ -105,8 +107,10 @@ def _reader(kind: Any) -> Convert:
 
 
 def _maker(kind: Any) -> Callable[[dict[str, Any]], Any]:
-    """Returns what makes a value of some of its fields, the others being as by default. The __init__ of a frozen dataclass sets each
-    field by a call of its own. Where it does nothing else, this does the same at once: answers are hundreds of fields."""
+    """Returns a function that creates a value from some of its fields, with defaults for the others. The __init__ of a
+    frozen dataclass sets each field by a separate call. This function sets all at once where that is equivalent,
+    because answers have hundreds of fields.
+    """
     fields = dataclasses.fields(kind)
     if hasattr(kind, "__post_init__") or any(field.default_factory is not dataclasses.MISSING for field in fields):
         return lambda found: kind(**found)
@@ -126,8 +130,8 @@ def _misplaced(value: Any) -> _Unreadable:
 
 @functools.cache
 def _converter(hint: Any) -> Convert:
-    """Returns what reads a value of this type: looked at once, as answers are read again and again."""
-    hint = getattr(hint, "__value__", hint)  # what the name of a type stands for, such as numpy's NDArray where it is one
+    """Returns the reader of values of this type. It is created once, because many answers are read."""
+    hint = getattr(hint, "__value__", hint)  # resolves an alias of a type, such as numpy's NDArray
     if hint is Any:
         return _as_it_is
     if dataclasses.is_dataclass(hint):
@@ -144,12 +148,12 @@ def _converter(hint: Any) -> Convert:
     if origin is np.ndarray:
         return _instance_of(np.ndarray)
     if origin is Literal:
-        return _instance_of(str)  # a newer daemon may know more words
+        return _instance_of(str)  # A newer daemon may have more keywords.
     return _read_float if hint is float else _exactly(hint)
 
 
 def _one_of(kinds: list[Any]) -> Convert:
-    """Reads the first dataclass of which `value` has what it always has and all that must be there, or else the first one."""
+    """Reads the first dataclass whose constant and required fields are in `value`, otherwise the first one."""
     readers = [_reader(kind) for kind in kinds]
     marks = [getattr(kind, "_fixed", None) for kind in kinds]
     needs = [{name for name, _, has_default, _ in _fields(kind) if not has_default} for kind in kinds]
@@ -176,7 +180,7 @@ def _as_it_is(value: Any) -> Any:
 
 def _optional(convert: Convert) -> Convert:
     def read_optional(value: Any) -> Any:
-        # A closed-form table says {} of its errors: it has none to speak of.
+        # A closed-form table has no errors: {}.
         if value is None or (isinstance(value, dict) and not value):
             return None
         return convert(value)

@@ -1,4 +1,4 @@
-"""Arrays, as callers give them and as answers have them."""
+"""Arrays from callers and in answers."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Array = npt.NDArray[np.float64]
 
 
 def array_of(value: Any) -> np.ndarray[Any, Any]:
-    """`value` as an array that still has its mask, should it have one, for `encode` to refuse."""
+    """Returns `value` as an array. A mask is kept, so that `encode` can refuse it."""
     if isinstance(value, (list, tuple)) and any(isinstance(row, np.ma.MaskedArray) for row in value):
         masked: np.ndarray[Any, Any] = np.ma.array(value)
         return masked

@@ -1,4 +1,4 @@
-"""Methods of the cases of a file, whose fields are in `contact_files`."""
+"""Methods of the cases of a file; `contact_files` declares the fields."""
 
 from __future__ import annotations
 

@@ -1,5 +1,4 @@
-"""A contact problem in the words of the wire: the parameters of contact.solve, what sessions, tables and stresses have of
-them."""
+"""Contact problems on the wire: the parameters of contact.solve and their parts in sessions, tables and stresses."""
 
 from __future__ import annotations
 
@@ -39,20 +38,22 @@ __all__ = [
 ]
 
 
-#: Fields of a ContactProblem that depend on each other on the wire, and fields that a solution may stand for.
+#: Fields of a ContactProblem that depend on each other on the wire, and fields that may be solutions.
 _OF_BODIES = ("upper", "lower", "ics", "upper_ics", "lower_ics")
 _FRICTION_STATE = ("yield_stress", "friction_coefficient")
 _TRACTIONS = ("initial", "previous")
 
 
 def problem_params(problem: ContactProblem, fields: list[str] | None = None) -> dict[str, Any]:
-    """The parameters of contact.solve; `fields` are the arrays wanted back, None: all."""
+    """Returns the parameters of contact.solve; `fields` are the arrays to return, None requests all."""
     params = opening_params(vars(problem))
     return params if fields is None else {**params, "fields": fields}
 
 
 def opening_params(fields: Mapping[str, Any]) -> dict[str, Any]:
-    """The parameters of session.open: fields of a problem, of which gap and load may be missing, as steps bring them."""
+    """Returns the parameters of session.open: fields of a problem. Gap and load may be missing, because steps provide
+    them.
+    """
     given = {name: value for name, value in fields.items() if value is not None}
     others = {name: value for name, value in given.items() if name not in (*_OF_BODIES, *_TRACTIONS)}
     params = {**fields_of(ContactProblem, others), **_influence_params(given)}
@@ -79,7 +80,7 @@ def _influence_params(given: Mapping[str, Any]) -> dict[str, Any]:
 def body_params(
     body: Material | RigidBody | LayeredBody | ViscoelasticBody, ics: Ics | TableIcs | None, grid: Grid, both: Ics | TableIcs
 ) -> dict[str, Any]:
-    """`bodies.upper` or `bodies.lower`; `ics` is the body's own, where it is not that of both."""
+    """Returns `bodies.upper` or `bodies.lower`; `ics` is that of the body if it differs from the common one."""
     if isinstance(body, LayeredBody):
         return {"ics": layered_params(body, both if ics is None else ics)}
     params: dict[str, Any] = viscoelastic_params(body) if isinstance(body, ViscoelasticBody) else params_of(body)
@@ -87,7 +88,7 @@ def body_params(
 
 
 def coefficient_params(ics: Ics | TableIcs, grid: Grid) -> dict[str, Any]:
-    """`ics` of contact.solve, of both bodies or of one."""
+    """Returns `ics` of contact.solve, for both bodies or for one."""
     if not isinstance(ics, TableIcs):
         return ics_params(ics)
     ny, nx = grid.shape
@@ -95,7 +96,9 @@ def coefficient_params(ics: Ics | TableIcs, grid: Grid) -> dict[str, Any]:
 
 
 def traction_params(tractions: Estimate | ContactSolution, field: str) -> dict[str, Any]:
-    """The arrays of `previous`, `initial` and contact.subsurface that are there; of a solution all tractions must be."""
+    """Returns the existing arrays for `previous`, `initial` and contact.subsurface; a solution must have all
+    tractions.
+    """
     names = [one.name for one in dataclass_fields(Estimate) if field == "previous" or one.name not in _FRICTION_STATE]
     arrays = {name: getattr(tractions, name) for name in names}
     missing = [name for name, array in arrays.items() if array is None and name not in _FRICTION_STATE]
@@ -108,7 +111,7 @@ def traction_params(tractions: Estimate | ContactSolution, field: str) -> dict[s
 
 
 def ics_params(ics: Ics) -> dict[str, Any]:
-    """`ics` of ic.get, ic.export and contact.solve."""
+    """Returns `ics` of ic.get, ic.export and contact.solve."""
     if isinstance(ics, AnalyticIcs) and ics.body == "layered":
         raise TypeError("the ics of layers say no more than load_shape; give the layers as a LayeredBody")
     given: dict[str, Any] = params_of(ics)
@@ -116,7 +119,7 @@ def ics_params(ics: Ics) -> dict[str, Any]:
 
 
 def _section_params(section: Mapping[str, Any]) -> Mapping[str, Any]:
-    """With the profile of a `profile_section` as the wire has it, should it be one of contactd.wheel_rail."""
+    """Returns the section; the profile of a `profile_section` may be a value of contactd.wheel_rail."""
     check_type("ics.section", section, Mapping)
     inputs = section.get("profile_section")
     if not isinstance(inputs, Mapping) or "profile" not in inputs or isinstance(inputs["profile"], Mapping):
@@ -126,7 +129,9 @@ def _section_params(section: Mapping[str, Any]) -> Mapping[str, Any]:
 
 
 def layered_params(body: LayeredBody, ics: Ics | TableIcs) -> dict[str, Any]:
-    """`ics` of a body of layers; they take the load shape of the other body's, and what they refuse of closed forms."""
+    """Returns `ics` of a layered body. Layers take the load shape of the other body's coefficients, and refuse closed
+    forms.
+    """
     if isinstance(ics, TableIcs):
         raise TypeError("a table says all of a body; give it with a Material instead of a LayeredBody")
     kept: dict[str, Any] = params_of(AnalyticIcs(load_shape=ics.load_shape, line_contact=getattr(ics, "line_contact", None)))
@@ -134,17 +139,19 @@ def layered_params(body: LayeredBody, ics: Ics | TableIcs) -> dict[str, Any]:
 
 
 def viscoelastic_params(body: ViscoelasticBody) -> dict[str, Any]:
-    """A body of the standard linear solid: its material at once, and what creeps."""
+    """Returns a standard linear solid: its instantaneous material and its creep."""
     return {"G": body.G, "nu": body.nu, "viscoelastic": {"f": body.f, "tau": body.tau}}
 
 
 def table_shape(grid: Grid, ics: Ics) -> tuple[int, ...]:
-    """Returns the shape of one component: [ny, nx], of a longitudinally uniform body [ny, ny, nx]: observed column, loaded one, x offset."""
+    """Returns the shape of one component: [ny, nx]; for a longitudinally uniform body [ny, ny, nx] (observed column,
+    loaded column, x offset).
+    """
     return grid.shape if ics.section is None else (grid.ny, *grid.shape)
 
 
 def table_params(material: Material | LayeredBody, grid: Grid, ics: Ics) -> dict[str, Any]:
-    """The parameters of ic.get; where the grid lies does not matter to a table."""
+    """Returns the parameters of ic.get; the position of the grid does not affect a table."""
     check_type("material", material, Material, LayeredBody)
     check_type("grid", grid, Grid)
     check_type("ics", ics, AnalyticIcs, FemIcs)
@@ -162,7 +169,7 @@ def subsurface_params(
     block: StressBlock | None,
     nu: float | None,
 ) -> tuple[dict[str, Any], tuple[int, ...]]:
-    """The parameters of contact.subsurface and the shape of its stresses."""
+    """Returns the parameters of contact.subsurface and the shape of its stresses."""
     tractions = traction_params(solution, "solution")
     if "pressure" not in tractions:
         raise invalid("pressure", "is missing; it must be that of a solution")
@@ -170,7 +177,7 @@ def subsurface_params(
     if nu is not None and isinstance(_material_of(problem, body), LayeredBody):
         raise invalid("nu", f"is {nu}, and body {body!r} has layers; layers have their own")
     params["nu"] = _nu_of(problem, body) if nu is None else nu
-    if problem.columns is not None:  # whose angles are those of normals, from z towards y
+    if problem.columns is not None:  # Angles are those of normals, from z towards y.
         angles = np.asarray(problem.columns.frames, dtype=np.float64)[:, 2]
         params["angles"] = [float(angle) for angle in (angles if body == "upper" else 0.0 - angles)]
     check_either("Client.subsurface", "points or block", points=points, block=block)
@@ -188,7 +195,7 @@ def subsurface_params(
 
 
 def shear_modulus_of(problem: ContactProblem, body: Literal["lower", "upper"]) -> float:
-    """That of a half-space, whose displacements are known."""
+    """Returns the shear modulus of a half-space, for which displacements are available."""
     material = _material_of(problem, body)
     if isinstance(material, ViscoelasticBody):
         raise invalid(
@@ -200,7 +207,7 @@ def shear_modulus_of(problem: ContactProblem, body: Literal["lower", "upper"]) -
 
 
 def _ics_of(problem: ContactProblem, body: str) -> dict[str, Any]:
-    """Returns what tells the daemon of bodies that are no half-spaces."""
+    """Returns the parts of `ics` that identify bodies other than half-spaces."""
     own = problem.upper_ics if body == "upper" else problem.lower_ics
     name, ics = ("ics", problem.ics) if own is None else (f"{body}_ics", own)
     if problem.model not in (None, "full"):  # of half-spaces by their theory

@@ -1,4 +1,4 @@
-"""Forces of rolling over creepages, as `creep_curve` answers them."""
+"""Forces of rolling against creepages, returned by `creep_curve`."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ __all__ = ["CreepCurve"]
 class CreepCurve(Shown):
     """Forces of steady rolling, point by point. All arrays have one shape, that of xi, eta and phi broadcast together.
 
-    Forces are those on the upper body, so that they oppose the creepages: Fx < 0 where xi > 0. Points that failed are NaN.
+    Forces act on the upper body, so they oppose the creepages: Fx < 0 for xi > 0. Failed points are NaN.
 
     Attributes:
         grid: The grid that all points were solved on.
@@ -38,8 +38,8 @@ class CreepCurve(Shown):
         Fy: Tangential force along y (N).
         Mz: Moment of the tractions about z at the origin (N mm).
         pmax: Largest pressure (N/mm^2).
-        converged: Whether every solver of the point reached its tolerance; False where it failed.
-        errors: The exceptions of the points that failed, by their indices.
+        converged: Whether every solver of the point reached its tolerance; False for failed points.
+        errors: The exceptions of failed points by their indices.
     """
 
     grid: Grid
@@ -56,9 +56,9 @@ class CreepCurve(Shown):
 
     @public
     def plot(self, axes: Axes | None = None) -> Axes:
-        """Draws -Fx/Fn and -Fy/Fn over the creepage that varies, of a curve of one dimension.
+        """Plots -Fx/Fn and -Fy/Fn against the creepage that varies, for one-dimensional arrays.
 
-        Into `axes`, or a figure of its own; returns the axes. Needs matplotlib ("contactd[pictures]").
+        Draws into `axes` or a new figure, and returns the axes. Needs matplotlib ("contactd[pictures]").
         """
         drawn: Axes = extra("CreepCurve.plot")(self, axes)
         return drawn

@@ -1,4 +1,6 @@
-"""Values of this package as dictionaries, and back: each with its kind, as ``{"type": "Paraboloid", "Rx": 50.0, ...}``."""
+"""Converts values of this package to dictionaries with their type, such as ``{"type": "Paraboloid", "Rx": 50.0, ...}``,
+and back.
+"""
 
 from __future__ import annotations
 
@@ -17,14 +19,15 @@ from .registry import extra
 
 __all__ = ["HasDict", "Saved", "from_dict", "to_dict"]
 
-#: How modules are named whose values can be made from dictionaries. Who imports contactd has them all.
+#: Prefix of modules whose values can be created from dictionaries. Importing contactd imports them all.
 _VALUES = f"{__package__}."
 
 
 def to_dict(value: Any) -> Any:
-    """Dataclasses of this package as dictionaries with their "type"; tuples as lists; arrays and numbers as they are.
+    """Converts dataclasses of this package to dictionaries with their "type", and tuples to lists. Arrays and numbers
+    are unchanged.
 
-    What is None by default is left out then. Raises TypeError for what is no value.
+    Omits fields with the default None. Raises TypeError for other objects.
     """
     if is_dataclass(value) and not isinstance(value, type):
         items = ((field, getattr(value, field.name)) for field in fields(value))
@@ -43,7 +46,7 @@ def to_dict(value: Any) -> Any:
 
 @public
 def from_dict(told: Any, path: str = "") -> Any:
-    """The value that `told`, made by to_dict, stands for. Raises ValueError naming what it cannot be made of."""
+    """Returns the value of a dictionary made by to_dict. Raises ValueError naming the invalid part."""
     return _value_of(told, path)
 
 
@@ -74,12 +77,13 @@ def _kinds() -> dict[str, Any]:
 
 
 class HasDict:
-    """A value that tells itself as a dictionary."""
+    """A value that can be converted to a dictionary."""
 
     def to_dict(self) -> dict[str, Any]:
-        """All but what is None by default, by name, with "type", the name of the class; values in it alike. Arrays stay arrays.
+        """Returns the fields by name, with "type", the name of the class; nested values are converted, too. Omits
+        fields with the default None. Arrays are unchanged.
 
-        `contactd.from_dict` makes the value again.
+        `contactd.from_dict` inverts the conversion.
         """
         told: dict[str, Any] = to_dict(self)
         return told
@@ -89,17 +93,17 @@ V = TypeVar("V", bound="Saved")
 
 
 class Saved(HasDict):
-    """A value that is kept in files."""
+    """A value that can be saved in files."""
 
     @public
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes this to a file of HDF5 (needs h5py), which `load` reads; whole or not at all."""
+        """Writes this value to an HDF5 file (needs h5py) for `load`. The file is never incomplete."""
         extra("Saved.save")(path, self)
 
     @classmethod
     @public
     def load(cls: type[V], path: str | os.PathLike[str]) -> V:
-        """The value of this class that `save` has written. Raises SavedFileError, also where it is another one."""
+        """Returns the value of this class written by `save`. Raises SavedFileError, also for another class."""
         value = extra("Saved.load")(path)
         if not isinstance(value, cls):
             raise SavedFileError(f"{os.fspath(path)} holds a {type(value).__name__}, not a {cls.__name__}")

@@ -1,4 +1,4 @@
-"""Methods of the fatigue of a contact, whose fields are in `result`."""
+"""Methods of the fatigue of a contact; `result` declares the fields."""
 
 from __future__ import annotations
 
@@ -17,32 +17,33 @@ class ContactFatigueMethods:
 
     @property
     def y(self: Any) -> npt.NDArray[np.float64]:
-        """The middles of the rows (mm)."""
+        """y of the middles of the rows (mm)."""
         return np.array([row.y for row in self.rows])
 
     @property
     def z(self: Any) -> npt.NDArray[np.float64]:
-        """The middles of the rows (mm)."""
+        """z of the middles of the rows (mm)."""
         return np.array([row.z for row in self.rows])
 
     @property
     def shear_of_rows(self: Any) -> npt.NDArray[np.float64]:
-        """The largest shear below each row (N/mm^2); NaN without a passage."""
+        """The largest shear stress below each row (N/mm^2); NaN without a passage."""
         return _values(row.shear for row in self.rows)
 
     @property
     def dang_van_of_rows(self: Any) -> npt.NDArray[np.float64]:
-        """Dang Van's largest stress below each row (N/mm^2); NaN without a passage and a_DV."""
+        """The largest Dang Van stress below each row (N/mm^2); NaN without a passage and a_DV."""
         return _values(row.dang_van for row in self.rows)
 
     @property
     def crack_angles(self: Any) -> npt.NDArray[np.float64]:
-        """The angle of a crack across the force of each row on the body, from x towards the row's y (rad, from 0 to pi): a
-        right angle where the force is along x."""
+        """The angle of a crack perpendicular to the force of each row on the body, from x towards the row's y (rad,
+        from 0 to pi): a right angle for a force along x.
+        """
         return np.array([(math.atan2(row.force_y, row.force_x) + math.pi / 2) % math.pi for row in self.rows])
 
     def damage(self: Any, function: str) -> float:
-        """The damage of a passage by a function, by its name. Raises KeyError for one that was not asked for."""
+        """Returns the damage of a passage by a function, by its name. Raises KeyError if it was not requested."""
         found = {one.name: one.value for one in self.damages}
         if function not in found:
             raise KeyError(f"{function} is no function of this fatigue; it has {', '.join(found) or 'none'}.")

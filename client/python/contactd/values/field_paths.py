@@ -1,4 +1,4 @@
-"""Fields of parameters by their paths, as refusals name them: ``friction.rolling.xi``, ``ics.layers[0].G``."""
+"""Fields of parameters by their paths, as in error messages: ``friction.rolling.xi``, ``ics.layers[0].G``."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ __all__ = ["copied", "get", "parts", "put"]
 
 _PART = re.compile(r"([A-Za-z_$][\w$]*)((?:\[[0-9]{1,9}\])*)")
 
-_MOST_SHOWN = 100  #: characters of a path in a message
+_MOST_SHOWN = 100  #: Largest length of a path in a message.
 
 
 def parts(path: str) -> list[str | int]:
-    """Names and indices. Raises ValueError."""
+    """Returns names and indices. Raises ValueError."""
     found: list[str | int] = []
     for piece in path.strip().split("."):
         matched = _PART.fullmatch(piece)
@@ -26,7 +26,7 @@ def parts(path: str) -> list[str | int]:
 
 
 def put(document: Any, path: str, value: Any) -> None:
-    """Changes `document`; objects on the way are made where they are missing or null. Raises ValueError."""
+    """Sets a value in `document`; creates missing or null objects on the path. Raises ValueError."""
     *way, last = parts(path)
     at = document
     for part in way:
@@ -44,7 +44,7 @@ def put(document: Any, path: str, value: Any) -> None:
 
 
 def get(document: Any, path: str) -> Any:
-    """The value there; None where there is none."""
+    """Returns the value, or None."""
     at = document
     for part in parts(path):
         try:
@@ -55,7 +55,7 @@ def get(document: Any, path: str) -> Any:
 
 
 def copied(document: Any) -> Any:
-    """A copy of objects and lists; arrays stay the same ones."""
+    """Copies objects and lists, but not arrays."""
     if isinstance(document, dict):
         return {name: copied(member) for name, member in document.items()}
     if isinstance(document, list):

@@ -1,4 +1,4 @@
-"""Parameters found for a measured creep curve, and how well the curve tells them."""
+"""Fitted parameters of a measured creep curve, and their uncertainty."""
 
 from __future__ import annotations
 
@@ -21,15 +21,16 @@ class FittedParameter:
     """One parameter.
 
     Attributes:
-        path: Its field, such as ``friction.layer.flexibility``.
-        value: The value found.
-        start: Where the search began.
-        low: Least value allowed.
-        high: Largest value allowed.
-        is_logarithmic: Whether its logarithm was varied, as is of those that are positive throughout.
-        standard_error: Standard error of the value, None where it is at a bound or the curve does not tell it.
-        interval: Confidence interval, None likewise; not cut at the bounds.
-        at_bound: "low" or "high" where the value is at this bound, else empty: the curve may ask for more.
+        path: Path of its field, such as ``friction.layer.flexibility``.
+        value: Fitted value.
+        start: Start of the search.
+        low: Lower bound.
+        high: Upper bound.
+        is_logarithmic: Whether its logarithm was varied, as for parameters with positive bounds.
+        standard_error: Standard error of the value; None if it is at a bound or the curve does not determine it.
+        interval: Confidence interval, not limited to the bounds; None in the same cases.
+        at_bound: "low" or "high" if the value is at this bound, otherwise empty. A value beyond the bound may fit
+            better.
     """
 
     path: str
@@ -45,12 +46,12 @@ class FittedParameter:
 
 @dataclass(frozen=True, eq=False)
 class FittedCurve:
-    """The curve by the values found, and its confidence band.
+    """The fitted curve and its confidence band.
 
     Attributes:
         creepage: Creepages.
         value: Traction coefficient or force there.
-        low: Lower edge of the band; NaN where there is none.
+        low: Lower edge of the band; NaN if there is none.
         high: Upper edge of the band.
     """
 
@@ -62,27 +63,27 @@ class FittedCurve:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Fit(Shown):
-    """Parameters of friction found for a measured curve, by least squares. Ask `converged`, and read `warnings`.
+    """Parameters of friction fitted to a measured curve by least squares. Check `converged`, and read `warnings`.
 
     Attributes:
-        parameters: The parameters with their errors: `fit["friction.mu"]` is one of them.
-        correlation: Correlation of the parameters' errors, shape [n, n]; NaN of those at bounds, and of what the curve does
-            not tell.
+        parameters: The parameters with their errors, also available as `fit["friction.mu"]`.
+        correlation: Correlation of the parameters' errors, shape [n, n]; NaN for parameters at bounds or undetermined
+            by the curve.
         creepage: Measured creepages.
         measured: Measured values.
-        computed: The same by the values found; all solves converged.
-        residuals: Measured less computed values.
+        computed: The same for the fitted values; all solves converged.
+        residuals: Measured minus computed values.
         rms: Root of the mean square of the residuals, weighted as in the search.
         confidence: Probability of intervals and bands.
-        converged: Whether the search came to its end, and did not stop at the bound of its evaluations.
-        reason: How it ended.
+        converged: Whether the search converged before the limit of its evaluations.
+        reason: Reason for its end.
         evaluations: Number of curves that the search computed.
-        solves: Number of contact problems that were solved in all.
-        params: The problem with the values found, as contact.solve takes it.
+        solves: Total number of solved contact problems.
+        params: The problem with the fitted values, as parameters of contact.solve.
         quantity: "coefficient" or "force".
         by: Path of the creepage.
-        curve: The curve in between, where asked for.
-        warnings: Sentences that a user should know.
+        curve: The fitted curve at requested creepages.
+        warnings: Sentences about limitations of the fit.
     """
 
     parameters: tuple[FittedParameter, ...]
@@ -110,7 +111,7 @@ class Fit(Shown):
         raise KeyError(path)
 
     def plot(self, axes: Axes | None = None) -> Axes:
-        """Draws points, curve and band. Needs matplotlib ("contactd[pictures]")."""
+        """Plots points, curve and band. Needs matplotlib ("contactd[pictures]")."""
         drawn: Axes = extra("Fit.plot")(self, axes)
         return drawn
 

@@ -1,4 +1,4 @@
-"""How friction is made and written, whose fields are in `friction`."""
+"""Construction and wire format of friction; `friction` declares the fields."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from .params import HasParams
 
 __all__ = ["Force", "FrictionMethods"]
 
-_MOTIONS = {"rigid_shift", "force", "rolling", "rigid_slip"}  #: of which the wire wants one
+_MOTIONS = {"rigid_shift", "force", "rolling", "rigid_slip"}  #: The wire requires one of these.
 
-#: (Fx, Fy) on the upper body (N); None where the motion is prescribed instead
+#: (Fx, Fy) on the upper body (N); None if the motion is prescribed.
 Force = tuple[float | None, float | None]
 
 
@@ -25,7 +25,7 @@ class FrictionMethods(HasParams):
 
     @staticmethod
     def _completed(written: dict[str, Any]) -> dict[str, Any]:
-        """Without a motion the bodies stay where they touch: the shift is zero."""
+        """Adds a zero shift if there is no motion."""
         return written if _MOTIONS & written.keys() else {**written, "rigid_shift": [0.0, 0.0]}
 
     @staticmethod

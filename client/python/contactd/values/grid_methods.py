@@ -1,4 +1,4 @@
-"""Methods of Grid, whose fields are in `grid`."""
+"""Methods of Grid; `grid` declares the fields."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class GridMethods:
 
     @classmethod
     def centred(cls: type[G], nx: int, ny: int, width: float, height: float) -> G:
-        """`nx` x `ny` elements that together fill a `width` x `height` rectangle (mm) around the origin.
+        """Returns `nx` x `ny` elements that fill a `width` x `height` rectangle (mm) centred at the origin.
 
         ``Grid.centred(40, 40, 2.4, 2.4)`` is ``Grid(40, 40, 0.06, 0.06)``.
         """

@@ -1,7 +1,7 @@
-"""Hertz's contact of two curved surfaces: from curvatures, semi-axes, or one of each, to the others.
+"""Hertz's contact of two curved surfaces: relations between curvatures and semi-axes.
 
-Surfaces are h = a1 x^2 + b1 y^2 apart. With p0 the largest pressure and 1/E* the sum of both bodies' (1 - nu)/(2 G)
-(Johnson, Contact Mechanics, 4.2(b), its elliptic integrals in Carlson's symmetric form),
+The distance of the surfaces is h = a1 x^2 + b1 y^2. With p0 the largest pressure and 1/E* the sum of both bodies' (1 -
+nu)/(2 G) (Johnson, Contact Mechanics, 4.2(b), its elliptic integrals in Carlson's symmetric form),
 
     a1 = p0 a b/(3 E*) R_D(0, b^2, a^2),    b1 = p0 a b/(3 E*) R_D(0, a^2, b^2),    approach = p0 a b/E* R_F(0, a^2, b^2).
 """
@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 __all__ = ["Ellipse", "Load", "compliance_of", "ellipse_of_axes", "ellipse_of_curvatures", "ellipse_of_ratio"]
 
-_SLENDEREST = 1e6  #: ratio of semi-axes; of what is longer a line should be made
+_SLENDEREST = 1e6  #: Largest ratio of semi-axes; use a line contact beyond it.
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,7 @@ class Load:
 
     Attributes:
         value: Normal force (N), or approach (mm).
-        is_force: Which of the two it is.
+        is_force: Whether it is a force.
         compliance: 1/E* (mm^2/N).
     """
 
@@ -62,27 +62,28 @@ class Ellipse:
 
 
 def compliance_of(nu: tuple[float, float], G: tuple[float, float]) -> float:
-    """1/E* of two half-spaces (mm^2/N)."""
+    """Returns 1/E* of two half-spaces (mm^2/N)."""
     return sum((1 - n) / (2 * g) for n, g in zip(nu, G))
 
 
 def ellipse_of_axes(aa: float, bb: float, load: Load) -> Ellipse:
-    """The ellipse with these semi-axes."""
+    """Returns the ellipse with these semi-axes."""
     rf = _rf(0, aa * aa, bb * bb)
     strength = load.value / rf if not load.is_force else load.value * load.compliance * 3 / (2 * math.pi)
     return Ellipse(strength / 3 * _rd(0, bb * bb, aa * aa), strength / 3 * _rd(0, aa * aa, bb * bb), aa, bb, strength * rf)
 
 
 def ellipse_of_ratio(a1: float, ratio: float, load: Load) -> Ellipse:
-    """The ellipse with this ratio a/b that has the curvature a1 along x: curvatures go as 1/b^3 under a force, and as 1/b^2
-    under an approach."""
+    """Returns the ellipse with this ratio a/b and the curvature a1 along x. Curvatures are proportional to 1/b^3 for a
+    given force, and to 1/b^2 for a given approach.
+    """
     of_one = ellipse_of_axes(ratio, 1.0, load).a1
     bb = (of_one / a1) ** (1 / 3 if load.is_force else 1 / 2)
     return ellipse_of_axes(ratio * bb, bb, load)
 
 
 def ellipse_of_curvatures(a1: float, b1: float, load: Load) -> Ellipse:
-    """The ellipse of these curvatures, both positive."""
+    """Returns the ellipse of these curvatures, both positive."""
     requested = math.log(a1 / b1)
 
     def excess(of_log: float) -> float:
@@ -93,7 +94,7 @@ def ellipse_of_curvatures(a1: float, b1: float, load: Load) -> Ellipse:
 
 
 def _root(excess: Callable[[float], float], reach: float) -> float:
-    """Where a function that falls is zero, by bisection down to rounding."""
+    """Returns the zero of a decreasing function, by bisection to rounding accuracy."""
     low, high = -reach, reach
     for _ in range(80):
         middle = 0.5 * (low + high)
@@ -105,7 +106,7 @@ def _root(excess: Callable[[float], float], reach: float) -> float:
 
 
 def _rf(x: float, y: float, z: float) -> float:
-    """Carlson's R_F by his duplication theorem."""
+    """Returns Carlson's R_F by his duplication theorem."""
     while True:
         mean = (x + y + z) / 3
         if max(abs(mean - part) for part in (x, y, z)) < 1e-4 * mean:
@@ -118,7 +119,7 @@ def _rf(x: float, y: float, z: float) -> float:
 
 
 def _rd(x: float, y: float, z: float) -> float:
-    """Carlson's R_D by his duplication theorem."""
+    """Returns Carlson's R_D by his duplication theorem."""
     total, share = 0.0, 1.0
     while True:
         mean = (x + y + 3 * z) / 5

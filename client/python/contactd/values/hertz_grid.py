@@ -1,4 +1,4 @@
-"""The grid of a problem that names none: from the ellipse of Hertz's contact, corrected once by the contact that was found."""
+"""Default grids: from the ellipse of Hertz's contact, corrected once from the computed contact."""
 
 from __future__ import annotations
 
@@ -15,21 +15,21 @@ from .solution import Solution
 
 __all__ = ["corrected_grid", "grid_of"]
 
-ACROSS = 32  #: elements across the ellipse, each way
-MARGIN = 1.25  #: the grid over the ellipse
+ACROSS = 32  #: Number of elements across the ellipse in each direction.
+MARGIN = 1.25  #: Size of the grid relative to the ellipse.
 _SIDE = round(ACROSS * MARGIN)
-_EXPECTED = math.pi / 4 * ACROSS**2  #: elements inside the ellipse
+_EXPECTED = math.pi / 4 * ACROSS**2  #: Number of elements inside the ellipse.
 _LARGER = 2.0
-_FEWEST = 0.25  #: of the expected elements; below it the grid is too coarse
+_FEWEST = 0.25  #: Fraction of the expected elements below which the grid is too coarse.
 _ARRAYS = ("columns", "previous", "initial", "upper_ics", "lower_ics", "regions")
-_NO_CONTACT = Grid.centred(_SIDE, _SIDE, 1.0, 1.0)  #: of loads and bodies that the daemon refuses, or that do not touch
+_NO_CONTACT = Grid.centred(_SIDE, _SIDE, 1.0, 1.0)  #: Semi-axis for invalid loads and bodies, or without contact.
 
 
 def grid_of(fields: Mapping[str, Any]) -> Grid:
     """Returns the grid for the fields of a ContactProblem: 40 x 40 elements, 32 across the ellipse each way.
 
-    Values out of their range get any grid, for the daemon to refuse them by name. Raises TypeError where the contact has
-    no known ellipse.
+    Invalid values get an arbitrary grid, so that the daemon can refuse them by name. Raises TypeError if the ellipse of
+    the contact is unknown.
     """
     if why := _why_unknown(fields):
         raise TypeError(f"grid is missing: {why}, so no grid can be chosen. Give grid=Grid.centred(nx, ny, width, height).")
@@ -40,8 +40,9 @@ def grid_of(fields: Mapping[str, Any]) -> Grid:
 
 
 def corrected_grid(grid: Grid, solution: Solution[Any, Any]) -> Grid | None:
-    """Returns the grid to solve on instead: a larger one where the contact reaches the border, a smaller one where it has
-    few elements; None where the solution may stay."""
+    """Returns a better grid: a larger one if the contact reaches the border, a smaller one if the contact has few
+    elements; None if the grid is adequate.
+    """
     counts = solution.elements
     if counts.border:
         size, elements = _LARGER, round(_SIDE * 1.5)
@@ -53,7 +54,7 @@ def corrected_grid(grid: Grid, solution: Solution[Any, Any]) -> Grid | None:
 
 
 def _why_unknown(fields: Mapping[str, Any]) -> str:
-    """Why the contact has no known ellipse; empty where it has one."""
+    """Returns the reason why the ellipse is unknown; empty if it is known."""
     gap, ics = fields.get("gap"), fields.get("ics", AnalyticIcs())
     if not isinstance(gap, Paraboloid | SemiAxes):
         return "gap is neither a Paraboloid nor SemiAxes"
@@ -90,7 +91,9 @@ def _semi_axes(fields: Mapping[str, Any]) -> tuple[float, float] | None:
 
 
 def _compliance_of(body: Any) -> float:
-    """(1 - nu)/(2 G) (mm^2/N), after long of a body that creeps; 0 of a rigid body, NaN of what is out of its range."""
+    """Returns (1 - nu)/(2 G) (mm^2/N), the long-term value of a viscoelastic body; 0 for a rigid body, NaN for invalid
+    values.
+    """
     if not isinstance(body, Material | ViscoelasticBody):
         return 0.0
     if not all(_is_number(value) for value in vars(body).values()) or body.G <= 0:

@@ -1,4 +1,4 @@
-"""How materials and bodies of layers and of the standard linear solid are made, whose fields are in `materials`."""
+"""Construction of materials, layered bodies and viscoelastic bodies; `materials` declares the fields."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from ..refusals import check_either, public
 __all__ = ["LayeredBodyMethods", "MaterialMethods", "SingleLayerMethods", "ViscoelasticBodyMethods"]
 
 
-L = TypeVar("L")  #: a layer
-B = TypeVar("B")  #: what layers lie on
+L = TypeVar("L")  #: A layer.
+B = TypeVar("B")  #: The base below the layers.
 
 
 class MaterialMethods:
-    """A Material is made of its shear modulus or of Young's."""
+    """Creates a Material from its shear modulus or Young's modulus."""
 
     @public
     def __init__(self, G: float | None = None, nu: float | None = None, *, E: float | None = None) -> None:
@@ -36,7 +36,7 @@ class MaterialMethods:
 
 
 class ViscoelasticBodyMethods:
-    """A ViscoelasticBody is made of its shear modulus or of Young's, both at once, as a Material is."""
+    """Creates a ViscoelasticBody from its instantaneous shear modulus or Young's modulus."""
 
     @public
     def __init__(
@@ -60,13 +60,13 @@ class ViscoelasticBodyMethods:
 
     @property
     def E(self: Any) -> float:
-        """Young's modulus at once, 2 G (1 + nu) (N/mm^2)."""
+        """Instantaneous Young's modulus, 2 G (1 + nu) (N/mm^2)."""
         modulus: float = 2 * self.G * (1 + self.nu)
         return modulus
 
 
 def _shear_modulus(E: float, nu: float) -> float:
-    """Says of Young's modulus what the daemon, which gets G only, would say of that."""
+    """Converts Young's modulus; refuses it with the daemon's message for the shear modulus."""
     for name, value in (("E", E), ("nu", nu)):
         if not isinstance(value, Real) or isinstance(value, bool):
             raise TypeError(f"{name} is {value!r}; it must be a number")
@@ -78,7 +78,7 @@ def _shear_modulus(E: float, nu: float) -> float:
 
 
 class SingleLayerMethods:
-    """A Layer is made of its shear modulus or of Young's, as a Material is."""
+    """Creates a Layer from its shear modulus or Young's modulus."""
 
     @public
     def __init__(self, thickness: float, G: float | None = None, nu: float | None = None, *, E: float | None = None) -> None:
@@ -97,7 +97,7 @@ class SingleLayerMethods:
 
 
 class LayeredBodyMethods(Generic[L, B]):
-    """A LayeredBody is made of any sequence of layers."""
+    """Creates a LayeredBody from any sequence of layers."""
 
     @public
     def __init__(self: Any, layers: Iterable[L], base: B) -> None:

@@ -1,4 +1,4 @@
-"""How values are written as the wire has them, and what their fields may be, as their types say it."""
+"""Converts values to their form on the wire, and checks the types of their fields."""
 
 from __future__ import annotations
 
@@ -23,23 +23,24 @@ Convert = Callable[[Any, str], Any]
 
 
 class _Member(NamedTuple):
-    """How a field of a dataclass is written."""
+    """The writer of a field of a dataclass."""
 
-    within: str | None  # the object of the wire that it stands in, where that is no class here
-    left_out: Any  # the value that is not written
+    within: str | None  # the enclosing object on the wire, if it is not a class here
+    left_out: Any  # the value that is omitted
     convert: Convert | None
 
 
 def params_of(value: Any, field: str = "") -> Any:
-    """A value as the wire has it: its fields that are not None, by name, and values in it alike. `field` is where it stands.
+    """Returns a value as on the wire: its fields by name without None, with nested values converted. `field` is its
+    path.
 
-    Raises TypeError where a value in it is of a wrong class. What looks otherwise on the wire is known
+    Raises TypeError for a nested value of a wrong class. Differences between a value and the wire are defined
 
-    * by the metadata of its field: "within" is the object that it is in, "keys" are the names that the parts of a tuple have,
-      and an "array" is anything that numpy takes for one, in an object of this name unless that is empty;
+    * by the metadata of its field: "within" is the enclosing object, "keys" are the names of the parts of a tuple, and
+      an "array" is anything that numpy can convert, in an object of this name unless that is empty;
     * by a method ``_write_NAME(value, field)`` of its class;
-    * by a method ``_completed(written)``, which adds what the wire asks for in any case;
-    * by what the class says: ``_fixed`` is a name and the value that it always has, ``_key`` the name of all the rest.
+    * by a method ``_completed(written)``, which adds required fields;
+    * by attributes of the class: ``_fixed`` is a name with a constant value, ``_key`` the name of all other fields.
     """
     kind: type = value.__class__
     written = fields_of(kind, vars(value), field)
@@ -51,7 +52,7 @@ def params_of(value: Any, field: str = "") -> Any:
 
 
 def fields_of(kind: type, given: Mapping[str, Any], field: str = "") -> dict[str, Any]:
-    """Some fields of a value of this class as the wire has them."""
+    """Returns some fields of a value of this class as on the wire."""
     written: dict[str, Any] = {}
     members = _members(kind)
     for name, item in given.items():
@@ -65,8 +66,9 @@ def fields_of(kind: type, given: Mapping[str, Any], field: str = "") -> dict[str
 
 
 def with_objects(kind: type, given: Any, field: str = "") -> Any:
-    """Parameters of a class as the wire has them, in which lists may stand for objects as in Python: [0, 0, 5.3] for the piece
-    of a function with from, value and slope. `field` is where they stand. What is no mapping is the daemon's to refuse.
+    """Returns parameters of a class as on the wire, with lists converted to objects as in Python: [0, 0, 5.3] is the
+    piece of a function with from, value and slope. `field` is their path. Values that are not mappings are left to the
+    daemon.
 
     Raises InvalidArgument for a list of another length.
     """
@@ -104,7 +106,9 @@ def names_of_fields(kind: type) -> frozenset[str]:
 
 @functools.cache
 def _members(kind: type) -> dict[str, _Member]:
-    """How the fields of a dataclass are written, looked at once: steps are told thousands of times a second."""
+    """Returns the writers of the fields of a dataclass. They are created once, because steps are written thousands of
+    times a second.
+    """
     hints = hints_of(kind)
     return {one.name: _member(kind, one, hints[one.name]) for one in fields(kind)}
 
@@ -116,7 +120,7 @@ def _member(kind: type, one: Field[Any], hint: Any) -> _Member:
             convert = _writer_of_arrays(hint, array)
         else:
             convert = _writer(hint) if keys is None else _writer_of_tuples(hint, keys)
-    # None is a value where it is none by default, and a flag is written where it is on.
+    # None is omitted unless it differs from the default. A flag is written if it is set.
     left_out = False if one.default is False else MISSING if one.default is not None and type(None) in get_args(hint) else None
     return _Member(one.metadata.get("within"), left_out, convert)
 
@@ -126,7 +130,9 @@ def _kinds(hint: Any) -> list[Any]:
 
 
 def _writer(hint: Any) -> Convert | None:
-    """Returns what writes values of the dataclasses that a type names, or a sequence; None where they are as the wire has them."""
+    """Returns the writer of the dataclasses of a type, or of their sequences; None for values that are the same on the
+    wire.
+    """
     kinds = _kinds(hint)
     if kinds:
 
@@ -141,7 +147,7 @@ def _writer(hint: Any) -> Convert | None:
 
 
 def _writer_of_sequences(convert: Convert | None) -> Convert:
-    """Returns what writes a list, of whatever sequence; what is none is the daemon's to refuse, by name."""
+    """Returns the writer of a list from any sequence; the daemon refuses other values by name."""
 
     def write(values: Any, field: str) -> Any:
         if not isinstance(values, Iterable):
@@ -152,7 +158,7 @@ def _writer_of_sequences(convert: Convert | None) -> Convert:
 
 
 def _writer_of_arrays(hint: Any, key: str) -> Convert:
-    """Returns what writes an array, or a value of one of the dataclasses that may stand in its place."""
+    """Returns the writer of an array, or of dataclasses that may replace it."""
     kinds = tuple(_kinds(hint))
 
     def write(value: Any, field: str) -> Any:
@@ -164,9 +170,9 @@ def _writer_of_arrays(hint: Any, key: str) -> Convert:
 
 
 def _writer_of_tuples(hint: Any, keys: tuple[str, ...]) -> Convert:
-    """Returns what writes a tuple, or a sequence of tuples, in place of which the type may allow a number.
+    """Returns the writer of a tuple, or of a sequence of tuples, which the type may allow to be a number.
 
-    Where the type allows tuples of several lengths, the longest has a part for each key.
+    If the type allows tuples of several lengths, the longest has a part for each key.
     """
     kinds = _alternatives(hint)
     (kind,) = [kind for kind in kinds if get_origin(kind) is not None]
@@ -198,30 +204,31 @@ def _alternatives(hint: Any) -> tuple[Any, ...]:
 
 
 def instead(changes: Mapping[str, Any], *either: str) -> dict[str, Any]:
-    """Changes of fields of which there is one: that which is given takes the place of the others."""
+    """Returns changes of alternative fields: the given one replaces the others."""
     given = [name for name in either if changes.get(name) is not None]
     return {**dict.fromkeys(either if given else ()), **changes}
 
 
 class HasParams:
-    """A value that users may see as the wire has it."""
+    """A value that users can convert to its form on the wire."""
 
     def params(self) -> dict[str, Any]:
-        """Returns what contact.solve takes of this value."""
+        """Returns the parameters of contact.solve for this value."""
         params: dict[str, Any] = params_of(self)
         return params
 
 
 class Checked:
-    """A value whose fields are looked at when it is made."""
+    """A value that checks its fields on construction."""
 
     def __post_init__(self) -> None:
         check_fields(type(self), vars(self))
 
 
 def check_fields(kind: type, given: Mapping[str, Any]) -> None:
-    """Raises TypeError when a field of a value of this class is of a wrong type, one that is required is missing, or there is
-    none of its name. What other than values of contactd and flags they are is the daemon's to refuse."""
+    """Raises TypeError if a field of a value of this class has a wrong type, is required and missing, or has an unknown
+    name. The daemon checks everything other than values of contactd and flags.
+    """
     checked = _checked(kind)
     if unknown := given.keys() - names_of_fields(kind):
         meant = did_you_mean(min(unknown), names_of_fields(kind))
@@ -237,8 +244,9 @@ def check_fields(kind: type, given: Mapping[str, Any]) -> None:
 
 @functools.cache
 def _checked(kind: type) -> list[tuple[str, tuple[type, ...], bool, bool, Any]]:
-    """The fields that are values of contactd or flags: their types, whether None is one, whether they are lists, and their
-    defaults."""
+    """Returns the fields that are values of contactd or flags: their types, whether they may be None, whether they are
+    lists, and their defaults.
+    """
     found = []
     for one in fields(kind):
         hint = hints_of(kind)[one.name]
@@ -251,7 +259,7 @@ def _checked(kind: type) -> list[tuple[str, tuple[type, ...], bool, bool, Any]]:
 
 
 def whole(array: np.ndarray[Any, Any], field: str) -> np.ndarray[Any, Any]:
-    """`array`; raises InvalidArgument where elements are masked, since contact has no word for what is not there."""
+    """Returns `array`. Raises InvalidArgument for masked elements, which contact problems do not support."""
     if np.ma.is_masked(array):
         problem = f"has {np.count_nonzero(np.ma.getmaskarray(array))} masked values; every value must be there, as in array.filled(...)"
         raise invalid(field, problem, "ARRAY_INVALID")

@@ -1,4 +1,4 @@
-"""Solutions with the arrays that were asked for, and the steps of a session, of which each has one."""
+"""Solutions with requested arrays, and the steps of a session."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ __all__ = [
 ]
 
 S = TypeVar("S", bound=Solution[Any, Any])
-#: Slip is not there without friction, displacements and temperatures are where they were asked for, the state of friction
-#: where it has one.
+#: Optional arrays: slip requires friction, displacements and temperatures must be requested, and the state of friction
+#: requires a law with one.
 _MAY_LACK = (
     "slip_x", "slip_y", "displacement_x", "displacement_y", "displacement_z", "flow_x", "flow_y", "yield_stress",
     "friction_coefficient", "upper_temperature", "lower_temperature",
@@ -33,7 +33,7 @@ ALL_FIELDS: tuple[str, ...] = get_args(Field)
 
 
 def check_arrays(solution: Solution[Any, Any], names: Iterable[str], grid: Grid) -> None:
-    """Raises ProtocolError where one of the arrays is missing or has not the shape of the grid."""
+    """Raises ProtocolError if an array is missing or does not have the shape of the grid."""
     for name in names:
         array = getattr(solution, name)
         if array is None and name in _MAY_LACK:
@@ -45,7 +45,7 @@ def check_arrays(solution: Solution[Any, Any], names: Iterable[str], grid: Grid)
 
 
 def on_grid(solution: S, grid: Grid) -> S:
-    """The solution just read, which is told its grid: answers leave it out, as who asks knows it."""
+    """Returns the solution with its grid, which answers omit because the caller has it."""
     object.__setattr__(solution, "grid", grid)
     return solution
 
@@ -53,7 +53,7 @@ def on_grid(solution: S, grid: Grid) -> S:
 def read_solution(
     grid: Grid, names: list[str] | None, result: Any, path: str = "result"
 ) -> ContactSolution | PartialSolution:
-    """The solution of a problem that was asked for the arrays `names`; None: for all."""
+    """Reads the solution of a problem with the requested arrays `names`; None means all."""
     solution = read(ContactSolution, result, path) if names is None else read(PartialSolution, result, path)
     check_arrays(solution, ALL_FIELDS if names is None else names, grid)
     return on_grid(solution, grid)
@@ -62,8 +62,8 @@ def read_solution(
 @with_inherited_attributes
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class StepSolution(PartialSolution):
-    """The solution of a step. Arrays are None unless `fields` named them; `converged` is False only in a session that
-    accepts it.
+    """The solution of a step. Arrays are None unless `fields` names them. `converged` can be False only if the session
+    accepts that.
 
     Attributes:
         step: Number of the step.
@@ -77,10 +77,10 @@ class StepSolution(PartialSolution):
 
 @dataclass(frozen=True)
 class SavedState:
-    """State that save() returns and restore() takes.
+    """A state that save() returns and restore() accepts.
 
     Attributes:
-        name: What the daemon calls it.
+        name: Its name in the daemon.
         step: Number of the last step when it was saved.
     """
 

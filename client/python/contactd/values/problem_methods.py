@@ -1,4 +1,4 @@
-"""How a contact problem is made, whose fields are in `problem`."""
+"""Construction of contact problems; `problem` declares the fields."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .params import check_fields
 __all__ = ["CLOSED_FORMS", "REQUIRED", "ProblemMethods", "check_field_types"]
 
 CLOSED_FORMS = AnalyticIcs()
-REQUIRED: Any = object()  #: stands behind `upper`, which may be left out, without being left out itself
+REQUIRED: Any = object()  #: Follows the optional `upper`, but is required.
 
 
 class ProblemMethods:
@@ -27,8 +27,9 @@ class ProblemMethods:
 
 
 def check_field_types(kind: type, fields: Mapping[str, Any]) -> None:
-    """Raises TypeError where a field of a problem is of a wrong type, one lacks that must be there, or there is none of its
-    name. In the place of tractions may stand whatever has them."""
+    """Raises TypeError if a field of a problem has a wrong type, is required and missing, or has an unknown name. Any
+    value with tractions may replace tractions.
+    """
     tractions = {name: fields[name] for name in ("initial", "previous") if fields.get(name) is not None}
     check_fields(kind, {name: value for name, value in fields.items() if name not in tractions})
     for name, value in tractions.items():

@@ -1,4 +1,4 @@
-"""Products of tables of influence coefficients with tractions, by numpy's FFT."""
+"""Products of tables of influence coefficients with tractions, with numpy's FFT."""
 
 from __future__ import annotations
 
@@ -16,8 +16,9 @@ _NORMAL = 2
 
 
 def displacements_by(table: Array, tractions: npt.ArrayLike) -> Array:
-    """The displacements by a table, shape [3, 3, ny, nx] or of columns [3, 3, ny, ny, nx], as `apply` answers them.
-    Raises InvalidArgument for what has another shape."""
+    """Returns the displacements for a table of shape [3, 3, ny, nx], or of columns [3, 3, ny, ny, nx], as `apply` does.
+    Raises InvalidArgument for other shapes.
+    """
     given = np.asarray(array_of(tractions))
     is_pressure = given.ndim == 2
     loads = np.asarray(given[None] if is_pressure else given, dtype=np.float64)
@@ -40,7 +41,7 @@ def displacements_by(table: Array, tractions: npt.ArrayLike) -> Array:
 
 
 def transposed(table: Array) -> Array:
-    """The table whose products are those of the transposed matrix: loads and displacements change places, and offsets turn."""
+    """Returns the table of the transposed matrix: loads and displacements are exchanged, and offsets change sign."""
     is_of_columns = table.ndim == 5
     found = np.array(table.transpose(1, 0, 3, 2, 4) if is_of_columns else table.swapaxes(0, 1))
     for i in range(3):
@@ -51,15 +52,15 @@ def transposed(table: Array) -> Array:
 
 
 def _parities(i: int, j: int) -> tuple[float, float]:
-    """Signs by which a component goes on to negative offsets along x and y: -1 where it is odd."""
+    """Returns the signs for negative offsets along x and y: -1 for odd components."""
     along, across = (-1.0 if i != j and axis in (i, j) else 1.0 for axis in range(2))
     return along, across
 
 
 def _product(component: Any, load: Array, parities: tuple[float, float]) -> Array:
-    """The displacements by one component, [ny, nx]."""
+    """Returns the displacements by one component, [ny, nx]."""
     ny, nx = load.shape
-    if component.ndim == 3:  # columns: convolved along x, summed over loaded columns
+    if component.ndim == 3:  # Columns are convolved along x and summed over the loaded ones.
         kernel = np.fft.rfft(_both_ways(component[..., :nx], parities[0], -1), axis=-1)
         spectra = np.einsum("ijk,jk->ik", kernel, np.fft.rfft(load, 2 * nx, axis=-1))
         return np.asarray(np.fft.irfft(spectra, 2 * nx, axis=-1)[:, :nx])
@@ -69,9 +70,9 @@ def _product(component: Any, load: Array, parities: tuple[float, float]) -> Arra
 
 
 def _both_ways(values: Array, parity: float, axis: int) -> Array:
-    """Offsets 0 to n - 1, then one that no element has, then -(n - 1) to -1, for circular convolution."""
+    """Returns offsets 0 to n - 1, one unused offset, then -(n - 1) to -1, for circular convolution."""
     moved = np.moveaxis(values, axis, 0)
     backwards = parity * moved[:0:-1]
-    if parity < 0:  # what is odd is zero without an offset, to rounding of the table
+    if parity < 0:  # Odd components are zero at zero offset, apart from rounding in the table.
         moved = np.concatenate([np.zeros_like(moved[:1]), moved[1:]])
     return np.moveaxis(np.concatenate([moved, np.zeros_like(moved[:1]), backwards]), 0, axis)

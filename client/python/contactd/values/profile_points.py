@@ -1,4 +1,4 @@
-"""What profiles by points, and by files, do beside their fields."""
+"""Methods of profiles from points and from files."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ __all__ = ["FileOfProfile", "MeasuredProfile"]
 
 
 class MeasuredProfile:
-    """A profile by its points."""
+    """A profile given by its points."""
 
     @staticmethod
     def _write_points(given: npt.ArrayLike, field: str) -> Any:
@@ -27,13 +27,13 @@ class MeasuredProfile:
 
 
 class FileOfProfile:
-    """A profile by the text of a file, which is read when this is made, and anew never."""
+    """A profile given by the text of a file, which is read once, on construction."""
 
     name: Any
     text: Any
 
     def __post_init__(self) -> None:
-        """Raises OSError where the file cannot be read, and InvalidArgument where it is empty."""
+        """Reads the file. Raises OSError if it cannot be read, and InvalidArgument if it is empty."""
         text = extra("ProfileFile.text")(self.name) if self.text is None else self.text
         object.__setattr__(self, "name", os.fspath(self.name))
         object.__setattr__(self, "text", text if isinstance(text, str) else _text_of(text))
@@ -44,12 +44,12 @@ class FileOfProfile:
 
     @staticmethod
     def _write_name(given: str, field: str) -> str:
-        """Others need not know where it lies."""
+        """Writes the name without its folder, which others need not know."""
         return re.split(r"[\\/]", given)[-1]
 
 
 def _text_of(content: bytes) -> str:
-    """Comments of old files may be in any writing."""
+    """Decodes the text; comments of old files may have any encoding."""
     try:
         return content.decode()
     except UnicodeDecodeError:

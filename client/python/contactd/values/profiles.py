@@ -1,4 +1,4 @@
-"""Profiles of wheels and rails, and how they are written."""
+"""Profiles of wheels and rails, and their form on the wire."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ __all__ = ["profile_params"]
 
 
 def profile_params(profile: Profile, field: str) -> dict[str, Any]:
-    """A profile as the wire has it; `field` is where it stands."""
+    """Returns a profile as on the wire; `field` is its path."""
     check_type(field, profile, *get_args(Profile))
     params: dict[str, Any] = params_of(profile, field)
     return params

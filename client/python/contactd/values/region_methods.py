@@ -1,4 +1,4 @@
-"""How regions are written, whose fields are in `regions`."""
+"""Wire format of regions; `regions` declares the fields."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Registry of what values do by parts of this package that they do not know, such as pictures: by name, functions of modules that are
-imported when they are first called.
+"""Registry of methods of values that other parts of this package implement, such as plots. Functions are registered by
+name, and their modules are imported on first use.
 
-contactd fills it from contactd.extras before anybody has a value.
+contactd fills it from contactd.extras on import.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ _FUNCTIONS: dict[str, str] = {}
 
 
 def register(functions: Mapping[str, str]) -> None:
-    """Names functions, such as ``{"Solution.plot": "contactd.pictures.contact:draw_contact"}``."""
+    """Registers functions, such as ``{"Solution.plot": "contactd.pictures.contact:draw_contact"}``."""
     _FUNCTIONS.update(functions)
 
 
 def extra(name: str) -> Callable[..., Any]:
-    """The function that does `name`."""
+    """Returns the function that implements `name`."""
     module, _, function = _FUNCTIONS[name].partition(":")
     found: Callable[..., Any] = getattr(import_module(module), function)
     return found

@@ -1,4 +1,4 @@
-"""How things show themselves: a line on a terminal, a small table in a notebook."""
+"""Representations of values: a line in a terminal, a small table in a notebook."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ Kind = TypeVar("Kind", bound=type)
 
 
 def number(value: object) -> str:
-    """Six digits of a float; anything else as it is."""
+    """Returns a float with six digits; other values unchanged."""
     return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
 class Shown:
-    """Shows itself: says in `_title` what it is, and in `_rows` what there is to know of it, names and values."""
+    """A value with a representation: `_title` is its type, `_rows` are names and values."""
 
     def _title(self) -> str:
         return type(self).__name__
@@ -28,7 +28,7 @@ class Shown:
         raise NotImplementedError
 
     def _remarks(self) -> Sequence[str]:
-        """Sentences: counted in a line, said in a table."""
+        """Returns sentences: their number for a line, their text for a table."""
         return ()
 
     def __repr__(self) -> str:
@@ -45,7 +45,7 @@ class Shown:
 
 
 def with_inherited_attributes(kind: Kind) -> Kind:
-    """Adds to what help() says of a class the attributes of its base, which are told there only."""
+    """Adds the attributes in the base's docstring to that of a class, for help()."""
     own, inherited = kind.__doc__, kind.__mro__[1].__doc__
     if own is None or inherited is None:  # python -OO
         return kind

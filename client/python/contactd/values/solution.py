@@ -1,4 +1,4 @@
-"""Answers of contacts, as plain, immutable values.
+"""Solutions of contacts as immutable values.
 
 Arrays are read-only; copy one to change it.
 """
@@ -36,8 +36,8 @@ __all__ = [
 class ContactSolution(Solution[Array, npt.NDArray[np.uint8]]):
     """The solution of a ContactProblem. Arrays have shape [ny, nx]; tractions and forces act on the upper body.
 
-    A solve that did not converge is a solution too: ask `converged`. Read `warnings`. A solution may be `previous` or
-    `initial` of the next problem.
+    Check `converged`: a solve that did not converge also returns a solution. Read `warnings`. A solution may be
+    `previous` or `initial` of the next problem.
     """
 
     def _title(self) -> str:
@@ -48,12 +48,12 @@ class ContactSolution(Solution[Array, npt.NDArray[np.uint8]]):
 @with_inherited_attributes
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class PartialSolution(Solution[Array | None, npt.NDArray[np.uint8] | None]):
-    """A solution with the arrays that `fields` named; the others are None."""
+    """A solution with the arrays named by `fields`; the others are None."""
 
 
-Fields = Iterable[Field] | Field  #: what `fields` of a call may be: names, or the one
+Fields = Iterable[Field] | Field  #: Type of the argument `fields`: names, or a single name.
 
 
 def names_of(fields: Fields) -> list[str]:
-    """Returns names of arrays; what is none is the daemon's to refuse."""
+    """Returns names of arrays; the daemon refuses invalid ones."""
     return [fields] if isinstance(fields, str) else list(fields)

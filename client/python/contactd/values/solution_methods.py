@@ -1,4 +1,4 @@
-"""Methods of solutions of contacts, whose fields are in `result`."""
+"""Methods of solutions of contacts; `result` declares the fields."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Bytes", "Floats", "SolutionMethods"]
 
-# Arrays of a solution are of these types: of a step each may be left out.
+# Types of the arrays of a solution; those of a step are optional.
 Floats = TypeVar("Floats", bound="Array | None")
 Bytes = TypeVar("Bytes", bound="npt.NDArray[np.uint8] | None")
 
@@ -28,22 +28,25 @@ class SolutionMethods:
 
     @public
     def plot(self, axes: Axes | None = None) -> Axes:
-        """Draws pressures over the grid, the edges of contact and adhesion, and arrows of the tractions on the upper body.
+        """Plots pressures on the grid, the borders of contact and adhesion, and arrows of the tractions on the upper
+        body.
 
-        Into `axes`, or a figure of its own; returns the axes. Needs matplotlib ("contactd[pictures]").
+        Draws into `axes` or a new figure, and returns the axes. Needs matplotlib ("contactd[pictures]").
         """
         drawn: Axes = extra("Solution.plot")(self, axes)
         return drawn
 
     @public
     def plot_section(self, y: float = 0.0, axes: Axes | None = None) -> Axes:
-        """Draws pressure and tractions along x, in the row of elements nearest to `y` (mm); else as `plot`."""
+        """Plots pressure and tractions along x, in the row of elements nearest to `y` (mm); otherwise like `plot`."""
         drawn: Axes = extra("Solution.plot_section")(self, y, axes)
         return drawn
 
     @public
     def to_xarray(self) -> xarray.Dataset:
-        """Arrays over x and y, forces, pmax and the approach, with their units. Needs xarray ("contactd[xarray]")."""
+        """Returns arrays against x and y, forces, pmax and the approach, with their units. Needs xarray
+        ("contactd[xarray]").
+        """
         dataset: xarray.Dataset = extra("Solution.to_xarray")(self)
         return dataset
 

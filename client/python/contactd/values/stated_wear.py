@@ -1,4 +1,4 @@
-"""Laws of wear as objects: kinds that state their source themselves, in place of a WearRequest."""
+"""Laws of wear as objects with their source, in place of a WearRequest."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ __all__ = ["StatedLaw", "wear_request"]
 StatedLaw = WearLaw | ArchardWear | EnergyWear | UsfdWear | BrWear | ZoboryWear
 _KINDS: dict[type, str] = {ArchardWear: "archard", EnergyWear: "energy", UsfdWear: "usfd", BrWear: "br", ZoboryWear: "zobory"}
 _BODIES = {"wheel": "lower", "rail": "upper"}
-_WHOLE_RANGE = (0.0, 1e12)  #: the widest that the schema has
+_WHOLE_RANGE = (0.0, 1e12)  #: Limit of the schema.
 
 
 def wear_request(wear: WearRequest | StatedLaw | Iterable[StatedLaw]) -> WearRequest:
-    """Makes a request of a law or of several. Raises TypeError for a kind without a source."""
+    """Returns a request from one or several laws. Raises TypeError for a law without a source."""
     if isinstance(wear, WearRequest):
         return wear
     listed: list[Any] = [wear] if isinstance(wear, (WearLaw, *_KINDS)) else list(wear)  # type: ignore[arg-type]

@@ -1,4 +1,4 @@
-"""Methods of stresses inside the bodies, and of the blocks that they are on, whose fields are in `subsurface`."""
+"""Methods of stresses inside the bodies and of their blocks; `subsurface` declares the fields."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Component", "StressBlockMethods", "SubsurfaceStressMethods"]
 
-#: What a stress has where `invariants` were asked for.
+#: Fields of a stress with `invariants`.
 INVARIANTS = ["hydrostatic", "principal_1", "principal_2", "principal_3", "tresca"]
 Component = Literal[
     "von_mises", "xx", "yy", "zz", "xy", "xz", "yz", "hydrostatic", "principal_1", "principal_2", "principal_3", "tresca"
@@ -45,17 +45,17 @@ class SubsurfaceStressMethods:
         z: float | None = None,
         axes: Axes | None = None,
     ) -> Axes:
-        """Draws a stress on a plane through a block, such as that at `y` (mm; the nearest points count), or on a line.
+        """Plots a stress on a plane through a block, such as that at `y` (mm; uses the nearest points), or on a line.
 
-        Left out, the plane is that with the largest von Mises stress. Into `axes`, or a figure of its own; returns the axes.
-        Needs matplotlib ("contactd[pictures]").
+        The default plane contains the largest von Mises stress. Draws into `axes` or a new figure, and returns the
+        axes. Needs matplotlib ("contactd[pictures]").
         """
         drawn: Axes = extra("SubsurfaceStress.plot")(self, component, x=x, y=y, z=z, axes=axes)
         return drawn
 
     @public
     def to_xarray(self) -> xarray.Dataset:
-        """Stresses over x, y and z of a block, or over points. Needs xarray ("contactd[xarray]")."""
+        """Returns stresses against x, y and z of a block, or against points. Needs xarray ("contactd[xarray]")."""
         dataset: xarray.Dataset = extra("SubsurfaceStress.to_xarray")(self)
         return dataset
 

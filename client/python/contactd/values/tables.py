@@ -1,5 +1,6 @@
-"""Tables of influence coefficients: those of a body, as they are answered, and those that the caller brings along instead
-of asking the daemon for them. Arrays are read-only."""
+"""Tables of influence coefficients: those of a body, returned by the daemon, and those that the caller provides. Arrays
+are read-only.
+"""
 
 from __future__ import annotations
 
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
 __all__ = ["IcSpec", "IcTable", "TableIcs", "check_finite", "combined_modulus"]
 
 _AXES = "xyz"
-#: This is to be done with the table of a longitudinally uniform body.
+#: Advice for the table of a longitudinally uniform body.
 _IMPORT = (
     "export it where it was built (export_ic) and give the file to the daemon that solves (import_ic), where FemIcs with its "
     "section asks for it"
@@ -48,7 +49,7 @@ class IcSpec:
 
     Attributes:
         material: The body.
-        grid: Offsets and element size; where it lies does not matter.
+        grid: Offsets and element size; its position has no effect.
         ics: Closed form or finite elements, with every option.
     """
 
@@ -58,7 +59,7 @@ class IcSpec:
 
     @staticmethod
     def of_wire(spec: dict[str, Any]) -> dict[str, Any]:
-        """With the layers, which stand in `ics` there, in place of the material."""
+        """Reads the spec; layers, which are part of `ics` on the wire, become the material."""
         ics = spec.get("ics")
         if not isinstance(ics, dict) or "layers" not in ics:
             return spec
@@ -76,11 +77,11 @@ class IcTable(HasDict, Shown):
     Attributes:
         key: Equal for every shear modulus, element size and extent of the same dimensionless problem; "" of a file .h5.
         origin: "closed_form", "memory", "disk" or "built"; "file" when load_table read it.
-        spec: What was asked for, defaults filled in.
+        spec: The request, with its defaults filled in.
         array: Shape [3, 3, ny, nx] (mm^3/N); of a longitudinally uniform body [3, 3, ny, ny, nx]: `array[i, j, I, J, k]`
             is the displacement of column I, k elements ahead of a loaded one of column J, axes x, along the outline, and
             outward of each.
-        evidence: How it was made, and how good it is.
+        evidence: Its origin and its accuracy.
         frames: Of a longitudinally uniform body, shape [ny, 3]: y and z of the middle of each column (mm), z up, and the
             angle of its outward normal from +z towards +y (rad).
     """
@@ -118,39 +119,42 @@ class IcTable(HasDict, Shown):
 
     @public
     def apply(self, tractions: npt.ArrayLike) -> Array:
-        """Displacements of the surface of this body under tractions over elements of the table's size (mm)::
+        """Returns the displacements of the surface of this body under tractions on elements of the table's size (mm)::
 
             table = client.get_ic(steel, grid, AnalyticIcs())
             inward = table.apply(pressure)
 
-        Pressures (N/mm^2), shape [ny, nx], give displacements into the body, > 0 where pressures are: the component zz.
-        Tractions [3, ny, nx] along x, y and the outward normal give displacements along the same axes. Any shape up to the
-        extent of the table serves; of a longitudinally uniform body [ny, nx] and [3, ny, nx] are over its columns. By FFT,
-        to rounding. Raises InvalidArgument for other shapes, and for what is not finite.
+        Pressures (N/mm^2), shape [ny, nx], give displacements into the body, > 0 under pressures: the component zz.
+        Tractions [3, ny, nx] along x, y and the outward normal give displacements along the same axes. Any shape up to
+        the extent of the table is allowed. For a longitudinally uniform body, rows are its columns. The FFT is exact to
+        rounding. Raises InvalidArgument for other shapes, and for values that are not finite.
         """
         return displacements_by(self.array, tractions)
 
     @public
     def operator(self, ny: int | None = None, nx: int | None = None, *, tractions: bool = False) -> LinearOperator:
-        """`apply` as a linear operator of scipy over ny x nx elements (None: the extent of the table): a symmetric, positive
-        definite one from pressures to displacements into the body, both flattened row by row; with `tractions` from [3, ny, nx]
-        to [3, ny, nx]. Operators of two bodies can be added. Needs scipy ("contactd[fit]").
+        """Returns `apply` as a scipy linear operator on ny x nx elements (None: the extent of the table). It is
+        symmetric and positive definite, and maps pressures to displacements into the body, both flattened row by row.
+        With `tractions` it maps [3, ny, nx] to [3, ny, nx]. Operators of two bodies can be added. Needs scipy
+        ("contactd[fit]").
         """
         made: LinearOperator = extra("IcTable.operator")(self, ny, nx, tractions)
         return made
 
     @public
     def plot(self, components: Iterable[str] = ("xx", "yy", "zz", "xz"), axes: Axes | None = None) -> Axes:
-        """Draws sizes of the components over the distance from the load, along x and along y, on a logarithmic scale.
+        """Plots the sizes of the components against the distance from the load, along x and along y, on a logarithmic
+        scale.
 
-        Into `axes`, or a figure of its own; returns the axes. Needs matplotlib ("contactd[pictures]").
+        Draws into `axes` or a new figure, and returns the axes. Needs matplotlib ("contactd[pictures]").
         """
         drawn: Axes = extra("IcTable.plot")(self, components, axes)
         return drawn
 
     @public
     def to_xarray(self) -> xarray.DataArray:
-        """The table over displacement, load and offsets (mm), as ``table.to_xarray().sel(displacement="x", load="z")``.
+        """Returns the table against displacement, load and offsets (mm): ``table.to_xarray().sel(displacement="x",
+        load="z")``.
 
         Needs xarray ("contactd[xarray]").
         """
@@ -158,7 +162,7 @@ class IcTable(HasDict, Shown):
         return dataset
 
     def __getitem__(self, component: str) -> Array:
-        """One component, shape [ny, nx]: ``table["xz"]`` is the displacement along x for a load along z."""
+        """Returns one component, shape [ny, nx]: ``table["xz"]`` is the displacement along x for a load along z."""
         if len(component) != 2 or not set(component) <= set(_AXES):
             raise KeyError(f"{component!r} is no component; one is two of the letters x, y and z.")
         part: Array = self.array[_AXES.index(component[0]), _AXES.index(component[1])]
@@ -166,7 +170,7 @@ class IcTable(HasDict, Shown):
 
 
 def _recipe(ics: Ics) -> str:
-    """Finite elements by their most telling options."""
+    """Describes finite elements by their main options."""
     if not isinstance(ics, FemIcs):
         return "closed form"
     names = ("preset", "accuracy", "body", "mesh", "order", "L_over_h")
@@ -175,14 +179,16 @@ def _recipe(ics: Ics) -> str:
 
 
 def combined_modulus(upper: Material | LayeredBody, lower: Material | LayeredBody | None = None) -> float:
-    """The modulus that CONTACT multiplies the coefficients of a pair by: 1/G = (1/G_upper + 1/G_lower)/2 (N/mm^2)."""
+    """Returns the modulus by which CONTACT multiplies the coefficients of a pair: 1/G = (1/G_upper + 1/G_lower)/2
+    (N/mm^2).
+    """
     if lower is None or lower.G == upper.G:
         return upper.G
     return 2 / (1 / upper.G + 1 / lower.G)
 
 
 def check_finite(array: Array) -> None:
-    """Raises ValueError naming the first coefficient that is no finite number."""
+    """Raises ValueError naming the first coefficient that is not finite."""
     for at in np.argwhere(~np.isfinite(array))[:1]:
         i, j, *rows, k = at
         place = f"the offset ({k}, {rows[0]})" if len(rows) == 1 else f"the columns {rows[0]} and {rows[1]}, offset {k}"
@@ -197,22 +203,23 @@ def _require_offsets(table: IcTable) -> None:
 @public
 @dataclass(frozen=True, eq=False, repr=False)
 class TableIcs(Shown):
-    """A table of influence coefficients of a pair of bodies, for `ContactProblem.ics`; materials are not needed then. Or of one
-    body, for `upper_ics` or `lower_ics`: then `array` is as that of an IcTable (see `of_body`).
+    """A table of influence coefficients of a pair of bodies, for `ContactProblem.ics`, which makes materials
+    unnecessary. A table for `upper_ics` or `lower_ics` is that of one body, and its `array` is that of an IcTable (see
+    `of_body`).
 
-    `array[i, j, l, k]` (mm^3/N) is the difference (upper less lower body) of the displacements along axis i at an element
-    whose offset from the loaded element is (k dx, l dy), for unit tractions along axis j, positive on the upper body;
-    axes x, y, z with z from the lower to the upper body. For bodies whose own tables (IcTable) are U and L this is L + U,
-    but L - U for xz, zx, yz and zy. Offsets start at 0; at least as many as the grid has elements are needed.
+    `array[i, j, l, k]` (mm^3/N) is the difference (upper minus lower body) of the displacements along axis i at an
+    element whose offset from the loaded element is (k dx, l dy), for unit tractions along axis j, positive on the upper
+    body; axes x, y, z with z from the lower to the upper body. For bodies with the tables (IcTable) U and L, this is L
+    + U, but L - U for xz, zx, yz and zy. Offsets start at 0. Each axis needs at least as many as the grid has elements.
 
-    Where xz, zx, yz and zy are below 1e-6 of zz at the origin they are taken for rounding; larger ones couple normal and
-    tangential contact.
+    Components xz, zx, yz and zy below 1e-6 of zz at the origin are treated as rounding errors. Larger ones couple
+    normal and tangential contact.
 
     Attributes:
         array: Shape [3, 3, ny, nx].
-        dx: Element size along x that the table is for (mm); that of the grid, to 1e-6.
+        dx: Element size of the table along x (mm), equal to that of the grid to 1e-6.
         dy: Element size along y (mm).
-        G: Combined_modulus of the bodies (N/mm^2): for writing CONTACT's text only.
+        G: Combined modulus of the bodies (N/mm^2), only for writing CONTACT's text.
     """
 
     array: Array
@@ -245,7 +252,8 @@ class TableIcs(Shown):
         IcTable.apply (mm).
 
         Pressures (N/mm^2), shape [ny, nx], give by how much both surfaces yield, > 0 under pressure: the component zz.
-        Tractions [3, ny, nx] along x, y and z give differences along these axes. Any shape up to that of the table serves.
+        Tractions [3, ny, nx] along x, y and z give differences along these axes. Any shape up to that of the table is
+        allowed.
         """
         return displacements_by(self.array, tractions)
 
@@ -255,7 +263,7 @@ class TableIcs(Shown):
         return (self.array.shape[2], self.array.shape[3])
 
     def __getitem__(self, component: str) -> Array:
-        """One component, shape [ny, nx]: ``ics["zx"]`` is the displacement along z for a load along x."""
+        """Returns one component, shape [ny, nx]: ``ics["zx"]`` is the displacement along z for a load along x."""
         if len(component) != 2 or not set(component) <= set(_AXES):
             raise KeyError(f"{component!r} is no component; one is two of the letters x, y and z.")
         part: Array = self.array[_AXES.index(component[0]), _AXES.index(component[1])]
@@ -264,9 +272,9 @@ class TableIcs(Shown):
     @classmethod
     @public
     def from_table(cls, upper: IcTable, lower: IcTable | None = None) -> TableIcs:
-        """The pair of two bodies with these tables; two equal ones when `lower` is left out.
+        """Returns the table of the pair of two bodies; without `lower`, of two equal bodies.
 
-        Where the extents differ the smaller one counts.
+        If the extents differ, uses the smaller one.
         """
         lower = upper if lower is None else lower
         for table in (upper, lower):
@@ -286,7 +294,7 @@ class TableIcs(Shown):
     @classmethod
     @public
     def of_body(cls, table: IcTable) -> TableIcs:
-        """One body with this table, for `ContactProblem.upper_ics` or `lower_ics`."""
+        """Returns the table of one body, for `ContactProblem.upper_ics` or `lower_ics`."""
         _require_offsets(table)
         return cls(table.array, table.spec.grid.dx, table.spec.grid.dy)
 
@@ -295,17 +303,19 @@ class TableIcs(Shown):
     def from_contact_text(
         cls, path: str | os.PathLike[str], G: float | None = None, *, tolerance: float = 1e-6
     ) -> TableIcs:
-        """Reads the text in which the CONTACT program takes numerical influence coefficients.
+        """Reads numerical influence coefficients from the text format of the CONTACT program.
 
-        `G` is the combined modulus of CONTACT's two materials (N/mm^2), by which the values are multiplied; texts of
-        contactd tell it themselves. What contradicts the symmetry of the bodies in y by more than `tolerance` (of the
-        largest coefficient) is refused. Raises TableFileError naming the line.
+        `G` is the combined modulus of CONTACT's two materials (N/mm^2), by which the values are multiplied; texts
+        written by contactd contain it. Values that violate the symmetry in y by more than `tolerance` (relative to the
+        largest coefficient) are refused. Raises TableFileError naming the line.
         """
         return cls(*extra("TableIcs.from_contact_text")(path, G, tolerance))
 
     @public
     def to_contact_text(self, G: float | None = None) -> str:
-        """That text, in 17 digits: what is read back differs by the rounding of the product with G. `G` as there."""
+        """Returns that text with 17 digits: values read back differ only by rounding of the product with G. For `G` see
+        from_contact_text.
+        """
         modulus = self.G if G is None else G
         if modulus is None:
             raise ValueError("G is None; CONTACT's text holds coefficients times the combined modulus of the bodies")

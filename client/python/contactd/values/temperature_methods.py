@@ -1,4 +1,4 @@
-"""Methods of temperatures of both surfaces, whose fields are in `temperature`."""
+"""Methods of temperatures of both surfaces; `temperature` declares the fields."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What contact.temperature takes of a solution."""
+"""Parameters of contact.temperature from a solution."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _OF_LAYERS = ("flow_x", "flow_y")
 def temperature_params(
     solution: Solution[Any, Any], bodies: ThermalBodies | None, velocity: float | None
 ) -> dict[str, Any]:
-    """The parameters of contact.temperature."""
+    """Returns the parameters of contact.temperature."""
     check_type("solution", solution, Solution)
     if bodies is not None:
         check_type("bodies", bodies, ThermalBodies)

@@ -8,6 +8,7 @@ __all__ = ["hints_of"]
 
 
 def hints_of(kind: Any) -> dict[str, Any]:
-    """Returns what get_type_hints does. KW_ONLY, which stands before fields that are given by name, is a type here: Python 3.10
-    refuses classes that have it otherwise."""
+    """Returns the result of get_type_hints. KW_ONLY, a marker in front of keyword-only fields, is replaced by a type
+    here, because Python 3.10 refuses it.
+    """
     return get_type_hints(kind, localns={"KW_ONLY": object})

@@ -1,4 +1,4 @@
-"""How kinds of wear are written, whose fields are in `wear_laws`."""
+"""Wire format of wear laws; `wear_laws` declares the fields."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ _OF_LAWS = ("source", "body", "range", "name")
 
 
 class StatedWear:
-    """A kind of wear that may have what a WearLaw says of it; on the wire that stands in the law."""
+    """A kind of wear that may also have the fields of a WearLaw; on the wire these are in the law."""
 
     @staticmethod
     def _completed(written: dict[str, Any]) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""Methods of the wear of a contact, whose fields are in `result`."""
+"""Methods of the wear of a contact; `result` declares the fields."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ class ContactWearMethods:
 
     @property
     def y(self: Any) -> npt.NDArray[np.float64]:
-        """The middles of the rows (mm)."""
+        """y of the middles of the rows (mm)."""
         return np.array([row.y for row in self.rows])
 
     @property
     def z(self: Any) -> npt.NDArray[np.float64]:
-        """The middles of the rows (mm)."""
+        """z of the middles of the rows (mm)."""
         return np.array([row.z for row in self.rows])
 
     @property
@@ -39,8 +39,9 @@ class ContactWearMethods:
         return np.array([row.pressure_slip for row in self.rows])
 
     def depth(self: Any, law: str) -> npt.NDArray[np.float64]:
-        """The depths that one passage takes off the rows by a law (mm), by its name. Raises KeyError for one that was
-        not asked for."""
+        """Returns the depth removed from the rows in one passage by a law (mm), by its name. Raises KeyError if it was
+        not requested.
+        """
         names = [one.name for one in self.laws]
         if law not in names:
             raise KeyError(f"{law} is no law of this wear; it has {', '.join(names) or 'none'}.")

@@ -1,4 +1,4 @@
-"""From wear of contacts to worn profiles: what a collective of states takes off a wheel or a rail, step by step.
+"""Computes worn profiles of wheels and rails, step by step, from the wear of contacts in a set of weighted states.
 
 ::
 
@@ -16,8 +16,9 @@
         for step in evolve(client, study):
             print(step.distance, step.area, step.points)
 
-The loop with dynamics is in `contactd.wear.dynamics`. docs/damage.md tells the way from depths to profiles, and what of it is assumption. The functions that take no client are
-those of the way: `deposit`, `exponential_step`, `smoothed`, `Section.worn`.
+`contactd.wear.dynamics` contains the loop with vehicle dynamics. docs/damage.md describes the computation of profiles
+from depths and its assumptions. `deposit`, `exponential_step`, `smoothed` and `Section.worn` are its parts that need no
+client.
 """
 
 from __future__ import annotations

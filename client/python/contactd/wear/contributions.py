@@ -1,4 +1,4 @@
-"""What the states of a collective take off a section, and what they make it bear, cell by cell."""
+"""Wear and fatigue of a section in each state, cell by cell."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ _KM = 1e6  #: mm
 
 @dataclass
 class Contributions:
-    """What a unit of distance takes off, state by state: a km, or a passage where only a rail wears.
+    """Wear per unit of distance, state by state: per km, or per passage if only a rail wears.
 
     Attributes:
         part: The wheel or the rail.
         edges: Ends of the cells along the section (mm).
-        rates: Depths of the cells by each state with its share, shape [states, cells].
+        rates: Depths of the cells in each state, weighted with its share, shape [states, cells].
         contacts: The rows of all contacts, for stability.
-        places: Of each state, the patches with their arc lengths and passages over a unit of distance.
+        places: The patches of each state with their arc lengths and passages per unit of distance.
     """
 
     part: WornPart
@@ -46,7 +46,9 @@ class Contributions:
     def of(
         cls, answers: Sequence[dict[str, Any]], section: Section, study: WearStudy, place: StudyPlace, part: WornPart
     ) -> Contributions:
-        """By the answers of all states. Raises InvalidArgument naming the state whose contact lies beyond the section."""
+        """Computes them from the answers of all states. Raises InvalidArgument naming the state whose contact is beyond
+        the section.
+        """
         edges = section.edges(study.spacing)
         found = cls(part, edges, np.zeros((len(answers), len(edges) - 1)))
         law = study.law_index(part)
@@ -71,11 +73,11 @@ class Contributions:
 
     @property
     def areas(self) -> Array:
-        """What each state takes off in a unit of distance (mm^2)."""
+        """The area removed by each state per unit of distance (mm^2)."""
         return np.asarray(self.rates.sum(axis=1) * self.size)
 
     def by_groups(self, study: WearStudy, distance: float) -> dict[str, float]:
-        """The areas of a distance by groups of states (mm^2)."""
+        """Returns the areas for a distance by groups of states (mm^2)."""
         groups: dict[str, float] = {}
         for one, area in zip(study.collective, self.areas):
             groups[one.group] = groups.get(one.group, 0.0) + float(area) * distance
@@ -107,7 +109,7 @@ def rows_along(
     place: StudyPlace,
     part: WornPart,
 ) -> tuple[Array, Array]:
-    """The arc lengths of rows on the section, and how often each is passed in a unit of distance."""
+    """Returns the arc lengths of rows on the section, and the number of passages of each per unit of distance."""
     state = study.collective[index].state
     y, z = np.array([row["y"] for row in rows]), np.array([row["z"] for row in rows])
     if part == "wheel":
@@ -122,7 +124,7 @@ def rows_along(
 
 
 def fatigue_of(answers: Sequence[dict[str, Any]], wear: Contributions, study: WearStudy, distance: float) -> StepFatigue | None:
-    """What a distance makes the section bear, where the study asks for it."""
+    """Returns the fatigue of the section over a distance, if the study requests it."""
     if wear.part != study.tired_part:
         return None
     cells = len(wear.edges) - 1
@@ -137,7 +139,7 @@ def fatigue_of(answers: Sequence[dict[str, Any]], wear: Contributions, study: We
                 spread = deposit(wear.edges, lengths, dy, share * distance * passages * damage["value"])
                 damages[damage["name"]] = damages.get(damage["name"], np.zeros(cells)) + spread
             touched = deposit(wear.edges, lengths, dy, np.ones(len(lengths))) > 0
-            order = np.argsort(lengths)  # a left wheel's rows run the other way
+            order = np.argsort(lengths)  # Rows of a left wheel have the opposite order.
             at = order[np.clip(np.searchsorted(lengths[order], wear.centres), 0, len(lengths) - 1)]
             if "dang_van" in tired:
                 value = np.array([row["dang_van"] for row in tired["rows"]])[at]

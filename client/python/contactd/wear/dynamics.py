@@ -1,5 +1,6 @@
-"""The loop of dynamics and wear: states by a simulation on the profiles as they are, steps of wear until these have changed,
-and states again."""
+"""The loop of vehicle dynamics and wear: a simulation on the current profiles yields states, wear steps change the
+profiles, and the simulation is repeated.
+"""
 
 from __future__ import annotations
 
@@ -30,26 +31,27 @@ from .study import WearStudy
 __all__ = ["Dynamics", "evolve_with", "states_of_stage", "write_states"]
 
 Array = npt.NDArray[np.float64]
-#: Profiles (y, z) by "wheel" and "rail", those that wear, and the distance so far; answers states.
+#: Maps the profiles (y, z) of worn bodies, by "wheel" and "rail", and the distance to states.
 StatesOf = Callable[[Mapping[str, Array], float], Sequence[WeightedState]]
 
 _LONGEST_NUMBER = 40  #: characters
-_LINES = 5  #: of what a program wrote last
+_LINES = 5  #: Number of the last characters of a program's output.
 
 
 @dataclass(frozen=True)
 class Dynamics:
-    """Who says what states there are, and when they are asked again.
+    """The source of states, and the criteria for new ones.
 
     Attributes:
-        states: A function of the profiles that wear, (y, z) by "wheel" and "rail", and the distance so far; or a program with its
-            arguments, which is called with the name of a folder behind them: wheel.prw and rail.prr lie there, those that wear,
-            and distance.txt with the km or passages so far; it writes states.csv, which read_states reads.
-        folder: Where each stage has a folder, stage-000 and so on, with its profiles and states; a stage that has states is not
-            run again.
-        depth: Depth since states were asked for, at which they are asked for again (mm): the largest of each step, summed.
-        conicity: Change of the equivalent conicity at 3 mm, likewise; None: whatever it is.
-        distance: Distance, likewise (km or passages); None: whatever it is.
+        states: A function of the profiles of worn bodies, (y, z) by "wheel" and "rail", and the distance. Or a program
+            with its arguments, called with a folder as last argument. The folder contains wheel.prw and rail.prr of
+            worn bodies, and distance.txt with the km or passages. The program writes states.csv there, which
+            read_states reads.
+        folder: Contains a folder for each stage, stage-000 and so on, with its profiles and states. A stage with states
+            is not run again.
+        depth: Depth after which new states are requested (mm): the sum of the largest depths of the steps.
+        conicity: Change of the equivalent conicity at 3 mm after which new states are requested; None: no limit.
+        distance: Distance after which new states are requested (km or passages); None: no limit.
     """
 
     states: StatesOf | Sequence[str]
@@ -59,7 +61,7 @@ class Dynamics:
     distance: float | None = None
 
     def __post_init__(self) -> None:
-        """Raises InvalidArgument naming a bound that is none."""
+        """Raises InvalidArgument naming an invalid limit."""
         for name in ("depth", "conicity", "distance"):
             value = getattr(self, name)
             if not (value is None and name != "depth") and not (math.isfinite(value) and value > 0):
@@ -69,8 +71,10 @@ class Dynamics:
 def evolve_with(
     client: WheelRailClient, study: WearStudy, dynamics: Dynamics, steps: Sequence[WornStep] | None = None, **options: Any
 ) -> Iterator[WornStep]:
-    """As evolve, with its options; the states are those that dynamics tell, stage by stage, and those of the study those of the
-    first one (`states_of_stage`), which nothing else depends on. Raises InvalidArgument ("dynamics") for a program that fails."""
+    """Evolves like evolve, with its options, but takes the states from dynamics, stage by stage. The states of the
+    study must be those of the first stage (`states_of_stage`); nothing else depends on them. Raises InvalidArgument
+    ("dynamics") if a program fails.
+    """
     place, done = place_of(client, study), list(steps or ())
     if not done:
         done += _first(evolve(client, study, None, **options))
@@ -93,7 +97,9 @@ def evolve_with(
 
 
 def states_of_stage(dynamics: Dynamics, stage: int, points: Mapping[str, Array], distance: float) -> list[WeightedState]:
-    """The states of a stage: those of its folder, or new ones, which are then there. Raises InvalidArgument ("dynamics")."""
+    """Returns the states of a stage: those of its folder, or new ones, which are then stored. Raises InvalidArgument
+    ("dynamics").
+    """
     folder = dynamics.folder / f"stage-{stage:03d}"
     path = folder / "states.csv"
     if path.is_file():
@@ -120,26 +126,26 @@ def states_of_stage(dynamics: Dynamics, stage: int, points: Mapping[str, Array],
         raise invalid("dynamics", f"wrote no states: {' '.join(program)} must leave {path}")
     try:
         return read_states(path)
-    except InvalidArgument as error:  # who mends the program calls it again
+    except InvalidArgument as error:  # The program can be corrected and called again.
         kept = path.replace(folder / "states.refused.csv")
         raise invalid("dynamics", f"wrote states that cannot be read, which are in {kept}: {error.message}") from None
 
 
 def write_states(path: Path, states: Sequence[WeightedState]) -> None:
-    """Writes a file of CSV that read_states reads, with the columns in which a state is not as it is by default."""
+    """Writes a CSV file for read_states, with the columns in which a state differs from the default."""
     if not states:
         raise invalid("states", "are none; give one state at least")
     rows = [_flat(one.state) for one in states]
     if any(row["position.z"] is not None for row in rows):
         for row in rows:
-            if row["Fz"] is not None:  # the height is found, and begins at 0
+            if row["Fz"] is not None:  # The height is computed, starting from 0.
                 row["position.z"] = row["position.z"] or 0.0
     plain = _flat(type(states[0].state)())
     names = [name for name in rows[0] if any(row[name] != plain[name] for row in rows)]
     if mixed := next((name for name in names if len({row[name] is None for row in rows}) > 1), None):
         raise invalid("states", f"have {mixed} in some and not in others; a file has a column for all of them")
     written = io.StringIO()
-    table = csv.writer(written, lineterminator="\n", quoting=csv.QUOTE_NONNUMERIC)  # names of groups may have any sign
+    table = csv.writer(written, lineterminator="\n", quoting=csv.QUOTE_NONNUMERIC)  # for any group name
     table.writerow([*names, "weight", "group", "mu"])
     for one, row in zip(states, rows):
         numbers = [float(row[name]) for name in names]
@@ -148,7 +154,7 @@ def write_states(path: Path, states: Sequence[WeightedState]) -> None:
 
 
 def _write(path: Path, text: str) -> None:
-    """Raises InvalidArgument for a file in its place that is not of such a stage."""
+    """Writes a file. Raises InvalidArgument if a file of another kind exists."""
     is_number = path.name == "distance.txt" and path.is_file() and number_in(path.read_text(errors="replace")[:_LONGEST_NUMBER].strip()) is not None
     if path.is_symlink() or not (is_number or can_be_written_over(path)):
         raise invalid("dynamics", f"would write {path}, which is there, and which contactd has not written; move it away")
@@ -156,7 +162,7 @@ def _write(path: Path, text: str) -> None:
 
 
 def _flat(value: Any, path: str = "") -> dict[str, Any]:
-    """Numbers of a state by their paths; those that are not given are None."""
+    """Returns the numbers of a state by their paths; unset ones are None."""
     found: dict[str, Any] = {}
     for field in fields(value):
         part = getattr(value, field.name)
@@ -168,7 +174,7 @@ def _flat(value: Any, path: str = "") -> dict[str, Any]:
 
 
 def _first(steps: Iterator[WornStep]) -> list[WornStep]:
-    """The new profiles, which no state is solved for."""
+    """Returns the new profiles, which need no solve."""
     return [next(steps)]
 
 

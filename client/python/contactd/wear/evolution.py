@@ -1,4 +1,4 @@
-"""The loop from states to worn profiles: contacts on the profiles as they are, what they take off, a step, and again."""
+"""The loop of wear: contacts in all states on the current profiles, their wear, and a step of the profiles."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from .study import WearStudy
 __all__ = ["Solve", "by_threads", "evolve", "next_step", "place_of"]
 
 Requests = Sequence[dict[str, Any]]
-#: What solves all requests of wheelrail.solve and answers in their order; it tells how many are done.
+#: A function that solves all requests of wheelrail.solve, reports progress, and returns the answers in order.
 Solve = Callable[[Requests, Callable[[int], None]], list[dict[str, Any]]]
 
-_MOST_NAMED = 5  #: of the states that a sentence is of
+_MOST_NAMED = 5  #: Largest number of states named in a sentence.
 _FEW = 0.1  #: of the states
 _OFF_TREAD = ("climbs on its flange", "rolls on the end of its tread")  #: the words of answers' warnings
-_MOST_BY_FEW = 0.9  #: of the area that few states may carry without a warning
+_MOST_BY_FEW = 0.9  #: Largest fraction of the area removed by few states without a warning.
 
 
 def evolve(
@@ -39,12 +39,13 @@ def evolve(
     solve: Solve | None = None,
     on_progress: Callable[[float, str], None] | None = None,
 ) -> Iterator[WornStep]:
-    """Yields a step after the other, until the study's end. With the `steps` of a run before it goes on behind the last one,
-    as if it had never stopped; else the first one is the new section.
+    """Yields the steps up to the study's end. With the `steps` of an earlier run, continues after the last one as if
+    there had been no interruption; otherwise the first step is the new section.
 
-    `workers` requests are on their way at a time, or `solve` carries all of them out; `on_progress` hears what share is done,
-    and a sentence. What a step warns of is in its `warnings`, and is a ContactWarning, too. Raises InvalidArgument naming the state, such as ``states[3]``, whose contact cannot be solved or lies
-    beyond the section's end.
+    Sends `workers` requests at a time, or calls `solve` with all requests. `on_progress` receives the completed
+    fraction and a sentence. Warnings of a step are in its `warnings`, and are also given as a ContactWarning. Raises
+    InvalidArgument naming the state, such as ``states[3]``, whose contact cannot be solved or is beyond the section's
+    end.
     """
     place = place_of(client, study)
     done = list(steps or ())
@@ -67,7 +68,7 @@ def evolve(
 
 
 def place_of(client: WheelRailClient, study: WearStudy) -> StudyPlace:
-    """Where the new profiles lie."""
+    """Returns the positions of the new profiles."""
     return StudyPlace(client.placed_profiles(study.setup), study.setup_params())
 
 
@@ -78,14 +79,14 @@ def _new(study: WearStudy, place: StudyPlace) -> WornStep:
 
 
 def by_threads(client: WheelRailClient, workers: int, study: WearStudy) -> Solve:
-    """By so many requests of a client at a time."""
+    """Solves with this number of simultaneous requests of a client."""
 
     def solve(requests: Requests, tell: Callable[[int], None]) -> list[dict[str, Any]]:
-        """The answers of all states, in their order, whoever ends first."""
+        """Returns the answers of all states in order, whichever ends first."""
 
         def ask(i: int) -> dict[str, Any]:
             try:
-                with collected():  # the step warns of them, and names the state
+                with collected():  # The step gives the warnings, with the state.
                     return dict(client.call("wheelrail.solve", requests[i]))
             except InvalidArgument as error:
                 raise invalid(f"states[{study.given_index(i)}]", f"cannot be solved: {error.message.removesuffix('.')}") from error
@@ -105,7 +106,9 @@ def by_threads(client: WheelRailClient, workers: int, study: WearStudy) -> Solve
 
 
 def next_step(first: WornStep, last: WornStep, study: WearStudy, place: StudyPlace, answers: Sequence[dict[str, Any]]) -> WornStep:
-    """The step behind `last`, by the answers of all states on it; `first` has the new sections."""
+    """Returns the step after `last` from the answers of all states on its profiles; `first` contains the new
+    sections.
+    """
     wear = {part: Contributions.of(answers, Section(last.of(part).points, part), study, place, part) for part in study.parts}
     if not any(one.areas.sum() > 0 for one in wear.values()):
         raise invalid("states", "wear nothing off: no contact of them slips, or the law is zero there")
@@ -142,7 +145,7 @@ def next_step(first: WornStep, last: WornStep, study: WearStudy, place: StudyPla
 
 
 def _warnings_of(study: WearStudy, answers: Sequence[dict[str, Any]]) -> list[str]:
-    """What the answers warn of, each sentence once, with the states that it is of."""
+    """Returns the warnings of the answers, each sentence once, with its states."""
     found: dict[str, list[int]] = {}
     for i, answer in enumerate(answers):
         sentences = list(sentences_in("wheelrail.solve", answer))
@@ -150,7 +153,7 @@ def _warnings_of(study: WearStudy, answers: Sequence[dict[str, Any]]) -> list[st
             sentences.append("The solution did not converge.")
         for sentence in sentences:
             states = found.setdefault(sentence, [])
-            if study.given_index(i) not in states:  # its mirror image is the same state
+            if study.given_index(i) not in states:  # The mirrored state is equivalent.
                 states.append(study.given_index(i))
     return [f"{_listed(states)}: {sentence}" for sentence, states in found.items()]
 
@@ -161,7 +164,9 @@ def _listed(states: Sequence[int]) -> str:
 
 
 def _off_tread(answers: Sequence[dict[str, Any]], study: WearStudy) -> list[str]:
-    """Counts the states whose wheel climbs or rolls on its end, as answers warn of it, one sentence for each of both."""
+    """Counts the states whose wheel climbs, and those whose wheel rolls on its end, according to the warnings. Returns
+    a sentence for each.
+    """
     sentences = []
     for words in _OFF_TREAD:
         off = [i for i, answer in enumerate(answers) if any(words in one for one in answer.get("warnings", ()))]

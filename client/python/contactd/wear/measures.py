@@ -1,4 +1,6 @@
-"""What gauges tell of worn profiles: flange height, thickness and qR of wheels (EN 15313), W1 to W3 of rails, conicity."""
+"""Gauge dimensions of worn profiles: flange height, thickness and qR of wheels (EN 15313), W1 to W3 of rails,
+conicity.
+"""
 
 from __future__ import annotations
 
@@ -17,10 +19,10 @@ __all__ = ["RailWear", "WheelGauge", "conicities", "rail_wear", "wheel_gauge"]
 
 Array = npt.NDArray[np.float64]
 
-_BACK = -70.0  #: y of the flange's back from the tape circle, where a set-up names none (mm)
-_BELOW_TREAD = 10.0  #: from the tape circle down to where the flange is measured (mm)
-_BELOW_TIP = 2.0  #: from the flange's tip up to where qR ends (mm)
-_GAUGE = 14.0  #: from the top of a rail down to where its side is measured (mm)
+_BACK = -70.0  #: Default y of the flange's back from the tape circle (mm).
+_BELOW_TREAD = 10.0  #: Depth below the tape circle at which the flange is measured (mm).
+_BELOW_TIP = 2.0  #: Height above the flange's tip at which qR ends (mm).
+_GAUGE = 14.0  #: Depth below the top of a rail at which its side is measured (mm).
 
 
 @dataclass(frozen=True)
@@ -30,7 +32,7 @@ class WheelGauge:
     Attributes:
         Sh: Height, from the tape circle to the tip.
         Sd: Thickness, from the back to the face, 10 mm below the tape circle.
-        qR: Across, from there to the face 2 mm above the tip; below 6.5 a flange is taken for worn steep.
+        qR: Lateral distance from there to the face 2 mm above the tip; below 6.5 a flange counts as worn too steep.
     """
 
     Sh: float
@@ -40,12 +42,12 @@ class WheelGauge:
 
 @dataclass(frozen=True)
 class RailWear:
-    """What a rail's head has lost (mm).
+    """The wear of a rail's head (mm).
 
     Attributes:
-        W1: Downwards, in the middle of the head.
-        W2: Sidewards, of the gauge face 14 mm below the top that is left.
-        W3: Across the gauge corner, at 45 degrees.
+        W1: Vertical wear in the middle of the head.
+        W2: Lateral wear of the gauge face, 14 mm below the worn top.
+        W3: Wear of the gauge corner at 45 degrees.
     """
 
     W1: float
@@ -54,8 +56,10 @@ class RailWear:
 
 
 def wheel_gauge(points: npt.ArrayLike, back: float = _BACK) -> WheelGauge:
-    """By (y, z) of a profile from either end to the other, whose tape circle is at y = 0, the flange at negative y, z down (mm);
-    `back` is y of the flange's back. Raises InvalidArgument for points in no order, or with the flange at positive y."""
+    """Measures (y, z) of a profile from either end to the other, with the tape circle at y = 0, the flange at negative
+    y, z down (mm); `back` is y of the flange's back. Raises InvalidArgument for unordered points, or a flange at
+    positive y.
+    """
     y, z = ordered(points, "points").T
     if not y.min() < 0 < y.max():
         raise invalid("points", f"reach from y = {y.min():.4g} to {y.max():.4g} mm; the tape circle, y = 0, must be among them")
@@ -71,8 +75,10 @@ def wheel_gauge(points: npt.ArrayLike, back: float = _BACK) -> WheelGauge:
 
 
 def rail_wear(new: npt.ArrayLike, worn: npt.ArrayLike) -> RailWear:
-    """By (y, z) of both profiles, each from either end to the other, the gauge side at negative y, z down (mm). Raises
-    InvalidArgument for points in no order, and for rails that lean, or have worn, as if their gauge side were at positive y."""
+    """Measures (y, z) of both profiles, each from either end to the other, with the gauge side at negative y, z down
+    (mm). Raises InvalidArgument for unordered points, and for rails whose inclination or wear shows a gauge side at
+    positive y.
+    """
     before, after = ordered(new, "new"), ordered(worn, "worn")
     for name, points in (("new", before), ("worn", after)):
         check_run(points[points[:, 1] <= points[:, 1].min() + _GAUGE], name)
@@ -84,7 +90,7 @@ def rail_wear(new: npt.ArrayLike, worn: npt.ArrayLike) -> RailWear:
     for points in (before, after):
         gauge = points[points[:, 0] <= middle][::-1]  # from the top down
         sides.append(crossing(gauge[:, 0], 0 - gauge[:, 1], 0 - (points[:, 1].min() + _GAUGE), "points"))
-    # Where its normal is at 45 degrees the gauge corner is farthest out, y + z least.
+    # At the normal of 45 degrees, y + z of the gauge corner is smallest.
     gauge = before[before[:, 0] <= middle]
     corner = gauge[gauge.sum(axis=1).argmin()]
     across = float(corner[0] - corner[1])
@@ -94,15 +100,16 @@ def rail_wear(new: npt.ArrayLike, worn: npt.ArrayLike) -> RailWear:
 def conicities(
     client: WheelRailClient, study: WearStudy, place: StudyPlace, step: WornStep, amplitudes: tuple[float, ...] = (3.0, 5.0)
 ) -> tuple[float, ...]:
-    """The equivalent conicities (EN 15302), asked of a client, of a wheelset whose wheels, or on rails that, are worn alike; NaN where it does not
-    swing."""
+    """Returns the equivalent conicities (EN 15302), computed by a client, of a wheelset with two wheels, or rails, worn
+    equally; NaN if it does not oscillate.
+    """
     setup = {**study.setup_params(), **place.profiles({part: step.of(part).points for part in study.parts})}
     found = client.equivalent_conicity(setup, amplitudes)
     return tuple(float("nan") if one.integrated is None else one.integrated for one in found)
 
 
 def _outwards(points: Array, across: float) -> float:
-    """(y + z)/sqrt 2 of the outermost place with this y - z."""
+    """Returns (y + z)/sqrt 2 of the outermost point with this y - z."""
     along, out = points[:, 0] - points[:, 1] - across, points.sum(axis=1) / np.sqrt(2)
     crossed = np.flatnonzero((along[:-1] <= 0) & (along[1:] > 0))
     found = [out[i] + along[i] / (along[i] - along[i + 1]) * (out[i + 1] - out[i]) for i in crossed]

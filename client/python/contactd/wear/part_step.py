@@ -1,4 +1,4 @@
-"""How far a step goes, and what it takes off a section."""
+"""Length of a step, and the wear of a section in it."""
 
 from __future__ import annotations
 
@@ -18,28 +18,30 @@ Array = npt.NDArray[np.float64]
 
 
 class PartStep:
-    """A step of a section, of any distance up to its own."""
+    """A step of a section, of any distance up to its maximum."""
 
     def __init__(
         self, rate: Array, size: float, contacts: Sequence[LoadedRows], modulus: float, depth: float, smoothing: float | str
     ) -> None:
-        """`rate` is what a unit of distance takes off cells of a `size` (mm), `depth` the largest of a step (mm)."""
+        """Takes the wear `rate` of cells of a `size` (mm) per unit of distance, and the largest `depth` of a step
+        (mm).
+        """
         self._rate, self._size, self._modulus, self._depth, self._smoothing = rate, size, modulus, depth, smoothing
         self._stiffness = Stiffness(contacts, modulus) if contacts else None
 
     @property
     def pressure(self) -> float:
-        """The mean pressure that stability goes by (N/mm^2)."""
+        """The mean pressure for the stability criterion (N/mm^2)."""
         return 0.0 if self._stiffness is None else self._stiffness.pressure
 
     @property
     def is_bounded_by_stability(self) -> bool:
-        """Whether a step of the depth that it may have would let grooves grow, so that it is less deep."""
+        """Whether stability limits the depth of a step more than its maximum does."""
         return self._stiffness is not None and self._is_free and self._stiffness.deepest < self._depth
 
     @property
     def farthest(self) -> float:
-        """The distance at which the step is as deep as it may be; infinite where nothing wears."""
+        """The distance at which the step has its largest depth; infinite without wear."""
         if self._stiffness is None:
             return math.inf
         deepest = min(self._depth, self._stiffness.deepest) if self._is_free else self._depth
@@ -47,14 +49,16 @@ class PartStep:
         return float(deepest / taken.max())
 
     def taken(self, distance: float) -> tuple[Array, float, list[str]]:
-        """The depths of a step over a distance up to the farthest, the wavelength that was smoothed, and what is doubtful."""
+        """Returns the depths of a step over a distance up to the farthest, the smoothed wavelength, and sentences about
+        limitations.
+        """
         stiffness = self._stiffness
         if stiffness is None:
             return np.zeros(len(self._rate)), 0.0, []
         if distance == self.farthest:
             deepest = min(self._depth, stiffness.deepest) if self._is_free else self._depth
             taken, length = self._filtered(deepest)
-        else:  # a step that ends before its depth is reached is smoothed by less
+        else:  # A shorter step is smoothed less.
             taken, length = self._filtered(distance * float(self._rate.max()))
             for _ in range(3):
                 taken, length = self._filtered(distance * float(taken.max()))
@@ -84,8 +88,9 @@ class PartStep:
 
 
 def common_distance(parts: Mapping[WornPart, PartStep], left: float, most: float | None) -> tuple[float, str]:
-    """The distance of a step of all parts together, and why it is no longer (WornStep.ended_by). `left` is the way to the
-    study's end, `most` the farthest that a step goes."""
+    """Returns the distance of a step of all parts together, and the reason for its end (WornStep.ended_by). `left` is
+    the distance to the study's end, `most` the largest distance of a step.
+    """
     bounds = [(left, "until"), (math.inf if most is None else most, "distance")]
     for name, part in parts.items():
         bound = "stability" if part.is_bounded_by_stability else "depth"

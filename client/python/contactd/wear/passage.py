@@ -1,4 +1,4 @@
-"""The wear of a passage from the rows of a solution, placed on the section that wears."""
+"""The wear of a passage, from the rows of a solution to the worn section."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ __all__ = ["passage_wear"]
 
 _KM = 1e6  #: mm
 _PARTS: dict[str, Literal["wheel", "rail"]] = {"lower": "wheel", "upper": "rail"}
-_SPACING = 0.25  #: mm, at most, between points of a section
+_SPACING = 0.25  #: Largest distance between points of a section (mm).
 
 
 def passage_wear(solution: WheelRailSolution, body: str | None, law: str | None) -> PassageWear:
-    """Does what WheelRailSolution.wear does."""
+    """Implements WheelRailSolution.wear."""
     index, name, part = _law_of(solution, body, law)
     origin = origin_of(solution)
     profiles = None if origin is None else origin.profiles()
@@ -54,7 +54,7 @@ def passage_wear(solution: WheelRailSolution, body: str | None, law: str | None)
 
 
 def _law_of(solution: WheelRailSolution, body: str | None, law: str | None) -> tuple[int, str, Literal["wheel", "rail"]]:
-    """The number of the law among those of the answer, its name, and what wears by it. Raises InvalidArgument."""
+    """Returns the number of the law in the answer, its name, and the body it applies to. Raises InvalidArgument."""
     if body not in (None, "wheel", "rail"):
         raise invalid("body", f'is {body!r}; it must be "wheel" or "rail"')
     if solution.patches and all(patch.solution.wear is None for patch in solution.patches):
@@ -77,7 +77,7 @@ def _depths(patch: WheelRailPatch, index: int) -> Any:
 
 
 def _points(patch: WheelRailPatch, solution: WheelRailSolution, origin: Origin, profiles: PlacedProfiles, part: str) -> Any:
-    """(y, z) of the rows in the profile that wears."""
+    """Returns (y, z) of the rows in the profile of the worn body."""
     wear, left, at = patch.solution.wear, origin.side == "left", origin.position
     assert wear is not None
     if part == "rail":

@@ -1,4 +1,4 @@
-"""Where the profiles of a study lie, as the daemon says it of the new ones; it stays."""
+"""Positions of the profiles of a study, computed by the daemon for the new ones; they are not changed later."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ __all__ = ["StudyPlace", "WheelRailClient"]
 
 Array = npt.NDArray[np.float64]
 
-_RADIUS = 460.0  #: nominal radius where a set-up names none (mm)
+_RADIUS = 460.0  #: Default nominal radius (mm).
 
 
 class WheelRailClient(Protocol):
-    """What wear asks of a client: a Client, or what has these calls of it."""
+    """The calls of a client that wear needs: a Client, or any object with these calls."""
 
     @property
     def call(self) -> Any: ...
@@ -32,15 +32,15 @@ class WheelRailClient(Protocol):
 
 
 class StudyPlace:
-    """New profiles, and where their origins stand.
+    """New profiles, and the positions of their origins.
 
     Attributes:
-        points: (y, z) of the new wheel and rail (mm).
-        wheel_origin, rail_origin: Where the profiles' origins are, from the middle of the axle and in the track (mm).
+        points: (y, z) of the new wheel and rail (mm). wheel_origin, rail_origin: Origins of the profiles, from the
+            middle of the axle and in the track (mm).
     """
 
     def __init__(self, profiles: ProfilesOfSides, setup: Mapping[str, Any]) -> None:
-        """By the answer to `placed_profiles` of a set-up in the words of the wire."""
+        """Reads the answer to `placed_profiles` for a set-up as on the wire."""
         placed = getattr(profiles, setup.get("side", "right"))
         self._track = dict(setup.get("track", {}))
         self.points: dict[str, Array] = {part: np.asarray(getattr(placed, part), dtype=np.float64) for part in ("wheel", "rail")}
@@ -51,7 +51,7 @@ class StudyPlace:
         self.modulus = _modulus(setup.get("bodies", {}))
 
     def profiles(self, points: Mapping[str, Array]) -> dict[str, Any]:
-        """The fields of a set-up that has sections of these points."""
+        """Returns the fields of a set-up with sections of these points."""
         fields: dict[str, Any] = {}
         if "wheel" in points:
             fields["wheel"] = params_of(ProfilePoints(points["wheel"]))
@@ -63,7 +63,7 @@ class StudyPlace:
 
 
 def _modulus(bodies: Mapping[str, Any]) -> float:
-    """E*, with 1/E* = sum (1 - nu)/(2 G)."""
+    """Returns E*, with 1/E* = sum (1 - nu)/(2 G)."""
     upper = bodies.get("upper", params_of(STEEL))
     both = (upper, bodies.get("lower", upper))
     return 1 / sum(float((1 - body["nu"]) / (2 * body["G"])) for body in both if "G" in body)

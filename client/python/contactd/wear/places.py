@@ -1,4 +1,4 @@
-"""From rows in track coordinates to points of a profile, of the right side: a left wheel is one in a mirror."""
+"""Converts rows in track coordinates to points of a profile of the right side; a left wheel is mirrored."""
 
 from __future__ import annotations
 
@@ -15,10 +15,11 @@ Array = npt.NDArray[np.float64]
 def rows_on_wheel(
     y: npt.ArrayLike, z: npt.ArrayLike, *, x: float, position: dict[str, float], origin: float, radius: float, left: bool = False
 ) -> Array:
-    """Points (y, z) in the wheel's profile of rows at y and z (mm) of the track, x from the wheelset along the track.
+    """Returns points (y, z) in the wheel's profile for rows at y and z (mm) in the track; x is along the track from the
+    wheelset.
 
-    `position` has y, z, roll and yaw of the wheelset, z as it was found; `origin` is that of the profile from the middle of the
-    axle, `radius` the nominal one.
+    `position` has y, z (as computed), roll and yaw of the wheelset. `origin` is that of the profile from the middle of
+    the axle, `radius` the nominal radius.
     """
     side = -1.0 if left else 1.0
     roll, yaw = side * position.get("roll", 0.0), side * position.get("yaw", 0.0)
@@ -34,8 +35,9 @@ def rows_on_wheel(
 def rows_on_rail(
     y: npt.ArrayLike, z: npt.ArrayLike, *, origin: tuple[float, float], deviation: tuple[float, float] = (0.0, 0.0), left: bool = False
 ) -> Array:
-    """Points (y, z) in the rail's profile, as cant turned it, of rows at y and z (mm) of the track. `origin` is where its
-    origin stands, `deviation` what the rail is off by, in the track."""
+    """Returns points (y, z) in the rail's profile, rotated by the cant, for rows at y and z (mm) in the track. `origin`
+    is its position, `deviation` that of the rail in the track.
+    """
     side = -1.0 if left else 1.0
     across = side * (np.asarray(y, dtype=np.float64) - deviation[0]) - origin[0]
     return np.stack([across, np.asarray(z, dtype=np.float64) - deviation[1] - origin[1]], axis=-1)

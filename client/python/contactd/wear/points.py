@@ -1,4 +1,4 @@
-"""Points of profiles as gauges need them: in order, on their side."""
+"""Prepares points of profiles for gauges: in order, and on the right side."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ __all__ = ["check_gauge_side", "check_run", "crossing", "ordered"]
 
 Array = npt.NDArray[np.float64]
 
-_BACKWARDS = 0.1  #: of the width that y may go back
-_LEAN = 2.5  #: mm from the top to the middle of the head: rails that lean by 1/40 have 3.6 to 5.4 on their field side
-_WORN = 0.2  #: mm by which the field side may seem worn, by the errors of two measurements
+_BACKWARDS = 0.1  #: Fraction of the width by which y may decrease.
+_LEAN = 2.5  #: Distance from the top to the middle of the head (mm); 3.6 to 5.4 at 1/40, to the field side.
+_WORN = 0.2  #: Apparent wear of the field side (mm) due to the errors of two measurements.
 
 
 def ordered(points: npt.ArrayLike, name: str) -> Array:
-    """The points as an array [n, 2] from the end of lesser y to the other."""
+    """Returns the points as an array [n, 2] in ascending order of y of their ends."""
     array = np.asarray(points, dtype=np.float64)
     if array.ndim != 2 or array.shape[1] != 2 or len(array) < 3:
         raise invalid(name, f"have the shape {array.shape}; they are (y, z) of three points at least")
@@ -27,7 +27,7 @@ def ordered(points: npt.ArrayLike, name: str) -> Array:
 
 
 def check_run(points: Array, name: str) -> None:
-    """Raises InvalidArgument where y goes back, all in all by more than measured upright faces and seams of scans do."""
+    """Raises InvalidArgument if y decreases in total by more than upright faces and seams of scans cause."""
     across = np.diff(points[:, 0])
     if -across[across < 0].sum() > _BACKWARDS * np.ptp(points[:, 0]):
         i = int(across.argmin())
@@ -35,8 +35,9 @@ def check_run(points: Array, name: str) -> None:
 
 
 def check_gauge_side(new: Array, worn: Array, depth: float) -> None:
-    """Raises InvalidArgument for a rail whose gauge side is at positive y: its top is beside the middle of its head towards
-    negative y, or it has worn at its other side, `depth` below its top (mm)."""
+    """Raises InvalidArgument for a rail with its gauge side at positive y: its top is at negative y of the middle of
+    its head, or it is worn on the other side, `depth` below its top (mm).
+    """
     beside = _top_beside_middle(new)
     if beside is not None and beside < -_LEAN:
         raise invalid("new", f"leans to y > 0, its top {-beside:.3g} mm from the middle; the gauge side lies at y < 0: give y with the other sign")
@@ -48,7 +49,7 @@ def check_gauge_side(new: Array, worn: Array, depth: float) -> None:
 
 
 def crossing(y: Array, z: Array, level: float, name: str) -> float:
-    """y of the first place where z falls through a level."""
+    """Returns y of the first point where z falls below a level."""
     falls = np.flatnonzero((z[:-1] >= level) & (z[1:] < level))
     if not len(falls):
         raise invalid(name, f"never pass z = {level:.4g} mm on the side that is measured; give a longer profile")
@@ -57,7 +58,9 @@ def crossing(y: Array, z: Array, level: float, name: str) -> float:
 
 
 def _side(points: Array, depth: float, sign: int) -> float:
-    """y of a side, below the top, times the sign: inwards is more. NaN where that side is too short."""
+    """Returns y of a side, below the top, times the sign, so that it increases inwards. NaN if that side is too
+    short.
+    """
     turned = points if sign > 0 else (points * (-1.0, 1.0))[::-1]
     outwards = turned[: int(turned[:, 1].argmin()) + 1][::-1]
     try:
@@ -67,7 +70,9 @@ def _side(points: Array, depth: float, sign: int) -> float:
 
 
 def _top_beside_middle(rail: Array) -> float | None:
-    """How far the top lies beside the middle of the head (mm); None for a head of less than 2 mm on either side."""
+    """Returns the distance of the top from the middle of the head (mm); None for a head of less than 2 mm on either
+    side.
+    """
     top, least = int(rail[:, 1].argmin()), float(rail[:, 1].min())
     depth = min(10.0, float(rail[: top + 1, 1].max()) - least, float(rail[top:, 1].max()) - least)
     if depth < 2:

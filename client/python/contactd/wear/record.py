@@ -1,4 +1,4 @@
-"""Steps of an evolution in one HDF5 file, which is always whole."""
+"""Stores the steps of an evolution in one HDF5 file, which is always complete."""
 
 from __future__ import annotations
 
@@ -24,12 +24,13 @@ _FATIGUE = ("dang_van", "limits", "contacts")
 
 
 def write_record(path: str | os.PathLike[str], study: WearStudy, steps: Sequence[WornStep]) -> None:
-    """Writes all steps: a dataset a field with a row a step, `steps/N` with the depths of step N, and what was asked for. The
-    file that was there stays until the new one is whole. Needs h5py."""
+    """Writes all steps: a dataset for each field with a row per step, `steps/N` with the depths of step N, and the
+    study. The existing file is replaced only when the new one is complete. Needs h5py.
+    """
     import h5py
 
     content = io.BytesIO()
-    with h5py.File(content, "w") as file:  # in no order of its own, whose group would have the time of day in it
+    with h5py.File(content, "w") as file:  # Without tracking of the order, which would store the time of day.
         file.attrs.update(contactd=__version__, study=_described(study), wears=study.wears, unit=study.unit)
         file.attrs["sources"] = json.dumps([f"{one['name']}: {one['source']}" for one in study.sourced()])
         _write(file, steps)
@@ -63,8 +64,9 @@ def _write(group: Any, steps: Sequence[WornStep]) -> None:
 
 
 def read_record(path: str | os.PathLike[str], study: WearStudy | None = None) -> list[WornStep]:
-    """The steps of a file that write_record wrote; none where there is no file. Raises InvalidArgument where they are of
-    another study than `study`, but for how far that goes."""
+    """Returns the steps of a file by write_record; none if there is no file. Raises InvalidArgument if they belong to
+    another study than `study`, apart from its end.
+    """
     import h5py
 
     if not Path(path).exists():
@@ -105,7 +107,7 @@ def _read_fatigue(group: Any) -> StepFatigue:
 
 
 def _described(study: WearStudy) -> str:
-    """What was asked for, but for where it ends."""
+    """Returns the study without its end."""
     return json.dumps(study.described(), sort_keys=True, default=lambda value: np.asarray(value).tolist())
 
 

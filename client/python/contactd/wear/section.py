@@ -1,4 +1,4 @@
-"""The section of a wheel or a rail as it wears: where rows lie on it, what they take off, and what is left."""
+"""The section of a worn wheel or rail: positions of rows on it, their wear, and the new shape."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ __all__ = ["Section", "WornPart", "deposit"]
 Array = npt.NDArray[np.float64]
 WornPart = Literal["wheel", "rail"]
 
-_FARTHEST = 5.0  #: mm from a row to the section: planes of patches leave it in hollows
+_FARTHEST = 5.0  #: Largest distance of a row from the section (mm): planes of patches leave it in hollows.
 
 
 @dataclass(frozen=True, eq=False)
 class Section:
-    """A profile by its points.
+    """A profile given by its points.
 
     Attributes:
         points: (y, z) from the gauge side to the field side (mm), z down, shape [n, 2].
-        body: Which side of the curve matter is on: above it, of a wheel, or below it, of a rail.
+        body: The side of the material: above the curve for a wheel, below it for a rail.
     """
 
     points: Array
@@ -32,8 +32,9 @@ class Section:
 
     @classmethod
     def of(cls, points: npt.ArrayLike, body: WornPart, spacing: float | None = None) -> Section:
-        """The section through points from either end; with `spacing` (mm) more of them between, on a smooth curve, until
-        none are farther apart. Raises InvalidArgument where they are no curve."""
+        """Creates the section through points from either end. With `spacing` (mm), adds points on a smooth curve until
+        none are farther apart. Raises InvalidArgument if the points are not a curve.
+        """
         given = np.array(points, dtype=np.float64)
         if given.ndim != 2 or given.shape[1] != 2 or len(given) < 3:
             raise invalid("points", f"has shape {list(given.shape)}; a section has three points (y, z) at least", "ARRAY_INVALID")
@@ -56,7 +57,7 @@ class Section:
         steps = np.diff(self.points, axis=0)
         sizes = np.linalg.norm(steps, axis=1)[:, None]
         directions = steps / sizes
-        # That of the circle through a point and its neighbours.
+        # Tangent of the circle through a point and its neighbours.
         inner = directions[:-1] * sizes[1:] + directions[1:] * sizes[:-1]
         tangents = np.concatenate([directions[:1], inner, directions[-1:]])
         tangents /= np.linalg.norm(tangents, axis=1)[:, None]
@@ -64,13 +65,14 @@ class Section:
         return sign * np.stack([tangents[:, 1], -tangents[:, 0]], axis=1)
 
     def edges(self, size: float) -> Array:
-        """Ends of cells of equal length along the arc (mm), about `size` long."""
+        """Returns the ends of cells of equal length along the arc (mm), about `size` long."""
         length = self.lengths[-1]
         return np.linspace(0.0, length, max(round(length / size), 2) + 1)
 
     def nearest(self, points: npt.ArrayLike) -> Array:
-        """The arc lengths (mm) of the places that are nearest to points (y, z). Raises InvalidArgument where one is farther
-        away than any row of a contact is."""
+        """Returns the arc lengths (mm) of the points nearest to (y, z). Raises InvalidArgument if one is farther away
+        than a row of a contact can be.
+        """
         needed = np.atleast_2d(np.asarray(points, dtype=np.float64))
         starts, steps = self.points[:-1], np.diff(self.points, axis=0)
         squares = (steps**2).sum(axis=1)
@@ -84,8 +86,10 @@ class Section:
         return np.asarray(self.lengths[best] + along[rows, best] * np.sqrt(squares[best]))
 
     def resampled(self, spacing: float) -> Section:
-        """The section with as many points at equal distances, on a smooth curve, where points of steps have come farther apart
-        than 1.5 times the spacing (mm), or nearer to each other than a fiftieth of it; else as it is."""
+        """Returns the section with the same number of equidistant points on a smooth curve, if the distance of points
+        has become larger than 1.5 times the spacing (mm), or smaller than a fiftieth of it; otherwise returns it
+        unchanged.
+        """
         gaps = np.linalg.norm(np.diff(self.points, axis=0), axis=1)
         if gaps.max() <= 1.5 * spacing and gaps.min() >= 0.02 * spacing:
             return self
@@ -94,34 +98,36 @@ class Section:
         return Section(np.stack([np.interp(places, fine.lengths, column) for column in fine.points.T], axis=1), self.body)
 
     def area_above(self, other: Section) -> float:
-        """The area between this section and what is left of it (mm^2), positive where matter is gone. Both have ends that lie
-        along one normal."""
+        """Returns the area between this section and the worn one (mm^2), positive for removed material. The ends of
+        both are on the same normals.
+        """
         loop = np.concatenate([self.points, other.points[::-1]])
         y, z = loop[:, 0], loop[:, 1]
         doubled = float((y * np.roll(z, -1) - np.roll(y, -1) * z).sum())
         return -doubled / 2 if self.body == "wheel" else doubled / 2
 
     def depths_to(self, other: Section) -> Array:
-        """How far the points are from another section (mm): how deep it is worn below them."""
+        """Returns the distances of the points from another section (mm), which are the wear depths."""
         starts, steps = other.points[:-1], np.diff(other.points, axis=0)
         away = self.points[:, None, :] - starts[None, :, :]
         along = np.clip((away * steps).sum(axis=2) / (steps**2).sum(axis=1), 0.0, 1.0)
         return np.asarray(np.linalg.norm(away - along[:, :, None] * steps, axis=2).min(axis=1))
 
     def worn(self, depths: npt.ArrayLike, area: float | None = None) -> Section:
-        """The section after each point has moved along its normal by a depth (mm). With `area` (mm^2) depths are multiplied
-        by one number near 1, by which as much is gone: where the surface is curved, rows overlap in the depth."""
+        """Returns the section after each point has moved along its normal by a depth (mm). With `area` (mm^2), depths
+        are multiplied by a factor near 1 so that this area is removed: on a curved surface, rows overlap below it.
+        """
         moves = np.asarray(depths, dtype=np.float64)[:, None] * self.normals
         factor = 1.0
         if area is not None and area != 0:
-            for _ in range(4):  # it is nearly linear
-                if not (taken := self._area_below(factor * moves)):  # less than numbers can tell
+            for _ in range(4):  # The area is nearly linear in the factor.
+                if not (taken := self._area_below(factor * moves)):  # below rounding errors
                     break
                 factor *= area / taken
         return Section(self.points + factor * moves, self.body)
 
     def _area_below(self, moves: Array) -> float:
-        """The area that the points cross on their way (mm^2), to rounding of itself however small it is."""
+        """Returns the area swept by the points (mm^2), to relative rounding even if it is small."""
         steps = np.diff(self.points, axis=0)
         crossed = _cross(steps, moves[:-1] + moves[1:]) + _cross(moves[1:], moves[:-1])
         return float(crossed.sum()) / 2 * (-1.0 if self.body == "wheel" else 1.0)
@@ -132,8 +138,9 @@ def _cross(one: Array, other: Array) -> Array:
 
 
 def deposit(edges: npt.ArrayLike, centres: npt.ArrayLike, width: float, depths: npt.ArrayLike) -> Array:
-    """The depths of cells between `edges` (mm) by rows of one width about their centres: the area of each row is spread over
-    the cells that it covers, and none is lost. Raises InvalidArgument for rows that wear and reach beyond the edges."""
+    """Returns the depths of cells between `edges` (mm) for rows of one width at their centres. The area of each row is
+    distributed over the cells that it covers, and is conserved. Raises InvalidArgument for worn rows beyond the edges.
+    """
     ends = np.asarray(edges, dtype=np.float64)
     middles, taken = np.asarray(centres, dtype=np.float64), np.asarray(depths, dtype=np.float64)
     low, high = middles - width / 2, middles + width / 2
@@ -149,7 +156,7 @@ def deposit(edges: npt.ArrayLike, centres: npt.ArrayLike, width: float, depths: 
 
 
 def _refined(points: Array, spacing: float) -> Array:
-    """With more points between, on cubics whose slopes are those of the circles through neighbours."""
+    """Returns more points on cubics whose slopes are those of the circles through neighbours."""
     steps = np.diff(points, axis=0)
     sizes = np.linalg.norm(steps, axis=1)
     directions = steps / sizes[:, None]

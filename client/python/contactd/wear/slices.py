@@ -1,7 +1,7 @@
-"""What a collective of wheels takes off rails that vary along the track, such as the nose of a crossing, place by place.
+"""Wear of rails that vary along the track, such as the nose of a crossing, by a set of wheel states.
 
-A particle of the rail at x is passed by a contact that rolls as steadily as it does there: states lie along the track, each with
-its `position.x`, and stand for the passages over their place. Profiles stay as they are.
+States have positions along the track, `position.x`, and represent the passages there. A particle of the rail at x is
+passed by a contact in the steady rolling state at x. Profiles are not changed.
 """
 
 from __future__ import annotations
@@ -29,13 +29,13 @@ Array = npt.NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class DepthMap:
-    """Depths along the normals, over the track.
+    """Depths along the normals, on a map of the track.
 
     Attributes:
         x_edges: Ends of the pieces along the track (mm).
         y_edges: Ends of the cells across it (mm), y to the right.
-        depths: What a passage takes off, shape [pieces, cells] (mm): the mean over the passages of each piece.
-        pmax: The largest pressure in each piece (N/mm^2); 0 without a state there.
+        depths: Depth removed in a passage, shape [pieces, cells] (mm): the mean over the passages of each piece.
+        pmax: The largest pressure in each piece (N/mm^2); 0 without a state.
     """
 
     x_edges: Array
@@ -44,7 +44,7 @@ class DepthMap:
     pmax: Array
 
     def after(self, passages: float) -> Array:
-        """Depths after so many passages (mm), on profiles that stay."""
+        """Returns the depths after so many passages (mm) on unchanged profiles."""
         return self.depths * passages
 
 
@@ -58,11 +58,12 @@ def depths_along(
     *,
     energy: WearEnergy = "scaled",
 ) -> DepthMap:
-    """The depths that states take off a rail, whose law it is. A state lies in the piece of its `position.x`; weights are shares of
-    the passages there. The area of each row is kept, but for what lies beyond `y_edges`.
+    """Returns the wear depths of a rail in the given states; the law must be that of the rail. A state belongs to the
+    piece of its `position.x`; weights are shares of the passages there. The area of each row inside `y_edges` is
+    conserved.
 
-    Raises InvalidArgument for a law of the wheel, for edges that do not ascend, or between which nothing wears of what wears, and
-    naming the state that cannot be solved.
+    Raises InvalidArgument for a law of the wheel, for edges that do not ascend, if all wear is outside them, and for a
+    state that cannot be solved, which it names.
     """
     along, across = (_edges(values, name) for values, name in ((x_edges, "x_edges"), (y_edges, "y_edges")))
     given = params_of(law, "law") if isinstance(law, WearLaw) else with_objects(WearLaw, law, "law")
@@ -85,7 +86,7 @@ def depths_along(
             pmax[piece] = max(pmax[piece], patch["solution"]["pmax"])
             dy = patch["place"]["grid"]["dy"]
             for row in patch["solution"].get("wear", {}).get("rows", ()):
-                # A row is dy wide along its own surface, and narrower from above.
+                # A row is dy wide along its surface, and narrower when seen from above.
                 half = 0.5 * dy * abs(np.cos(row["angle"]))
                 covered = np.diff(np.clip(across, row["y"] - half, row["y"] + half))
                 if row["depths"][0] > 0:

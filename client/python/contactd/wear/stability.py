@@ -1,8 +1,9 @@
-"""How deep a step may be, and how far it must be smoothed, so that no groove grows in it.
+"""Depth and smoothing of steps for which no groove grows.
 
-A groove z' takes off pressure pi E* z'/(L pm), of waves L that are short beside the rows of a contact; of longer ones the row is
-a line load, whose stiffness hardly falls any more: L is 2 l log(1 + L/(2 l)) then, l the length of a row. So waves as long as a
-contact is wide grow, too, where rows are short, and no smoothing that leaves the contact its width keeps them: the step must.
+A groove z' reduces the relative pressure by pi E* z'/(L pm) if its wavelength L is shorter than the rows of a contact.
+For longer waves, the row acts as a line load, and its stiffness hardly decreases: L is replaced by 2 l log(1 + L/(2
+l)), with l the length of a row. So with short rows, waves as long as the width of a contact grow, too. Smoothing cannot
+suppress them without widening the contact, so the depth of the step must be limited.
 """
 
 from __future__ import annotations
@@ -18,9 +19,9 @@ __all__ = ["LoadedRows", "Stiffness"]
 
 Array = npt.NDArray[np.float64]
 
-_MOST = 1.03  #: of a groove that a step may take off, by pressure; in partial slip it is up to 1.65 times that, and 2 is too much
+_MOST = 1.03  #: Fraction of a groove that a step may remove; times 1.65 in partial slip, and below 2.
 _PARTIAL_SLIP = 1.65
-_SHORTEST = 0.1  #: wave (mm)
+_SHORTEST = 0.1  #: Wavelength (mm).
 
 
 @dataclass(frozen=True)
@@ -28,10 +29,10 @@ class LoadedRows:
     """The rows of a contact together.
 
     Attributes:
-        area: What they wear off, or any number in proportion to it.
+        area: The area that they remove, or a number proportional to it.
         pressure: Their mean pressure (N/mm^2).
-        length: Their mean length, along the track (mm).
-        width: How far they reach across it (mm).
+        length: Their mean length along the track (mm).
+        width: Their total width across the track (mm).
     """
 
     area: float
@@ -41,8 +42,9 @@ class LoadedRows:
 
 
 class Stiffness:
-    """What a groove takes off, of its own size, in a step of unit depth, by its wavelength: pi E* times the mean of 1/(L pm) over
-    contacts, by what they wear off."""
+    """The relative reduction of a groove in a step of unit depth, by its wavelength: pi E* times the mean of 1/(L pm)
+    over contacts, weighted with their wear.
+    """
 
     def __init__(self, contacts: Sequence[LoadedRows], modulus: float) -> None:
         total = sum(contact.area for contact in contacts)
@@ -56,11 +58,11 @@ class Stiffness:
 
     @property
     def deepest(self) -> float:
-        """The deepest step (mm) that is stable with waves as long as contacts are wide."""
+        """The deepest step (mm) that is stable for waves as long as contacts are wide."""
         return _MOST / float(self._change[-1])
 
     def smoothing(self, depth: float) -> float:
-        """The wavelength (mm) of which half must be smoothed away in a step of this depth, which is not beyond `deepest`."""
+        """Returns the wavelength (mm) that smoothing must halve in a step of this depth, at most `deepest`."""
         low, high = 0.0, 2 * self._longest
         for _ in range(50):
             middle = 0.5 * (low + high)
@@ -68,7 +70,7 @@ class Stiffness:
         return high
 
     def is_stable(self, depth: float, length: float) -> bool:
-        """Tells if no groove grows in a step that is smoothed by a wavelength (mm), in partial slip neither."""
+        """Returns whether no groove grows in a step smoothed by a wavelength (mm), including partial slip."""
         return _PARTIAL_SLIP * self._largest(depth, length) <= 2
 
     def _largest(self, depth: float, length: float) -> float:

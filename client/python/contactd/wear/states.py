@@ -1,4 +1,4 @@
-"""States of a collective: where a wheelset is and how it moves, and how much of the distance or of the passages is so."""
+"""States of a collective: position and motion of a wheelset, and the share of the distance or of the passages."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ __all__ = ["WeightedState", "mirrored", "read_states", "states_of_columns"]
 OnProgress = Callable[[float], None]
 
 _ROWS_OF_REPORT = 2000
-_LONGEST_NAME = 60  #: characters of a column in a message
-_MOST_BYTES = 1 << 30  #: of a file of states
+_LONGEST_NAME = 60  #: Largest length of a column's name in a message.
+_MOST_BYTES = 1 << 30  #: Largest size of a file of states.
 _ODD = {"y", "roll", "yaw", "y_velocity", "roll_velocity", "yaw_velocity", "Fy"}
 _OWN = ("weight", "distance", "group", "mu")
 
@@ -30,10 +30,10 @@ class WeightedState:
     """A state with its share.
 
     Attributes:
-        state: Where the wheelset is, and how it moves.
-        weight: How much of the distance of a wheel, or of the passages over a rail, is so: over the sum of all weights.
-        group: What it belongs to, such as a class of curves; answers are told group by group.
-        mu: Its coefficient of friction; None: that of the set-up.
+        state: Position and motion of the wheelset.
+        weight: Share of the distance of a wheel, or of the passages over a rail, relative to the sum of all weights.
+        group: Its group, such as a class of curves; results are reported by groups.
+        mu: Friction coefficient of the state; None: that of the set-up.
     """
 
     state: WheelRailState
@@ -43,12 +43,13 @@ class WeightedState:
 
 
 def read_states(path: str | os.PathLike[str], on_progress: OnProgress | None = None) -> list[WeightedState]:
-    """The states of a file with a row a state: CSV with names in its first line, HDF5 with a dataset a column, or Parquet (with
-    pyarrow), as the name ends. In CSV a line has comments behind #, % and !; with semicolons or tabs between the columns a
-    comma is that of a decimal fraction.
+    """Reads the states in a file with a row per state. By its extension: CSV with names in the first line, HDF5 with a
+    dataset per column, or Parquet (with pyarrow). In CSV, text after #, % or ! is a comment. If columns are separated
+    by semicolons or tabs, a comma is a decimal comma.
 
-    Columns are paths of a state, such as ``position.y``, ``velocity.yaw`` or ``Fz``; ``weight`` or ``distance``, of which one
-    must be there; ``group`` and ``mu``. `on_progress` hears what share is read. Raises InvalidArgument naming what is wrong, OSError for files that cannot be read.
+    Columns are paths of a state, such as ``position.y``, ``velocity.yaw`` or ``Fz``; either ``weight`` or ``distance``,
+    which is required; ``group`` and ``mu``. `on_progress` receives the fraction read. Raises InvalidArgument naming the
+    error, and OSError for files that cannot be read.
     """
     name = os.fspath(path).lower()
     if name.endswith((".h5", ".hdf5")):
@@ -70,7 +71,7 @@ def read_states(path: str | os.PathLike[str], on_progress: OnProgress | None = N
 
 
 def states_of_columns(columns: Mapping[str, Iterable[Any]], on_progress: OnProgress | None = None) -> list[WeightedState]:
-    """The states of columns by their names, as read_states reads them. Raises InvalidArgument naming the column."""
+    """Returns the states of columns by their names, like read_states. Raises InvalidArgument naming the column."""
     table = {name: list(values) for name, values in columns.items()}
     if len({len(values) for values in table.values()}) > 1:
         raise invalid("states", f"have columns of different lengths: {', '.join(f'{name} {len(values)}' for name, values in table.items())}")
@@ -96,12 +97,12 @@ def states_of_columns(columns: Mapping[str, Iterable[Any]], on_progress: OnProgr
 
 
 def mirrored(one: WeightedState) -> WeightedState:
-    """The state whose wheel on the right rail does what the left wheel of the given one does."""
+    """Returns the state of a wheel on the right rail that is the mirror image of the left wheel in the given state."""
     return replace(one, state=_turned(one.state))
 
 
 def _turned(value: Any) -> Any:
-    """Of what lies across the track, and of what turns about axes along it or upright, signs change in a mirror."""
+    """Changes the signs of lateral quantities, and of rotations about the longitudinal and vertical axes."""
     changed: dict[str, Any] = {}
     for field in fields(value):
         part = getattr(value, field.name)
@@ -113,7 +114,7 @@ def _turned(value: Any) -> Any:
 
 
 def _numbers(values: list[Any], name: str) -> list[float]:
-    """Those of a column. Raises InvalidArgument naming the row."""
+    """Returns the numbers of a column. Raises InvalidArgument naming the row."""
     try:
         found = [float(value) for value in values]
     except (TypeError, ValueError):
@@ -124,7 +125,9 @@ def _numbers(values: list[Any], name: str) -> list[float]:
 
 
 def _maker(columns: Mapping[str, list[float]]) -> Callable[[int], WheelRailState]:
-    """Makes the states of rows, of which columns have these numbers. Raises InvalidArgument naming a column of something else."""
+    """Returns a function that creates the states of rows with these columns. Raises InvalidArgument naming an invalid
+    column.
+    """
     tree: dict[str, Any] = {}
     for name, values in columns.items():
         at, path = tree, name.split(".")
@@ -187,7 +190,7 @@ def _parquet_columns(path: str | os.PathLike[str]) -> dict[str, list[Any]]:
 def _hdf5_columns(path: str | os.PathLike[str]) -> dict[str, list[Any]]:
     import h5py
 
-    with open(path, "rb"):  # whose error says what h5py's does not
+    with open(path, "rb"):  # Its message is clearer than that of h5py.
         pass
     try:
         with h5py.File(path, "r") as file:

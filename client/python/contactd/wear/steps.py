@@ -1,4 +1,4 @@
-"""A step of a section that wears."""
+"""A step of a worn section."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ Array = npt.NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class StepFatigue:
-    """What a step made a section bear, by the cells of its depths.
+    """Fatigue of a section in a step, by the cells of its depths.
 
     Attributes:
         damages: Damage of all passages of the step, by the names of the functions.
-        dang_van: The largest stress of Dang Van of any state (N/mm^2); NaN where none is known.
-        limits: The least yield strength in shear over the largest shear of any state; below 1 no steel shakes down. Without a
-            strength it is 1 over that shear (mm^2/N).
+        dang_van: The largest Dang Van stress of all states (N/mm^2); NaN if unknown.
+        limits: The yield strength in shear over the largest shear stress of all states, the smallest of the step; below
+            1 there is no shakedown. Without a strength, 1 over that stress (mm^2/N).
         contacts: Traction coefficient, load, limit and share of each patch, shape [n, 4]: the shakedown diagram.
     """
 
@@ -34,29 +34,29 @@ class StepFatigue:
 
 @dataclass(frozen=True, eq=False)
 class WornStep:
-    """The section after a step, and what the step took off; that of number 0 is new.
+    """The section after a step, and the wear in the step. Step 0 is the new section.
 
     Attributes:
-        number: How many steps there were.
-        distance: What the wheel has run so far (km), or how many wheels have passed the rail.
-        points: (y, z) of the section (mm), in the coordinates of its profile, of a rail as cant has turned it.
+        number: Number of the step.
+        distance: Total distance of the wheel (km), or number of wheels that have passed the rail.
+        points: (y, z) of the section (mm) in the coordinates of its profile; those of a rail are rotated by the cant.
         edges: Ends of the cells of `depths` along the section before the step (mm).
-        depths: What the step took off the cells (mm).
-        area: What all steps together took off (mm^2), as rows told it.
+        depths: Depths removed from the cells in the step (mm).
+        area: Total area removed in all steps (mm^2), by the rows.
         removed: The area between the new section and this one (mm^2).
-        T_gamma: The mean over the states, without spin (N), before the step.
-        T_gamma_with_spin: And with it (N).
+        T_gamma: Mean of T gamma over the states before the step, without spin (N).
+        T_gamma_with_spin: The same with spin (N).
         pmax: The largest pressure of the states (N/mm^2), before the step.
-        mean_pressure: The mean pressure that stability goes by (N/mm^2).
-        smoothing: Wavelength that was smoothed (mm); 0: none, or by exponential steps.
-        groups: What the step took off by groups of states (mm^2).
-        warnings: Sentences; one of a state begins with its name, such as ``states[3]:``.
-        ended_by: Why the step went no farther: "depth", it is as deep as a step may be; "stability", a deeper one would let
-            grooves grow; "distance", the farthest that a step goes; or "until", the end of the study. Where wheel and rail wear
-            together, the first two name the part, as in "depth of the rail". Empty of the new section.
-        fatigue: What the step made the section bear; None where that was not asked for.
-        stage: How often dynamics have told new states before.
-        rail: The same of the rail, where wheel and rail wear together; the step itself is that of the wheel then.
+        mean_pressure: The mean pressure for the stability criterion (N/mm^2).
+        smoothing: Smoothed wavelength (mm); 0 without smoothing, and for exponential steps.
+        groups: Area removed in the step by groups of states (mm^2).
+        warnings: Sentences; those of a state begin with its name, such as ``states[3]:``.
+        ended_by: Limit of the step: "depth" of a step; "stability", beyond which grooves would grow; "distance" of a
+            step; or "until", the end of the study. If wheel and rail wear together, the first two name the body, as in
+            "depth of the rail". Empty for the new section.
+        fatigue: Fatigue in the step; None if not requested.
+        stage: Number of times that dynamics have provided new states.
+        rail: The same for the rail if both wear; the step itself is then that of the wheel.
     """
 
     number: int
@@ -79,18 +79,18 @@ class WornStep:
     rail: WornStep | None = None
 
     def of(self, part: WornPart) -> WornStep:
-        """The step of a part that wears."""
+        """Returns the step of a body that wears."""
         return self if part == "wheel" or self.rail is None else self.rail
 
     def beside(self, rail: WornStep) -> WornStep:
-        """The same step with that of the rail."""
+        """Returns the step combined with that of the rail."""
         return replace(self, rail=rail)
 
     @property
     def all_warnings(self) -> tuple[str, ...]:
-        """Those of the step, and those that the rail alone has where wheel and rail wear together."""
+        """Warnings of the step, and those of the rail alone if both wear."""
         return tuple(dict.fromkeys([*self.warnings, *(() if self.rail is None else self.rail.warnings)]))
 
     def warned(self, sentence: str) -> WornStep:
-        """The same step with a sentence more."""
+        """Returns the step with another warning."""
         return replace(self, warnings=(*self.warnings, sentence))

@@ -1,4 +1,4 @@
-"""What an evolution of a profile is asked for."""
+"""The input of an evolution of profiles."""
 
 from __future__ import annotations
 
@@ -22,32 +22,32 @@ __all__ = ["WearStudy"]
 Law = WearLaw | Mapping[str, Any]
 
 _MOST_STEPS = 1_000_000
-_SPACINGS = (0.01, 10.0)  #: mm; longer cells tell no contact from the next, and shorter ones take memory that nobody has
+_SPACINGS = (0.01, 10.0)  #: Bounds of cells (mm): longer cells hide contacts, shorter ones need too much memory.
 
 
 @dataclass(frozen=True)
 class WearStudy:
-    """What wears, by which law, in which states, how far and in which steps.
+    """The bodies that wear, the laws, the states, the distance, and the steps.
 
     Attributes:
-        setup: The wheel on its rail, or its parameters in the words of the wire; its friction holds for states without a `mu`.
-        states: The collective; weights are shares of the distance (of a wheel) or of the passages (over a rail).
-        wears: "wheel" or "rail", where the other one stays as it is, or "both".
-        law: The law, likewise; its `body` must be that which wears: lower of a wheel, upper of a rail. Of both: the wheel's. In
-            parameters, too, lists stand for the pieces and zones that a WearLaw has as tuples.
-        until: Where it ends: km that the wheel runs, or passages of a wheel over the rail where it alone wears.
+        setup: The wheel on its rail, or its parameters as on the wire; its friction applies to states without a `mu`.
+        states: The weighted states; weights are shares of the distance (of a wheel) or of the passages (over a rail).
+        wears: "wheel" or "rail" (the other one is unchanged), or "both".
+        law: The law, also as a value or parameters. Its `body` must be the worn one: lower for a wheel, upper for a
+            rail. If both wear, the law of the wheel. Parameters may have lists in place of the tuples of a WearLaw.
+        until: End of the study: km of the wheel, or passages of a wheel if only the rail wears.
         depth: Largest depth of a step (mm).
-        distance: Most that a step goes (km or passages); None: as far as the depth lets it.
-        smoothing: What keeps steps stable: "auto", depths are smoothed by the length that the depth of the step and the pressure
-            ask for; "exponential_step", by which grooves wear down as in many small steps, and depths reach farther; or the
-            wavelength (mm) of which half the amplitude is smoothed away in each step; 0: nothing.
-        energy: As of WearRequest.
-        spacing: Length of cells along the section, and most between its points (mm).
-        rail_law: The rail's law, where both wear.
-        passages_per_km: How many wheels pass the rail while a wheel runs a km, where both wear: those of a fleet.
-        symmetric: Whether every state stands for its mirror image, too, each with half of its weight: wheelsets that run both
-            ways, or are turned, so that the profile is the mean of a left and a right one.
-        fatigue: What a step makes the section bear, too; its `body` must be one that wears.
+        distance: Largest distance of a step (km or passages); None: limited only by the depth.
+        smoothing: Stabilisation of steps. "auto" smooths depths according to the depth of the step and the pressure.
+            With "exponential_step", grooves decay as in many small steps, which allows deeper steps. A wavelength (mm)
+            is smoothed to half its amplitude in each step; 0 is no smoothing.
+        energy: See WearRequest.
+        spacing: Length of cells along the section, and largest distance between its points (mm).
+        rail_law: The law of the rail if both wear.
+        passages_per_km: Number of wheels of the fleet that pass the rail while a wheel runs a km, if both wear.
+        symmetric: Whether each state also represents its mirror image, both with half the weight. This describes
+            wheelsets that run in both directions, so that the profile is the mean of a left and a right one.
+        fatigue: Requests the fatigue in each step; its `body` must be one that wears.
     """
 
     setup: WheelRailSetup | Mapping[str, Any]
@@ -66,7 +66,7 @@ class WearStudy:
     fatigue: FatigueRequest | Mapping[str, Any] | None = None
 
     def __post_init__(self) -> None:
-        """Raises InvalidArgument naming what makes no sense."""
+        """Raises InvalidArgument naming an invalid field."""
         if self.wears not in ("wheel", "rail", "both"):
             raise invalid("wears", f"is {self.wears!r}; it must be wheel or rail, where the other one stays as it is, or both")
         self._check_laws()
@@ -114,55 +114,55 @@ class WearStudy:
 
     @property
     def parts(self) -> tuple[WornPart, ...]:
-        """What wears."""
+        """The bodies that wear."""
         return ("wheel", "rail") if self.wears == "both" else (self.wears,)
 
     @property
     def unit(self) -> str:
-        """That of distances."""
+        """The unit of distances."""
         return "passages" if self.wears == "rail" else "km"
 
     @property
     def passages_per_unit(self) -> float:
-        """How often the rail is passed in a unit of distance."""
+        """The number of passages over the rail per unit of distance."""
         return 1.0 if self.passages_per_km is None else self.passages_per_km
 
     @property
     def tired_part(self) -> WornPart | None:
-        """What fatigue is asked of."""
+        """The body for which fatigue is requested."""
         return None if self.fatigue is None else ("rail" if self._fatigue_params()["body"] == "upper" else "wheel")
 
     @property
     def shear_yield(self) -> float | None:
-        """That of the strength, where there is one."""
+        """The yield strength in shear, if given."""
         strength = self._fatigue_params().get("strength") if self.fatigue is not None else None
         return float(strength["shear_yield"]) if strength else None
 
     @cached_property
     def collective(self) -> list[WeightedState]:
-        """The states that are solved: with their mirror images behind them where the study is symmetric."""
+        """The solved states; in a symmetric study, followed by their mirror images."""
         return [*self.states, *(mirrored(one) for one in self.states)] if self.symmetric else list(self.states)
 
     @cached_property
     def shares(self) -> list[float]:
-        """Of the distance, of each state that is solved."""
+        """The shares of the distance of all solved states."""
         total = sum(one.weight for one in self.collective)
         return [one.weight / total for one in self.collective]
 
     def given_index(self, index: int) -> int:
-        """The index among the states that were given."""
+        """Returns the index among the given states."""
         return index % len(self.states)
 
     def law_index(self, part: WornPart) -> int:
-        """Where the law of a part is in requests."""
+        """Returns the index of a body's law in requests."""
         return self.parts.index(part)
 
     def setup_params(self) -> dict[str, Any]:
-        """The set-up in the words of the wire."""
+        """Returns the set-up as on the wire."""
         return setup_params(self.setup) if isinstance(self.setup, WheelRailSetup) else dict(self.setup)
 
     def law_params(self) -> list[dict[str, Any]]:
-        """The laws of the parts in the words of the wire."""
+        """Returns the laws of the bodies as on the wire."""
         return [self._law(name) for name in ("law", "rail_law")[: len(self.parts)]]
 
     def _law(self, name: str) -> dict[str, Any]:
@@ -178,7 +178,7 @@ class WearStudy:
         return params
 
     def params(self, profiles: Mapping[str, Any]) -> list[dict[str, Any]]:
-        """The parameters of wheelrail.solve for each state; `profiles` are fields of the set-up in place of its own."""
+        """Returns the parameters of wheelrail.solve for each state; `profiles` replace fields of the set-up."""
         setup = {**self.setup_params(), **profiles, "wear": {"energy": self.energy, "laws": self.law_params()}}
         if self.fatigue is not None:
             setup["fatigue"] = self._fatigue_params()
@@ -189,12 +189,12 @@ class WearStudy:
         return found
 
     def sourced(self) -> list[dict[str, Any]]:
-        """All that has a name and a source: laws, strength, functions of damage."""
+        """Everything with a name and a source: laws, strength, functions of damage."""
         fatigue = self._fatigue_params()
         return [*self.law_params(), *([fatigue["strength"]] if fatigue.get("strength") else []), *fatigue.get("damages", [])]
 
     def described(self) -> dict[str, Any]:
-        """What was asked for, but for where it ends, in the words of the wire."""
+        """Returns the study as on the wire, without its end."""
         states = [{"state": state_params(one.state, "state"), "weight": one.weight, "group": one.group, "mu": one.mu} for one in self.states]
         described: dict[str, Any] = {
             "setup": self.setup_params(), "states": states, "wears": self.wears, "laws": self.law_params(), "depth": self.depth,

@@ -1,1 +1,1 @@
-"""What the CONTACT program tells of cases, from solutions of contactd."""
+"""Converts solutions of contactd to the results of the CONTACT program."""

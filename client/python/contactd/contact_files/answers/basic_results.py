@@ -1,4 +1,4 @@
-"""What the CONTACT program prints of a case of basic contact, from a solution of contactd."""
+"""Converts a solution of contactd to the results that the CONTACT program prints for basic contact."""
 
 from __future__ import annotations
 
@@ -28,26 +28,26 @@ __all__ = ["BasicResult"]
 
 Floats = npt.NDArray[np.float64]
 
-_PER_THOUSAND = 1e-3  #: from N mm to J, and from N mm/s to W
+_PER_THOUSAND = 1e-3  #: Factor from N mm to J, and from N mm/s to W.
 
 
 @dataclass(frozen=True, eq=False)
 class BasicResult:
-    """A case solved. Forces are those on body 1, as contactd has them.
+    """A solved case. Forces act on body 1, as in contactd.
 
     Attributes:
         contact: The case.
         solution: Its solution.
-        fx: Force along x (N), 0 where the program takes it for nothing.
-        fy: Force along y (N), alike.
-        mz: Torsional moment (N mm), alike.
-        creepage: The motion, prescribed or found: of rolling creepages, of a shift the rigid shift (mm), at the centre of
-            spin, as the program has it.
-        pressure: Pressures, shape [ny, nx] (N/mm^2); of FASTSIM with its parabola, which bounds the tractions there.
-        displacement: Displacements of body 1 less those of body 2, shape [3, ny, nx] (mm).
-        elastic_energy: Of both bodies (J).
-        stresses: At the points below the surface that the case names.
-        friction: Work (J) of a shift or power (W) of rolling that friction takes, negative.
+        fx: Force along x (N); 0 where the program rounds it to zero.
+        fy: Force along y (N), rounded in the same way.
+        mz: Torsional moment (N mm), rounded in the same way.
+        creepage: The prescribed or computed motion at the centre of spin: creepages of rolling, or the rigid shift of a
+            shift (mm).
+        pressure: Pressures, shape [ny, nx] (N/mm^2). For FASTSIM, the parabola that bounds the tractions.
+        displacement: Displacements of body 1 minus those of body 2, shape [3, ny, nx] (mm).
+        elastic_energy: Elastic energy of both bodies (J).
+        stresses: Stresses at the subsurface points of the case.
+        friction: Work (J) of a shift, or power (W) of rolling, dissipated by friction; negative.
     """
 
     contact: BasicContact
@@ -64,7 +64,9 @@ class BasicResult:
 
     @classmethod
     def of(cls, contact: BasicContact, solution: ContactSolution, stresses: Stresses) -> BasicResult:
-        """The solution has displacements, unless its model is a simplified one. `stresses` makes those below the surface."""
+        """Creates the result. The solution must have displacements, unless its model is simplified. `stresses` computes
+        subsurface stresses.
+        """
         grid, case = contact.area.grid, contact.case
         pressure = _parabola(contact, solution) if is_parabolic(case) and contact.problem.normal_model is None else solution.pressure
         tractions = np.stack([solution.traction_x, solution.traction_y, pressure])
@@ -91,7 +93,7 @@ class BasicResult:
 
     @property
     def elements(self) -> Elements:
-        """Its elements."""
+        """Returns the elements."""
         contact, solution = self.contact, self.solution
         grid = contact.area.grid
         none = np.zeros(grid.shape)
@@ -105,7 +107,7 @@ class BasicResult:
 
     @property
     def _normal_force(self) -> float:
-        """The sum over the elements, but of pressures that are prescribed the force that is given with them (N)."""
+        """Returns the sum over the elements; for prescribed pressures, the force given with them (N)."""
         problem = self.contact.problem
         if problem.Fn is not None and problem.normal_model in ("elliptic", "parabolic"):
             return problem.Fn
@@ -135,14 +137,16 @@ class BasicResult:
 
     @property
     def compared(self) -> Compared:
-        """Its numbers, for a comparison with printed ones."""
+        """Returns the numbers for a comparison with printed ones."""
         friction = self.contact.problem.friction
         mu = 0.0 if friction is None else float(np.max(np.asarray(friction.mu, dtype=float)))
         return Compared(self.numbers, mu * self.solution.Fn)
 
     @property
     def is_converged(self) -> bool:
-        """Tells whether all solvers met their tolerances; of a case that asks for one outer iteration, all others."""
+        """Returns whether all solvers met their tolerances. If the case allows one outer iteration, outer iterations
+        are ignored.
+        """
         outer, evidence = self.contact.problem.outer, self.solution.evidence
         if outer is None or outer.max_iterations != 1:
             return self.solution.converged
@@ -151,12 +155,12 @@ class BasicResult:
 
     @property
     def force_unit(self) -> float:
-        """What tangential forces are printed as shares of (N)."""
+        """Returns the unit of printed tangential forces (N)."""
         return self.contact.friction_unit * self.solution.Fn
 
     @property
     def numbers(self) -> dict[str, float]:
-        """Numbers that are compared, by the labels that they are printed under; motions only where a force was prescribed."""
+        """Returns the compared numbers by their printed labels. Motions are included only for prescribed forces."""
         values, solution, counts = self.contact.case.values, self.solution, self.solution.elements
         moves = "CREEP" if self.contact.case.digits["T"] >= 2 else "SHIFT"
         found = {f"{moves} {axis}": motion for axis, motion in zip("XY", self.creepage) if f"F{axis}" in values}
@@ -173,7 +177,7 @@ class BasicResult:
 
     @property
     def velocity(self) -> float:
-        """VELOC as printed (mm/s)."""
+        """Returns VELOC as printed (mm/s)."""
         return float(self.contact.case.values["VELOC"])
 
 
@@ -193,7 +197,7 @@ def _creepage(contact: BasicContact, solution: ContactSolution) -> tuple[float, 
 
 
 def _parabola(contact: BasicContact, solution: ContactSolution) -> Floats:
-    """2 Fn/(pi a b) (1 - x^2/a^2 - y^2/b^2) at the element centres."""
+    """Returns 2 Fn/(pi a b) (1 - x^2/a^2 - y^2/b^2) at the element centres."""
     ellipse, grid = contact.area.ellipse, contact.area.grid
     assert ellipse is not None
     depth = 1 - (grid.x[None, :] / ellipse.aa) ** 2 - (grid.y[:, None] / ellipse.bb) ** 2

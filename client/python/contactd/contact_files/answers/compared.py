@@ -1,4 +1,4 @@
-"""The numbers of a case for a comparison with those that were printed."""
+"""The numbers of a case for a comparison with printed ones."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ __all__ = ["Compared"]
 
 @dataclass(frozen=True)
 class Compared:
-    """The numbers of a case that are compared, by the labels that they are printed under.
+    """The compared numbers of a case, by their printed labels.
 
     Attributes:
-        numbers: Those of the whole case.
+        numbers: Numbers of the whole case.
         bound: mu Fn (N).
-        patches: Those of each patch, of cases on rails.
-        bounds: mu Fn of each patch (N).
+        patches: Numbers of each patch, for cases on rails.
+        bounds: The bound mu Fn of each patch (N).
     """
 
     numbers: dict[str, float]

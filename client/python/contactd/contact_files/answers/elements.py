@@ -1,4 +1,4 @@
-"""What a file shows of the elements of a contact, of basic contact and of patches on rails alike."""
+"""Element arrays for output files, for basic contact and for patches on rails."""
 
 from __future__ import annotations
 
@@ -30,20 +30,20 @@ class Elements:
     Attributes:
         grid: The elements.
         tangential: The digit T.
-        is_frictionless: Whether adhesion and slip mean nothing.
+        is_frictionless: Whether the case has no adhesion and slip.
         chi: Rolling direction (rad).
         division: 0 exterior, 1 adhesion, 2 slip, 3 plastic.
         h: Undeformed distance without the approach (mm).
         approach: The approach (mm).
-        mu: Coefficient of friction at rest.
+        mu: Static coefficient of friction.
         pressure: Pressure (N/mm^2).
         traction: Tractions along x and y (N/mm^2).
-        slip: Slip along x and y: of a shift its distance (mm), of rolling relative.
-        rigid_slip: The same before bodies deform.
-        displacement: Of body 1 less those of body 2, shape [3, ny, nx] (mm).
-        layer: Of a layer that yields its yield stress (N/mm^2) and plastic slip along x and y (mm): in steady rolling what
-            its particles have accumulated since they entered, else that of the step.
-        temperature: Of the surfaces of body 1 and of body 2 (degrees Celsius); None: not asked for.
+        slip: Slip along x and y: the distance in a shift (mm), the relative slip in rolling.
+        rigid_slip: The same for undeformed bodies.
+        displacement: Displacements of body 1 minus those of body 2, shape [3, ny, nx] (mm).
+        layer: Yield stress (N/mm^2) and plastic slip along x and y (mm) of a yielding layer: in steady rolling
+            accumulated since particles entered the contact, otherwise that of the step.
+        temperature: Surface temperatures of body 1 and body 2 (degrees Celsius); None if not requested.
     """
 
     grid: Grid
@@ -64,17 +64,19 @@ class Elements:
 
     @cached_property
     def traction_size(self) -> Floats:
-        """Size of the tangential traction (N/mm^2)."""
+        """Returns the size of the tangential traction (N/mm^2)."""
         return np.hypot(*self.traction)
 
     @cached_property
     def bound(self) -> Floats:
-        """The traction bound (N/mm^2). Where an element slips its traction is at it, whatever law that follows."""
+        """Returns the traction bound (N/mm^2). The traction of a slipping element equals it for every friction law."""
         return np.where(self.division >= _SLIP, self.traction_size, self.mu * self.pressure)
 
 
 def division_of(solution: Solution[Any, Any], shape: tuple[int, int]) -> npt.NDArray[np.uint8]:
-    """The division as the program has it, in which what slips is not plastic, though the layer has flowed before."""
+    """Returns the division of the program, in which slipping elements are not plastic even if the layer has flowed
+    before.
+    """
     division: npt.NDArray[np.uint8] | None = solution.element_division
     if division is None:
         return np.zeros(shape, np.uint8)
@@ -87,7 +89,7 @@ def division_of(solution: Solution[Any, Any], shape: tuple[int, int]) -> npt.NDA
 def layer_of(
     solution: Solution[Any, Any], layer: InterfacialLayer | None, grid: Grid, tangential: int, chi: float, dq: float
 ) -> tuple[Floats, Floats, Floats] | None:
-    """The yield stress and the plastic slip of a layer, as of Elements; None without one that yields."""
+    """Returns yield stress and plastic slip as in Elements; None without a yielding layer."""
     if layer is None or solution.flow_x is None or solution.flow_y is None:
         return None
     stress = solution.yield_stress
@@ -104,7 +106,7 @@ def layer_of(
 
 
 def plastic_elements(solution: Solution[Any, Any]) -> tuple[int, int]:
-    """Numbers of elements in slip, and of those that are plastic."""
+    """Returns the numbers of slipping and of plastic elements."""
     if not solution.elements.flow:
         return solution.elements.slip, 0
     assert solution.element_division is not None
@@ -113,25 +115,27 @@ def plastic_elements(solution: Solution[Any, Any]) -> tuple[int, int]:
 
 
 def rigid_slip_on(grid: Grid, creepage: tuple[float, float], phi: float, centre: tuple[float, float]) -> Pair:
-    """The rigid slip of a plane that moves by `creepage` at `centre` and turns by `phi`."""
+    """Returns the rigid slip of a plane that moves by `creepage` at `centre` and rotates by `phi`."""
     x, y = grid.x[None, :] - centre[0], grid.y[:, None] - centre[1]
     none = np.zeros(grid.shape)
     return creepage[0] - phi * y + none, creepage[1] + phi * x + none
 
 
 def ahead(dq: float, chi: float, spin_offset: float) -> tuple[float, float]:
-    """How far ahead of an element's centre its spin is evaluated (mm)."""
+    """Returns the distance ahead of an element's centre at which its spin is evaluated (mm)."""
     return spin_offset * dq * math.cos(chi), spin_offset * dq * math.sin(chi)
 
 
 def temperature_of(solution: Solution[Any, Any]) -> Pair | None:
-    """Temperatures of the surfaces of body 1 and body 2 (degrees Celsius)."""
+    """Returns the surface temperatures of body 1 and body 2 (degrees Celsius)."""
     upper, lower = solution.upper_temperature, solution.lower_temperature
     return None if upper is None or lower is None else (upper, lower)
 
 
 def displacement_of(solution: Solution[Any, Any]) -> Floats:
-    """Displacements of body 1 less those of body 2, shape [3, ny, nx] (mm); zero where the solution has none."""
+    """Returns the displacements of body 1 minus those of body 2, shape [3, ny, nx] (mm); zero if the solution has
+    none.
+    """
     arrays = (solution.displacement_x, solution.displacement_y, solution.displacement_z)
     assert solution.pressure is not None
     none = np.zeros(solution.pressure.shape)

@@ -1,4 +1,4 @@
-"""Where the reference of a patch lies on the profiles of rail and wheel."""
+"""Positions of the reference of a patch on the profiles of rail and wheel."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ Vector = npt.NDArray[np.float64]
 
 
 def on_wheel(contact: RailContact, solution: WheelRailSolution, reference: ContactReference) -> Vector:
-    """x, y and z in the axes of the wheel's profile, of left wheels with y to the right, too."""
+    """Returns x, y and z in the axes of the wheel's profile; y is to the right, also for left wheels."""
     position, by, origin = contact.state.position, contact.state.wheel, solution.wheel_frame
     axes = _axes(by.yaw, by.roll) @ _axes(position.yaw, position.roll)
     return np.asarray(axes @ (_place(reference) - [origin.x, origin.y, origin.z]))
 
 
 def on_rail(solution: WheelRailSolution, reference: ContactReference) -> tuple[float, float]:
-    """y and z in the axes of the rail's profile, of left rails with y to the right, too."""
+    """Returns y and z in the axes of the rail's profile; y is to the right, also for left rails."""
     frame = solution.rail_frame
     y, z = reference.y - frame.y, reference.z - frame.z
     cos, sin = math.cos(frame.roll), math.sin(frame.roll)
@@ -33,7 +33,7 @@ def on_rail(solution: WheelRailSolution, reference: ContactReference) -> tuple[f
 
 
 def along_axle(contact: RailContact) -> float:
-    """y of the wheel's profile along the axle (mm)."""
+    """Returns y of the wheel's profile along the axle (mm)."""
     wheelset = contact.setup.wheelset
     assert wheelset is not None
     assert wheelset.flange_back_distance is not None and wheelset.flange_back_position is not None
@@ -42,8 +42,9 @@ def along_axle(contact: RailContact) -> float:
 
 
 def moment_about_normal(force: Wrench, reference: ContactReference) -> float:
-    """The moment (N mm) about the normal of a contact at its reference, of a force with its moment about the track's
-    origin."""
+    """Returns the moment (N mm) about the normal of a contact at its reference, from a force and its moment about the
+    track's origin.
+    """
     moment = np.array([force.Mx, force.My, force.Mz]) - np.cross(_place(reference), [force.Fx, force.Fy, force.Fz])
     return float(moment[2] * math.cos(reference.angle) - moment[1] * math.sin(reference.angle))
 
@@ -53,7 +54,7 @@ def _place(reference: ContactReference) -> Vector:
 
 
 def _axes(yaw: float, roll: float) -> Vector:
-    """Rows are axes that were turned by yaw about z, and then by roll about the x of before."""
+    """Returns axes as rows, rotated by yaw about z and then by roll about the rotated x."""
     yawed = np.array([[math.cos(yaw), math.sin(yaw), 0.0], [-math.sin(yaw), math.cos(yaw), 0.0], [0.0, 0.0, 1.0]])
     rolled = np.array([[1.0, 0.0, 0.0], [0.0, math.cos(roll), math.sin(roll)], [0.0, -math.sin(roll), math.cos(roll)]])
     return np.asarray(yawed @ rolled)

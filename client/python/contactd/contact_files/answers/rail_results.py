@@ -1,4 +1,4 @@
-"""What the CONTACT program prints of a case of a wheel on a rail, from a solution of contactd."""
+"""Converts a solution of contactd to the results that the CONTACT program prints for a wheel on a rail."""
 
 from __future__ import annotations
 
@@ -30,22 +30,22 @@ __all__ = ["LETTERS", "RailResult"]
 
 Floats = npt.NDArray[np.float64]
 
-LETTERS = "abcdefghijklmnopqrstuvwxyz"  #: of patches, in names of files
+LETTERS = "abcdefghijklmnopqrstuvwxyz"  #: Letters of patches in file names.
 
 _SPIN_OFFSET = 1 / 6
-_PER_THOUSAND = 1e-3  #: from N mm to J, and from N mm/s to W
+_PER_THOUSAND = 1e-3  #: Factor from N mm to J, and from N mm/s to W.
 
 
 @dataclass(frozen=True, eq=False)
 class RailResult:
-    """A case solved. Forces act on the rail, in the axes of the patches and of the track.
+    """A solved case. Forces act on the rail, in the axes of the patches and of the track.
 
     Attributes:
         contact: The case.
         solution: Its solution, with all arrays and gaps.
-        stresses: Those of each patch, from the right to the left as in the solution, at the points below the surface that
-            the case names, in the axes of the patch.
-        before: Patches of the step that this one goes on from; None: it goes on from none.
+        stresses: Stresses of each patch at the subsurface points of the case, in the axes of the patch. Patches are
+            ordered from right to left as in the solution.
+        before: Patches of the previous step, if this step continues it; otherwise None.
     """
 
     contact: RailContact
@@ -61,7 +61,7 @@ class RailResult:
         stresses: Stresses,
         before: tuple[WheelRailPatch, ...] | None = None,
     ) -> RailResult:
-        """The solution has displacements. `stresses` makes those below the surface."""
+        """Creates the result. The solution must have displacements. `stresses` computes subsurface stresses."""
         pair = pair_of(contact.case.values)
         below = []
         blocks = contact.case.subsurface if contact.case.digits["S"] >= 1 else ()
@@ -72,17 +72,17 @@ class RailResult:
 
     @property
     def patches(self) -> tuple[WheelRailPatch, ...]:
-        """From the field side to the gauge side."""
+        """Returns the patches from the field side to the gauge side."""
         return self.solution.patches if self.contact.setup.side == "right" else self.solution.patches[::-1]
 
     @property
     def is_converged(self) -> bool:
-        """Tells whether all solvers and searches met their tolerances."""
+        """Returns whether all solvers and searches met their tolerances."""
         return self.solution.converged
 
     @property
     def numbers(self) -> dict[str, float]:
-        """Numbers of the whole that are compared, by the labels that they are printed under."""
+        """Returns the compared numbers of the whole case by their printed labels."""
         track, wheelset = self.solution.forces.track, self.solution.forces.wheelset
         found = {"Z_WS": self.solution.z} if self.contact.state.Fz is not None else {}
         if self.contact.state.Fx is not None:
@@ -93,7 +93,7 @@ class RailResult:
         }  # fmt: skip
 
     def numbers_of(self, patch: WheelRailPatch) -> dict[str, float]:
-        """Numbers of a patch that are compared."""
+        """Returns the compared numbers of a patch."""
         reference, motion, solution = patch.place.reference, patch.place.creepages, patch.solution
         has_friction, counts = self._rolls(patch), solution.elements
         slip, plastic = plastic_elements(solution)
@@ -111,17 +111,17 @@ class RailResult:
 
     @property
     def compared(self) -> Compared:
-        """Its numbers, for a comparison with printed ones."""
+        """Returns the numbers for a comparison with printed ones."""
         patches = self.patches
         bounds = [self.mu_of(patch) * patch.solution.Fn for patch in patches]
         return Compared(self.numbers, sum(bounds), [self.numbers_of(patch) for patch in patches], bounds)
 
     def mu_of(self, patch: WheelRailPatch) -> float:
-        """The coefficient at rest, by the angle of the patch where angles decide."""
+        """Returns the static coefficient, at the angle of the patch if friction depends on angles."""
         return self._mu_at(patch.place.reference.angle)
 
     def mu_of_rows(self, patch: WheelRailPatch) -> list[float]:
-        """The coefficient at rest of each row of a curved contact; none of a plane one."""
+        """Returns the static coefficient of each row of a curved contact; None for a plane one."""
         return [self._mu_at(row.angle) for row in patch.place.rows]
 
     def _coefficients(self, patch: WheelRailPatch) -> Floats:
@@ -138,16 +138,16 @@ class RailResult:
         return float(np.interp(turned, [one for one, _ in friction.mu], [mu for _, mu in friction.mu]))
 
     def on_wheel(self, patch: WheelRailPatch) -> tuple[float, float, float]:
-        """The reference in the axes of the wheel's profile."""
+        """Returns the reference in the axes of the wheel's profile."""
         x, y, z = on_wheel(self.contact, self.solution, patch.place.reference)
         return float(x), float(y), float(z)
 
     def on_rail(self, patch: WheelRailPatch) -> tuple[float, float]:
-        """The reference in the axes of the rail's profile."""
+        """Returns the reference in the axes of the rail's profile."""
         return on_rail(self.solution, patch.place.reference)
 
     def elements_of(self, patch: WheelRailPatch) -> Elements:
-        """The elements of a patch."""
+        """Returns the elements of a patch."""
         place, solution, motion = patch.place, patch.solution, patch.place.creepages
         none = np.zeros(place.grid.shape)
         offset = ahead(0.0 if self.contact.is_shift else self.contact.step_on(place.grid), motion.chi, _SPIN_OFFSET)
@@ -166,8 +166,9 @@ class RailResult:
         )  # fmt: skip
 
     def _forces(self, patch: WheelRailPatch) -> dict[str, float]:
-        """In the axes of the patch. Of one that is curved they are those of the vectors of all rows together. Moments of a
-        transient contact are about where its elements are counted from, which are those of the rows in one that is curved."""
+        """Returns forces in the axes of the patch. For a curved patch, the vectors of all rows are summed. Moments of a
+        transient contact are about the origin of its element numbering, which is that of the rows for a curved patch.
+        """
         solution, track, reference = patch.solution, patch.forces.track, patch.place.reference
         x, y = self.spin_centre(patch)
         if not patch.place.rows:
@@ -181,8 +182,9 @@ class RailResult:
         }  # fmt: skip
 
     def goes_on_from(self, patch: WheelRailPatch) -> list[int] | None:
-        """Numbers of the patches of the step before, from 1, that a patch has in common with its elements across the rail;
-        None where steps do not go on from each other."""
+        """Returns the numbers (from 1) of the patches of the previous step that share elements across the rail with a
+        patch; None if the steps do not continue each other.
+        """
         if self.before is None:
             return None
         from_y, to_y = _across(patch)
@@ -190,18 +192,18 @@ class RailResult:
         return [number for number, (first, last) in enumerate(ends, 1) if first < to_y and last > from_y]
 
     def spin_centre(self, patch: WheelRailPatch) -> tuple[float, float]:
-        """The reference from where the elements of a transient contact are counted."""
+        """Returns the reference relative to the origin of the element numbering of a transient contact."""
         if self.contact.state.motion == "steady_rolling":
             return 0.0, 0.0
         along = patch.place.on_rail.along if self.contact.is_shift else patch.place.reference.x
         return along, patch.place.on_rail.across
 
     def stresses_of(self, patch: WheelRailPatch) -> list[StressField]:
-        """Below the surface of a patch."""
+        """Returns the subsurface stresses of a patch."""
         return self.stresses[self._index(patch)] if self.stresses else []
 
     def _rolls(self, patch: WheelRailPatch) -> bool:
-        """Tells whether there is friction: none acts on a wheel at rest, which adheres."""
+        """Returns whether there is friction. None acts on a wheel at rest, which adheres."""
         return self.contact.case.digits["T"] != 0 and patch.place.creepages.velocity > 0
 
     def _index(self, patch: WheelRailPatch) -> int:
@@ -215,7 +217,7 @@ def _tractions(patch: WheelRailPatch) -> Floats:
 
 
 def _across(patch: WheelRailPatch) -> tuple[float, float]:
-    """Ends of the elements of a patch by arc length across the rail (mm)."""
+    """Returns the ends of the elements of a patch by arc length across the rail (mm)."""
     across, half = patch.place.on_rail.across, 0.5 * patch.place.grid.dy
     rows = patch.place.grid.y
     return across + float(rows[0]) - half, across + float(rows[-1]) + half

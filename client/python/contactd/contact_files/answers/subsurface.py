@@ -1,4 +1,4 @@
-"""Stresses and displacements inside both bodies, at the points that a case names."""
+"""Stresses and displacements inside both bodies, at the points of a case."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ __all__ = ["COMPONENTS", "Body", "StressField", "Stresses", "stress_field"]
 
 Floats = npt.NDArray[np.float64]
 Body = Literal["lower", "upper"]
-#: Makes stresses and displacements in a body of a problem under tractions, on a block of points.
+#: Computes stresses and displacements in a body of a problem under tractions, on a block of points.
 Stresses = Callable[[ContactProblem, Estimate, Body, StressBlock], SubsurfaceStress]
 
 COMPONENTS = ("xx", "xy", "xz", "yy", "yz", "zz")
@@ -28,12 +28,12 @@ _ANY = Paraboloid(Rx=1.0, Ry=1.0)  #: stresses follow from tractions, whatever s
 
 @dataclass(frozen=True, eq=False)
 class StressField:
-    """Points z, y, x, of which x runs fastest, and what is there; z >= 0 in body 1.
+    """Results at points z, y, x, with x running fastest; z >= 0 in body 1.
 
     Attributes:
-        x: Places along x (mm).
-        y: Places along y (mm).
-        z: Places along z (mm).
+        x: Positions along x (mm).
+        y: Positions along y (mm).
+        z: Positions along z (mm).
         displacement: Displacements, shape [nz, ny, nx, 3] (mm).
         stress: Stresses by COMPONENTS, shape [6, nz, ny, nx] (N/mm^2), tension positive.
     """
@@ -46,35 +46,37 @@ class StressField:
 
     @cached_property
     def principal(self) -> Floats:
-        """Principal stresses, ascending, shape [3, nz, ny, nx] (N/mm^2)."""
+        """Returns the principal stresses in ascending order, shape [3, nz, ny, nx] (N/mm^2)."""
         xx, xy, xz, yy, yz, zz = self.stress
         tensors = np.stack([np.stack(row, axis=-1) for row in ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))], axis=-2)
         return np.moveaxis(np.linalg.eigvalsh(tensors), -1, 0)
 
     @property
     def hydrostatic(self) -> Floats:
-        """Mean of the normal stresses (N/mm^2)."""
+        """Returns the mean of the normal stresses (N/mm^2)."""
         return np.asarray((self.stress[0] + self.stress[3] + self.stress[5]) / 3)
 
     @property
     def von_mises(self) -> Floats:
-        """Von Mises' equivalent stress (N/mm^2)."""
+        """Returns the von Mises stress (N/mm^2)."""
         first, second, third = self.principal
         return np.asarray(np.sqrt(((first - second) ** 2 + (second - third) ** 2 + (third - first) ** 2) / 2))
 
     @property
     def tresca(self) -> Floats:
-        """Largest less smallest principal stress (N/mm^2)."""
+        """Returns the largest minus the smallest principal stress (N/mm^2)."""
         return np.asarray(self.principal[2] - self.principal[0])
 
 
 def stress_field(block: Mapping[str, Any], grid: Grid, tractions: Floats, pair: Pair, stresses: Stresses) -> StressField:
-    """Makes the field of a block of points as it was read. `tractions` act on body 1, along x, y and z, shape [3, ny, nx]."""
+    """Computes the field on a block of points as read. `tractions` act on body 1, along x, y and z, shape [3, ny,
+    nx].
+    """
     x, y, z = _places(block, grid)
     displacement, stress = np.zeros((len(z), len(y), len(x), 3)), np.zeros((6, len(z), len(y), len(x)))
     problem = ContactProblem(grid=grid, upper=pair.upper, lower=pair.lower, gap=_ANY, approach=1.0)
     acting = Estimate(tractions[2], tractions[0], tractions[1])
-    # The frame of the upper body is mirrored, and so are its displacements along z and its shear stresses with z.
+    # In the mirrored frame of the upper body, displacements along z and shear stresses with z change sign.
     bodies: tuple[tuple[Body, npt.NDArray[np.bool_], int], ...] = (("upper", z >= 0, -1), ("lower", z < 0, 1))
     for body, inside, mirror in bodies:
         if not inside.any():
@@ -95,7 +97,7 @@ def _places(block: Mapping[str, Any], grid: Grid) -> tuple[Floats, Floats, Float
 
 
 def _elements(centres: Floats, numbers: Sequence[int] | None) -> Floats:
-    """Those of elements, counted from 1, that there are; None: of all."""
+    """Returns the existing elements among the requested ones, counted from 1; None requests all."""
     if numbers is None:
         return centres
     return centres[[int(number) - 1 for number in numbers if 1 <= number <= len(centres)]]

@@ -1,1 +1,1 @@
-"""Files as the CONTACT program writes them."""
+"""Writes files in the formats of the CONTACT program."""

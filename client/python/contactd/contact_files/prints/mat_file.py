@@ -1,4 +1,4 @@
-"""A .mat file: text with a header and a line for each element, as the CONTACT program's own scripts read it."""
+"""Writes a .mat file: text with a header and one line per element, for the CONTACT program's own scripts."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ __all__ = ["mat_texts"]
 
 _COLUMNS = 11
 _OF_MATERIAL: dict[int, tuple[str, ...]] = {1: ("FG1", "FG2", "TC1", "TC2"), 4: ("GG3", "LAYTHK", "TAU_C0", "K_TAU")}
-_FORMAT = 2410.0  #: the version of the format, which readers look for in the last column
+_FORMAT = 2410.0  #: Version of the format; readers look for it in the last column.
 
 Cell = float | int
 
 
 def mat_texts(result: BasicResult | RailResult) -> Iterator[tuple[str, str]]:
-    """Yields for each contact a letter, empty in basic contact, and the text; none where the digit A is 0."""
+    """Yields a letter (empty for basic contact) and the text of each contact; nothing if the digit A is 0."""
     case = result.contact.case
     if case.digits["A"] == 0:
         return
@@ -80,7 +80,7 @@ def _corner(grid: Grid, places: PatchPlaces) -> tuple[float, float]:
 
 
 def _header(cells: Sequence[Cell], width: int) -> str:
-    """Filled with zeros; whole numbers as such."""
+    """Returns the header, padded with zeros; integers are written as such."""
     filled = [*cells, *[0.0] * (width - len(cells))]
     return "".join(f"{cell:6d}        " if isinstance(cell, int) else fortran_g(cell, 14, 6) for cell in filled)
 

@@ -1,4 +1,4 @@
-"""Where rail, wheel and a patch are, as the header of a .mat file has them."""
+"""Positions of rail, wheel and patch for the header of a .mat file."""
 
 from __future__ import annotations
 
@@ -20,12 +20,14 @@ class PatchPlaces:
     """Lines of the header.
 
     Attributes:
-        rail: Time, place along the track, pitch, the rail profile's y, z and roll in the track's axes, its nominal radius.
-        wheel: The wheel profile's x, y, z, roll and yaw in the track's axes, its nominal radius.
-        reference: Of the patch on the rail (x, y, z, angle) and on the wheel (x, y, z), the number of patches and its own,
-            and the centre of spin.
-        nominal: y of the wheel's profile on its axle.
-        counted_from: The reference of the patch from where elements are counted, in the axes of the patch.
+        rail: Time, position along the track, pitch, the rail profile's y, z and roll in the track's axes, nominal
+            radius.
+        wheel: The wheel profile's x, y, z, roll and yaw in the track's axes, nominal radius.
+        reference: Reference of the patch on the rail (x, y, z, angle) and on the wheel (x, y, z), the number of
+            patches, its own number, and the centre of spin.
+        nominal: Position y of the wheel's profile on its axle.
+        counted_from: The reference of the patch relative to the origin of the element numbering, in the axes of the
+            patch.
     """
 
     rail: list[float]
@@ -36,13 +38,13 @@ class PatchPlaces:
 
     @classmethod
     def none(cls, case: Case) -> PatchPlaces:
-        """The places of basic contact, which has the centre of spin only."""
+        """Returns the positions for basic contact, which only has a centre of spin."""
         centre = (case.values["SPINXO"], case.values["SPINYO"])
         return cls([], [], [*[0.0] * 7, 1, 1, *centre], 0.0)
 
 
 def patch_places(result: RailResult, patch: WheelRailPatch, number: int) -> PatchPlaces:
-    """The places of a patch, which is counted from the field side."""
+    """Returns the positions of a patch; patches are counted from the field side."""
     values, contact, reference = result.contact.case.values, result.contact, patch.place.reference
     along = values.get("S_WS", values.get("X_WS", 0.0))
     rail, wheel = result.solution.rail_frame, result.solution.wheel_frame

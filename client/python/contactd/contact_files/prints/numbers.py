@@ -1,4 +1,4 @@
-"""Numbers as the CONTACT program prints them: Fortran's G, and its own general format."""
+"""Formats numbers like the CONTACT program: Fortran's G format, and the program's general format."""
 
 from __future__ import annotations
 
@@ -6,11 +6,13 @@ import math
 
 __all__ = ["fixed", "fortran_g", "general"]
 
-_NOTHING = 1e-20  #: smaller numbers are printed as zero
+_NOTHING = 1e-20  #: Smaller numbers are printed as zero.
 
 
 def fortran_g(value: float, width: int = 12, digits: int = 4) -> str:
-    """Fortran's Gwidth.digits: without exponent where 0.1 <= |value| < 10^digits as rounded, with four blanks behind."""
+    """Formats as Fortran's Gwidth.digits: without exponent and with four trailing blanks if 0.1 <= |value| < 10^digits
+    after rounding.
+    """
     if value == 0:
         return f"{0:.{digits - 1}f}    ".rjust(width)
     mantissa, exponent = _rounded(value, digits)
@@ -21,8 +23,9 @@ def fortran_g(value: float, width: int = 12, digits: int = 4) -> str:
 
 
 def general(value: float, fixed_digits: int = 4, digits: int = 4, width: int = 12) -> str:
-    """The program's own general format: `fixed_digits` digits where that is enough for what stands before the point and one
-    leading zero at most is lost behind it, else an exponent and `digits` digits."""
+    """Formats in the program's general format: with `fixed_digits` digits if they suffice for the integer part and at
+    most one digit is lost to a leading zero; otherwise with an exponent and `digits` digits.
+    """
     if abs(value) < _NOTHING:
         return f"{0:.{fixed_digits - 1}f}".rjust(width)
     decade = math.floor(math.log10(abs(value)) + 1e-7)
@@ -32,13 +35,13 @@ def general(value: float, fixed_digits: int = 4, digits: int = 4, width: int = 1
 
 
 def fixed(value: float, width: int, decimals: int) -> str:
-    """Fortran's Fwidth.decimals; stars where there is no room."""
+    """Formats as Fortran's Fwidth.decimals; asterisks if the number does not fit."""
     text = f"{value:#.{decimals}f}".rjust(width)
     return text if len(text) <= width else "*" * width
 
 
 def _rounded(value: float, digits: int) -> tuple[str, int]:
-    """Digits, and the exponent of 0.digits."""
+    """Returns the digits, and the exponent of 0.digits."""
     mantissa, exponent = f"{abs(value):.{digits - 1}e}".split("e")
     return mantissa.replace(".", ""), int(exponent) + 1
 

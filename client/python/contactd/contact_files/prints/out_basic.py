@@ -1,4 +1,4 @@
-"""The blocks that an .out file has of a case of basic contact."""
+"""Writes the blocks of an .out file for a case of basic contact."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .out_text import case_head, digits, g_row, gs_row, interfacial_layer, row, 
 __all__ = ["basic_lines"]
 
 def basic_lines(result: BasicResult) -> list[str]:
-    """All lines of a case, by its digit O."""
+    """Returns all lines of a case, according to its digit O."""
     case = result.contact.case
     level, digit = case.digits["O"], case.digits
     if level == 0:
@@ -104,7 +104,7 @@ def _materials(result: BasicResult) -> Iterator[str]:
 
 
 def _creep(result: BasicResult) -> Iterator[str]:
-    """The pair as the program combines it: relaxed where the bodies do not take time to creep."""
+    """Returns the combined pair of the program: relaxed if the bodies have no creep time."""
     values, velocity = result.contact.case.values, result.velocity
     f1, f2, tau1, tau2 = (values[name] for name in ("FG1", "FG2", "TC1", "TC2"))
     relaxed = [G if tau > 0 else G / (1 + f) for G, f, tau in ((values["GG1"], f1, tau1), (values["GG2"], f2, tau2))]

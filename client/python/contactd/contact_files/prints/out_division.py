@@ -1,4 +1,4 @@
-"""What an .out file shows of the elements: the form of the contact, and the quantities in it."""
+"""Writes the elements of an .out file: a picture of the contact, and quantities by element."""
 
 from __future__ import annotations
 
@@ -14,14 +14,16 @@ from .numbers import fixed, fortran_g
 __all__ = ["division", "quantities"]
 
 _SIGNS = np.array([".", "*", "S", "|"])
-_SPACED = 46  #: columns of elements that have room for a blank between them
-_TENS = 10  #: columns from which on their tens are told, too
-_WHOLE = 5  #: rows or columns outside that are shown all the same
+_SPACED = 46  #: Maximum number of columns printed with blanks between them.
+_TENS = 10  #: Number of columns from which tens are printed, too.
+_WHOLE = 5  #: Number of exterior rows or columns that are still printed.
 _COLUMNS = "     X         H-PEN        PN      TRCBND    ABS(PT)     ARG(PT;-S)  ABS(S)      {}"
 
 
 def division(elements: Elements) -> Iterator[str]:
-    """Adhesion and slip, rows from the top; where much lies outside, the contact and what borders on it."""
+    """Returns the picture of adhesion and slip, with rows from the top. A large exterior is cropped to the border of
+    the contact.
+    """
     shown = _SIGNS[np.minimum(elements.division, 1) if elements.is_frictionless else elements.division]
     touches = shown != "."
     rows, columns = _range(touches.any(axis=1)), _range(touches.any(axis=0))
@@ -50,7 +52,7 @@ def _range(is_touched: npt.NDArray[np.bool_]) -> range:
 
 
 def quantities(elements: Elements) -> Iterator[str]:
-    """A line for each element in contact, by rows."""
+    """Returns a line for each element in contact, by rows."""
     yield " QUANTITIES DISTRIBUTED OVER THE CONTACT AREA:"
     yield ' "H-PEN" IS THE UNDEFORMED DISTANCE WITH THE APPROACH TAKEN INTO ACCOUNT.'
     *sentences, labels = _heads(elements.tangential)

@@ -1,4 +1,4 @@
-"""What files show of heat: thermal properties of the bodies, and the largest temperature."""
+"""Writes the thermal properties of the bodies and the largest temperature."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ __all__ = ["heat_lines", "largest_temperature"]
 
 
 def heat_lines(case: Case) -> Iterator[str]:
-    """The thermal properties of both bodies, of cases with heat."""
+    """Returns the thermal properties of both bodies, for cases with heat."""
     if case.digits["H"] == 0:
         return
     yield from ("", "     BKTEMP      HEATCP      LAMBDA      DENSITY")
@@ -24,6 +24,6 @@ def heat_lines(case: Case) -> Iterator[str]:
 
 
 def largest_temperature(numbers: Mapping[str, float]) -> tuple[str, list[str]]:
-    """Its label and the number, behind those of a row; of cases without heat nothing."""
+    """Returns label and number to append to a row; nothing for cases without heat."""
     largest = numbers.get("MAX(T1,T2)")
     return ("", []) if largest is None else ("  MAX(T1,T2)", [general(largest)])

@@ -1,4 +1,4 @@
-"""How the values of friction laws are labelled, and which they are, by the digit L."""
+"""Labels and values of friction laws by the digit L."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from .numbers import fortran_g
 
 __all__ = ["LABELS_OF_LAWS", "NAMES_OF_LAWS", "cut_rows"]
 
-_SHOWN = 2  #: rows at either end, where not all are
-_ALL = 4  #: the digit O from which on all are
+_SHOWN = 2  #: Number of rows printed at either end of a shortened list.
+_ALL = 4  #: Digit O from which all rows are printed.
 
 LABELS_OF_LAWS = {
     0: ("FSTAT", "FKIN"),
@@ -26,7 +26,9 @@ NAMES_OF_LAWS = {
 
 
 def cut_rows(rows: Sequence[Sequence[float]], level: int) -> Iterator[str]:
-    """Values of each row of elements, with its number; those in the middle are left out below a `level` of output."""
+    """Returns the values of each row of elements with its number. Below a `level` of output, middle rows are
+    omitted.
+    """
     cut = len(rows) > 2 * _SHOWN and level < _ALL
     for number, values in enumerate(rows, 1):
         if cut and number == _SHOWN + 1:

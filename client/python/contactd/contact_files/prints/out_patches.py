@@ -1,4 +1,4 @@
-"""The blocks of an .out file for a patch of a wheel on a rail."""
+"""Writes the blocks of an .out file for a patch of a wheel on a rail."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ __all__ = ["patch_lines"]
 
 
 def patch_lines(result: RailResult, patch: WheelRailPatch, number: int) -> list[str]:
-    """All lines of a patch, by the digit O."""
+    """Returns all lines of a patch, according to the digit O."""
     case = result.contact.case
     level = case.digits["O"]
     lines = [f" ----- DATA FOR CONTACT PATCH {number:2d}{_history(result, patch)} -----"]

@@ -1,4 +1,4 @@
-"""The blocks that an .out file has of a case of a wheel on a rail."""
+"""Writes the blocks of an .out file for a case of a wheel on a rail."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _DEVIATIONS = ("DYRAIL", "DZRAIL", "DROLLR", "VYRAIL", "VZRAIL", "VROLLR")
 
 
 def rail_lines(result: RailResult) -> list[str]:
-    """The lines of a case above those of its patches, by its digit O."""
+    """Returns the lines of a case above those of its patches, according to its digit O."""
     case = result.contact.case
     level, digit = case.digits["O"], case.digits
     if level == 0:

@@ -1,4 +1,4 @@
-"""What an .out file tells of the points below the surface."""
+"""Writes the subsurface results of an .out file."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ __all__ = ["extremes"]
 
 
 def extremes(field: StressField, number: int) -> Iterator[str]:
-    """The largest of each kind, and where."""
+    """Returns the largest value of each kind, and its position."""
     first = field.principal
     kinds = [
         ("ABSMAX", "SIGHYD", field.hydrostatic), ("MAX", "SIGVM", field.von_mises), ("MAX", "SIGTR", field.tresca),

@@ -1,4 +1,4 @@
-"""What all blocks of an .out file share: its head, rows of labels and numbers, control digits."""
+"""Writes the common parts of all blocks of an .out file: head, rows of labels and numbers, control digits."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ if TYPE_CHECKING:
 
 __all__ = ["IS_OURS", "case_head", "digits", "g_row", "gs_row", "head", "interfacial_layer", "row", "statistics_lines"]
 
-_WITH_PLASTIC = 5  #: numbers of elements, where a layer yields
+_WITH_PLASTIC = 5  #: Labels of the numbers of elements with a yielding layer.
 
-IS_OURS = "|  contactd - "  #: in the second line of what was written here
+IS_OURS = "|  contactd - "  #: Text in the second line of files written by contactd.
 
 _WIDTH = 72
 _LINES = {
@@ -26,7 +26,7 @@ _LAST = ("HGIAOWR", "HEAT GAUSEI IESTIM MATFIL OUTPUT FLOW RETURN")
 
 
 def head() -> list[str]:
-    """The first eight lines. What reads such files looks for the words of the second one."""
+    """Returns the first eight lines. Readers of such files look for the words of the second line."""
     texts = ("contactd - detailed investigation of 3D frictional contact problems", "in the layout of the CONTACT program", "",
             f"Version: {__version__}", "", "")  # fmt: skip
     line = "   " + "-" * _WIDTH
@@ -34,14 +34,14 @@ def head() -> list[str]:
 
 
 def case_head(case: Case) -> list[str]:
-    """A blank line, and the number of the case."""
+    """Returns a blank line and the number of the case."""
     number = f"{case.number:6d}" if case.number < 100_000 else f"{case.number:8d}"
     element = "" if case.reid is None else f", result element{case.reid:4d}"
     return ["", f" Case{number}{element}"]
 
 
 def digits(case: Case) -> list[str]:
-    """The three lines of control digits."""
+    """Returns the three lines of control digits."""
     first, second = _LINES[case.module]
     lines = [_digit_line(*first, case.digits)]
     if case.module == 3 and case.digits["V"] == 0:
@@ -59,29 +59,29 @@ def _digit_line(letters: str, names: str, values: Mapping[str, int]) -> str:
 
 
 def row(numbers: Sequence[str]) -> str:
-    """Numbers that are 12 wide, two columns in."""
+    """Formats numbers 12 characters wide, indented by two columns."""
     return "  " + "".join(numbers)
 
 
 def g_row(*values: float) -> str:
-    """Numbers by Fortran's G12.4."""
+    """Formats numbers with Fortran's G12.4."""
     return row([fortran_g(value) for value in values])
 
 
 def gs_row(*values: float) -> str:
-    """Numbers in the program's general format."""
+    """Formats numbers in the program's general format."""
     return row([general(value) for value in values])
 
 
 def interfacial_layer(values: Mapping[str, Any]) -> Iterator[str]:
-    """The constants of M = 4."""
+    """Returns the constants of M = 4."""
     yield " INTERFACIAL LAYER PARAMETERS"
     yield "     GG3         LAYTHK      TAU_C0      K_TAU"
     yield g_row(*(values[name] for name in ("GG3", "LAYTHK", "TAU_C0", "K_TAU")))
 
 
 def statistics_lines(counts: list[int], normal: int, tangential: int) -> Iterator[str]:
-    """Numbers of elements, in the contact and its parts, and of iterations."""
+    """Returns the numbers of elements, in the contact and its parts, and the numbers of iterations."""
     yield " CONTACT STATISTICS"
     yield " N: NUMBER OF ELEMENTS IN REGION,  I: NUMBER OF ITERATIONS,"
     yield " POT: POTENTIAL CONTACT AREA,  CON: CONTACT,  ADH: ADHESION"

@@ -1,4 +1,4 @@
-"""A .subs file, and what an .out file tells of the points below the surface."""
+"""Writes a .subs file, and the subsurface results of an .out file."""
 
 from __future__ import annotations
 
@@ -15,11 +15,13 @@ from .numbers import fortran_g, general
 __all__ = ["subs_text", "subs_texts"]
 
 _SHORT, _LONG = 8, 14
-_ALL = 2  #: the digit A for all components
+_ALL = 2  #: The digit A that prints all components.
 
 
 def subs_texts(result: BasicResult | RailResult) -> Iterator[tuple[str, str]]:
-    """Yields for each contact a letter, empty in basic contact, and the text; none where the digit A of the points is 0."""
+    """Yields a letter (empty for basic contact) and the text of each contact; nothing if the digit A of the points is
+    0.
+    """
     case = result.contact.case
     level = case.values.get("SUBS_A", 0) if case.digits["S"] >= 1 else 0
     if level == 0:
@@ -33,7 +35,9 @@ def subs_texts(result: BasicResult | RailResult) -> Iterator[tuple[str, str]]:
 
 
 def subs_text(fields: Sequence[StressField], all_components: bool) -> str:
-    """Blocks of points, x fastest: places, displacements, hydrostatic and von Mises' stress, and all components if so said."""
+    """Returns blocks of points, x fastest: positions, displacements, hydrostatic and von Mises stress, and all
+    components if requested.
+    """
     return "\n".join([line for field in fields for line in _block(field, all_components)] + [""])
 
 

@@ -1,1 +1,1 @@
-"""Values of a wheel on its rail. Users import them from contactd.wheel_rail."""
+"""Values of a wheel on its rail. Import them from contactd.wheel_rail."""

@@ -1,4 +1,4 @@
-"""One case by several contact models, and how far each is from the full theory."""
+"""One case with several contact models, and their errors against the full theory."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ if TYPE_CHECKING:
 
 __all__ = ["FULL", "ComparedModel", "ModelComparison", "ModelErrors", "combinations", "errors_of", "model_names"]
 
-FULL = "full"  #: the model that all others are compared with
-_NO_PRESSURES_OF_OTHERS = ("hertz",)  #: a normal_model takes the place of theirs, and so they do not go with one
+FULL = "full"  #: The reference model.
+_NO_PRESSURES_OF_OTHERS = ("hertz",)  #: These have their own pressures and cannot be combined with a normal_model.
 _OF_MODEL = "of_model"
-_PRESCRIBED = ("elliptic", "parabolic")  #: pressures that no model finds
+_PRESCRIBED = ("elliptic", "parabolic")  #: Prescribed pressures, which no model computes.
 
 
 def combinations() -> dict[str, tuple[str, str]]:
-    """Model and normal_model of each that there is, by its name: ``fastsim``, ``kpec+fastsim``."""
+    """Returns model and normal_model of each combination by its name: ``fastsim``, ``kpec+fastsim``."""
     found = {model: (model, _OF_MODEL) for model in get_args(Model)}
     for normal in get_args(NormalModel):
         if normal not in (_OF_MODEL, *_PRESCRIBED):
@@ -36,8 +36,9 @@ def combinations() -> dict[str, tuple[str, str]]:
 
 
 def model_names(models: Iterable[str] | None, has_friction: bool) -> list[str]:
-    """The full theory first, and then those of `models`, None: all. Without friction those that find tractions only find what
-    others do, and are left out of all. Raises ValueError for a name that is none."""
+    """Returns the full theory, then those of `models` (None: all). Without friction, models that only differ in
+    tractions are omitted from all. Raises ValueError for an unknown name.
+    """
     known = combinations()
     if models is None:
         chosen = [
@@ -55,15 +56,15 @@ class ModelErrors:
     """Errors of a model against the full theory.
 
     Attributes:
-        Fn: Of the normal force, relative; of a wheel that of the vertical force.
-        Fx: Of the longitudinal force, over mu Fn; None without friction.
-        Fy: Of the lateral force, over mu Fn.
-        Mz: Of the spin moment, over mu Fn sqrt(A/pi), A the area of contact; None of wheels.
-        pmax: Of the largest pressure, relative.
-        area: Of the area of contact, relative.
-        patch: Area where one of both has contact and the other has none, over the area of contact; None of wheels.
-        approach: Of the approach, relative; of a wheel of its height (mm).
-        creepage: Of the creepages that prescribed forces need, over their size; None where motion is prescribed.
+        Fn: Relative error of the normal force; for a wheel, of the vertical force.
+        Fx: Error of the longitudinal force over mu Fn; None without friction.
+        Fy: Error of the lateral force over mu Fn.
+        Mz: Error of the spin moment over mu Fn sqrt(A/pi), with A the contact area; None for wheels.
+        pmax: Relative error of the largest pressure.
+        area: Relative error of the contact area.
+        patch: Area where only one of both has contact, over the contact area; None for wheels.
+        approach: Relative error of the approach; for a wheel, the error of its height (mm).
+        creepage: Relative error of the creepages for prescribed forces; None if the motion is prescribed.
     """
 
     Fn: float
@@ -84,17 +85,17 @@ class ModelErrors:
 
 @dataclass(frozen=True, eq=False)
 class ComparedModel:
-    """What one model makes of the case.
+    """The results of one model.
 
     Attributes:
-        name: Such as ``fastsim``, or ``kpec+fastsim``, pressures by the first and tractions by the second.
+        name: Name such as ``fastsim``, or ``kpec+fastsim`` for pressures by the first and tractions by the second.
         model: Its model.
-        normal_model: How it finds pressures, "of_model" where that follows from the model.
-        solution: Its solution; look at `converged`. None where the model does not compute the case.
-        refusal: Why it does not; empty where it does.
-        seconds: Duration of a request without arrays (s), the shortest of some.
-        left_out: Options of `simplified` that the case has, and that are not those of this model.
-        errors: Errors against the full theory, where both have a solution, and that of the full theory converged.
+        normal_model: Its model of pressures; "of_model" if the model determines it.
+        solution: Its solution; check `converged`. None if the model does not support the case.
+        refusal: Reason why it does not support the case; otherwise empty.
+        seconds: Duration of a request without arrays (s), the shortest of several.
+        left_out: Options of `simplified` in the case that this model does not have.
+        errors: Errors against the full theory, if both have a solution and that of the full theory converged.
     """
 
     name: str
@@ -109,11 +110,11 @@ class ComparedModel:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ModelComparison(Shown):
-    """One case by several models: `comparison["fastsim"]` is one of them.
+    """One case with several models, also available as `comparison["fastsim"]`.
 
     Attributes:
-        models: The full theory first; those that refuse the case are among them, with their reasons.
-        request_seconds: Duration of a request that computes nothing (s), which is part of all others.
+        models: All models, the full theory first; unsupported ones contain the reason.
+        request_seconds: Duration of a request without computation (s), which is part of all others.
     """
 
     models: tuple[ComparedModel, ...]
@@ -127,16 +128,18 @@ class ModelComparison(Shown):
 
     @property
     def computed(self) -> tuple[ComparedModel, ...]:
-        """Those that have a solution."""
+        """The models with a solution."""
         return tuple(one for one in self.models if one.solution is not None)
 
     @property
     def refused(self) -> tuple[ComparedModel, ...]:
-        """Those that have none."""
+        """The models without a solution."""
         return tuple(one for one in self.models if one.solution is None)
 
     def plot(self) -> Figure:
-        """Draws pressures, forces, costs and errors of all models. Needs matplotlib ("contactd[pictures]")."""
+        """Plots pressures, forces, computing times and errors of all models. Needs matplotlib
+        ("contactd[pictures]").
+        """
         drawn: Figure = extra("ModelComparison.plot")(self)
         return drawn
 
@@ -153,8 +156,9 @@ def _summary(one: ComparedModel) -> str:
 
 
 def errors_of(found: Any, full: Any, mu: float | None) -> ModelErrors:
-    """Errors of one solution against another, both of a contact or both of a wheel; `mu` is the largest coefficient of
-    friction, None without."""
+    """Returns the errors of one solution against another, both of a contact or both of a wheel; `mu` is the largest
+    friction coefficient, or None.
+    """
     if isinstance(full, WheelRailSolution):
         return _errors_of_wheel(found, full, mu)
     bound = None if not mu else mu * full.forces.Fn

@@ -1,4 +1,6 @@
-"""What solutions of wheels on rails were solved for, as long as they live: pictures draw the profiles that touch each other."""
+"""Set-ups and states of solutions of wheels on rails, kept as long as the solutions, so that plots can draw the
+profiles.
+"""
 
 from __future__ import annotations
 
@@ -12,22 +14,22 @@ from .state import RailDeviation, WheelRailState, WheelsetPosition
 
 __all__ = ["RADIUS", "Origin", "origin_of", "remember"]
 
-RADIUS = 460.0  #: of the wheel, where the set-up names none (mm)
+RADIUS = 460.0  #: Default of the wheel (mm).
 
 
 class Origin(NamedTuple):
-    """Where a solution comes from."""
+    """Set-up, state and client of a solution."""
 
-    side: Side | None  #: None is that of the set-up by default
+    side: Side | None  #: None is the default set-up.
     nominal_radius: float
     position: WheelsetPosition
     rail: RailDeviation
-    #: Asks for the profiles of the side; None where nobody can be asked any more.
+    #: Requests the profiles of the side; None if no client is available.
     profiles: Callable[[], PlacedProfiles | None]
 
     @staticmethod
     def of(setup: WheelRailSetup, state: WheelRailState, profiles: Callable[[], PlacedProfiles | None]) -> Origin:
-        """Returns that of a set-up and a state."""
+        """Returns the origin for a set-up and a state."""
         radius = None if setup.wheelset is None else setup.wheelset.nominal_radius
         return Origin(setup.side, RADIUS if radius is None else radius, state.position, state.rail, profiles)
 
@@ -36,7 +38,7 @@ _ORIGINS: WeakKeyDictionary[Any, Origin] = WeakKeyDictionary()
 
 
 def remember(solution: Any, origin: Origin) -> None:
-    """Keeps the origin beside the solution, and not in it: what is saved, pickled or compared is the answer alone."""
+    """Stores the origin separately, so that saving, pickling and comparing a solution only concern the answer."""
     _ORIGINS[solution] = origin
 
 

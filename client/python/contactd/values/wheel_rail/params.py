@@ -1,4 +1,4 @@
-"""A wheel on a rail as the wire has it. Ranges are the daemon's business."""
+"""A wheel on a rail in its form on the wire. The daemon checks bounds."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ STEEL = Material(G=82000, nu=0.28)
 
 
 def setup_params(setup: WheelRailSetup, field: str = "setup") -> dict[str, Any]:
-    """`setup` of wheelrail.solve; `field` is where it stands."""
+    """Returns `setup` of wheelrail.solve; `field` is its path."""
     check_type(field, setup, WheelRailSetup)
     params: dict[str, Any] = params_of(setup, field)
     if "bodies" in params:
@@ -25,14 +25,14 @@ def setup_params(setup: WheelRailSetup, field: str = "setup") -> dict[str, Any]:
 
 
 def state_params(state: WheelRailState, field: str) -> dict[str, Any]:
-    """`state` of wheelrail.solve; `field` is where it stands."""
+    """Returns `state` of wheelrail.solve; `field` is its path."""
     check_type(field, state, WheelRailState)
     params: dict[str, Any] = params_of(state, field)
     return params
 
 
 def wheelset_state_params(state: WheelsetState) -> dict[str, Any]:
-    """`state` of wheelrail.wheelset."""
+    """Returns `state` of wheelrail.wheelset."""
     check_type("state", state, WheelsetState)
     params: dict[str, Any] = params_of(state, "state")
     return params

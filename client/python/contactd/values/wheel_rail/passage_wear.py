@@ -1,4 +1,4 @@
-"""Wear of a wheel, or of a rail, in one passage."""
+"""Wear of a wheel or a rail in one passage."""
 
 from __future__ import annotations
 
@@ -22,19 +22,19 @@ __all__ = ["PassageWear"]
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class PassageWear(Shown):
-    """The wear of a wheel or a rail by one law, of all patches together. Depths are along the normals of the surface.
+    """The wear of a wheel or a rail by one law, summed over all patches. Depths are along the normals of the surface.
 
     Attributes:
-        body: Which of the two wears.
+        body: The worn body, "wheel" or "rail".
         law: Name of the law.
         T_gamma: T gamma of all patches, without spin (N).
-        depth_per_passage: The largest depth that one passage takes off a row (mm).
-        area_per_passage: The area that one passage takes off the section, the volume per distance rolled (mm^2).
-        passages_per_km: How often a point of the section is passed in a km of this contact: of a wheel 1e6/(2 pi r), r the
-            radius where it wears most; of a rail NaN, as traffic decides it.
+        depth_per_passage: The largest depth removed from a row in one passage (mm).
+        area_per_passage: The area removed from the section in one passage, the volume per distance rolled (mm^2).
+        passages_per_km: Number of passages of a point of the section per km. For a wheel, 1e6/(2 pi r), with r the
+            radius at the largest wear; for a rail NaN, because it depends on traffic.
         points: (y, z) of the section in the coordinates of its profile, z down (mm), shape [n, 2].
-        depths: The depth that one passage takes off at each of these points (mm), shape [n].
-        depths_per_km: The same of a km (mm), shape [n]; of a rail NaN.
+        depths: The depth removed at each of these points in one passage (mm), shape [n].
+        depths_per_km: The same per km (mm), shape [n]; NaN for a rail.
         normals: Unit vectors at the points, into the body, shape [n, 2].
     """
 
@@ -51,16 +51,18 @@ class PassageWear(Shown):
 
     @property
     def depth_per_km(self) -> float:
-        """The largest depth of a wheel after a km with this contact (mm). Raises InvalidArgument of a rail, which wears by
-        passages: see depth_per_passage."""
+        """The largest wear depth of a wheel per km of this contact (mm). Raises InvalidArgument for a rail, whose wear
+        is given per passage: see depth_per_passage.
+        """
         self._check_wheel("depth_per_km")
         return self.depth_per_passage * self.passages_per_km
 
     @public
     def section(self, *, km: float | None = None, passages: float | None = None) -> Array:
-        """The worn section, (y, z) in the coordinates of the profile (mm), shape [n, 2]: of a wheel after `km` with this
-        contact, of either body after so many `passages`. The contact does not follow the wear; `contactd.wear.evolve` lets
-        it."""
+        """Returns the worn section, (y, z) in the coordinates of the profile (mm), shape [n, 2]: of a wheel after `km`
+        with this contact, or of either body after so many `passages`. The contact does not follow the wear; use
+        `contactd.wear.evolve` for that.
+        """
         if (km is None) == (passages is None):
             raise TypeError("section() takes either km or passages")
         if km is not None:
@@ -73,9 +75,9 @@ class PassageWear(Shown):
 
     @public
     def plot(self, axes: Axes | None = None) -> Axes:
-        """Draws the depth over y of the profile: of a wheel after a km, of a rail after a million passages.
+        """Plots the depth against y of the profile: of a wheel after a km, of a rail after a million passages.
 
-        Into `axes`, or a figure of its own; returns the axes. Needs matplotlib ("contactd[pictures]").
+        Draws into `axes` or a new figure, and returns the axes. Needs matplotlib ("contactd[pictures]").
         """
         drawn: Axes = extra("PassageWear.plot")(self, axes)
         return drawn

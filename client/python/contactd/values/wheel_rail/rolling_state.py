@@ -39,7 +39,7 @@ def pure_rolling(
 
 
 def _ratio(sign: float, speed: Any, radius: Any) -> float:
-    """The rate on a radius; 0 of values that the daemon refuses by their names."""
+    """Returns the rate for a radius; 0 for values that the daemon refuses by name."""
     numbers = all(isinstance(value, Real) and not isinstance(value, bool) for value in (speed, radius))
     if not numbers or not math.isfinite(speed) or not radius > 0:
         return 0.0

@@ -1,5 +1,6 @@
-"""The answers of `Client.wheel_rail` and `Client.wheelset`, and steps of a session. Lengths in mm, angles in rad, forces in
-N on the rail."""
+"""The answers of `Client.wheel_rail` and `Client.wheelset`, and steps of a session. Lengths are in mm, angles in rad,
+forces in N on the rail.
+"""
 
 from __future__ import annotations
 
@@ -29,19 +30,19 @@ S = TypeVar("S", bound="WheelRailSolution")
 
 
 def read_wheel_rail(names: Iterable[str] | None, gap: bool, result: dict[str, Any]) -> WheelRailSolution:
-    """The answer to a request for the arrays `names`, None: all, and, where `gap` says so, the undeformed distances."""
+    """Reads the answer to a request for the arrays `names` (None: all), with undeformed distances if `gap` is set."""
     return read_wheel_rail_as(WheelRailSolution, names, gap, result)
 
 
 def read_wheel_rail_as(
     kind: type[S], names: Iterable[str] | None, gap: bool, result: dict[str, Any], path: str = "result"
 ) -> S:
-    """Reads the answer as a class that holds more."""
+    """Reads the answer as a subclass with more fields."""
     return _checked(read(kind, result, path), names, gap)
 
 
 def read_wheel_rail_without_patches(kind: type[S], result: dict[str, Any], path: str) -> S:
-    """Reads an answer that leaves patches out."""
+    """Reads an answer without patches."""
     if type(result.get("contacts")) is not int:
         raise ProtocolError(f"The answer's {path} lacks contacts.")
     solution = read(kind, {**result, "patches": []}, path)
@@ -70,8 +71,8 @@ def _checked(solution: S, names: Iterable[str] | None, gap: bool) -> S:
 @with_inherited_attributes
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class WheelRailStepSolution(WheelRailSolution):
-    """The solution of a step. Arrays of its patches are None unless `fields` named them; `converged` is False only in a
-    session that accepts it.
+    """The solution of a step. Arrays of its patches are None unless `fields` names them. `converged` can be False only
+    if the session accepts that.
 
     Attributes:
         step: Number of the step.

@@ -1,4 +1,4 @@
-"""Methods of answers of wheels on rails, whose fields are in `result`."""
+"""Methods of answers of wheels on rails; `result` declares the fields."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ __all__ = ["WheelRailSolutionMethods", "WheelsetSolutionMethods"]
 class WheelRailSolutionMethods(Saved, Shown):
     """Methods of a WheelRailSolution."""
 
-    if not TYPE_CHECKING:  # which has none to report otherwise
+    if not TYPE_CHECKING:  # It has no warnings otherwise.
 
         def __getattr__(self, name: str) -> Any:
             if name == "patches":
@@ -30,32 +30,34 @@ class WheelRailSolutionMethods(Saved, Shown):
 
     @property
     def state(self) -> WheelRailState | None:
-        """The state that was solved: where the wheelset was, and how it moved. None of a solution from a file, and of a step
-        of a session."""
+        """The solved state: position and motion of the wheelset. None for a solution from a file, and for a step of a
+        session.
+        """
         state: WheelRailState | None = state_of(self)
         return state
 
     @public
     def plot(self) -> Figure:
-        """Draws wheel and rail across the track with their contacts and forces, and beside them the pressures of each patch
+        """Draws wheel and rail in the cross-section with their contacts and forces, and the pressures of each patch
         that has them.
 
-        The profiles are asked for at the client that gave this solution, or at `contactd.default_client()` where that one is
-        closed; of a solution from a file, contacts are drawn without them. Returns the figure. Needs matplotlib ("contactd[pictures]").
+        The profiles are requested from the client of this solution, or from `contactd.default_client()` if that client
+        is closed. For a solution from a file, contacts are drawn without profiles. Returns the figure. Needs matplotlib
+        ("contactd[pictures]").
         """
         drawn: Figure = extra("WheelRailSolution.plot")(self)
         return drawn
 
     @public
     def wear(self, body: Literal["wheel", "rail"] | None = None, law: str | None = None) -> PassageWear:
-        """Wear of the wheel or the rail in this passage, along its section, where the set-up has laws of wear::
+        """Returns the wear of the wheel or the rail in this passage along its section, if the set-up has laws of wear::
 
             law = EnergyWear(6.75e-4, source="our twin-disc test")
             wear = contactd.wheel_rail(y=3, yaw=0.003, speed=20e3, Fz=80e3, wear=law).wear("wheel")
             print(wear.depth_per_km)
 
-        `body` and the name of the `law` choose among several. Raises InvalidArgument where there is no such law, or not just
-        one, and for a solution from a file, whose profiles are not known.
+        `body` and the name of the `law` select one of several. Raises InvalidArgument if there is no such law, or more
+        than one, and for a solution from a file, which has no profiles.
         """
         found: PassageWear = extra("WheelRailSolution.wear")(self, body, law)
         return found

@@ -1,4 +1,4 @@
-"""The states that solutions of wheels on rails were solved for, beside the solutions, as long as these live."""
+"""The states of solutions of wheels on rails, kept as long as the solutions."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _STATES: WeakKeyDictionary[Any, Any] = WeakKeyDictionary()
 
 
 def remember_state(solution: Any, state: Any) -> None:
-    """Keeps the state beside the solution, and not in it: what is saved, pickled or compared is the answer alone."""
+    """Stores the state separately, so that saving, pickling and comparing a solution only concern the answer."""
     _STATES[solution] = state
 
 
