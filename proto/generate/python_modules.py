@@ -1,4 +1,4 @@
-"""Which module of client/python/contactd/values has which part of the schemas. One comes behind those that it uses."""
+"""Modules of client/python/contactd/values and their parts of the schemas. A module follows those that it uses."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Module:
 MODULES = [
     Module(
         "service",
-        "A daemon's account of itself, of its work and of sessions.",
+        "Information about a daemon, its jobs and its sessions.",
         (
             "progress.json#/properties/progress",
             "server.info.result.json#",
@@ -41,7 +41,7 @@ MODULES = [
     ),
     Module(
         "materials",
-        "Materials, layers and bodies. Any consistent system of units works; the docstrings name N and mm.",
+        "Materials, layers and bodies. Any consistent system of units works; the docstrings assume N and mm.",
         (
             "definitions.json#/definitions/material",
             "definitions.json#/definitions/body/properties/rigid",
@@ -68,13 +68,13 @@ MODULES = [
     ),
     Module(
         "fem_ics",
-        "Influence coefficients by finite elements: how tables of them are asked for.",
+        "Requests for finite-element tables of influence coefficients.",
         ("definitions.json#/definitions/ics FemIcs",),
         is_asked=True,
     ),
     Module(
         "ics",
-        "Influence coefficients: where they come from.",
+        "Origins of influence coefficients.",
         ("definitions.json#/definitions/ics/properties/line_contact", "definitions.json#/definitions/ics AnalyticIcs"),
         {"Ics": "AnalyticIcs | FemIcs"},
         is_asked=True,
@@ -97,7 +97,7 @@ MODULES = [
     ),
     Module(
         "motion",
-        "How bodies move, a shift or rolling, and how friction follows the slip velocity and the temperature.",
+        "Motion of the bodies, a shift or rolling, and the dependence of friction on slip velocity and temperature.",
         (
             "definitions.json#/definitions/rolling",
             "contact.solve.result.json#/properties/motion",
@@ -108,7 +108,7 @@ MODULES = [
     ),
     Module(
         "thermal",
-        "What bodies have to do with heat.",
+        "Thermal properties of the bodies.",
         ("definitions.json#/definitions/thermal_bodies",),
         is_asked=True,
     ),
@@ -120,20 +120,20 @@ MODULES = [
     ),
     Module(
         "wear_laws",
-        "Laws of wear, with all of their coefficients: none is a default.",
+        "Laws of wear. All coefficients are required.",
         ("definitions.json#/definitions/wear_request",),
         is_asked=True,
     ),
     Module(
         "fatigue",
-        "What rolling contact fatigue is asked by: strengths and functions with their sources, none of which is a default.",
+        "Requests for rolling contact fatigue: strengths and functions with their sources, all of them required.",
         ("definitions.json#/definitions/fatigue_request",),
         is_asked=True,
     ),
     Module(
         "friction",
-        "Friction, and how the bodies move. Slip is that of the upper body over the lower one; in slip the traction on the upper "
-        "body opposes it.",
+        "Friction and the motion of the bodies. Slip is that of the upper body relative to the lower one, and is opposite to the "
+        "traction on the upper body.",
         ("contact.solve.params.json#/properties/friction",),
         is_asked=True,
     ),
@@ -152,7 +152,7 @@ MODULES = [
     ),
     Module(
         "subsurface",
-        "Stresses inside the bodies: what `Client.subsurface` takes and answers.",
+        "Stresses inside the bodies: arguments and answers of `Client.subsurface`.",
         (
             "contact.subsurface.params.json#/properties/block",
             "contact.subsurface.result.json#/properties/largest",
@@ -161,7 +161,7 @@ MODULES = [
     ),
     Module(
         "temperature",
-        "Temperatures of both surfaces: what `Client.temperature` answers.",
+        "Temperatures of both surfaces: answers of `Client.temperature`.",
         ("contact.temperature.result.json#",),
     ),
     Module(
@@ -177,8 +177,8 @@ MODULES = [
     ),
     Module(
         "problem",
-        "Contact problems as plain, immutable values. Any consistent system of units works; the docstrings name N "
-        "and mm. Ranges are the daemon's business: a value it cannot use comes back as InvalidArgument naming the field.",
+        "Contact problems as immutable values. Any consistent system of units works; the docstrings assume N and "
+        "mm. The daemon checks bounds: an invalid value raises InvalidArgument naming the field.",
         (
             "contact.solve.params.json#/properties/previous",
             "contact.solve.params.json#/properties/columns",
@@ -189,7 +189,7 @@ MODULES = [
     Module("step_input", "Inputs of a step of a contact.", ("session.step.params.json# StepInput",)),
     Module(
         "contact_files",
-        "Files of the CONTACT program: what `Client.read_contact_file` and `Client.read_contact_slices` answer.",
+        "Files of the CONTACT program: answers of `Client.read_contact_file` and `Client.read_contact_slices`.",
         (
             "contact_file.read.result.json#/properties/cases/items",
             "contact_file.read.result.json#",
@@ -199,14 +199,14 @@ MODULES = [
     ),
     Module(
         "wheel_rail/setup",
-        "A wheel on a rail: what all steps of a simulation have in common. Lengths in mm, angles in rad, forces in N on the "
-        "rail. What is None takes the daemon's default.",
+        "A wheel on a rail: the common part of all steps of a simulation. Lengths are in mm, angles in rad, forces in N on "
+        "the rail. None is the daemon's default.",
         ("definitions.json#/definitions/wheel_rail_friction", "definitions.json#/definitions/wheel_rail_setup"),
         is_asked=True,
     ),
     Module(
         "wheel_rail/state",
-        "Where a wheelset is, and how it moves. Lengths in mm, angles in rad, forces in N.",
+        "Position and motion of a wheelset. Lengths are in mm, angles in rad, forces in N.",
         ("definitions.json#/definitions/wheel_rail_state", "wheelrail.wheelset.params.json#/properties/state"),
         is_asked=True,
     ),
@@ -217,7 +217,7 @@ MODULES = [
     ),
     Module(
         "wheel_rail/forces",
-        "Forces of wheels on rails, and their derivatives. On the rail, in N and N mm.",
+        "Forces of wheels on rails, and their derivatives. Forces act on the rail, in N and N mm.",
         (
             "definitions.json#/definitions/wrench",
             "definitions.json#/definitions/wheel_rail_forces",
@@ -226,7 +226,7 @@ MODULES = [
     ),
     Module(
         "wheel_rail/places",
-        "Where a wheel touches its rail, as profiles and positions tell it. Lengths in mm, angles in rad.",
+        "Contact positions of a wheel on its rail, from profiles and positions. Lengths are in mm, angles in rad.",
         (
             "definitions.json#/definitions/contact_reference",
             "definitions.json#/definitions/contact_place",
@@ -236,7 +236,7 @@ MODULES = [
     Module(
         "wheel_rail/rigid_wheelset",
         "A rigid wheelset on rigid rails: the answers of `Client.wheelset_contacts`, `Client.equivalent_conicity` and "
-        "`Client.placed_profiles`. Lengths in mm, angles in rad.",
+        "`Client.placed_profiles`. Lengths are in mm, angles in rad.",
         (
             "wheelrail.geometry.params.json#/properties/contacts/properties/roll",
             "wheelrail.geometry.result.json#/properties/contacts/items",
@@ -246,7 +246,7 @@ MODULES = [
     ),
     Module(
         "wheel_rail/result",
-        "Answers of a wheel on its rail, and of a wheelset. Lengths in mm, angles in rad, forces in N on the rail.",
+        "Answers of a wheel on its rail, and of a wheelset. Lengths are in mm, angles in rad, forces in N on the rail.",
         ("wheelrail.solve.result.json#", "wheelrail.wheelset.result.json#"),
     ),
 ]

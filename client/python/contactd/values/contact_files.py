@@ -1,4 +1,4 @@
-"""Files of the CONTACT program: what `Client.read_contact_file` and `Client.read_contact_slices` answer.
+"""Files of the CONTACT program: answers of `Client.read_contact_file` and `Client.read_contact_slices`.
 
 Written by ./dev generate from proto/schema: edit it there.
 """

@@ -1,4 +1,4 @@
-"""What rolling contact fatigue is asked by: strengths and functions with their sources, none of which is a default.
+"""Requests for rolling contact fatigue: strengths and functions with their sources, all of them required.
 
 Written by ./dev generate from proto/schema: edit it there.
 """

@@ -1,4 +1,4 @@
-"""Influence coefficients by finite elements: how tables of them are asked for.
+"""Requests for finite-element tables of influence coefficients.
 
 Written by ./dev generate from proto/schema: edit it there.
 """
@@ -35,10 +35,10 @@ StoppingCriterion = Literal["residual", "update"]
 class FemIcs:
     """Influence coefficients computed with finite elements.
 
-    There are two ways to ask (docs/ic-tables.md): either for an accuracy, and the daemon chooses mesh and solver; or
-    for a mesh, by one of the paper's presets, by fields, or both (fields win). ``FemIcs()`` asks for an accuracy of
-    1e-3. Lengths are ratios to the element size h of the grid (paper, Table 2), so that a table serves every element
-    size. What is None takes the daemon's default.
+    Request either an accuracy or a mesh (docs/ic-tables.md). For an accuracy, the daemon chooses mesh and solver;
+    ``FemIcs()`` requests 1e-3. Describe a mesh by one of the paper's presets, by fields, or both; fields override the
+    preset. Lengths are ratios to the element size h of the grid (paper, Table 2), so a table applies to every element
+    size. None is the daemon's default.
 
     ::
 
@@ -55,8 +55,8 @@ class FemIcs:
             others. Mesh and solver are chosen to reach it. Default 1e-3 if no field names a mesh.
         any_nu: Whether to build a family of tables over Poisson's ratio from 0 to 0.49. material.nu is the value to
             interpolate to. Default False.
-        body: The elastic body: the half-space z <= 0; the block [-L, L]^2 x [-L, 0], u = 0 on all faces but the top; or
-            longitudinally_uniform: the same cross-section everywhere along x, for which an accuracy is asked for.
+        body: The elastic body: the half-space z <= 0; the block [-L, L]^2 x [-L, 0] with u = 0 on all faces except the
+            top; or longitudinally_uniform, with the same cross-section everywhere along x, which requires an accuracy.
             Default "half_space".
         load_shape: Traction of the loaded element: 1 over it, or the bilinear hat function (1 - |x|/dx)(1 - |y|/dy).
             Default "constant".
@@ -86,9 +86,9 @@ class FemIcs:
         tolerance: Bound of the stopping criterion of each solve (>= 1e-13, < 1). Default 1e-08.
         max_iterations: Bound of the conjugate-gradient iterations, per load case. Default 1000.
         strength_threshold: Strength threshold of BoomerAMG (>= 0, < 1). If None, chosen for the mesh.
-        section: Cross-section of a longitudinally uniform body as the wire has it (docs/protocol.md, docs/sections.md),
-            for example {"rail_60e1": {"from": 2}} or {"edge_block": {"width": 100, "height": 50, "edge_distance": 1}},
-            or {"profile_section": {"kind": "rail", "profile": ProfilePoints(...), "depth": 60}} of contactd.wheel_rail.
+        section: Cross-section of a longitudinally uniform body as on the wire (docs/protocol.md, docs/sections.md), for
+            example {"rail_60e1": {"from": 2}} or {"edge_block": {"width": 100, "height": 50, "edge_distance": 1}}, or
+            {"profile_section": {"kind": "rail", "profile": ProfilePoints(...), "depth": 60}} of contactd.wheel_rail.
             Its columns are the rows of the grid, dy wide along the outline.
     """
 

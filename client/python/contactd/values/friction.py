@@ -1,5 +1,5 @@
-"""Friction, and how the bodies move. Slip is that of the upper body over the lower one; in slip the traction on the
-upper body opposes it.
+"""Friction and the motion of the bodies. Slip is that of the upper body relative to the lower one, and is opposite to
+the traction on the upper body.
 
 Written by ./dev generate from proto/schema: edit it there.
 """
@@ -57,17 +57,17 @@ class Friction(FrictionMethods):
         rigid_shift: Rigid shift along x and y (mm) in a shift, default 0. A component for which force is prescribed is
             an initial estimate.
         rotation: Rotation about z of a shift, positive from x to y (rad). Default 0.
-        force: Fx and Fy of a shift, on the upper body (N), None where rigid_shift holds instead; the rigid shift is
-            found then.
+        force: Fx and Fy of a shift on the upper body (N). The rigid shift along that axis is then computed. None:
+            prescribed by rigid_shift.
         duration: Duration of a shift (s), > 0: slip velocity = slip / duration. Only kinetic friction depends on it.
             Default 1.
         kinetic: Velocity-weakening (falling) friction, by the slip velocity v. If None, the coefficient is constant.
             linear: mu_k + m max(0, 1 - v / v_c); rational: mu_k + m / (1 + v / v_c); exponential: mu_k + m exp(-v /
             v_c). Here m = friction.mu - mu_k, minus the share of a second term.
         rolling: Rolling instead of a shift.
-        rigid_slip: Rigid slip (along x, along y) of each element, each of shape [ny, nx], beside that of the motion,
-            where the surfaces do not move like a plane: of a shift over the step (mm), of rolling over the distance
-            rolled, as creepages are. None: none.
+        rigid_slip: Rigid slip (along x, along y) of each element, each of shape [ny, nx], in addition to that of the
+            motion, for surfaces that do not move like a plane. For a shift, the distance in the step (mm); for rolling,
+            the slip per distance rolled, like creepages. None: zero.
         layer: A layer of a third body between the surfaces, for model full. Its shear deformation is flexibility times
             the traction. Where its yield stress is below the friction bound, it flows before the surfaces slip. The
             layer does not affect the normal problem.

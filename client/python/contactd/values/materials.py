@@ -1,4 +1,4 @@
-"""Materials, layers and bodies. Any consistent system of units works; the docstrings name N and mm.
+"""Materials, layers and bodies. Any consistent system of units works; the docstrings assume N and mm.
 
 Written by ./dev generate from proto/schema: edit it there.
 """
@@ -40,10 +40,10 @@ class RigidBody:
 
 @dataclass(frozen=True, init=False)
 class ViscoelasticBody(ViscoelasticBodyMethods, Checked):
-    """A half-space of the standard linear solid, in steady rolling along x (docs/viscoelastic.md).
+    """A half-space of a standard linear solid in steady rolling along x (docs/viscoelastic.md).
 
-    Its creep compliance is J(t) = (1 + f (1 - exp(-t/tau)))/G. What it does depends on how far it rolls in the time
-    tau, so that the velocity of Rolling means something.
+    Its creep compliance is J(t) = (1 + f (1 - exp(-t/tau)))/G. The solution depends on the distance rolled in the time
+    tau, so the velocity of Rolling has an effect.
 
     ::
 
@@ -51,8 +51,8 @@ class ViscoelasticBody(ViscoelasticBodyMethods, Checked):
         ViscoelasticBody(E=3200, nu=0.4, f=1, tau=0.009)  # G = E / (2 (1 + nu))
 
     Attributes:
-        G: Shear modulus at once (N/mm^2), > 0; after long it is G/(1 + f).
-        nu: Poisson's ratio (0 to 0.5), the same at all times.
+        G: Instantaneous shear modulus (N/mm^2), > 0; the long-term modulus is G/(1 + f).
+        nu: Poisson's ratio (0 to 0.5), constant in time.
         f: Delayed compliance over that at once (>= 0); 0 is elastic of modulus G.
         tau: Retardation time of creep (s), >= 0; 0 is elastic with modulus G/(1 + f). Stress relaxes in tau/(1 + f).
     """
@@ -85,10 +85,10 @@ class Layer(SingleLayerMethods):
 
 @dataclass(frozen=True, init=False)
 class LayeredBody(LayeredBodyMethods[Layer, Material | RigidBody], Checked, HasParams):
-    """Layers that are bonded to each other and to what they lie on, uniform along x and y: rubber, coatings, films.
+    """Layers bonded to each other and to their base, uniform along x and y: rubber, coatings, films.
 
-    Their coefficients are computed in milliseconds, exactly but for rounding; evidence states the error
-    (docs/layers.md). Of `ics` only load_shape means something to such a body.
+    Their coefficients are computed in milliseconds and are exact to rounding; evidence states the error
+    (docs/layers.md). Only load_shape of `ics` applies to such a body.
 
     ::
 
@@ -97,7 +97,7 @@ class LayeredBody(LayeredBodyMethods[Layer, Material | RigidBody], Checked, HasP
 
     Attributes:
         layers: From the surface down; at most 20, whose shear moduli differ by a factor of at most 1e9.
-        base: The half-space below them, or a RigidBody, which does not move.
+        base: The half-space below them, or a fixed RigidBody.
     """
 
     _fixed = ("body", "layered")

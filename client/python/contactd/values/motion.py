@@ -1,4 +1,4 @@
-"""How bodies move, a shift or rolling, and how friction follows the slip velocity and the temperature.
+"""Motion of the bodies, a shift or rolling, and the dependence of friction on slip velocity and temperature.
 
 Written by ./dev generate from proto/schema: edit it there.
 """

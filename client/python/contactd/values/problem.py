@@ -1,5 +1,5 @@
-"""Contact problems as plain, immutable values. Any consistent system of units works; the docstrings name N and mm.
-Ranges are the daemon's business: a value it cannot use comes back as InvalidArgument naming the field.
+"""Contact problems as immutable values. Any consistent system of units works; the docstrings assume N and mm. The
+daemon checks bounds: an invalid value raises InvalidArgument naming the field.
 
 Written by ./dev generate from proto/schema: edit it there.
 """
@@ -43,7 +43,7 @@ class Estimate:
         pressure: Pressure, >= 0, shape [ny, nx] (N/mm^2); None: zero.
         traction_x: Traction along x, shape [ny, nx] (N/mm^2); None: zero.
         traction_y: Traction along y, shape [ny, nx] (N/mm^2); None: zero.
-        yield_stress: Yield stress of a layer that hardens or softens, shape [ny, nx] (N/mm^2); None: it has not flowed.
+        yield_stress: Yield stress of a layer that hardens or softens, shape [ny, nx] (N/mm^2); None: no flow yet.
         friction_coefficient: Coefficient of friction with memory, shape [ny, nx]; None: the static one.
     """
 
@@ -56,11 +56,11 @@ class Estimate:
 
 @dataclass(frozen=True, eq=False)
 class ContactColumns(HasParams):
-    """Where the surface is curved along y: rows of the grid are columns of elements of the lower body.
+    """Shape of a surface that is curved along y. Rows of the grid are columns of elements of the lower body.
 
     dy of the grid is their arc length. The axes of an element are those of its column: gap and pressure are along its
-    outward normal, tractions along x and along its tangent (cos angle, -sin angle), in the direction of which columns
-    are numbered. Axes of the section: y to the right, z up, x towards the reader.
+    outward normal, tractions along x and along its tangent (cos angle, -sin angle). Columns are numbered in the
+    direction of the tangent. Axes of the section: y to the right, z up, x towards the reader.
 
     Attributes:
         frames: Position and normal of each column, in the order of rows: y and z of its middle (mm), and the angle of
@@ -80,22 +80,22 @@ class ContactColumns(HasParams):
 @public
 @dataclass(frozen=True, eq=False)
 class ContactProblem(ProblemMethods, Saved):
-    """Normal contact with a prescribed approach or normal force; with `friction`, tangential contact too.
+    """Normal contact with a prescribed approach or normal force and, with `friction`, tangential contact.
 
     Attributes:
-        grid: The potential contact area, which must hold the whole contact.
-        upper: The upper body; may be left out with TableIcs, which say all about the bodies.
-        gap: Undeformed distance without the approach (mm): a paraboloid, by radii or semi-axes, or an array [ny, nx];
+        grid: The potential contact area, which must contain the whole contact.
+        upper: The upper body; optional with TableIcs, which describe the bodies completely.
+        gap: Undeformed distance without the approach (mm): a paraboloid given by radii or semi-axes, an array [ny, nx],
             or two half ellipses of prescribed pressures.
         approach: The approach delta (mm), > 0 in compression; the gap before deformation is h - delta.
-        lower: The lower body; None: as the upper one.
-        ics: Where the influence coefficients of both bodies come from: closed forms (default), finite elements, or a
-            table of your own, which is of the pair.
+        lower: The lower body; None: equal to the upper one.
+        ics: Origin of the influence coefficients of both bodies: closed forms (default), finite elements, or your own
+            table of the pair.
         friction: Tangential contact with Coulomb friction: a shift or rolling. If None, frictionless.
         normal: Stopping criterion of NORM for the pressures, which all other results depend on. The default tolerance
             is 1e-8.
         tangential: Stopping criterion for the tractions under friction, and the solver that computes them.
-        initial: Where the solvers start: tractions of a similar problem.
+        initial: Initial estimate for the solvers: tractions of a similar problem.
         Fn: Normal force (N), >= 0; the approach is found then.
         model: full: boundary elements. hertz: closed forms of elliptic contact, and with ics.line_contact of line
             contact. The models of vehicle codes, for steady rolling: fastsim, Kalker's simplified theory; fastrip,
@@ -107,8 +107,8 @@ class ContactProblem(ProblemMethods, Saved):
             surfaces have just met.
         outer: Stopping criterion of the outer (Panagiotopoulos) iterations around these, which dissimilar bodies,
             kinetic friction and prescribed tangential forces require. The default limit is 100 iterations.
-        upper_ics: The same as `ics`, of the upper body alone, where it is not that; a table is of this body then.
-        lower_ics: The same of the lower body; None, and `lower` None too: as the upper one.
+        upper_ics: Influence coefficients of the upper body, if they differ from `ics`; a table is that of this body.
+        lower_ics: Influence coefficients of the lower body. If both this and `lower` are None, those of the upper body.
         derivatives: Whether the solution has derivatives of its forces by motion, load and friction. Refused for
             transient rolling of several steps, and with kinetic friction.
         columns: Shape of a surface that is curved along y. Rows of the grid are columns of elements of the lower body,
@@ -125,13 +125,13 @@ class ContactProblem(ProblemMethods, Saved):
             polach. Default "of_model".
         simplified: Options of the simplified models of rolling. A model refuses an option that it does not use unless
             the option has its default.
-        temperature: What both bodies have to do with heat, where temperatures of the surfaces are wanted: of steady
-            rolling along x (chi 0 or pi), with its velocity. None: none.
-        wear: Laws of wear, where that is wanted: of steady rolling along x (chi 0 or pi). None: no answer of wear.
-        fatigue: Rolling contact fatigue of one of the bodies, where that is wanted: of steady rolling along x (chi 0 or
-            pi). None: no answer of fatigue.
-        regions: Where bodies may touch, and how much the pressures of each region act on the others; of model full.
-            None: everywhere, and all act in full.
+        temperature: Thermal properties of both bodies; requests surface temperatures. Requires steady rolling along x
+            (chi 0 or pi) with its velocity. None: no temperatures.
+        wear: Laws of wear; requests wear. Requires steady rolling along x (chi 0 or pi). None: no wear.
+        fatigue: Requests rolling contact fatigue of one of the bodies. Requires steady rolling along x (chi 0 or pi).
+            None: no fatigue.
+        regions: Regions in which bodies may touch, and the influence of the pressures of each region on the others.
+            Requires model full. None: the whole grid is one region.
     """
 
     grid: Grid

@@ -75,11 +75,11 @@ class ProfilePoints(MeasuredProfile):
 
     Attributes:
         points: (y, z) in the order of the curve, from either end, shape [n, 2].
-        unit: Mm that a unit of the points has, 1000 for metres. Default 1.
+        unit: Unit of the points in mm; 1000 for metres. Default 1.
         mirror_y: Whether y points to the other side. Default False.
         mirror_z: Whether z points upwards. Default False.
-        smoothing_length: Wavelength of which half the amplitude is smoothed away (mm), about 5 of measured profiles; 0:
-            none. Default 0.
+        smoothing_length: Wavelength whose amplitude smoothing halves (mm), about 5 for measured profiles; 0: no
+            smoothing. Default 0.
     """
 
     points: npt.ArrayLike = field(metadata={"array": ""})
@@ -106,11 +106,10 @@ class KinkRule:
 
 @dataclass(frozen=True, repr=False)
 class ProfileFile(FileOfProfile):
-    """A profile in a file of Simpack (.prr, .prw), of MiniProf (.ban, .whl), or of two columns, y and z.
+    """A profile in a file: Simpack (.prr, .prw), MiniProf (.ban, .whl), or two columns y and z.
 
-    The file is read when this is made, and its text is sent. What is said here holds after what the file says itself.
-    Which way z points is seen by the shape of the points, where neither does; what shape and file leave open is
-    refused.
+    The file is read on construction, and its text is sent. Options here apply in addition to those in the file. Without
+    either, the direction of z is detected from the shape of the points; an ambiguous profile is refused.
 
     ::
 
@@ -118,8 +117,8 @@ class ProfileFile(FileOfProfile):
         ProfileFile("rail.csv", unit=25.4, mirror_z=True)  # in inches, z upwards
 
     Attributes:
-        name: Path of the file; its ending says the format.
-        text: Content of the file; None: what the file at this path has.
+        name: Path of the file; its extension determines the format.
+        text: Content of the file; None: read from the path.
         unit: Length of the unit of the points in mm, instead of that in the file (>= 1e-06): 1000 for metres, 25.4 for
             inches. If None, as the file states, otherwise mm; impossible widths of wheels and rails are refused.
         mirror_y: Whether to mirror y, after the settings of the file. Default False.

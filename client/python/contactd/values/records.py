@@ -20,7 +20,7 @@ __all__ = ["ImportedIc", "QuarantinedIc", "RecentPatch", "RecentSolve", "StoredI
 
 @dataclass(frozen=True)
 class RecentSolve:
-    """One of the last solves that the daemon did for the requesting user, on any connection.
+    """One of the last solves of the requesting user, on any connection.
 
     Attributes:
         number: Number of the solve among those of all users since the daemon started. It identifies the solve in
@@ -74,7 +74,7 @@ class RecentPatch:
 
 @dataclass(frozen=True)
 class ImportedIc:
-    """Table that ic.import has put into the daemon's store.
+    """Table that ic.import has added to the daemon's store.
 
     Attributes:
         spec: Specification of the table. For a longitudinally uniform body dx and nx are ignored: it serves any values.

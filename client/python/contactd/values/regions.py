@@ -34,10 +34,10 @@ class RegionLimits(HasParams):
 
 @dataclass(frozen=True, eq=False)
 class ContactRegions(RegionMethods):
-    """Where bodies may touch, and how much the pressures of each region act on the others.
+    """Regions in which bodies may touch, and the influence of the pressures of each region on the others.
 
-    An element belongs to the first region that its centre lies in; those of none cannot touch. Displacements by
-    tractions, and along the surface, act everywhere as they are.
+    An element belongs to the first region that contains its centre; elements outside all regions cannot touch. Shares
+    do not change displacements due to tractions, or tangential displacements.
 
     ::
 
@@ -46,8 +46,8 @@ class ContactRegions(RegionMethods):
     Attributes:
         limits: The regions. An element belongs to the first region that contains its centre; elements outside all
             regions cannot touch.
-        shares: Of the normal displacements by the pressures of the column's region the share that acts on the row's,
-            [regions, regions], or row by row; symmetric, 1 on the diagonal.
+        shares: Shares [regions, regions], or row by row, of the normal displacements by the pressures of the column's
+            region that act on the row's region; symmetric, 1 on the diagonal.
     """
 
     limits: tuple[RegionLimits, ...]

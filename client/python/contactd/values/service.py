@@ -1,4 +1,4 @@
-"""A daemon's account of itself, of its work and of sessions.
+"""Information about a daemon, its jobs and its sessions.
 
 Written by ./dev generate from proto/schema: edit it there.
 """
@@ -15,7 +15,7 @@ __all__ = ["Job", "Limits", "Progress", "ServerInfo", "SessionSummary"]
 
 @dataclass(frozen=True)
 class Progress(ProgressText):
-    """A sign of life of the job that a call waits for.
+    """A progress report of the job that a call waits for.
 
     Attributes:
         stage: Stage of the work.
@@ -103,7 +103,7 @@ class ServerInfo:
 
 @dataclass(frozen=True)
 class Job:
-    """A build, a solve or stresses that wait or run.
+    """A waiting or running build, solve or computation of stresses.
 
     Attributes:
         job: Name of a job, as progress and job.list give it.

@@ -1,4 +1,4 @@
-"""Stresses inside the bodies: what `Client.subsurface` takes and answers.
+"""Stresses inside the bodies: arguments and answers of `Client.subsurface`.
 
 Written by ./dev generate from proto/schema: edit it there.
 """
@@ -19,14 +19,15 @@ __all__ = ["LargestStress", "StressBlock", "SubsurfaceStress"]
 
 @dataclass(frozen=True, eq=False)
 class StressBlock(StressBlockMethods):
-    """The points (x, y, z) with each of `x`, each of `y` and each of `z` (mm), in any order; a number stands for one.
+    """All points (x, y, z) with the values in `x`, `y` and `z` (mm), in any order. A number is a single value.
 
-    Costs less than as many points where coordinates are whole elements apart: ``StressBlock(grid.x, grid.y, z)``.
+    A block whose coordinates are whole elements apart is cheaper than single points: ``StressBlock(grid.x, grid.y,
+    z)``.
 
     Attributes:
         x: Places along x (mm).
         y: Places along y (mm).
-        z: Places along z (mm), <= 0 inside the body, for the upper one too.
+        z: Positions along z (mm), <= 0 inside the body, also for the upper body.
     """
 
     x: npt.ArrayLike = field(metadata={"array": ""})
@@ -55,11 +56,12 @@ class LargestStress:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SubsurfaceStress(SubsurfaceStressMethods, Saved, Shown):
-    """Stresses inside a body (N/mm^2), tension positive: read-only arrays of shape [n], of a block [nz, ny, nx].
+    """Stresses inside a body (N/mm^2), tension positive: read-only arrays of shape [n] for points, [nz, ny, nx] for a
+    block.
 
-    They are in the frame of the body, in which it is z <= 0 and x and y are those of the grid. The frame of the lower
-    body is that of the contact problem; that of the upper one is its mirror image, so that xz and yz of the upper body
-    change sign on the way to the frame of the problem.
+    They are in the frame of the body, which occupies z <= 0; x and y are those of the grid. The frame of the lower body
+    is that of the contact problem. The frame of the upper body is its mirror image, so xz and yz of the upper body have
+    the opposite sign in the frame of the problem.
 
     Attributes:
         xx: Normal stress along x.
@@ -79,8 +81,8 @@ class SubsurfaceStress(SubsurfaceStressMethods, Saved, Shown):
         displacement_x: Displacement along x in the frame of the body (mm), zero far away; with G.
         displacement_y: Displacement along y (mm); with G.
         displacement_z: Displacement along z, out of the body (mm); with G.
-        block: Where they are, which the client adds; None of single points.
-        points: Where they are, shape [n, 3] (mm); None of a block.
+        block: The block of points, which the client adds; None for single points.
+        points: The points, shape [n, 3] (mm); None for a block.
     """
 
     xx: Array = field(metadata={"within": "stress"})

@@ -1,4 +1,4 @@
-"""Temperatures of both surfaces: what `Client.temperature` answers.
+"""Temperatures of both surfaces: answers of `Client.temperature`.
 
 Written by ./dev generate from proto/schema: edit it there.
 """

@@ -1,4 +1,4 @@
-"""What bodies have to do with heat.
+"""Thermal properties of the bodies.
 
 Written by ./dev generate from proto/schema: edit it there.
 """
@@ -39,8 +39,8 @@ class ThermalBodies(HasParams):
         ThermalBodies(upper=ThermalBody(bulk_temperature=120), lower=ThermalBody(bulk_temperature=20))
 
     Attributes:
-        upper: The upper body; None: of steel, at 0 degrees.
-        lower: The lower body; None: as the upper one.
+        upper: The upper body; None: steel at 0 degrees.
+        lower: The lower body; None: equal to the upper one.
         plastic_share: Fraction of the plastic work of an interfacial layer that becomes heat (0 to 1). The rest stays
             in the layer. Default 1.
     """

@@ -1,4 +1,4 @@
-"""Laws of wear, with all of their coefficients: none is a default.
+"""Laws of wear. All coefficients are required.
 
 Written by ./dev generate from proto/schema: edit it there.
 """
@@ -65,10 +65,10 @@ class ArchardWear(StatedWear):
         mild: k outside the two other regions (>= 0).
         severe: Wear for sliding velocities between two bounds. If None, none.
         seizure: Wear for pressures above a fraction of the hardness, at any velocity. If None, none.
-        source: Where the coefficients come from, for `wear` of contactd.wheel_rail, which asks for it.
-        body: The body that wears, likewise; None: the wheel.
-        range: Range that the law was tested in, as of WearLaw, likewise; None: not stated, so that nothing warns.
-        name: What the law is called, likewise; None: by its kind.
+        source: Source of the coefficients, which `wear` of contactd.wheel_rail requires.
+        body: The worn body, for the same argument; None: the wheel.
+        range: Tested range of the law, for the same argument (see WearLaw); None: unknown, so there are no warnings.
+        name: Name of the law, for the same argument; None: that of its kind.
     """
 
     hardness: float
@@ -87,10 +87,10 @@ class EnergyWear(StatedWear):
 
     Attributes:
         coefficient: c, the volume removed per unit of energy (mm^3/J), >= 0.
-        source: Where the coefficients come from, for `wear` of contactd.wheel_rail, which asks for it.
-        body: The body that wears, likewise; None: the wheel.
-        range: Range that the law was tested in, as of WearLaw, likewise; None: not stated, so that nothing warns.
-        name: What the law is called, likewise; None: by its kind.
+        source: Source of the coefficients, which `wear` of contactd.wheel_rail requires.
+        body: The worn body, for the same argument; None: the wheel.
+        range: Tested range of the law, for the same argument (see WearLaw); None: unknown, so there are no warnings.
+        name: Name of the law, for the same argument; None: that of its kind.
     """
 
     coefficient: float
@@ -107,10 +107,10 @@ class UsfdWear(StatedWear):
     Attributes:
         pieces: K (ug/(m mm^2)) by |t s| (N/mm^2), as pieces value + slope (argument - from), the first one from 0.
         density: Density of the body (kg/m^3), >= 1e-12.
-        source: Where the coefficients come from, for `wear` of contactd.wheel_rail, which asks for it.
-        body: The body that wears, likewise; None: the wheel.
-        range: Range that the law was tested in, as of WearLaw, likewise; None: not stated, so that nothing warns.
-        name: What the law is called, likewise; None: by its kind.
+        source: Source of the coefficients, which `wear` of contactd.wheel_rail requires.
+        body: The worn body, for the same argument; None: the wheel.
+        range: Tested range of the law, for the same argument (see WearLaw); None: unknown, so there are no warnings.
+        name: Name of the law, for the same argument; None: that of its kind.
     """
 
     pieces: Sequence[tuple[float, float, float]] = field(metadata={"keys": ("from", "value", "slope")})
@@ -128,10 +128,10 @@ class BrWear(StatedWear):
     Attributes:
         pieces: D times the area that the section of a wheel of diameter D loses per distance (mm mm^2/km), by T gamma
             (N), as pieces value + slope (argument - from), the first one from 0.
-        source: Where the coefficients come from, for `wear` of contactd.wheel_rail, which asks for it.
-        body: The body that wears, likewise; None: the wheel.
-        range: Range that the law was tested in, as of WearLaw, likewise; None: not stated, so that nothing warns.
-        name: What the law is called, likewise; None: by its kind.
+        source: Source of the coefficients, which `wear` of contactd.wheel_rail requires.
+        body: The worn body, for the same argument; None: the wheel.
+        range: Tested range of the law, for the same argument (see WearLaw); None: unknown, so there are no warnings.
+        name: Name of the law, for the same argument; None: that of its kind.
     """
 
     pieces: Sequence[tuple[float, float, float]] = field(metadata={"keys": ("from", "value", "slope")})
@@ -148,10 +148,10 @@ class ZoboryWear(StatedWear):
     Attributes:
         pieces: k (kg/J) by the power (W/mm^2), as pieces value + slope (argument - from), the first one from 0.
         density: Density of the body (kg/m^3), >= 1e-12.
-        source: Where the coefficients come from, for `wear` of contactd.wheel_rail, which asks for it.
-        body: The body that wears, likewise; None: the wheel.
-        range: Range that the law was tested in, as of WearLaw, likewise; None: not stated, so that nothing warns.
-        name: What the law is called, likewise; None: by its kind.
+        source: Source of the coefficients, which `wear` of contactd.wheel_rail requires.
+        body: The worn body, for the same argument; None: the wheel.
+        range: Tested range of the law, for the same argument (see WearLaw); None: unknown, so there are no warnings.
+        name: Name of the law, for the same argument; None: that of its kind.
     """
 
     pieces: Sequence[tuple[float, float, float]] = field(metadata={"keys": ("from", "value", "slope")})
@@ -205,7 +205,7 @@ class WearRequest(HasParams):
 
     ::
 
-        WearRequest()  # T gamma, and what laws are made of, row by row
+        WearRequest()  # T gamma, and the variables of laws, row by row
 
     Attributes:
         laws: Laws of wear. An empty list returns only the inputs of the laws for each row.

@@ -1,4 +1,4 @@
-"""Forces of wheels on rails, and their derivatives. On the rail, in N and N mm.
+"""Forces of wheels on rails, and their derivatives. Forces act on the rail, in N and N mm.
 
 Written by ./dev generate from proto/schema: edit it there.
 """

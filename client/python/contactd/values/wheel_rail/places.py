@@ -1,4 +1,4 @@
-"""Where a wheel touches its rail, as profiles and positions tell it. Lengths in mm, angles in rad.
+"""Contact positions of a wheel on its rail, from profiles and positions. Lengths are in mm, angles in rad.
 
 Written by ./dev generate from proto/schema: edit it there.
 """

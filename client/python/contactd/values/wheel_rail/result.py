@@ -1,4 +1,4 @@
-"""Answers of a wheel on its rail, and of a wheelset. Lengths in mm, angles in rad, forces in N on the rail.
+"""Answers of a wheel on its rail, and of a wheelset. Lengths are in mm, angles in rad, forces in N on the rail.
 
 Written by ./dev generate from proto/schema: edit it there.
 """

@@ -1,5 +1,5 @@
 """A rigid wheelset on rigid rails: the answers of `Client.wheelset_contacts`, `Client.equivalent_conicity` and
-`Client.placed_profiles`. Lengths in mm, angles in rad.
+`Client.placed_profiles`. Lengths are in mm, angles in rad.
 
 Written by ./dev generate from proto/schema: edit it there.
 """
@@ -112,7 +112,7 @@ class ProfileOrigin:
 
 @dataclass(frozen=True)
 class ProfilePlace:
-    """A place on a profile, or beside it.
+    """A position on or near a profile.
 
     Attributes:
         y: To the field side (mm).

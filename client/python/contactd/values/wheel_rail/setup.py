@@ -1,5 +1,5 @@
-"""A wheel on a rail: what all steps of a simulation have in common. Lengths in mm, angles in rad, forces in N on the
-rail. What is None takes the daemon's default.
+"""A wheel on a rail: the common part of all steps of a simulation. Lengths are in mm, angles in rad, forces in N on the
+rail. None is the daemon's default.
 
 Written by ./dev generate from proto/schema: edit it there.
 """
@@ -209,12 +209,12 @@ class WheelRailSetup(Saved):
         normal_model: Model of the pressures, as in contact.solve: of_model according to model; kp, kpec, analyn from
             the overlap of the undeformed surfaces, with model full, fastsim, fastrip or polach. Default "of_model".
         simplified: Options of the models fastsim, fastrip and polach, as in contact.solve.
-        temperature: What rail (upper) and wheel (lower) have to do with heat, where temperatures of their surfaces are
-            wanted: of steady rolling, in each patch by itself. None: none.
-        wear: Laws by which rail (upper) and wheel (lower) wear, where that is wanted: of steady rolling, in each patch
-            by itself. None: no answer of wear.
-        fatigue: Rolling contact fatigue of rail (upper) or wheel (lower), where that is wanted: of steady rolling, in
-            each patch by itself. None: no answer of fatigue.
+        temperature: Thermal properties of rail (upper) and wheel (lower); requests surface temperatures in each patch
+            separately. Requires steady rolling. None: no temperatures.
+        wear: Laws of wear of rail (upper) and wheel (lower); requests wear of each patch separately. Requires steady
+            rolling. None: no wear.
+        fatigue: Requests rolling contact fatigue of rail (upper) or wheel (lower) in each patch separately. Requires
+            steady rolling. None: no fatigue.
         sheet_flexibility: Flexibility of a thin sheet between rail and wheel, as in contact.solve (mm^3/N), >= 0.
             Requires model full. Default 0.
         friction: Coulomb friction, by default 0.3 everywhere; None: frictionless.

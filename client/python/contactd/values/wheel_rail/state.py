@@ -1,4 +1,4 @@
-"""Where a wheelset is, and how it moves. Lengths in mm, angles in rad, forces in N.
+"""Position and motion of a wheelset. Lengths are in mm, angles in rad, forces in N.
 
 Written by ./dev generate from proto/schema: edit it there.
 """
