@@ -1,10 +1,10 @@
-"""A filter of doxygen: contactd.h has ordinary comments, for those who read it; doxygen wants them marked.
+"""A filter of doxygen for contactd.h: marks its ordinary comments for doxygen.
 
     c_header.py FILE
 
-* ``/* --- words --- */`` begins a group of that name.
-* What stands above declarations belongs to all of them, up to a blank line or the next comment.
-* What stands behind one belongs to it. Of an enum in one line it is put above, where doxygen takes it.
+* ``/* --- words --- */`` begins a group of that name. A comment after it, followed by a blank line, describes the group.
+* A comment above declarations belongs to all of them, up to a blank line or the next comment.
+* A comment behind a declaration belongs to it. For an enum in one line it is moved above, as doxygen requires.
 """
 
 from __future__ import annotations
@@ -13,25 +13,29 @@ import re
 import sys
 from collections.abc import Iterator
 
-GROUP = re.compile(r"/\* --- (.*?) -+ \*/")
-COMMENT = re.compile(r"/\*(.*?)\*/", re.DOTALL)
+GROUP = re.compile(r"(?m)^/\* --- (.*?) -+ \*/\n(?:/\*(?!\*)((?:(?!\*/).)*)\*/\n(?=\n))?", re.DOTALL)
 
 
 def marked(header: str) -> str:
     head, _, rest = header.partition("*/\n")
-    return "".join([head.replace("/*", "/** @file", 1), "*/\n", *_parts(rest)])
+    return "".join([head.replace("/*", "/** @file", 1), "*/\n", *_parts(GROUP.sub(_group, rest))])
+
+
+def _group(found: re.Match[str]) -> str:
+    description = f" *{found[2].rstrip()}\n" if found[2] else ""
+    return f"/** @name {found[1].capitalize()}\n{description} * @{{ */\n"
 
 
 def _parts(text: str) -> Iterator[str]:
-    """Line by line, a comment of several lines at once."""
+    """Yields code, and each comment that begins a line."""
     above, opened = "", False
     for part in re.split(r"(?m)(^/\*.*?\*/\n)", text, flags=re.DOTALL):
-        if group := GROUP.match(part):
+        if part.startswith("/** @name"):
             yield "/** @} */\n" if opened else ""
-            yield f"/** @name {group[1].capitalize()}\n * @{{ */\n"
+            yield part
             above, opened = "", True
         elif part.startswith("/*"):
-            above = part.replace("/*", "/**", 1)
+            above = part if part.startswith("/**") else part.replace("/*", "/**", 1)
         else:
             yield _documented(part, above)
             above = ""
@@ -39,7 +43,7 @@ def _parts(text: str) -> Iterator[str]:
 
 
 def _documented(code: str, above: str) -> str:
-    """`above` before each of the statements that it stands over, and the comments behind them marked."""
+    """Returns the code with `above` before each of its declarations, and with marked comments behind them."""
     code = re.sub(r"(?m)^(enum \{.*\};) +/\*(.*?)\*/$", r"/**\2*/\n\1", code)
     over, blank, rest = code.partition("\n\n")
     if above:

@@ -113,6 +113,24 @@ def test_no_comment_of_the_c_header_is_lost(part):
     assert not re.findall(r"/\*(?!\*).*", marked)
 
 
+def test_a_comment_behind_the_name_of_a_group_describes_the_group(part):
+    group = "/* --- words ---- */\n/* About all.\n *\n * More. */\n"
+    marked = part("c_header").marked(f"/* Head. */\n{group}\n/** @brief One. */\nCONTACTD_API int one(void);\n")
+    assert "/** @name Words\n * About all.\n *\n * More.\n * @{ */\n" in marked
+    assert "/** @brief One. */\nCONTACTD_API int one(void);" in marked
+
+
+def test_the_c_header_documents_each_parameter_and_the_answer_of_each_function():
+    header = (ROOT / "client" / "c" / "include" / "contactd.h").read_text()
+    functions = re.findall(r"(?:(/\*\*(?:(?!\*/).)*)\*/\n)?CONTACTD_API [^(]*?(contactd_\w+)\(([^;]*)\);", header, re.DOTALL)
+    assert len(functions) > 40
+    for comment, name, parameters in functions:
+        assert "@brief" in comment, name
+        assert "@return" in comment or "@retval" in comment, name
+        declared = re.findall(r"(\w+)\s*(?:,|$)", parameters.replace("void)", "")) if parameters != "void" else []
+        assert re.findall(r"@param(?:\[out\])? (\w+)", comment) == declared, name
+
+
 def test_the_types_that_clients_meet_are_those_that_cmake_installs(part):
     headers = part("headers").public_headers()
     assert {"contactd/client/client.hpp", "contactd/contact.hpp", "contactd/grid.hpp"} <= set(headers)

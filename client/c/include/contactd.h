@@ -15,9 +15,15 @@
  *     contactd_free(contact);
  *     contactd_close(connection);
  *
- * Every function returns a code unless its comment says otherwise: CONTACTD_OK (0) on success. contactd_last_error
- * returns the message of a failure. No pointer may be NULL unless the comment of the function allows it. Only one
- * thread at a time may use a contact or a wheel; any number of threads may use a connection.
+ * Every function returns a code unless its comment states otherwise: CONTACTD_OK (0) on success. contactd_last_error
+ * returns the message of a failure. Common errors of all functions are not repeated below:
+ *
+ * - CONTACTD_INVALID_ARGUMENT: a handle is invalid (reason NO_HANDLE), or a pointer is NULL. No pointer may be NULL
+ *   unless the comment of the function allows it.
+ * - CONTACTD_FAILED_PRECONDITION: another call uses the contact or the wheel (reason CONCURRENT_USE). Only one thread
+ *   at a time may use them; any number of threads may use a connection.
+ * - CONTACTD_RESOURCE_EXHAUSTED: out of memory, or a limit of the daemon.
+ * - CONTACTD_INTERNAL: a defect of contactd.
  *
  * Use any consistent units for contacts; the comments assume N and mm. Wheels require mm, N and rad. docs/contact.md
  * defines the signs. Arrays over the grid have nx*ny values, x running fastest: element (ix, iy) is at iy*nx + ix.
@@ -72,83 +78,296 @@ typedef struct contactd_wheel contactd_wheel;           /* one wheel on its rail
 /* Called from the thread that made the reported call. The callback must return; `text` is valid until then. */
 typedef void (*contactd_log)(void* user, int32_t level, const char* text);
 
-/* --- the library --------------------------------------------------------------------------------------------- */
-CONTACTD_API const char* contactd_version(void);           /* "0.1.0" */
-CONTACTD_API int32_t contactd_version_number(void);        /* 10000 major + 100 minor + patch */
-CONTACTD_API int32_t contactd_has_local(void);             /* 1 if contactd_open accepts "local", else 0 */
-CONTACTD_API const char* contactd_code_name(int32_t code); /* "INVALID_ARGUMENT"; "UNKNOWN" if invalid */
+/* --- the library ------------------------------------------------------------------------------------------------- */
+/**
+ * @brief Returns the version of the library.
+ * @return A text such as "0.1.0", valid as long as the library is loaded.
+ */
+CONTACTD_API const char* contactd_version(void);
 
-/* These describe the last failed call with this connection, contact or wheel: in this thread or, if none failed here,
- * in any thread. With NULL or an invalid handle they describe the last failure in this thread. A text is valid until
- * this thread calls the same function again. Without a failure they return "" and CONTACTD_OK. */
+/**
+ * @brief Returns the version as a number.
+ * @return 10000 major + 100 minor + patch.
+ */
+CONTACTD_API int32_t contactd_version_number(void);
+
+/**
+ * @brief Reports whether this library can solve in process.
+ * @return 1 if contactd_open accepts "local", else 0.
+ */
+CONTACTD_API int32_t contactd_has_local(void);
+
+/**
+ * @brief Returns the name of a code.
+ * @param code A code of this interface.
+ * @return A text such as "INVALID_ARGUMENT"; "UNKNOWN" for an invalid code. It is valid as long as the library is
+ *     loaded.
+ */
+CONTACTD_API const char* contactd_code_name(int32_t code);
+
+/**
+ * @brief Returns the code of the last failed call with a handle.
+ *
+ * The last failure is that in this thread or, if no call failed in this thread, in any thread. A successful call does
+ * not change it.
+ * @param handle A connection, a contact or a wheel. With NULL or an invalid handle, the last failure in this thread.
+ * @return The code; CONTACTD_OK without a failure.
+ */
 CONTACTD_API int32_t contactd_last_code(const void* handle);
-CONTACTD_API const char* contactd_last_error(const void* handle);  /* one or more sentences */
-CONTACTD_API const char* contactd_last_field(const void* handle);  /* path such as "gap.paraboloid.Rx", or "" */
-CONTACTD_API const char* contactd_last_reason(const void* handle); /* "FIELD_INVALID", for programs, or "" */
 
-/* --- fields by their paths ----------------------------------------------------------------------------------- */
+/**
+ * @brief Returns the message of the last failed call with a handle.
+ * @param handle As for contactd_last_code.
+ * @return One or more sentences; "" without a failure. Valid until this thread calls this function again.
+ */
+CONTACTD_API const char* contactd_last_error(const void* handle);
+
+/**
+ * @brief Returns the field or argument named by the last failed call with a handle.
+ * @param handle As for contactd_last_code.
+ * @return A path such as "gap.paraboloid.Rx", or "". Valid until this thread calls this function again.
+ */
+CONTACTD_API const char* contactd_last_field(const void* handle);
+
+/**
+ * @brief Returns the reason of the last failed call with a handle, as a keyword for programs.
+ * @param handle As for contactd_last_code.
+ * @return A keyword such as "FIELD_INVALID", or "". Valid until this thread calls this function again.
+ */
+CONTACTD_API const char* contactd_last_reason(const void* handle);
+
+/* --- fields by their paths --------------------------------------------------------------------------------------- */
 /* Paths name fields as on the wire: "grid.dx" or "friction.rolling.xi" for inputs of a contact,
  * "setup.track.springs.z" or "state.position.yaw" for inputs of a wheel, "forces.Fn" or
  * "patches[0].place.creepages.xi" for results. docs/protocol.md lists all with units, bounds and defaults;
- * contactd/paths.h has them as constants. `handle` is a contact or a wheel. A value out of bounds is refused at once
- * with CONTACTD_INVALID_ARGUMENT; the message names the path, the value and the bounds. For an unknown path it lists
- * the valid names. A path is parsed once per handle, so you may use it in a loop.
+ * contactd/paths.h has them as constants. A path is parsed once per handle, so you may use it in a loop. */
+
+/**
+ * @brief Sets a number, a flag (0 or 1) or an integer.
  *
- * Sets a number, a flag (0 or 1) or an integer. This creates an optional field, or the next entry of a list. */
+ * This creates an optional field, or the next entry of a list.
+ * @param handle A contact or a wheel.
+ * @param path Path of an input.
+ * @param value The value, in the unit of the field.
+ * @retval CONTACTD_INVALID_ARGUMENT The path is unknown, the value is out of bounds, or the field belongs to the
+ *     other kind of motion. The message names the path, the value and the bounds, or the valid names. The input keeps
+ *     its value.
+ * @retval CONTACTD_FAILED_PRECONDITION The contact was started, and the field is part of its set-up.
+ */
 CONTACTD_API int32_t contactd_set(void* handle, const char* path, double value);
-/* Sets a field to one of its keywords, such as "model" to "hertz". */
+
+/**
+ * @brief Sets a field to one of its keywords, such as "model" to "hertz".
+ * @param handle A contact or a wheel.
+ * @param path Path of an input with keywords, or with a text.
+ * @param keyword The keyword.
+ * @retval CONTACTD_INVALID_ARGUMENT The path or the keyword is invalid.
+ * @retval CONTACTD_FAILED_PRECONDITION As for contactd_set.
+ */
 CONTACTD_API int32_t contactd_set_word(void* handle, const char* path, const char* keyword);
-/* Sets all numbers of an object in the order of its fields, such as "state.velocity"; of a list, entry by entry; or of
- * an array over the grid, such as "gap.array" or "friction.mu". The list gets the length of the input. An entry of
- * "setup.friction.mu" is an angle and a coefficient, an entry of "setup.rail.points" is y and z. */
+
+/**
+ * @brief Sets all numbers of an object, of a list, or of an array over the grid.
+ *
+ * The numbers of an object, such as "state.velocity", are in the order of its fields; those of a list follow entry by
+ * entry. The list gets the length of the input. An entry of "setup.friction.mu" is an angle and a coefficient, an
+ * entry of "setup.rail.points" is y and z. Arrays over the grid are "gap.array" or "friction.mu".
+ * @param handle A contact or a wheel.
+ * @param path Path of an input.
+ * @param values The numbers, in the units of the fields. They are copied.
+ * @param count Number of values, at least 1.
+ * @retval CONTACTD_INVALID_ARGUMENT The path, a value or the count is invalid.
+ * @retval CONTACTD_FAILED_PRECONDITION As for contactd_set.
+ */
 CONTACTD_API int32_t contactd_set_array(void* handle, const char* path, const double* values, int32_t count);
-/* Removes an optional field or a list: without "friction" there is no friction, without "state.Fz" z is prescribed. */
+
+/**
+ * @brief Removes an optional field or a list.
+ *
+ * Without "friction" there is no friction, without "state.Fz" z is prescribed.
+ * @param handle A contact or a wheel.
+ * @param path Path of an input.
+ * @retval CONTACTD_INVALID_ARGUMENT The path is unknown, or the field is required.
+ * @retval CONTACTD_FAILED_PRECONDITION As for contactd_set.
+ */
 CONTACTD_API int32_t contactd_clear(void* handle, const char* path);
-/* Reads a number of the last solve or step, or the length of a list. Returns CONTACTD_NOT_FOUND if the solution does
- * not have it. */
+
+/**
+ * @brief Reads a number of the last solve or step, or the length of a list.
+ * @param handle A contact or a wheel.
+ * @param path Path of a result.
+ * @param[out] value The number, in the unit of the field.
+ * @pre A step or solve has succeeded; "step" and "ics" of a contact are available after contactd_start.
+ * @retval CONTACTD_INVALID_ARGUMENT The path is unknown.
+ * @retval CONTACTD_NOT_FOUND The solution does not have this result.
+ * @retval CONTACTD_FAILED_PRECONDITION There are no results yet.
+ */
 CONTACTD_API int32_t contactd_get(void* handle, const char* path, double* value);
-/* Copies a keyword or text into `text`, which has `length` bytes including the terminating zero. A longer one is
- * truncated. */
+
+/**
+ * @brief Copies a keyword or a text of the last solve or step.
+ * @param handle A contact or a wheel.
+ * @param path Path of a result.
+ * @param[out] text The text. A longer one is truncated.
+ * @param length Size of `text` in bytes, including the terminating zero, at least 1.
+ * @pre As for contactd_get.
+ * @retval CONTACTD_INVALID_ARGUMENT The path or the length is invalid.
+ * @retval CONTACTD_NOT_FOUND The solution does not have this result.
+ * @retval CONTACTD_FAILED_PRECONDITION There are no results yet.
+ */
 CONTACTD_API int32_t contactd_get_word(void* handle, const char* path, char* text, int32_t length);
-/* Reads all numbers of an object or a list, in the order of contactd_set_array; or of an array over the grid that
- * contactd_want requested, such as "patches[0].solution.pressure". element_division contains CONTACTD_EXTERIOR,
- * _ADHESION, _SLIP and _FLOW. Without friction, slip is zero. `count` must equal that of contactd_length. */
+
+/**
+ * @brief Reads all numbers of an object or a list, or of an array over the grid.
+ *
+ * Objects and lists have the order of contactd_set_array. Arrays over the grid are those that contactd_want
+ * requested, such as "patches[0].solution.pressure". element_division contains CONTACTD_EXTERIOR, _ADHESION, _SLIP
+ * and _FLOW. Without friction, slip is zero.
+ * @param handle A contact or a wheel.
+ * @param path Path of a result.
+ * @param[out] values The numbers, in the units of the fields.
+ * @param count Number of values; must equal that of contactd_length.
+ * @pre As for contactd_get.
+ * @retval CONTACTD_INVALID_ARGUMENT The path is unknown, or the count differs. The message contains the right count.
+ * @retval CONTACTD_NOT_FOUND The solution does not have this result.
+ * @retval CONTACTD_FAILED_PRECONDITION There are no results yet, or the array was not requested.
+ */
 CONTACTD_API int32_t contactd_get_array(void* handle, const char* path, double* values, int32_t count);
+
+/**
+ * @brief Returns the number of values that contactd_get_array reads.
+ * @param handle A contact or a wheel.
+ * @param path Path of a result.
+ * @param[out] count Number of values.
+ * @pre As for contactd_get.
+ * @retval CONTACTD_INVALID_ARGUMENT The path is unknown.
+ * @retval CONTACTD_NOT_FOUND The solution does not have this result.
+ * @retval CONTACTD_FAILED_PRECONDITION There are no results yet, or the array was not requested.
+ */
 CONTACTD_API int32_t contactd_length(void* handle, const char* path, int32_t* count);
-/* Requests an array over the grid in all later solves or steps (1), or omits it (0, the default): "pressure",
- * "traction_x", "traction_y", "slip_x", "slip_y", "element_division"; "displacement_x", "displacement_y" and
- * "displacement_z" if "displacements" is set; "flow_x", "flow_y" and "yield_stress" if a layer yields;
- * "friction_coefficient" if friction is velocity-weakening; "upper_temperature" and "lower_temperature" if
- * "temperature" is set. Wheels with the model full also have "gap", the undeformed distances. */
+
+/**
+ * @brief Requests or omits an array over the grid in all later solves or steps.
+ *
+ * The arrays are "pressure", "traction_x", "traction_y", "slip_x", "slip_y" and "element_division". With
+ * "displacements" set, there are also "displacement_x", "displacement_y" and "displacement_z". A layer that yields
+ * has "flow_x", "flow_y" and "yield_stress", velocity-weakening friction has "friction_coefficient". With
+ * "temperature" set, there are "upper_temperature" and "lower_temperature". Wheels with the model full also have
+ * "gap", the undeformed distances.
+ * @param handle A contact or a wheel.
+ * @param array Name of an array.
+ * @param requested 1: return the array; 0, the default: omit it.
+ * @retval CONTACTD_INVALID_ARGUMENT The name or the flag is invalid. The message lists the names.
+ */
 CONTACTD_API int32_t contactd_want(void* handle, const char* array, int32_t requested);
 
-/* For loops in which a text costs too much: *id replaces the path of an input or a result for this handle, as long as
- * the handle is valid. */
+/**
+ * @brief Returns a number that replaces a path, for loops in which a text is too slow.
+ * @param handle A contact or a wheel.
+ * @param path Path of an input or a result.
+ * @param[out] id The number, for this handle only. It is valid as long as the handle.
+ * @retval CONTACTD_INVALID_ARGUMENT The path is unknown.
+ */
 CONTACTD_API int32_t contactd_path(void* handle, const char* path, int32_t* id);
+
+/**
+ * @brief Sets a number like contactd_set.
+ * @param handle The contact or wheel of the number.
+ * @param id A number from contactd_path.
+ * @param value The value, in the unit of the field.
+ * @retval CONTACTD_INVALID_ARGUMENT The number of the path is invalid; otherwise as for contactd_set.
+ * @retval CONTACTD_FAILED_PRECONDITION As for contactd_set.
+ */
 CONTACTD_API int32_t contactd_set_at(void* handle, int32_t id, double value);
+
+/**
+ * @brief Reads a number like contactd_get.
+ * @param handle The contact or wheel of the number.
+ * @param id A number from contactd_path.
+ * @param[out] value The number, in the unit of the field.
+ * @pre As for contactd_get.
+ * @retval CONTACTD_INVALID_ARGUMENT The number of the path is invalid.
+ * @retval CONTACTD_NOT_FOUND The solution does not have this result.
+ * @retval CONTACTD_FAILED_PRECONDITION There are no results yet.
+ */
 CONTACTD_API int32_t contactd_get_at(void* handle, int32_t id, double* value);
 
-/* --- connections --------------------------------------------------------------------------------------------- */
-/* Creates a connection without sending anything. `where` is the address of a daemon, "ipc:///path" or
- * "tcp://host:port", or "local" to solve in process (libcontactd-local only). On failure *connection is NULL. */
+/* --- connections ------------------------------------------------------------------------------------------------- */
+/* Settings of a connection apply to contacts and wheels created later. */
+
+/**
+ * @brief Creates a connection without sending anything.
+ * @param where Address of a daemon, "ipc:///path" or "tcp://host:port", or "local" to solve in process
+ *     (libcontactd-local only).
+ * @param[out] connection The connection; NULL on failure.
+ * @retval CONTACTD_INVALID_ARGUMENT The address is invalid.
+ * @retval CONTACTD_UNIMPLEMENTED This library does not solve in process, or does not connect to daemons.
+ */
 CONTACTD_API int32_t contactd_open(const char* where, contactd_connection** connection);
-/* Closes the connection. Existing contacts stay valid; no new ones can be created. */
+
+/**
+ * @brief Closes the connection.
+ *
+ * Existing contacts and wheels stay valid; no new ones can be created.
+ * @param connection The connection, which is invalid after a successful call.
+ * @return CONTACTD_OK, or one of the common errors.
+ */
 CONTACTD_API int32_t contactd_close(contactd_connection* connection);
-/* Checks whether contacts can be solved now. */
+
+/**
+ * @brief Checks whether contacts can be solved now.
+ * @param connection The connection.
+ * @retval CONTACTD_UNAVAILABLE No daemon listens at the address, or it is stopping.
+ * @retval CONTACTD_DEADLINE_EXCEEDED The daemon does not answer within the timeout.
+ */
 CONTACTD_API int32_t contactd_ping(contactd_connection* connection);
 
-/* The following settings apply to contacts created later. Timeouts are in seconds, > 0: for a call (default 60), for
- * contactd_start and wheels that may wait for finite elements (3600), and for a connection to a daemon (5). */
+/**
+ * @brief Sets the timeout of calls. The default is 60 s.
+ * @param connection The connection.
+ * @param seconds The timeout (s), > 0 and at most 1e6.
+ * @retval CONTACTD_INVALID_ARGUMENT The time is out of bounds.
+ */
 CONTACTD_API int32_t contactd_set_timeout(contactd_connection* connection, double seconds);
+
+/**
+ * @brief Sets the timeout of contactd_start, and of wheels that may wait for finite elements. The default is 3600 s.
+ * @param connection The connection.
+ * @param seconds The timeout (s), > 0 and at most 1e6.
+ * @retval CONTACTD_INVALID_ARGUMENT The time is out of bounds.
+ */
 CONTACTD_API int32_t contactd_set_build_timeout(contactd_connection* connection, double seconds);
+
+/**
+ * @brief Sets the timeout of a connection to a daemon. The default is 5 s.
+ * @param connection The connection.
+ * @param seconds The timeout (s), > 0 and at most 1e6.
+ * @retval CONTACTD_INVALID_ARGUMENT The time is out of bounds.
+ */
 CONTACTD_API int32_t contactd_set_connect_timeout(contactd_connection* connection, double seconds);
-/* Sets files of CURVE keys (docs/security.md): the daemon's public key, and your secret key. */
+
+/**
+ * @brief Sets the files of CURVE keys (docs/security.md), which are read when a contact or a wheel connects.
+ * @param connection The connection.
+ * @param server_key File with the daemon's public key.
+ * @param own_key File with your secret key.
+ * @return CONTACTD_OK, or one of the common errors.
+ */
 CONTACTD_API int32_t contactd_set_keys(contactd_connection* connection, const char* server_key, const char* own_key);
-/* Sets the callback for log messages. With NULL there are none. Before the first call of this function, warnings in
- * answers are written to standard error, once per contact or wheel, and other messages are dropped. */
+
+/**
+ * @brief Sets the callback for log messages.
+ *
+ * Before the first call of this function, warnings in answers are written to standard error, once per contact or
+ * wheel, and other messages are dropped.
+ * @param connection The connection.
+ * @param log The callback; NULL disables messages.
+ * @param user Passed to the callback; may be NULL.
+ * @return CONTACTD_OK, or one of the common errors.
+ */
 CONTACTD_API int32_t contactd_set_log(contactd_connection* connection, contactd_log log, void* user);
 
-/* --- contacts ------------------------------------------------------------------------------------------------ */
+/* --- contacts ---------------------------------------------------------------------------------------------------- */
 /* The inputs are those of contact.solve (docs/contact.md), plus "lease_seconds" and "accept_unconverged" of a session.
  * The set-up is fixed by contactd_start: "grid", "bodies", "ics", "model", "columns", "settings", "previous". The load
  * can be set at any time and applies until it is set again: "gap", "approach" or "Fn" (the later one applies),
@@ -167,50 +386,156 @@ CONTACTD_API int32_t contactd_set_log(contactd_connection* connection, contactd_
  *
  * The results are those of session.step, with "step", the number of the last step, and "ics.upper.origin", the origin
  * of the coefficients. */
-/* Creates a contact. On failure *contact is NULL. */
+
+/**
+ * @brief Creates a contact.
+ * @param connection The connection.
+ * @param[out] contact The contact; NULL on failure.
+ * @return CONTACTD_OK, or one of the common errors.
+ */
 CONTACTD_API int32_t contactd_new(contactd_connection* connection, contactd_contact** contact);
-/* Frees the contact. The handle is invalid after this call, whether or not it succeeds, unless another thread uses it
- * (CONCURRENT_USE). */
+
+/**
+ * @brief Frees the contact.
+ * @param contact The contact. It is invalid after this call, whether or not the call succeeds, unless another thread
+ *     uses it.
+ * @retval CONTACTD_FAILED_PRECONDITION Another thread uses the contact, which stays valid.
+ * @retval CONTACTD_UNAVAILABLE The daemon did not answer. Its session ends with its lease.
+ */
 CONTACTD_API int32_t contactd_free(contactd_contact* contact);
-/* Starts the contact with the current inputs, and waits for its coefficients. */
+
+/**
+ * @brief Starts the contact with the current inputs, and waits for its coefficients.
+ * @param contact The contact.
+ * @retval CONTACTD_INVALID_ARGUMENT An input is invalid or missing.
+ * @retval CONTACTD_FAILED_PRECONDITION The contact was started before.
+ * @retval CONTACTD_DEADLINE_EXCEEDED The coefficients are not available within the build timeout. A daemon continues
+ *     the build, so you may call this function again.
+ * @retval CONTACTD_CANCELLED contactd_cancel was called.
+ * @retval CONTACTD_UNAVAILABLE No daemon listens at the address, or it is stopping.
+ */
 CONTACTD_API int32_t contactd_start(contactd_contact* contact);
-/* Solves the next step, which starts from the end of the last one. A failed step leaves the contact unchanged. */
+
+/**
+ * @brief Solves the next step, which starts from the end of the last one.
+ *
+ * A failed step leaves the contact unchanged.
+ * @param contact The contact.
+ * @pre contactd_start has succeeded; otherwise the call returns CONTACTD_FAILED_PRECONDITION.
+ * @retval CONTACTD_INVALID_ARGUMENT An input is invalid or missing.
+ * @retval CONTACTD_ABORTED A solver missed its tolerance, and "accept_unconverged" is not set.
+ * @retval CONTACTD_NOT_FOUND The daemon has ended the session, whose lease may have expired.
+ * @retval CONTACTD_DEADLINE_EXCEEDED The timeout has passed.
+ * @retval CONTACTD_CANCELLED contactd_cancel was called.
+ * @retval CONTACTD_UNAVAILABLE No daemon listens at the address, or it is stopping.
+ */
 CONTACTD_API int32_t contactd_step(contactd_contact* contact);
-/* Cancels the running call, which soon returns CONTACTD_CANCELLED; without a running call it has no effect. May be
- * called from any thread. */
+
+/**
+ * @brief Cancels the running call, which soon returns CONTACTD_CANCELLED.
+ *
+ * May be called from any thread. It has no effect without a running call.
+ * @param contact The contact.
+ * @return CONTACTD_OK, or one of the common errors.
+ */
 CONTACTD_API int32_t contactd_cancel(contactd_contact* contact);
-/* Sets the timeout of steps (s), which replaces that of the connection. */
+
+/**
+ * @brief Sets the timeout of steps, which replaces that of the connection.
+ * @param contact The contact.
+ * @param seconds The timeout (s), > 0 and at most 1e6.
+ * @retval CONTACTD_INVALID_ARGUMENT The time is out of bounds.
+ */
 CONTACTD_API int32_t contactd_set_step_timeout(contactd_contact* contact, double seconds);
-/* Sets a table of coefficients of a body ("bodies.upper.ics", "bodies.lower.ics"), or of the pair ("ics").
- * values[3][3][ny][nx] (mm^3/N): displacement axis, load axis, offsets along y and x; count = 9*nx*ny. dx and dy are
- * the sizes of the elements of the table (mm). See docs/ic-tables.md. */
+
+/**
+ * @brief Sets a table of coefficients of a body or of the pair (docs/ic-tables.md).
+ * @param contact The contact.
+ * @param path "bodies.upper.ics" or "bodies.lower.ics" for a body, "ics" for the pair.
+ * @param nx Number of offsets along x, at least that of the grid's elements.
+ * @param ny Number of offsets along y, at least that of the grid's elements.
+ * @param dx Element size of the table along x (mm).
+ * @param dy Element size of the table along y (mm).
+ * @param values values[3][3][ny][nx] (mm^3/N): displacement axis, load axis, offsets along y and x. They are copied.
+ * @param count Number of values, 9*nx*ny.
+ * @retval CONTACTD_INVALID_ARGUMENT The path, a size or the count is invalid.
+ * @retval CONTACTD_FAILED_PRECONDITION The contact was started before.
+ */
 CONTACTD_API int32_t contactd_set_table(contactd_contact* contact, const char* path, int32_t nx, int32_t ny, double dx,
                                         double dy, const double* values, int32_t count);
-/* Reads the frames of the columns of a body's section; `body` is "upper" or "lower". y[length] and z[length] are those
- * of their middles (mm), and angle[length] those of their outward normals from +z towards +y (rad). length = ny. This
- * function may be called before contactd_start. */
+
+/**
+ * @brief Reads the frames of the columns of a body's section. May be called before contactd_start.
+ * @param contact The contact.
+ * @param body "upper" or "lower".
+ * @param[out] y y[length] of the middles of the columns (mm).
+ * @param[out] z z[length] of the middles of the columns (mm).
+ * @param[out] angle angle[length] of their outward normals from +z towards +y (rad).
+ * @param length Number of columns, equal to ny of the grid.
+ * @pre The grid and the section of the body are set.
+ * @retval CONTACTD_INVALID_ARGUMENT An argument is invalid, the body has no section, or the section is invalid.
+ */
 CONTACTD_API int32_t contactd_get_frames(contactd_contact* contact, const char* body, double* y, double* z,
                                          double* angle, int32_t length);
-/* Sets the profile named by `path` from a file: Simpack (.prr, .prw), MiniProf (.ban, .whl), or two columns. The path
- * is "setup.rail" or "setup.rail_slices[0].profile" for a wheel, "ics.section.profile_section.profile" for a contact,
- * where the kind must be set first. The file is read in this call, by this process. "setup.rail.unit", ".mirror_y",
- * ".mirror_z" and ".smoothing_length" are then those of its points, and you may change them. With the path
- * "setup.rail.file" its text is stored and interpreted in the solve, according to "setup.rail.file.unit", ".mirror_y",
- * ".mirror_z", ".shift_y", ".shift_z" and ".smoothing_length"; a profile with ambiguous settings is refused. To use
- * content without a file, set "setup.rail.file.name" and "setup.rail.file.text". */
+
+/**
+ * @brief Sets a profile from a file: Simpack (.prr, .prw), MiniProf (.ban, .whl), or two columns.
+ *
+ * The file is read in this call, by this process. "setup.rail.unit", ".mirror_y", ".mirror_z" and ".smoothing_length"
+ * are then those of its points, and you may change them. With the path "setup.rail.file" its text is stored and
+ * interpreted in the solve, according to "setup.rail.file.unit", ".mirror_y", ".mirror_z", ".shift_y", ".shift_z" and
+ * ".smoothing_length"; a profile with ambiguous settings is refused. To use content without a file, set
+ * "setup.rail.file.name" and "setup.rail.file.text".
+ * @param handle A contact or a wheel.
+ * @param path "setup.rail", "setup.wheel" or "setup.rail_slices[0].profile" for a wheel;
+ *     "ics.section.profile_section.profile" for a contact.
+ * @param file Name of the file.
+ * @pre The kind of the profile of a contact is set.
+ * @retval CONTACTD_INVALID_ARGUMENT The path does not name a profile, or the file cannot be read or is not a profile.
+ * @retval CONTACTD_FAILED_PRECONDITION The contact was started before.
+ */
 CONTACTD_API int32_t contactd_read_profile(void* handle, const char* path, const char* file);
 
-/* --- steps of contacts and of wheels ------------------------------------------------------------------------- */
-/* Solves the last step of contactd_step or contactd_wheel_solve again with the current inputs, from the state before
- * that step. An integrator can thus repeat a step until it accepts the result. */
+/* --- steps of contacts and of wheels ----------------------------------------------------------------------------- */
+/**
+ * @brief Solves the last step of contactd_step or contactd_wheel_solve again with the current inputs.
+ *
+ * The step starts from the state before the last one. An integrator can thus repeat a step until it accepts the
+ * result.
+ * @param handle A contact or a wheel.
+ * @return The codes of contactd_step or contactd_wheel_solve.
+ */
 CONTACTD_API int32_t contactd_step_again(void* handle);
-/* Saves the state of a contact or a wheel with its results; before the first step it is the start. *state > 0
- * identifies it. States of a wheel are valid until its set-up changes. */
+
+/**
+ * @brief Saves the state of a contact or a wheel with its results. Before the first step it is the start.
+ *
+ * States of a wheel are valid until its set-up changes.
+ * @param handle A contact or a wheel.
+ * @param[out] state Number of the state, > 0.
+ * @pre The contact was started; otherwise the call returns CONTACTD_FAILED_PRECONDITION.
+ * @retval CONTACTD_NOT_FOUND The daemon has ended the session.
+ * @retval CONTACTD_RESOURCE_EXHAUSTED The daemon's limit of saved states is reached.
+ */
 CONTACTD_API int32_t contactd_save(void* handle, int32_t* state);
-CONTACTD_API int32_t contactd_restore(void* handle, int32_t state); /* any number of times */
+
+/**
+ * @brief Returns to a saved state, any number of times.
+ * @param handle The contact or wheel of the state.
+ * @param state A number from contactd_save.
+ * @retval CONTACTD_NOT_FOUND There is no such state, or the daemon has ended the session.
+ */
+CONTACTD_API int32_t contactd_restore(void* handle, int32_t state);
+
+/**
+ * @brief Frees a saved state.
+ * @param handle The contact or wheel of the state.
+ * @param state A number from contactd_save.
+ * @retval CONTACTD_NOT_FOUND There is no such state, or the daemon has ended the session.
+ */
 CONTACTD_API int32_t contactd_forget(void* handle, int32_t state);
 
-/* --- wheels on rails ----------------------------------------------------------------------------------------- */
+/* --- wheels on rails --------------------------------------------------------------------------------------------- */
 /* Computes contact patches and forces from profiles and the position of a wheelset. docs/wheel-rail.md defines
  * coordinates and signs. Inputs and results are named by their paths:
  *
@@ -239,32 +564,84 @@ CONTACTD_API int32_t contactd_forget(void* handle, int32_t state);
  * "setup.wheel_slices[0].profile.points". Bodies are elastic or rigid: "setup.bodies.upper.G" and .nu, or .rigid (1),
  * for the rail; lower for the wheel. "setup.friction.mu" may be a single number. Bounds of the numbers of profiles and
  * bodies are checked in the solve. */
-/* Creates a wheel. On failure *wheel is NULL. */
+
+/**
+ * @brief Creates a wheel.
+ * @param connection The connection.
+ * @param[out] wheel The wheel; NULL on failure.
+ * @return CONTACTD_OK, or one of the common errors.
+ */
 CONTACTD_API int32_t contactd_wheel_new(contactd_connection* connection, contactd_wheel** wheel);
-/* Frees the wheel. The handle is invalid after this call unless another thread uses it (CONCURRENT_USE). */
+
+/**
+ * @brief Frees the wheel.
+ * @param wheel The wheel. It is invalid after this call, unless another thread uses it.
+ * @retval CONTACTD_FAILED_PRECONDITION Another thread uses the wheel, which stays valid.
+ */
 CONTACTD_API int32_t contactd_wheel_free(contactd_wheel* wheel);
-/* Solves the wheel. Without contact the call succeeds and there are no patches. It also succeeds if a solver missed
- * its tolerance; the result "converged" reports this. A failed solve leaves the wheel and its results unchanged. */
+
+/**
+ * @brief Solves the wheel.
+ *
+ * Without contact the call succeeds and there are no patches. It also succeeds if a solver missed its tolerance; the
+ * result "converged" reports this. A failed solve leaves the wheel and its results unchanged.
+ * @param wheel The wheel.
+ * @retval CONTACTD_INVALID_ARGUMENT An input is invalid or missing, or the set-up differs from that before a
+ *     transient step.
+ * @retval CONTACTD_DEADLINE_EXCEEDED The timeout has passed.
+ * @retval CONTACTD_CANCELLED contactd_wheel_cancel was called.
+ * @retval CONTACTD_UNAVAILABLE No daemon listens at the address, or it is stopping.
+ */
 CONTACTD_API int32_t contactd_wheel_solve(contactd_wheel* wheel);
-/* Solves the wheels of a vehicle, each like contactd_wheel_solve. `threads` is the number of threads in process,
- * including this one; 0 means the number of processors. A daemon receives one message, which its workers share.
- * Cancelling one wheel, or the shortest of the timeouts, ends it for all. Answers do not depend on the number of
- * threads or workers. A wheel that fails does not affect the others: the function returns the code of the first
- * failure, and each wheel stores its own. If a handle is invalid or repeated, no wheel is solved (INVALID_ARGUMENT).
- * Log callbacks run in this thread after all solves. */
+
+/**
+ * @brief Solves the wheels of a vehicle, each like contactd_wheel_solve.
+ *
+ * A daemon receives one message, which its workers share. Cancelling one wheel, or the shortest of the timeouts, ends
+ * it for all. Answers do not depend on the number of threads or workers. A wheel that fails does not affect the
+ * others, and each wheel stores its own failure. If a handle is invalid or repeated, no wheel is solved. Log
+ * callbacks run in this thread after all solves.
+ * @param wheels The wheels; may be NULL if `count` is 0.
+ * @param count Number of wheels, at least 0.
+ * @param threads Number of threads in process, including this one; 0: the number of processors.
+ * @return CONTACTD_OK, or the code of the first failure: CONTACTD_INVALID_ARGUMENT for an invalid or repeated handle,
+ *     or the codes of contactd_wheel_solve.
+ */
 CONTACTD_API int32_t contactd_wheel_solve_many(contactd_wheel* const* wheels, int32_t count, int32_t threads);
-/* Solves both wheels of a wheelset that is free to roll. Computes the height and roll at which each wheel presses on
- * its rail with its "state.Fz". Position, velocity and pitch rate of a roller must be the same for both, except z and
- * roll, where the values of the right wheel are the start of the search. A longitudinal force and derivatives are not
- * supported. Each wheel receives its results, which have converged if both wheels and the search for the roll have. A
- * solve starts from the end of the last one of the right wheel with these set-ups, with a daemon at its height and
- * roll. This changes the answer within the tolerances. Timeout and failures are those of the right wheel; cancelling
- * either wheel cancels both. */
+
+/**
+ * @brief Solves both wheels of a wheelset with free roll.
+ *
+ * Computes the height and roll at which each wheel presses on its rail with its "state.Fz". Position, velocity and
+ * pitch rate of a roller must be the same for both, except z and roll, where the values of the right wheel are the
+ * start of the search. A longitudinal force and derivatives are not supported. Each wheel receives its results, which
+ * have converged if both wheels and the search for the roll have. A solve starts from the end of the last one of the
+ * right wheel with these set-ups, with a daemon at its height and roll. This changes the answer within the
+ * tolerances. Timeout and failures are those of the right wheel; cancelling either wheel cancels both.
+ * @param right The right wheel.
+ * @param left The left wheel.
+ * @retval CONTACTD_INVALID_ARGUMENT An input is invalid or missing, or differs between the wheels where it must not.
+ * @retval CONTACTD_DEADLINE_EXCEEDED The timeout has passed.
+ * @retval CONTACTD_CANCELLED contactd_wheel_cancel was called.
+ * @retval CONTACTD_UNAVAILABLE No daemon listens at the address, or it is stopping.
+ */
 CONTACTD_API int32_t contactd_wheel_solve_wheelset(contactd_wheel* right, contactd_wheel* left);
-/* Cancels the running solve, which soon returns CONTACTD_CANCELLED; without a running solve it has no effect. May be
- * called from any thread. */
+
+/**
+ * @brief Cancels the running solve, which soon returns CONTACTD_CANCELLED.
+ *
+ * May be called from any thread. It has no effect without a running solve.
+ * @param wheel The wheel.
+ * @return CONTACTD_OK, or one of the common errors.
+ */
 CONTACTD_API int32_t contactd_wheel_cancel(contactd_wheel* wheel);
-/* Sets the timeout of solves (s), which replaces that of the connection. */
+
+/**
+ * @brief Sets the timeout of solves, which replaces that of the connection.
+ * @param wheel The wheel.
+ * @param seconds The timeout (s), > 0 and at most 1e6.
+ * @retval CONTACTD_INVALID_ARGUMENT The time is out of bounds.
+ */
 CONTACTD_API int32_t contactd_wheel_set_timeout(contactd_wheel* wheel, double seconds);
 
 #ifdef __cplusplus
