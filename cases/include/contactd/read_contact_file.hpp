@@ -1,4 +1,4 @@
-// The cases of input files of the program CONTACT.
+// Reads the cases of input files of the CONTACT program.
 #pragma once
 
 #include <cstddef>
@@ -15,41 +15,41 @@
 
 namespace contactd {
 
-/// The size that an input file of CONTACT may have.
+/// Largest size of an input file of CONTACT.
 inline constexpr std::size_t most_contact_file_bytes = 16 << 20;
 
-/// The cases that a file may have where all are wanted at once.
+/// Largest number of cases read at once.
 inline constexpr std::size_t most_contact_cases = 100'000;
 
 template <class Value>
 using ByName = std::map<std::string, Value, std::less<>>;
-/// Numbers that many cases may share.
+/// Numbers that several cases may share.
 using ContactNumbers = std::shared_ptr<const std::vector<double>>;
 using ContactValue = std::variant<int, double, std::string, ContactNumbers>;
-/// The values of a friction law, and ALPHVF, SVF or IY in front where friction varies.
+/// The values of a friction law, preceded by ALPHVF, SVF or IY if friction varies.
 using ContactFrictionSets = std::vector<ByName<double>>;
 /// Blocks of points below the surface: ISUBS, and lists by the names of their axes.
 using ContactBlocks = std::vector<ByName<ContactValue>>;
 
-/// One case as CONTACT would have it: its control digits, and all that is in its memory. Names are those of CONTACT;
-/// where it has none they are in docs/contact-files.md. Units are CONTACT's: mm, N, s, rad, N/mm^2.
+/// One case as in CONTACT: its control digits, and all values in its memory. Names are those of CONTACT; other names
+/// are defined in docs/contact-files.md. Units are CONTACT's: mm, N, s, rad, N/mm^2.
 struct ContactCase {
-    int number = 0;                 ///< as CONTACT prints it, counted from 1 in each result element
+    int number = 0;                 ///< as printed by CONTACT, counted from 1 in each result element
     std::size_t line = 0;           ///< of its first control word, counted from 1
     int module_number = 0;          ///< 1, a wheel on its rail, or 3, basic contact
-    std::optional<int> reid, cpid;  ///< result element and contact problem, where the file names them
+    std::optional<int> reid, cpid;  ///< result element and contact problem, if named in the file
     ByName<int> digits;             ///< C1 (module 1) P B T N F S, V L D C M Z E M2 W2, X H G I A O W R
     ByName<ContactValue> values;
     std::shared_ptr<const ContactFrictionSets> friction;  ///< null where none was ever read
     std::shared_ptr<const ContactBlocks> subsurface;      ///< null where none was ever read
-    std::vector<std::string> read;      ///< what was read in this case; the rest is kept from earlier ones
-    std::vector<std::string> warnings;  ///< what is probably a mistake
-    std::vector<std::string> errors;    ///< why it cannot be computed; a case may have been read in part then
+    std::vector<std::string> read;      ///< values read in this case; the others are kept from earlier ones
+    std::vector<std::string> warnings;  ///< probable mistakes
+    std::vector<std::string> errors;    ///< reasons why it cannot be computed; it may be incomplete
 };
 
-/// Reads one case after the other, so that a long history does not stand in memory as a whole. After a word that does
-/// not fit it goes on at the next line that begins with a number and the word MODULE; what keeps data of the case that
-/// was given up says so in its errors.
+/// Reads one case after the other, so that a long history need not fit in memory. After an invalid word it continues
+/// at the next line that begins with a number and the word MODULE. Cases that keep data of the skipped case have an
+/// error.
 class ContactFileReader {
    public:
     /// `name` is that of the file, for messages. `text` and the observer, which may be null, must live as long as the
@@ -59,9 +59,9 @@ class ContactFileReader {
     ContactFileReader(const ContactFileReader&) = delete;
     ContactFileReader& operator=(const ContactFileReader&) = delete;
 
-    /// Returns the next case, and nothing at the end. Throws Cancelled when the observer says so.
+    /// Returns the next case, or none at the end. Throws Cancelled.
     std::optional<ContactCase> next();
-    /// These sentences are about the file so far, and about no case.
+    /// Sentences about the file so far that do not concern a case.
     const std::vector<std::string>& warnings() const;
     const std::vector<std::string>& errors() const;
 
@@ -75,7 +75,7 @@ struct ContactFile {
     std::vector<std::string> warnings, errors;
 };
 
-/// All cases of a file at once. Throws as ContactFileReader does, and beyond most_contact_cases.
+/// Returns all cases of a file at once. Throws as ContactFileReader does, and beyond most_contact_cases.
 ContactFile read_contact_file(std::string_view text, const std::string& name);
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-// The directions x, y and z (the outward normal), and what turning one round does to influence coefficients.
+// The directions x, y and z (the outward normal), and the parities of influence coefficients.
 #pragma once
 
 namespace contactd {

@@ -1,4 +1,4 @@
-// Refusals of a part, in the names that its fields have in the whole.
+// Errors of a part, with the names of its fields in the whole.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace contactd {
 
-/// The result of `work`. An InvalidArgument that it throws is thrown again with `rename(field)` for its field.
+/// Returns the result of `work`. An InvalidArgument is rethrown with `rename(field)` as its field.
 template <class Rename, class Work>
 auto renaming(const Rename& rename, const Work& work) {
     try {
@@ -18,22 +18,22 @@ auto renaming(const Rename& rename, const Work& work) {
     }
 }
 
-/// For renaming(): with "material" and "bodies.upper", "material.nu" becomes "bodies.upper.nu". A field that does not
-/// begin with `part` keeps its name.
+/// A function for renaming(): with "material" and "bodies.upper", "material.nu" becomes "bodies.upper.nu". Fields that
+/// do not begin with `part` keep their names.
 inline auto in_place_of(std::string part, std::string name) {
     return [part = std::move(part), name = std::move(name)](const std::string& field) {
         return field.starts_with(part) ? name + field.substr(part.size()) : field;
     };
 }
 
-/// The result of `work`, which refuses fields below `field`: with "section", "profile.arc" becomes
+/// Returns the result of `work`; errors name fields below `field`: with "section", "profile.arc" becomes
 /// "section.profile.arc".
 template <class Work>
 auto below(const std::string& field, const Work& work) {
     return renaming([&](const std::string& inner) { return field + "." + inner; }, work);
 }
 
-/// validate(part), which refuses fields below `field`.
+/// Calls validate(part); errors name fields below `field`.
 template <class Part>
 void validate_below(const std::string& field, const Part& part) {
     below(field, [&] { validate(part); });

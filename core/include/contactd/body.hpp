@@ -1,4 +1,4 @@
-// The two bodies of a contact: what each is made of, and where its influence coefficients come from.
+// The two bodies of a contact: their materials, and the origins of their influence coefficients.
 #pragma once
 
 #include <optional>
@@ -10,27 +10,27 @@
 
 namespace contactd {
 
-/// The standard linear solid: its creep compliance is J(t) = (1 + f (1 - exp(-t/tau)))/G, G and nu those of its
-/// material at once; Poisson's ratio stays. The relaxation time of its stress is tau/(1 + f). Of steady rolling along
+/// A standard linear solid: its creep compliance is J(t) = (1 + f (1 - exp(-t/tau)))/G, with G and nu of its
+/// instantaneous material and constant nu. The relaxation time of its stress is tau/(1 + f). For steady rolling along
 /// x.
 struct Viscoelasticity {
-    double f = 0;    ///< delayed compliance over that at once, >= 0
+    double f = 0;    ///< delayed over instantaneous compliance, >= 0
     double tau = 0;  ///< retardation time of creep (s), >= 0
 
     bool operator==(const Viscoelasticity&) const = default;
 };
 
-/// By a source that makes them, or a table that the request brings along.
+/// Coefficients by a source that computes them, or in a table of the request.
 using Coefficients = std::variant<Ics, GivenIcs>;
 
 struct Body {
-    Material material;                              ///< or rigid; of layers that of their surface
-    Coefficients ics{};                             ///< of the body alone; of no meaning when it is rigid
-    std::optional<Viscoelasticity> viscoelastic{};  ///< of half-spaces by their closed form
+    Material material;                              ///< or rigid; for layers, that of their surface
+    Coefficients ics{};                             ///< of the body alone; not used if it is rigid
+    std::optional<Viscoelasticity> viscoelastic{};  ///< for half-spaces in closed form
 
-    /// A table that the request brings along, or null: a rigid body has none.
+    /// Returns the table in the request, or null. A rigid body has none.
     const GivenIcs* given() const;
-    /// The source of a table, or null where there is none to make.
+    /// Returns the source of a table, or null if no table is computed.
     const Ics* computed() const;
     /// Returns the layers of a layered body, or null.
     const Layers* layered() const;
@@ -44,7 +44,7 @@ struct Body {
 
 struct Bodies {
     Body upper, lower;
-    /// The coefficients of both together (pair_of) instead; upper and lower mean nothing then.
+    /// Coefficients of the pair (pair_of), which replace those of upper and lower.
     std::optional<GivenIcs> pair{};
 
     MaterialPair materials() const { return {upper.material, lower.material}; }
@@ -52,25 +52,25 @@ struct Bodies {
     static Bodies of(const MaterialPair& materials, const Ics& ics = {}) {
         return {{materials.upper, ics}, {materials.lower, ics}};
     }
-    /// Whether the request brings coefficients along, of the pair or of a body.
+    /// Returns whether the request contains coefficients, of the pair or of a body.
     bool any_given() const;
-    /// Whether one of them is made of layers, of which the closed forms of half-spaces say nothing.
+    /// Returns whether one of them has layers; closed forms of half-spaces do not apply then.
     bool any_layered() const;
-    /// Returns whether one of them creeps.
+    /// Returns whether one of them is viscoelastic.
     bool any_viscoelastic() const;
-    /// Whether one of them is a longitudinally uniform body, of which they say nothing either.
+    /// Returns whether one of them is longitudinally uniform; closed forms do not apply then either.
     bool any_uniform() const;
 
     bool operator==(const Bodies&) const = default;
 };
 
-/// Returns the bodies with what creeps at once, or not at all, made elastic: of tau = 0 the modulus is G/(1 + f).
+/// Returns the bodies with those of instantaneous or no creep as elastic: for tau = 0 the modulus is G/(1 + f).
 Bodies without_instant_creep(Bodies bodies);
 
-/// The line contact that the bodies' coefficients are computed for; nothing where there is none, or they are a pair's.
+/// Returns the line contact of the bodies' coefficients; none without one, or for coefficients of a pair.
 std::optional<LineContactSpec> line_contact_of(const Bodies& bodies);
 
-/// Throws InvalidArgument naming the field as on the wire when they cannot be in contact on `grid`.
+/// Throws InvalidArgument naming the field as on the wire if they cannot be in contact on `grid`.
 void validate(const Bodies& bodies, const Grid& grid);
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-// Tables of half-spaces in closed form, and of layers, as the store and the daemon hold tables.
+// Records of tables of half-spaces in closed form, and of layers.
 #pragma once
 
 #include "contactd/ic_record.hpp"
@@ -6,9 +6,9 @@
 
 namespace contactd {
 
-/// The dimensionless table of `spec` (whose source is analytic), with the evidence that closed forms have: source and
-/// version, and of layers the estimated errors. Of layers, which may take seconds, it asks the observer whether to go
-/// on.
+/// Returns the dimensionless table of `spec` (whose source is analytic), with its evidence: source and
+/// version, and the estimated errors of layers. Layers may take seconds, and the observer can cancel
+/// them.
 IcRecord closed_form_record(const IcSpec& spec, const Observer& observer = {});
 
 }  // namespace contactd

@@ -1,6 +1,6 @@
-// A rigid wheelset on rigid rails, as plain values: where it touches them, and its equivalent conicity, that of the
-// cones on which it would roll with the same wavelength. Lengths in mm, angles in rad; track coordinates have y to the
-// right, z down.
+// A rigid wheelset on rigid rails, as plain values: its contacts, and its equivalent conicity, that of the cones on
+// which it would roll with the same wavelength. Lengths in mm, angles in rad; track coordinates have y to the right, z
+// down.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,11 @@
 
 namespace contactd {
 
-/// The roll of the wheelset: as both contacts demand, or none, where each wheel finds its own height.
+/// The roll of the wheelset: as both contacts require, or neglected, with a separate height of each wheel.
 enum class WheelsetRoll { demanded, neglected };
 
 struct ConicitySettings {
-    /// Without roll a cone has its own conicity; with it, one that also depends on radii and distances.
+    /// Without roll, the conicity of a cone is exact; with it, it also depends on radii and distances.
     WheelsetRoll roll = WheelsetRoll::neglected;
     double contact_distance = 1500;  ///< between the contact points of both wheels, 2e (mm)
     double tolerance = 1e-3;         ///< of the radius difference between the shifts at which it is computed (mm)
@@ -27,14 +27,14 @@ struct RigidContact {
     double y = 0, z = 0;  ///< in track coordinates
     double angle = 0;     ///< of the rail's tangent there, atan2(dz, dy): negative at the right wheel's flange
     double radius = 0;    ///< of the wheel there
-    double height = 0;    ///< z of the wheelset, against wheels that touch z = 0 with the nominal radius of this one
+    double height = 0;    ///< z of the wheelset, relative to wheels that touch z = 0 with this nominal radius
     double wheel_y = 0, rail_y = 0;  ///< in the profiles; the rail's as the cant turns it
-    bool at_end = false;             ///< of the wheel's or the rail's profile: it ends before the bodies part
+    bool at_end = false;             ///< of the wheel's or the rail's profile, reached before the bodies separate
 
     bool operator==(const RigidContact&) const = default;
 };
 
-/// Where both wheels touch.
+/// The contacts of both wheels.
 struct WheelsetContacts {
     double shift = 0, roll = 0;
     RigidContact left, right;
@@ -43,7 +43,7 @@ struct WheelsetContacts {
     bool operator==(const WheelsetContacts&) const = default;
 };
 
-/// Contacts that are wanted.
+/// Requested contacts.
 struct ContactsRequest {
     std::vector<double> shifts;  ///< of the wheelset to the right (mm)
     WheelsetRoll roll = WheelsetRoll::neglected;
@@ -69,7 +69,7 @@ struct ProfilesOfSides {
     bool operator==(const ProfilesOfSides&) const = default;
 };
 
-/// Conicities that are wanted.
+/// Requested conicities.
 struct ConicityRequest {
     std::vector<double> amplitudes;  ///< (mm)
     ConicitySettings settings{};
@@ -78,10 +78,10 @@ struct ConicityRequest {
 };
 
 struct EquivalentConicity {
-    double amplitude = 0;   ///< half of the way from side to side (mm)
-    double integrated = 0;  ///< from the wavelength of the kinematic motion; not a number where this does not swing
-    double harmonic = 0;    ///< the first harmonic of the radius difference; not a number where there is no centre
-    double wavelength = 0;  ///< of the kinematic motion (mm); infinite where there is no radius difference
+    double amplitude = 0;   ///< half of the lateral motion (mm)
+    double integrated = 0;  ///< from the wavelength of the kinematic motion; NaN without oscillation
+    double harmonic = 0;    ///< the first harmonic of the radius difference; NaN without a centre
+    double wavelength = 0;  ///< of the kinematic motion (mm); infinite without a radius difference
 };
 
 }  // namespace contactd

@@ -93,7 +93,7 @@ struct ContactEvidence {
     /// residual is the relative change of the tractions expected from further iterations, with a slip law the last
     /// one.
     std::optional<SolverEvidence> outer;
-    std::optional<SolverEvidence> force;  ///< Newton's iterations, or solves, for the motion; |F - asked|/(sum g dx dy)
+    std::optional<SolverEvidence> force;  ///< Newton's iterations, or solves, for the motion; |F - F_set|/(sum g dx dy)
     std::optional<Discretisation> discretisation;  ///< for model full with contact
     /// Evidence of the linear equations of the derivatives, if requested: the total number of iterations, the largest
     /// residual.

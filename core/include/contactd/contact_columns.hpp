@@ -1,4 +1,4 @@
-// Contact on a surface that is curved along y: where its strips of elements lie, and what is one direction for all.
+// Contact on a surface that is curved along y: positions of its strips of elements, and their common direction.
 #pragma once
 
 #include <vector>
@@ -12,11 +12,11 @@ namespace contactd {
 /// pressures and tractions are along these. The upper body's strips lie opposite.
 struct ContactColumns {
     std::vector<StripFrame> frames{};  ///< shape [ny]
-    /// From the lower body to the upper one, the direction that the upper one comes from: its angle from +z (rad) as
-    /// of frames. An approach delta closes the gap of a strip by delta cos(angle - direction), and the normal force is
+    /// Direction from the lower body towards the upper one, from which that one approaches: angle from +z (rad) as in
+    /// frames. An approach delta closes the gap of a strip by delta cos(angle - direction), and the normal force is
     /// along it. Every strip faces it: the cosine is at least least_facing.
     double direction = 0;
-    /// On the axis of spin and rotation, which is along the direction; moments are about it. x = 0 of the grid.
+    /// Point on the axis of spin and rotation along the direction; moments are about it. x = 0 of the grid.
     SectionPoint origin{};
 
     bool operator==(const ContactColumns&) const = default;

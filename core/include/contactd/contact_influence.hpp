@@ -1,4 +1,4 @@
-// From the bodies to the operators that solve their contact.
+// Creates the operators of a contact from its bodies.
 #pragma once
 
 #include <cstddef>
@@ -17,30 +17,30 @@ namespace contactd {
 
 struct ContactInfluence {
     std::shared_ptr<const InfluenceOperator> current;  ///< A: displacements at the elements
-    /// A - A' of rolling: by how much they differ from those one step ahead; null otherwise.
+    /// A - A' for rolling: the difference from those one step ahead; otherwise null.
     std::shared_ptr<const StepOperator> increment;
     /// Warnings of the tables behind the operators, for users of a solution: sentences.
     std::vector<std::string> warnings{};
 
-    std::size_t bytes() const;  ///< about what they take in memory
+    std::size_t bytes() const;  ///< approximate memory
 };
 
-/// About what the operators of these bodies take, with that of rolling, which a step may ask for.
+/// Returns the approximate memory of the operators of these bodies, including that of rolling.
 std::size_t influence_bytes(const Grid& grid, const Bodies& bodies);
 
-/// `pair` holds the coefficients of both bodies (pair_of), or those given of the pair; a rigid body has none. Where one
-/// has layers and rolls, the other's must be analytic, too; else give them one by one. Throws Cancelled when the
-/// observer says so: coefficients one step ahead of a large grid take some seconds.
+/// `pair` contains the coefficients of both bodies (pair_of), or those given of the pair; a rigid body has none. If one
+/// has layers and rolls, the other's must be analytic, too; otherwise pass them one by one. Throws Cancelled:
+/// coefficients one step ahead on a large grid take some seconds.
 ContactInfluence make_influence(const ContactProblem& problem, IcTable pair, const Observer& observer = {});
 
-/// Makes the operators of the bodies one by one: their tables are added where they are of a kind, else their operators
-/// (sum_of). That of a rigid body means nothing. Throws Cancelled.
+/// Creates the operators from separate bodies: adds their tables if they are of one kind, otherwise their operators
+/// (sum_of). The table of a rigid body is not used. Throws Cancelled.
 ContactInfluence make_influence(const ContactProblem& problem, BodyTable upper, BodyTable lower,
                                 const Observer& observer = {});
 
-/// Sums the operators of bodies whose tables are of unlike kinds and cannot be added: products with both, xz, yz, zx
-/// and zy of the upper body subtracted from those of the lower. A body without operators is rigid. Throws
-/// InvalidArgument when both are, or when their operators are on different grids.
+/// Sums the operators of bodies whose tables are of different kinds and cannot be added: products with both, with xz,
+/// yz, zx and zy of the upper body subtracted from those of the lower. A body without operators is rigid. Throws
+/// InvalidArgument if both are, or their operators are on different grids.
 ContactInfluence sum_of(const ContactInfluence& upper, const ContactInfluence& lower);
 
 }  // namespace contactd

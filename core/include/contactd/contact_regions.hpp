@@ -1,11 +1,11 @@
-// Regions of the potential contact area that feel each other's pressures in part.
+// Regions of the potential contact area with partial interaction of their pressures.
 #pragma once
 
 #include <vector>
 
 namespace contactd {
 
-/// Ends of what lies between (mm), from and to.
+/// Ends of an interval (mm), from and to.
 struct Extent {
     double from = 0, to = 0;
 
@@ -19,13 +19,13 @@ struct RegionLimits {
     bool operator==(const RegionLimits&) const = default;
 };
 
-/// Where bodies may touch, and what share of the normal displacements by the pressures of each region acts on each. An
-/// element belongs to the first region that its centre lies in; those of none cannot touch. Displacements by
-/// tractions, and along the surface, act everywhere as they are.
+/// Regions in which bodies may touch, and the shares of the normal displacements by their pressures that act on each.
+/// An element belongs to the first region that contains its centre; others cannot touch. Shares do not change
+/// displacements due to tractions, or tangential ones.
 struct ContactRegions {
     std::vector<RegionLimits> limits;
-    /// Shape [n, n], row by row: of the displacements by the column's region what acts on the row's, 0 to 1. Symmetric,
-    /// and 1 on the diagonal.
+    /// Shape [n, n], row by row: share of the displacements by the column's region that acts on the row's, 0 to 1.
+    /// Symmetric, with 1 on the diagonal.
     std::vector<double> shares;
 
     bool operator==(const ContactRegions&) const = default;

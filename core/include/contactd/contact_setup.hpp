@@ -93,7 +93,7 @@ struct ContactSetup {
     std::optional<FrictionLaw> friction;      ///< absent: frictionless
     ContactSettings settings;
     std::optional<ContactColumns> columns{};  ///< shape of a surface curved along y; absent: a plane
-    std::optional<ContactRegions> regions{};  ///< where bodies may touch, for model full; absent: everywhere
+    std::optional<ContactRegions> regions{};  ///< regions of contact, for model full; absent: everywhere
 };
 
 /// Throws InvalidArgument ("simplified.*", "normal_model") for options that do not fit the model.

@@ -5,7 +5,7 @@
 
 namespace contactd {
 
-/// Columns first_x .. first_x + nx - 1, rows alike.
+/// Columns first_x .. first_x + nx - 1, and rows in the same way.
 struct ElementBox {
     int first_x = 0, first_y = 0, nx = 0, ny = 0;
 

@@ -1,4 +1,4 @@
-// Enumerators and the words for them, on the wire and in files: one list an enum.
+// Enumerators and their keywords on the wire and in files: one list for each enum.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace contactd {
 
-/// The words of an enum whose enumerators count from zero, in their order. An enum has words when this is specialised.
+/// The keywords of an enum whose enumerators count from zero, in order. Specialise this for enums with keywords.
 template <class Enum>
 inline constexpr std::array<std::string_view, 0> enum_words{};
 
@@ -23,7 +23,7 @@ std::string_view name_of(Enum value) {
     return enum_words<Enum>[at];
 }
 
-/// The reverse: sets `value` and returns true, or returns false when no enumerator has that word.
+/// The inverse: sets `value` and returns true, or returns false if no enumerator has that keyword.
 template <HasWords Enum>
 bool from_name(std::string_view name, Enum& value) {
     for (std::size_t at = 0; at < enum_words<Enum>.size(); ++at)

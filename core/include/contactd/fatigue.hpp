@@ -1,9 +1,9 @@
-// Rolling contact fatigue of a body under a contact that rolls steadily, as plain values: what is asked, and answered.
+// Rolling contact fatigue of a body in steady rolling, as plain values: requests and answers.
 //
-// In steady rolling a particle goes through the stresses of a line along x, one line a row and depth: that is all of
-// its history. Residual stresses that balance do not depend on x and leave xz as it is, so that |xz| <= k is necessary
-// for shakedown (Johnson, Contact Mechanics, section 9.2), whatever they are. docs/damage.md tells what of this is
-// certain.
+// In steady rolling, the history of a particle is the stresses along a line parallel to x, one line per row and
+// depth. Residual stresses in equilibrium do not depend on x and do not change xz. So |xz| <= k is necessary for
+// shakedown (Johnson, Contact Mechanics, section 9.2), for any residual stresses. docs/damage.md discusses the
+// uncertainties.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace contactd {
 
-/// What a steel bears. None of it is a default.
+/// Strength of a steel. There are no defaults.
 struct FatigueStrength {
     std::string name, source;       ///< neither is empty
     double shear_yield = 0;         ///< k, in cyclic shear (N/mm^2), > 0
@@ -24,7 +24,7 @@ struct FatigueStrength {
     bool operator==(const FatigueStrength&) const = default;
 };
 
-/// Damage of a passage by T gamma without spin (N); below 0 wear takes cracks away (Burstow 2004).
+/// Damage of a passage by T gamma without spin (N); if negative, wear removes cracks (Burstow 2004).
 struct DamageFunction {
     std::string name, source;         ///< neither is empty; no two functions have one name
     WearRange range{};                ///< of T gamma
@@ -33,7 +33,7 @@ struct DamageFunction {
     bool operator==(const DamageFunction&) const = default;
 };
 
-/// Residual stresses at a depth (mm), tension positive (N/mm^2); those along z balance to none.
+/// Residual stresses at a depth (mm), tension positive (N/mm^2); equilibrium excludes those along z.
 struct ResidualStress {
     double depth = 0, xx = 0, yy = 0;
 
@@ -57,7 +57,7 @@ struct FatigueRequest {
     bool operator==(const FatigueRequest&) const = default;
 };
 
-/// The largest value of a stress (N/mm^2), and where it is: the middle of its row and the depth below (mm).
+/// The largest value of a stress (N/mm^2), and its position: the middle of its row and the depth below (mm).
 struct StressPlace {
     double value = 0, y = 0, z = 0, depth = 0;
 
@@ -86,17 +86,17 @@ struct ContactFatigue {
     WornBody body = WornBody::upper;
     double T_gamma = 0;               ///< without spin (N)
     double traction_coefficient = 0;  ///< mu_u = sqrt(Fx^2 + Fy^2)/Fn
-    double force_angle = 0;           ///< of the force on the body, from the way the contact runs over it (rad)
-    bool driven = false;              ///< whether that force is against this way
-    std::optional<double> FI_surf{};  ///< mu_u - 2 A k/(3 Fn) (Ekberg, Kabo and Andersson 2002), A the area of contact
+    double force_angle = 0;           ///< of the force on the body, from the motion of the contact over it (rad)
+    bool driven = false;              ///< whether that force opposes this motion
+    std::optional<double> FI_surf{};  ///< mu_u - 2 A k/(3 Fn) (Ekberg, Kabo and Andersson 2002), A the contact area
     double FI_sub = 0;                ///< Fn (1 + mu_u^2)/(4 A) (N/mm^2), and a_DV times residual stress
     std::optional<double> load{};     ///< the largest pressure over k
     std::optional<double> limit{};    ///< of the load: the largest pressure over the largest shear
-    /// The largest |xz| at a depth, or |t| on the surface, where no residual stress turns it.
+    /// The largest |xz| at a depth, or |t| on the surface, which residual stresses do not affect.
     std::optional<StressPlace> shear{};
     std::optional<StressPlace> von_mises{};
-    /// tau_a + a_DV sigma_h: half the difference of the principal values of the deviator less the middle of its
-    /// passage, that of the smallest ball around it, and the hydrostatic stress (Dang Van 1993).
+    /// tau_a + a_DV sigma_h: half the difference of the principal values of the deviator minus the centre of its path
+    /// (of the smallest enclosing ball), and the hydrostatic stress (Dang Van 1993).
     std::optional<StressPlace> dang_van{};
     std::optional<double> utilisation{};  ///< dang_van over tau_e
     std::vector<FunctionDamage> damages{};
@@ -108,7 +108,7 @@ struct ContactFatigue {
 /// Throws InvalidArgument (`field` and below, such as "fatigue.damages[0].source").
 void validate(const FatigueRequest& request, const std::string& field);
 
-/// Returns the residual stresses at a depth (mm), zero of no table.
+/// Returns the residual stresses at a depth (mm); zero without a table.
 ResidualStress residual_at(const std::vector<ResidualStress>& table, double depth);
 
 }  // namespace contactd

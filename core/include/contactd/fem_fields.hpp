@@ -1,4 +1,4 @@
-// The fields of a FemSpec, named here and nowhere else: the wire, files, keys and checks visit this list.
+// The only list of the fields of a FemSpec: the wire, files, keys and checks visit it.
 #pragma once
 
 #include <limits>
@@ -8,26 +8,26 @@
 
 namespace contactd {
 
-/// The range of a number, and `rule` in words: "be 1 to 6".
+/// The bounds of a number, and `rule` in words: "be 1 to 6".
 struct FemRange {
     double least = -std::numeric_limits<double>::infinity();
     double largest = std::numeric_limits<double>::infinity();
     const char* rule = nullptr;
 };
 
-/// A field. A new one is optional, and left out of messages, files and keys while it is not set, so that tables that
-/// were made before keep their keys and can be read.
+/// A field. A new field must be optional, and is omitted from messages, files and keys while unset, so that existing
+/// tables keep their keys and can be read.
 template <class Value>
 struct FemField {
     const char* name;         ///< on the wire, below `ics`; in files; in keys
-    Value FemSpec::* member;  ///< a number, an enum with words, or a number that may be left out
+    Value FemSpec::* member;  ///< a number, an enum with keywords, or an optional number
     FemRange range{};
-    /// Returns the rule beyond a range that is broken, null when none is. One that binds two fields stands at one of
+    /// Returns the violated rule other than bounds, or null. A rule for two fields belongs to one of
     /// them.
     const char* (*broken_rule)(const FemSpec& fem, LoadShape load) = nullptr;
     /// Whether a table with this mesh and solver depends on the field; null: always.
     bool (*matters)(const FemSpec& fem) = nullptr;
-    /// False of what ends a build or has no effect on its numbers.
+    /// False for fields that only end a build or do not affect its numbers.
     bool in_key = true;
 };
 
@@ -46,7 +46,7 @@ constexpr bool is_prism(const FemSpec& fem) {
 constexpr bool is_adaptive(const FemSpec& fem) {
     return fem.mesh == MeshKind::adaptive;
 }
-/// An adaptive mesh starts from a mesh of its own, of which only the size is given.
+/// An adaptive mesh starts from its own mesh, of which only the size can be set.
 constexpr bool has_layers(const FemSpec& fem) {
     return !is_adaptive(fem);
 }

@@ -1,7 +1,7 @@
-// The fields of a struct as the wire knows them: their names, bounds and units, and how to reach them.
+// The fields of a struct on the wire: their names, bounds and units, and access to them.
 //
-// The lists are written by `./dev generate` from proto/schema, one a struct (contactd/fields/*.hpp). Codec, range
-// checks, mirrored wheels and paths of the C interface walk through them, so that a new field is declared once.
+// `./dev generate` writes the lists from proto/schema, one for each struct (contactd/fields/*.hpp). Codec, bounds
+// checks, mirrored wheels and paths of the C interface use them, so a new field is declared once.
 #pragma once
 
 #include <cmath>
@@ -21,10 +21,10 @@
 
 namespace contactd {
 
-/// How a value stands on the wire. A value of kind `custom` has no list of fields: whoever meets one knows its type.
+/// The form of a value on the wire. A value of kind `custom` has no list of fields; its users know its type.
 enum class FieldKind { number, integer, flag, text, keyword, object, list, custom };
 
-/// Bounds of a number. A bound that is excluded may not be reached itself.
+/// Bounds of a number. An excluded bound is itself invalid.
 struct Bounds {
     double least = -std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();
@@ -36,10 +36,10 @@ struct Bounds {
     }
 };
 
-/// How a number changes in the mirror image of a wheel, of which y points to the other side: `odd` turns its sign.
+/// The change of a number in the mirror image of a wheel, with opposite y: `odd` changes its sign.
 enum class MirrorParity { even, odd };
 
-/// No number equals it.
+/// NaN, which equals no number.
 inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Properties of a field besides its name and its member.
@@ -53,39 +53,39 @@ struct FieldNotes {
 
 struct FieldType;
 
-/// One field of a struct, whose address is `owner` in what follows.
+/// One field of a struct; `owner` is the address of the struct.
 struct Field {
     std::string_view name;
     const FieldType& (*type)();
-    const void* (*find)(const void* owner);  ///< null where the field is optional and absent
-    void* (*make)(void* owner);              ///< as `find`; an optional that is absent gets its default first
-    void (*clear)(void* owner);              ///< makes an optional absent; null where the field is always there
-    /// Whether an optional, or an entry of a list, is there by default: null or an empty list says otherwise then, and
-    /// not a member that is left out.
+    const void* (*find)(const void* owner);  ///< null if the field is optional and absent
+    void* (*make)(void* owner);              ///< like `find`; an absent optional field first gets its default
+    void (*clear)(void* owner);              ///< makes an optional field absent; null if the field is required
+    /// Whether an optional field, or an entry of a list, is present by default: then null or an empty list, not an
+    /// omitted member, makes it absent.
     bool present_by_default = false;
-    bool required = false;  ///< a message without it is wrong, also where it is an empty list
+    bool required = false;  ///< a message without it is invalid, even if it is an empty list
     Bounds bounds{};
-    double none = no_number;  ///< a number that is this is not there: messages leave it out
+    double none = no_number;  ///< messages omit a number with this value, which means absent
     std::string_view unit{};
     MirrorParity parity = MirrorParity::even;
 };
 
-/// Form of a type of C++ on the wire. There is one object a type, whose address is that of no other type.
+/// Form of a C++ type on the wire. There is one object per type, which its address identifies.
 struct FieldType {
     FieldKind kind = FieldKind::custom;
-    bool is_tuple = false;                                ///< of an object: the wire has a list of its fields' values
+    bool is_tuple = false;                                ///< for an object that is a list of values on the wire
     std::span<const Field> fields{};                      ///< of an object
-    std::span<const std::string_view> keywords{};         ///< of a keyword, by the enumerators' values
-    std::int64_t (*integer)(const void* value) = {};      ///< of integers, flags and keywords
+    std::span<const std::string_view> keywords{};         ///< for a keyword, by the enumerators' values
+    std::int64_t (*integer)(const void* value) = {};      ///< for integers, flags and keywords
     void (*set_integer)(void* value, std::int64_t) = {};  ///< of the same
-    const FieldType& (*element)() = {};                   ///< of a list, with what follows
+    const FieldType& (*element)() = {};                   ///< for a list, with the members below
     std::size_t (*size)(const void* list) = {};
-    const void* (*at)(const void* list, std::size_t index) = {};  ///< to be written to where the list is
-    void* (*add)(void* list) = {};                                ///< a default at its end
+    const void* (*at)(const void* list, std::size_t index) = {};  ///< for writing to the list
+    void* (*add)(void* list) = {};                                ///< appends a default
     void (*empty)(void* list) = {};
 };
 
-/// The type of a member's value, which may stand in an optional.
+/// The type of a member's value, without std::optional.
 template <class T>
 struct FieldValue {
     using type = T;
@@ -120,7 +120,7 @@ struct member_of<member> {
 template <class T>
 const FieldType& type_of();
 
-/// The type of values that have no list of fields.
+/// The type of values without a list of fields.
 template <class T>
 const FieldType& custom_type() {
     static const FieldType type{FieldKind::custom};
@@ -137,7 +137,7 @@ FieldType integer_type(FieldKind kind) {
     return type;
 }
 
-/// A struct without members is reported by its presence: the wire has `true` for it.
+/// A struct without members is `true` on the wire if present.
 inline FieldType presence_type() {
     FieldType type{FieldKind::flag};
     type.integer = [](const void*) { return std::int64_t{1}; };
@@ -180,7 +180,7 @@ FieldType make_type() {
     }
 }
 
-/// A step to one alternative of a variant: absent while another one holds, and made by replacing that.
+/// A step to one alternative of a variant: absent while the variant holds another one, which making it replaces.
 template <class T>
 inline constexpr std::type_identity<T> alternative{};
 
@@ -216,7 +216,7 @@ auto* make_next(Value& value, std::type_identity<T>) {
     T* found = std::get_if<T>(&value);
     return found ? found : &value.template emplace<T>();
 }
-/// The value at the end of the steps from `value` on; null where it is absent. Optionals on the way are steps of none.
+/// Returns the value at the end of the steps from `value`; null if it is absent. Optional values are not steps.
 template <auto step, auto... more, class Value>
 auto* find_along(Value& value) {
     auto* from = find_value(value);
@@ -236,7 +236,7 @@ auto* make_along(Value& value) {
         return make_along<more...>(*next);
 }
 
-/// The type of the member at the end of the steps, which may be an optional.
+/// The type of the member at the end of the steps, which may be std::optional.
 template <class Owner, auto... steps>
 using MemberAlong = std::remove_pointer_t<decltype(make_along<steps...>(std::declval<Owner&>()))>;
 
@@ -258,7 +258,7 @@ Field field_as(std::string_view name, const FieldType& (*type)(), const FieldNot
         field.clear = [](void* owner) {
             if (auto* member = find_along<steps...>(*static_cast<Owner*>(owner))) member->reset();
         };
-    // An alternative that holds by default is no more than one of several.
+    // An alternative that a variant holds by default is not required.
     if constexpr (std::is_member_pointer_v<decltype((steps, ...))> && sizeof...(steps) == 1) {
         const Owner defaults{};
         const auto* value = find_value(*find_along<steps...>(defaults));
@@ -270,23 +270,23 @@ Field field_as(std::string_view name, const FieldType& (*type)(), const FieldNot
     return field;
 }
 
-/// The type of a field's value, without the optional around it.
+/// The type of a field's value, without std::optional.
 template <class Owner, auto... steps>
 using ValueAlong = typename FieldValue<MemberAlong<Owner, steps...>>::type;
 
-/// The field at the end of the steps from Owner on; its value may stand in an optional.
+/// Returns the field at the end of the steps from Owner; its value may be in std::optional.
 template <class Owner, auto... steps>
 Field field_along(std::string_view name, const FieldNotes& notes = {}) {
     return field_as<Owner, steps...>(name, &type_of<ValueAlong<Owner, steps...>>, notes);
 }
 
-/// One whose type has no list of fields.
+/// Returns a field whose type has no list of fields.
 template <class Owner, auto... steps>
 Field custom_field_along(std::string_view name, const FieldNotes& notes = {}) {
     return field_as<Owner, steps...>(name, &custom_type<ValueAlong<Owner, steps...>>, notes);
 }
 
-/// The field that `member` points at.
+/// Returns the field that `member` points at.
 template <auto member>
 Field field(std::string_view name, const FieldNotes& notes = {}) {
     return field_along<typename member_of<member>::Owner, member>(name, notes);
@@ -296,7 +296,7 @@ Field custom_field(std::string_view name, const FieldNotes& notes = {}) {
     return custom_field_along<typename member_of<member>::Owner, member>(name, notes);
 }
 
-/// A field of which messages have members of Owner itself below its name.
+/// Returns a field below whose name messages have members of Owner itself.
 template <class Owner>
 Field field_within(std::string_view name, const FieldType& (*type)()) {
     Field field{name, type, {}, {}, {}};
@@ -305,7 +305,7 @@ Field field_within(std::string_view name, const FieldType& (*type)()) {
     return field;
 }
 
-/// One that is absent while the optional `member` is.
+/// Returns a field that is absent while the optional `member` is.
 template <class Owner, auto member>
 Field field_beside(std::string_view name, const FieldType& (*type)()) {
     Field field = field_within<Owner>(name, type);
@@ -332,25 +332,25 @@ inline FieldType tuple_type(std::span<const Field> fields) {
 
 }  // namespace fields
 
-/// The type of T; those of structs that have fields are specialised in contactd/fields/*.hpp.
+/// Returns the type of T; contactd/fields/*.hpp specialises it for structs with fields.
 template <class T>
 const FieldType& type_of() {
     static const FieldType type = fields::make_type<T>();
     return type;
 }
 
-/// Throws InvalidArgument with `name` for its field where the number is out of the field's bounds, or not finite.
+/// Throws InvalidArgument with `name` as its field if the number is out of the field's bounds, or not finite.
 void check_number(const Field& field, double number, const std::string& name);
 
-/// Throws InvalidArgument for the first number of `value`, below its fields, that is out of its bounds.
+/// Throws InvalidArgument for the first number in `value` or its fields that is out of bounds.
 void check_bounds(const FieldType& type, const void* value);
 template <class T>
 void check_bounds(const T& value) {
     check_bounds(type_of<T>(), &value);
 }
 
-/// Makes `value` its mirror image: turns the sign of every number below its fields that is odd, or stands in an object
-/// that is. The order of lists stays, and so do values of custom types.
+/// Mirrors `value`: changes the sign of every number in its fields that is odd, or in an object that is. The order of
+/// lists and values of custom types are unchanged.
 void mirror_fields(const FieldType& type, void* value);
 template <class T>
 void mirror_fields(T& value) {

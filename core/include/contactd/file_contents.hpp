@@ -1,4 +1,4 @@
-// The contents of an IC file as plain values: what HDF5 keeps of it, and what ic.import takes over the wire.
+// The contents of an IC file as plain values: as stored by HDF5, and as ic.import receives them on the wire.
 #pragma once
 
 #include <cstddef>
@@ -12,19 +12,19 @@
 namespace contactd {
 
 /// Attributes and datasets by their paths, such as "spec/body"; those of the file itself have names without a slash.
-/// docs/ic-tables.md has the list.
+/// See docs/ic-tables.md for the list.
 struct FileContents {
     using Value = std::variant<double, long long, std::string, std::vector<double>, std::vector<std::string>>;
     struct Array {
         std::vector<std::size_t> shape{};
-        UnsetArray values{};  ///< in the order of C: the last axis runs fastest
+        UnsetArray values{};  ///< in C order: the last axis runs fastest
     };
 
     std::map<std::string, Value> attributes{};
     std::map<std::string, Array> datasets{};
 };
 
-/// The most that a file has of each, so that whoever reads one can refuse more.
+/// Largest numbers of each in a file, so that readers can refuse more.
 inline constexpr std::size_t most_file_attributes = 1000, most_file_datasets = 20, most_file_axes = 5,
                              longest_file_path = 100, longest_file_list = 10'000, longest_file_text = 100'000;
 

@@ -9,7 +9,7 @@
 
 namespace contactd {
 
-/// Numbers that are beyond that range, or none.
+/// Returns the count of numbers that are infinite or NaN.
 class NotFinite : public Error {
    public:
     using Error::Error;
@@ -17,7 +17,7 @@ class NotFinite : public Error {
 
 inline bool all_finite(std::span<const double> values) {
     constexpr double largest = std::numeric_limits<double>::max();
-    std::size_t finite = 0;  // counted without leaving the loop, which compilers turn into one of vectors
+    std::size_t finite = 0;  // counted without leaving the loop, so that compilers vectorise it
     for (const double value : values) finite += std::abs(value) <= largest;
     return finite == values.size();
 }

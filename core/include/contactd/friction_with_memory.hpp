@@ -1,4 +1,4 @@
-// Memory of friction, by the slip velocity or by the temperature.
+// Memory of friction that depends on slip velocity or temperature.
 #pragma once
 
 namespace contactd {

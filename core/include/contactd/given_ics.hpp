@@ -1,4 +1,4 @@
-// Influence coefficients that a user brings along, of one body or of the pair, for one element size.
+// Influence coefficients provided by a user, of one body or of the pair, for one element size.
 #pragma once
 
 #include <string>
@@ -10,24 +10,24 @@ namespace contactd {
 
 struct GivenIcs {
     IcTable table;  ///< of a body, or of the pair (see pair_of); mm^3/N
-    double dx = 0;  ///< element size along x that the table is for (mm)
+    double dx = 0;  ///< element size of the table along x (mm)
     double dy = 0;  ///< element size along y (mm)
 
     bool operator==(const GivenIcs&) const = default;
 };
 
-/// Largest relative difference of element sizes that files with few digits may bring along.
+/// Largest relative difference of element sizes, which files with few digits may cause.
 inline constexpr double element_size_tolerance = 1e-6;
-/// Above this the coupling of a pair is taken for real, below for rounding.
+/// Coupling of a pair below this is treated as rounding errors.
 inline constexpr double coupling_tolerance = 1e-6;
 
-/// How much normal and tangential contact influence each other: the largest |xz|, |zx|, |yz|, |zy| of the pair over its
-/// zz at the origin. Zero for quasi-identical bodies (paper, section 4).
+/// Returns the coupling of normal and tangential contact: the largest |xz|, |zx|, |yz|, |zy| of the pair over its zz at
+/// the origin. Zero for quasi-identical bodies (paper, section 4).
 double coupling(const IcTable& pair);
 
-/// Throws InvalidArgument naming dx, dy or table of `field` when no contact problem on `grid` can be solved with them:
-/// element sizes that are not the grid's (by more than element_size_tolerance), too few offsets, a value that is not
-/// finite, or xx, yy, zz that are not positive at the origin and largest there, as those of every elastic body are.
+/// Throws InvalidArgument naming dx, dy or table of `field` if they are unsuitable for a contact problem on `grid`:
+/// other element sizes (by more than element_size_tolerance), too few offsets, a value that is not finite, or xx, yy,
+/// zz that are not positive and largest at the origin, as for every elastic body.
 void validate(const GivenIcs& ics, const Grid& grid, const std::string& field);
 
 }  // namespace contactd

@@ -15,7 +15,7 @@ struct Grid {
     double x0 = 0;  ///< x of the lower left corner of element (0, 0) (mm)
     double y0 = 0;  ///< y of the same corner (mm)
 
-    /// nx x ny elements of size dx x dy whose middle is the origin. (Python's Grid.centred takes the size of the
+    /// Returns nx x ny elements of size dx x dy centred at the origin. (Python's Grid.centred takes the size of the
     /// whole.)
     static Grid of_elements(int nx, int ny, double dx, double dy) {
         return {nx, ny, dx, dy, -0.5 * nx * dx, -0.5 * ny * dy};
@@ -34,19 +34,19 @@ struct Grid {
     bool operator==(const Grid&) const = default;
 };
 
-/// How far a thing that is `x` long along x and `y` along y reaches at the angle chi from the x axis: an ellipse with
-/// these diameters exactly, a rectangle along its axes. A square has one size in all directions, and turning a thing
-/// and chi by a right angle changes nothing.
+/// Returns the extent at the angle chi from the x axis of an object with the lengths `x` and `y` along the axes: exact
+/// for an ellipse with these diameters, and along the axes of a rectangle. A square has one size in all directions, and
+/// rotating the object and chi by a right angle has no effect.
 double size_along(double chi, double x, double y);
 
-/// A number of elements >= n (n >= 1) along an axis whose transforms take little time for their size. There are few of
-/// them, so that grids of them need few operators.
+/// Returns a number of elements >= n (n >= 1) along an axis with fast transforms. There are few such numbers, so that
+/// grids of them need few operators.
 int convenient_size(int n);
 
-/// Largest number of elements of one grid that contactd works with: limits memory before anything is allocated.
+/// Largest number of elements of one grid: limits memory before anything is allocated.
 inline constexpr std::size_t max_grid_elements = 4'000'000;
 
-/// Throws InvalidArgument naming `field`.nx, .ny, .dx, .dy, .x0 or .y0 when the grid cannot be used.
+/// Throws InvalidArgument naming `field`.nx, .ny, .dx, .dy, .x0 or .y0 if the grid is invalid.
 void validate(const Grid& grid, const char* field);
 
 }  // namespace contactd

@@ -10,8 +10,8 @@
 
 namespace contactd {
 
-/// Displacement along i (mm) at (x, y) of the surface of the half-space z <= 0, for a unit traction (1 N/mm^2) along j
-/// over the rectangle dx x dy centred at the origin. Any sign of x and y, axes and edges included.
+/// Returns the displacement along i (mm) at (x, y) on the half-space z <= 0, for a unit traction (1 N/mm^2) along j
+/// over the rectangle dx x dy centred at the origin. Any x and y are valid, also on axes and edges.
 double half_space_coefficient(Axis i, Axis j, double x, double y, double dx, double dy, const Material& material);
 
 /// Returns the coefficient of the bilinear hat function of tractions, (1 - |x|/dx)(1 - |y|/dy) on |x| <= dx, |y| <= dy
@@ -20,28 +20,28 @@ double half_space_coefficient(Axis i, Axis j, double x, double y, double dx, dou
 double half_space_bilinear_coefficient(Axis i, Axis j, double x, double y, double dx, double dy,
                                        const Material& material);
 
-/// Displacement (x, y, z; mm) at the point (x, y, z), z <= 0, of the half-space under the load of `spec` along `load`
-/// at the origin, by Boussinesq's and Cerruti's point loads (Johnson, section 3.2 and 3.6) at Gauss points of the load.
-/// Meant for points that are farther from the load than its size: relative error 1e-8 from three times max(dx, dy) on.
+/// Returns the displacement (x, y, z; mm) at the point (x, y, z), z <= 0, of the half-space under the load of `spec`
+/// along `load` at the origin, by Boussinesq's and Cerruti's point loads (Johnson, section 3.2 and 3.6) at Gauss points
+/// of the load. For points at distances larger than the load: the relative error is 1e-8 from three times max(dx, dy).
 /// Throws InvalidArgument ("point") above the surface; `spec` is not checked otherwise.
 std::array<double, 3> half_space_displacement(const IcSpec& spec, Axis load, const std::array<double, 3>& point);
 
-/// All nine components, for the load shape and the offsets of `spec` (whose source must be analytic), in mm^3/N. Throws
-/// Cancelled when the observer, which is asked row by row, says so.
+/// Returns all nine components, for the load shape and the offsets of `spec` (whose source must be analytic), in
+/// mm^3/N. The observer can cancel after each row (Cancelled).
 IcTable half_space_table(const IcSpec& spec, const Observer& observer = {});
 
-/// Near the clamped faces of a block coefficients vanish, and those of a nearly incompressible one change their sign on
-/// the way: errors of a block are relative to no less than this share of the half-space's coefficient.
+/// Coefficients of a block vanish near its clamped faces, and change sign before if it is nearly incompressible. So
+/// errors of a block are relative to at least this fraction of the half-space's coefficient.
 inline constexpr double block_error_floor = 0.05;
 
-/// Returns the unit of the errors of xx, yy and zz: |exact|, and for a block no less than the floor.
+/// Returns the unit of the errors of xx, yy and zz: |exact|, and for a block at least the floor.
 IcTable error_unit(const IcSpec& spec, const IcTable& exact);
 
-/// Fills the error fields of `evidence` by the difference of `table` to a better one of the same spec.
+/// Sets the errors in `evidence` from the difference of `table` to a better one of the same spec.
 void compare_tables(const IcSpec& spec, const IcTable& table, const IcTable& exact, IcEvidence& evidence);
 
-/// Compares a table made from `spec` by another method with the closed form. Throws InvalidArgument when the table has
-/// another extent, or the body is a block.
+/// Compares a table of `spec` by another method with the closed form. Throws InvalidArgument if the table has another
+/// extent, or the body is a block.
 void compare_with_half_space(const IcSpec& spec, const IcTable& table, IcEvidence& evidence);
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-// A record of influence coefficients as the contents of a file, and back.
+// Converts a record of influence coefficients to the contents of a file, and back.
 #pragma once
 
 #include "contactd/file_contents.hpp"
@@ -6,10 +6,10 @@
 
 namespace contactd {
 
-/// Throws StoreError for tables that are not kept in files.
+/// Throws StoreError for tables that are not stored in files.
 FileContents contents_of(const IcRecord& record);
 
-/// The record that a file holds, whoever has taken the file apart. Throws DamagedTable when it is none of ours, and
+/// Returns the record in the contents of a file. Throws DamagedTable if contactd did not write it, and
 /// NewerFormat.
 IcRecord record_from(FileContents contents);
 

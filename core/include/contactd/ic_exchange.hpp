@@ -1,5 +1,5 @@
-// Tables as files that leave contactd: the IC file itself, and the text in which the CONTACT program (E.A.H.
-// Vollebregt, user guide, digit C3 = 9) reads numerical influence coefficients.
+// Exported files of tables: the IC file itself, and the text from which the CONTACT program (E.A.H. Vollebregt, user
+// guide, digit C3 = 9) reads numerical influence coefficients.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@
 
 namespace contactd {
 
-/// The bytes of an IC file, as write_ic_file writes them. The spec of `record` may have dimensions: the file then holds
-/// mm^3/N and says for which dx, dy and G.
+/// Returns the bytes of an IC file, as write_ic_file writes them. The spec of `record` may have dimensions: the file
+/// then contains mm^3/N, with dx, dy and G.
 std::vector<unsigned char> to_ic_file(const IcRecord& record);
 
-/// CONTACT's combined modulus of rigidity, which its coefficients are multiplied by: 1/G = (1/G_upper + 1/G_lower)/2.
+/// Returns CONTACT's combined modulus of rigidity, the factor of its coefficients: 1/G = (1/G_upper + 1/G_lower)/2.
 double combined_modulus(const MaterialPair& bodies);
 
 /// The pair's table as text; `G` is that of combined_modulus. Lines:
@@ -28,10 +28,10 @@ double combined_modulus(const MaterialPair& bodies);
 /// rounding). Signs are as in pair_of, which are CONTACT's. The Python client reads it (contactd.load_table).
 std::string to_contact_text(const GivenIcs& ics, double G);
 
-/// About how long to_contact_text will be (bytes), before anything of its size is made.
+/// Returns the approximate length of to_contact_text (bytes), before memory is allocated.
 double contact_text_size(int nx, int ny);
 
-/// SHA-256 (hex) of a table that was given, of its extent and its element sizes.
+/// Returns the SHA-256 (hex) of a given table, its extent and its element sizes.
 std::string ic_key(const GivenIcs& ics);
 
 }  // namespace contactd

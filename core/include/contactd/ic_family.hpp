@@ -11,19 +11,19 @@
 
 namespace contactd {
 
-/// n >= 2 Chebyshev-Lobatto points of each half, ascending, 2n in all; family_break is the last one of the lower half
-/// and the first one of the upper, whose mesh may be another. Those of 2n - 1 hold those of n.
+/// Returns n >= 2 Chebyshev-Lobatto points of each half, ascending, 2n in total. family_break is the last one of the
+/// lower half and the first one of the upper, whose mesh may differ. The points of 2n - 1 include those of n.
 std::vector<double> family_points(int n);
 
-/// Barycentric interpolation of `family`, tables of G = 1 at family_points(n), to `nu` in [0, largest_family_nu], among
-/// those of nu's half, which nu rounded to twelve digits decides, as in keys. Throws InvalidArgument: "material.nu"
-/// outside, "family" when it is no such family.
+/// Interpolates `family`, tables of G = 1 at family_points(n), to `nu` in [0, largest_family_nu] (barycentric), among
+/// those of nu's half, which is determined by nu rounded to twelve digits, as in keys. Throws InvalidArgument:
+/// "material.nu" if outside, "family" for an invalid family.
 IcTable interpolated(const std::vector<IcTable>& family, double nu);
 
 /// Returns the error that interpolation adds to that of the tables themselves, estimated by the last two Chebyshev
 /// coefficients: of xx, yy, zz relative, of the others times 2 pi rho / (dx dy), the largest over the table and nu.
 double interpolation_error(const IcSpec& spec, const std::vector<IcTable>& family);
-/// Returns that of the lower and of the upper half.
+/// Returns this error of the lower and of the upper half.
 std::array<double, 2> interpolation_errors(const IcSpec& spec, const std::vector<IcTable>& family);
 
 }  // namespace contactd

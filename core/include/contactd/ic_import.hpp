@@ -1,4 +1,4 @@
-// A table that a daemon has taken over from a file.
+// A table that a daemon has imported from a file.
 #pragma once
 
 #include "contactd/ic_reply.hpp"
@@ -6,9 +6,9 @@
 namespace contactd {
 
 struct IcImport {
-    IcSpec spec;          ///< of the file; a longitudinally uniform body's is for any dx and nx
-    IcUse use;            ///< its origin is "file", or "disk" where the daemon had the table already
-    bool is_new = false;  ///< otherwise the daemon has kept its own
+    IcSpec spec;          ///< of the file; that of a longitudinally uniform body applies to any dx and nx
+    IcUse use;            ///< its origin is "file", or "disk" if the daemon already had the table
+    bool is_new = false;  ///< otherwise the daemon kept its own table
 };
 
 }  // namespace contactd

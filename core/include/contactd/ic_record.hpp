@@ -1,6 +1,6 @@
-// Records of influence coefficients: tables of one kind or another, with what they are and how they were made. Cache,
-// requests in flight, store and exchange know the functions of IcTables and no kind. A new kind is one more
-// alternative, with functions of its own beside it that the compiler asks for.
+// Records of influence coefficients: tables of any kind, with their specification and evidence. Cache, running
+// requests, store and exchange only use the functions of IcTables. A new kind is another alternative; the compiler
+// reports the functions that it needs.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +15,12 @@
 
 namespace contactd {
 
-/// Tables over Poisson's ratio, one for each of evidence.family_nu, of one extent.
+/// Tables for Poisson's ratios, one for each of evidence.family_nu, of one extent.
 struct IcFamily {
     std::vector<IcTable> tables;
 };
 
-/// For G = 1 and dx = 1; a longitudinally uniform body's spectrum for ds = 1, and any dx.
+/// For G = 1 and dx = 1; the spectrum of a longitudinally uniform body for ds = 1 and any dx.
 using IcTables = std::variant<IcTable, IcFamily, StripTable, StripSpectrum>;
 
 struct IcRecord {
@@ -28,7 +28,7 @@ struct IcRecord {
     IcTables tables{};
     IcEvidence evidence{};
 
-    /// The only table of offsets; of a family the first. Not of a longitudinally uniform body.
+    /// Returns the table of offsets, the first one of a family. Not for a longitudinally uniform body.
     const IcTable& table() const;
     IcTable& table();
 };
@@ -42,19 +42,19 @@ struct IcExtent {
 };
 IcExtent extent_of(const IcTables& tables);
 
-/// Returns the memory that the numbers take.
+/// Returns the memory of the numbers.
 std::size_t bytes_of(const IcTables& tables);
 
-/// The table that operators are made of: the coefficients of one body in mm^3/N, on the grid of a problem. There are
-/// kinds of these, too; bodies of unlike kinds meet in make_influence.
+/// The table from which operators are made: the coefficients of one body in mm^3/N, on the grid of a problem. There are
+/// several kinds; make_influence combines bodies of different kinds.
 using BodyTable = std::variant<IcTable, StripTable>;
 
-/// Returns the table that `request` asks for, of its Poisson's ratio, extent and units, made in one pass. Throws
-/// InvalidArgument when the record is smaller, or "material.nu" is none of a family's, and StoreError for a family that
-/// was computed at other points than family_points(), and Cancelled. `threads`: at most as many, for what is large.
+/// Returns the table of `request`, with its Poisson's ratio, extent and units, made in one pass. Throws InvalidArgument
+/// if the record is smaller, or "material.nu" is outside a family's range, StoreError for a family that was computed at
+/// other points than family_points(), and Cancelled. `threads` is the largest number of threads, for large tables.
 BodyTable body_table(const IcRecord& record, const IcSpec& request, int threads = 1, const Observer& observer = {});
-/// Returns the table as ic.get answers it: that of a longitudinally uniform body with table_rows() rows. Throws
-/// NotFinite when a coefficient is beyond a double's range.
+/// Returns the table as in answers of ic.get: with table_rows() rows for a longitudinally uniform body. Throws
+/// NotFinite if a coefficient is beyond a double's range.
 IcTable table_for(const IcRecord& record, const IcSpec& request, int threads = 1, const Observer& observer = {});
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-// Tables of influence coefficients as they are answered, and where those of a solve came from.
+// Answers with tables of influence coefficients, and the origin of those of a solve.
 #pragma once
 
 #include <optional>
@@ -9,36 +9,36 @@
 
 namespace contactd {
 
-/// A table, as ic.get answers it.
+/// The answer of ic.get.
 struct IcReply {
     std::string key;
     std::string origin;  ///< "closed_form", "memory", "disk" or "built"
-    IcSpec spec;         ///< as requested, defaults filled in
+    IcSpec spec;         ///< as requested, with its defaults
     IcTable table;       ///< in mm^3/N, cropped to the request; ny is table_rows() of the spec
     IcEvidence evidence;
     std::vector<StripFrame> frames{};  ///< of the strips of a longitudinally uniform body
 };
 
-/// Where the coefficients of one body came from.
+/// Origin of the coefficients of one body.
 struct IcUse {
-    std::string origin;  ///< as of IcReply, or "given" when the request brought them
+    std::string origin;  ///< as in IcReply, or "given" if the request contained them
     std::string key;
     IcEvidence evidence;
 };
 
-/// Those of a contact problem: none of the simplified models.
+/// Those of a contact problem; simplified models have none.
 struct IcUses {
     std::optional<IcUse> upper{}, lower{};  ///< not of a rigid body
-    std::optional<IcUse> pair{};            ///< instead of these, when the request brought those of both together
+    std::optional<IcUse> pair{};            ///< instead of these, if the request contained a table of the pair
 };
 
-/// The answer of ic.export: the file of one body that the store holds (docs/ic-tables.md), its parts as ic.import takes
-/// them, or the text that the CONTACT program reads, of a pair of bodies.
+/// The answer of ic.export: the file of one body in the store (docs/ic-tables.md), its parts as ic.import accepts them,
+/// or the text for the CONTACT program, of a pair of bodies.
 enum class FileFormat { hdf5, contents, contact };
 
 struct IcExport {
     IcSpec spec;
-    std::optional<Material> lower;  ///< of the second body, for CONTACT's text; else it is as the first
+    std::optional<Material> lower;  ///< of the second body, for CONTACT's text; absent: equal to the first
     FileFormat format = FileFormat::hdf5;
 };
 

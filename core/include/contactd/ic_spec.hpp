@@ -1,4 +1,4 @@
-// The identity of an influence-coefficient table: everything that decides its numbers.
+// The identity of an influence-coefficient table: everything that determines its numbers.
 #pragma once
 
 #include <optional>
@@ -13,25 +13,25 @@
 
 namespace contactd {
 
-/// The words of these on the wire and in files are in contactd/fields/ic_spec.hpp.
+/// Their keywords on the wire and in files are in contactd/fields/ic_spec.hpp.
 
-/// The elastic body: the half-space z <= 0, the block [-L,L]^2 x [-L,0] with u = 0 on all faces but the top, layers, or
-/// a longitudinally uniform body: whatever its cross-section is, uniform along x.
+/// The elastic body: the half-space z <= 0, the block [-L,L]^2 x [-L,0] with u = 0 on all faces except the top, layers,
+/// or a longitudinally uniform body with any cross-section, uniform along x.
 enum class BodyShape { half_space, block, layered, longitudinally_uniform };
 /// Traction of the loaded element: 1 over it, or the bilinear hat function (paper, Remark 1): 1 at its centre,
 /// falling linearly to 0 at the neighbours' centres, (1 - |x|/dx)(1 - |y|/dy). The force is dx dy either way.
 enum class LoadShape { constant, bilinear };
-/// Closed form of the half-space, and of layers a form that is integrated to rounding; or finite elements.
+/// Closed form of the half-space, and for layers an integral exact to rounding; or finite elements.
 enum class IcSource { analytic, fem };
-/// Mesh1 of the paper (hexahedra, section 3.1), Mesh2 (prisms, extruded along x), or hexahedra refined where an
-/// a-posteriori estimate of the error asks for it.
+/// Mesh1 of the paper (hexahedra, section 3.1), Mesh2 (prisms, extruded along x), or hexahedra refined according to an
+/// a-posteriori estimate of the error.
 enum class MeshKind { hex, prism, adaptive };
 /// On the three far faces: u = 0 (Table 1), or the displacements of the half-space under the load (Boussinesq,
 /// Cerruti).
 enum class FarBoundary { clamped, half_space };
-/// How displacements are read at the element centres: the finite-element function itself, or linear interpolation, of
-/// which the paper (section 2.2) does not say between what: between the vertices of the surface mesh, or between all
-/// finite-element nodes, those on edges and faces included.
+/// Evaluation of displacements at the element centres: the finite-element function itself, or linear interpolation. The
+/// paper (section 2.2) does not state the points: the vertices of the surface mesh, or all finite-element nodes,
+/// including those on edges and faces.
 enum class Sampling { fem, linear, linear_nodes };
 /// BoomerAMG-preconditioned conjugate gradients, sparse Cholesky (one process only), or the one that is faster.
 enum class Solver { automatic, amg_pcg, direct };
@@ -42,9 +42,9 @@ enum class StoppingCriterion { residual, update };
 /// corner nearest to the origin to the farthest one, `across` joins the other two.
 enum class Diagonal { outward, across };
 
-/// Mesh and solver of a finite-element table. Lengths are ratios to the element size: along x and y the loaded cube
-/// is (l/h) dx by (l/h) dy, in depth (l/h) sqrt(dx dy); L is (L/h) max(dx, dy). Mesh adaptive starts from a mesh of its
-/// own: cube and layers mean nothing to it. Their names and rules are in fem_fields.hpp.
+/// Mesh and solver of a finite-element table. Lengths are ratios to the element size: along x and y the loaded cube is
+/// (l/h) dx by (l/h) dy, in depth (l/h) sqrt(dx dy); L is (L/h) max(dx, dy). An adaptive mesh starts from its own mesh,
+/// without cube and layers. Names and rules are in fem_fields.hpp.
 struct FemSpec {
     MeshKind mesh = MeshKind::hex;
     int order = 2;          ///< polynomial order of the displacement, 1 to 6
@@ -61,7 +61,7 @@ struct FemSpec {
     StoppingCriterion stopping_criterion = StoppingCriterion::residual;
     double tolerance = 1e-8;                   ///< of the stopping criterion
     int max_iterations = 1000;                 ///< of conjugate gradients, per load case
-    std::optional<double> strength_threshold;  ///< of BoomerAMG; left out, it is chosen for the mesh
+    std::optional<double> strength_threshold;  ///< of BoomerAMG; absent: chosen for the mesh
 
     bool operator==(const FemSpec&) const = default;
 };
@@ -70,38 +70,38 @@ struct FemSpec {
 /// "paper-test3" on Mesh1, and "paper-mesh2-test1", ... on Mesh2. Empty when the name is unknown.
 std::optional<FemSpec> fem_preset(std::string_view name);
 
-/// A contact that does not change along y, nor end there: plane strain for tractions and displacements in x and z,
-/// anti-plane strain for those along y. Displacements of the plane are known up to a constant only.
+/// A contact that is infinite and constant along y: plane strain for tractions and displacements in x and z, anti-plane
+/// strain for those along y. Displacements of the plane are determined except for a constant.
 struct LineContactSpec {
-    /// Distance from a load, along the surface, at which its xx, yy and zz vanish (mm). It matters where the approach
-    /// or the rigid shift does; under forces, and in steady rolling, it does not.
+    /// Distance from a load, along the surface, at which its xx, yy and zz vanish (mm). It affects the approach and the
+    /// rigid shift, but not solutions for prescribed forces, or steady rolling.
     double datum = 0;
 
     bool operator==(const LineContactSpec&) const = default;
 };
 
-/// Where coefficients come from, whatever material and grid: what a request calls its `ics`.
+/// Origin of coefficients, independent of material and grid: `ics` of a request.
 struct Ics {
     IcSource source = IcSource::analytic;
     BodyShape body = BodyShape::half_space;
     LoadShape load_shape = LoadShape::constant;
-    /// > 0: the largest error asked for, of xx, yy, zz relative (of a block to no less than a share of the
-    /// half-space's, half_space.hpp), of the others times 2 pi G rho / (dx dy). Mesh and solver are then chosen when
-    /// the table is built; of `fem` only L_over_h of a block means something.
+    /// > 0: the largest requested error, relative for xx, yy, zz (of a block to at least a fraction of the
+    /// half-space's, half_space.hpp), times 2 pi G rho / (dx dy) for the others. Mesh and solver are then chosen when
+    /// the table is built; of `fem` only L_over_h of a block is used.
     double accuracy = 0;
-    /// Goes with source analytic, on a grid with ny = 1, whose dy is the length that forces are counted over.
+    /// Requires source analytic and a grid with ny = 1; forces are those on the length dy.
     std::optional<LineContactSpec> line_contact;
-    std::optional<Layers> layered;  ///< of body layered, and of none other
-    /// Goes with body longitudinally_uniform, and with none other. Its strips are the rows of a grid, dy wide along the
-    /// outline; source analytic is the half-space, turned from strip to strip (Blanco-Lorenzo et al., 2016).
+    std::optional<Layers> layered;  ///< only for body layered
+    /// Only for body longitudinally_uniform. Its strips are the rows of a grid, dy wide along the outline. Source
+    /// analytic is the half-space, rotated from strip to strip (Blanco-Lorenzo et al., 2016).
     std::optional<Section> section;
     bool any_nu = false;  ///< the family of tables over Poisson's ratio instead of one table
-    FemSpec fem;          ///< of no meaning when source is analytic
+    FemSpec fem;          ///< not used if source is analytic
 
     bool operator==(const Ics&) const = default;
 };
 
-/// How a number of a part becomes one of a dimensionless spec: as it is, or over dx.
+/// Conversion of a number of a part to a dimensionless spec: unchanged, or divided by dx.
 enum class Dimension { ratio, length };
 template <class Part>
 struct PartField {
@@ -109,14 +109,14 @@ struct PartField {
     double Part::* member;
     Dimension dimension;
 };
-/// A part that a kind of body or of contact brings along, an object of its own below `ics` that others leave out.
+/// A part of `ics` for one kind of body or contact, an object that others omit.
 template <class Part>
 struct IcsPart {
     const char* name;
     std::optional<Part> Ics::* member;
 };
 
-/// The fields of a part, and the parts, named here and nowhere else: the wire, files and keys visit these lists.
+/// The only lists of the parts and of their fields: the wire, files and keys visit them.
 template <class Part>
 inline constexpr std::tuple<> part_fields{};
 template <>
@@ -134,9 +134,9 @@ void for_each_part_field(const Visit& visit) {
     std::apply([&](const auto&... field) { (visit(field), ...); }, part_fields<Part>);
 }
 
-/// One table: its coefficients' source, and what it is a table of.
+/// One table: the source of its coefficients, and its body.
 struct IcSpec : Ics {
-    Material material;  ///< nu has no meaning when any_nu is set; of body layered that of its surface
+    Material material;  ///< nu is not used with any_nu; for body layered, that of its surface
     double dx = 0;      ///< element size along x (mm)
     double dy = 0;      ///< element size along y (mm)
     int nx = 0;         ///< extent: offsets 0..nx-1 along x
@@ -145,36 +145,36 @@ struct IcSpec : Ics {
     bool operator==(const IcSpec&) const = default;
 };
 
-/// Rows of a table as ic.get and IcReply have it: offsets along y; of a longitudinally uniform body, whose coefficients
-/// are those between strips, I ny + J for the observed strip I and the loaded one J.
+/// Returns the number of rows of a table in ic.get and IcReply: offsets along y. A longitudinally uniform body, with
+/// coefficients between strips, has I ny + J for the observed strip I and the loaded one J.
 inline int table_rows(const IcSpec& spec) {
     return spec.section ? spec.ny * spec.ny : spec.ny;
 }
 
-/// Range of the accuracy that may be asked for, and the bounds of Poisson's ratio a family covers.
+/// Bounds of the requested accuracy, and of Poisson's ratio in a family.
 inline constexpr double finest_accuracy = 1e-4, coarsest_accuracy = 1e-1;
 inline constexpr double largest_family_nu = 0.49;
 /// The largest Poisson's ratio of a longitudinally uniform body by finite elements.
 inline constexpr double largest_uniform_nu = 0.499;
-/// Below and above it a family interpolates, and the choice of meshes decides, separately: nearly incompressible
-/// materials need finer meshes.
+/// Interpolation of a family and choice of meshes are separate below and above it: nearly incompressible materials need
+/// finer meshes.
 inline constexpr double family_break = 0.3;
 
-/// Throws InvalidArgument naming the field (as on the wire, e.g. "fem.h_over_hs") when no table can be made from it.
+/// Throws InvalidArgument naming the field (as on the wire, e.g. "fem.h_over_hs") if no table can be made from it.
 void validate(const IcSpec& spec);
-/// Names the material as a problem does: "bodies.upper" in place of "material".
+/// Names the material as in a problem: "bodies.upper" instead of "material".
 void validate(const IcSpec& spec, const std::string& material);
 
-/// Warns of what the paper advises against (Table 3: L/h >= 80, 1 <= l/h <= 1.25, h/hs >= 4, f from 1 to 1.5 on Mesh1
-/// and from 1.5 to 2 on Mesh2, quadratic elements) for its own model, u = 0 on the far faces, and, of a block, of
-/// Poisson's ratios for which elements of the order lock: a sentence for each, none when all is well.
+/// Returns a sentence for each deviation from the paper's advice (Table 3: L/h >= 80, 1 <= l/h <= 1.25, h/hs >= 4, f
+/// from 1 to 1.5 on Mesh1 and from 1.5 to 2 on Mesh2, quadratic elements) for its model, u = 0 on the far faces, and
+/// for a block with a Poisson's ratio for which elements of this order lock.
 std::vector<std::string> warnings(const IcSpec& spec);
 
-/// A sentence when the modelling error of a block's table (IcEvidence::modelling_error), which is `spec`'s, is larger
-/// than the accuracy asked for or, where a mesh is given, than 1 %.
+/// Returns a sentence if the modelling error of a block's table (IcEvidence::modelling_error) for `spec` exceeds the
+/// requested accuracy or, for a given mesh, 1 %.
 std::vector<std::string> modelling_warnings(const IcSpec& spec, double error);
 
-/// The size of Mesh1 or Mesh2 for a spec; that of mesh adaptive is known only when it is built.
+/// The size of Mesh1 or Mesh2 for a spec; that of an adaptive mesh is only known after it is built.
 struct MeshSize {
     int elements_per_edge;  ///< m, of the cube and of every layer
     int layers;             ///< k, of growing thickness
@@ -182,8 +182,8 @@ struct MeshSize {
 };
 MeshSize mesh_size(const IcSpec& spec);
 
-/// Returns the spec of the table for G = 1 and dx = 1, ratios rounded to twelve digits so that equal ratios compare
-/// equal whatever lengths they were computed from. Displacements scale exactly: A = (dx/G) * A of this spec.
+/// Returns the spec of the table for G = 1 and dx = 1, with ratios rounded to twelve digits so that equal ratios of
+/// different lengths compare equal. Displacements scale exactly: A = (dx/G) * A of this spec.
 IcSpec dimensionless(const IcSpec& spec);
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-// The IC store: a folder with one HDF5 file per dimensionless table. Links, FIFOs and devices in it are passed over.
+// The IC store: a folder with one HDF5 file per dimensionless table. Links, FIFOs and devices in it are ignored.
 #pragma once
 
 #include <cstdint>
@@ -21,37 +21,37 @@ namespace contactd {
 /// SHA-256 (hex) of the canonical JSON text of the dimensionless spec without its extent: equal for every shear
 /// modulus, every element size and every extent.
 std::string ic_key(const IcSpec& spec);
-/// Whether `text` has the form of a key: 64 hexadecimal digits.
+/// Returns whether `text` has the form of a key: 64 hexadecimal digits.
 bool is_ic_key(std::string_view text);
 
-/// Writes `record` so that `path` either does not exist or is whole: temporary file in the same folder, fsync, rename,
-/// fsync of the folder. The first 512 bytes (an HDF5 user block) hold the SHA-256 of the rest. Throws StoreError.
+/// Writes `record` so that `path` is never incomplete: temporary file in the same folder, fsync, rename, fsync of the
+/// folder. The first 512 bytes (an HDF5 user block) contain the SHA-256 of the rest. Throws StoreError.
 void write_ic_file(const std::filesystem::path& path, const IcRecord& record);
 
-/// The content of a file is not what was written.
+/// The content of a file differs from what was written.
 class DamagedTable : public StoreError {
    public:
     using StoreError::StoreError;
 };
 
-/// A file was written by a version that knows more than this one, which leaves it alone.
+/// A file was written by a newer version; this version does not change it.
 class NewerFormat : public StoreError {
    public:
     using StoreError::StoreError;
 };
 
-/// Reads a file, checking its digest before HDF5 sees a byte. Throws DamagedTable when the content is not that of an IC
-/// file written by write_ic_file, NewerFormat, and StoreError when the file cannot be read at all, or is a link or
-/// anything else but a regular file.
+/// Reads a file; checks its digest before HDF5 reads it. Throws DamagedTable if the content is not that of an IC file
+/// written by write_ic_file, NewerFormat, and StoreError if the file cannot be read, or is not a regular file, but for
+/// example a link.
 IcRecord read_ic_file(const std::filesystem::path& path);
-/// Reads the content of a file; `path` is for the words of the exception.
+/// Reads the content of a file; `path` is its name in exceptions.
 IcRecord from_ic_file(std::span<const unsigned char> bytes, const std::filesystem::path& path);
 
-/// Why no file can be made in the folder, in the system's words, found out by making one; empty when one can.
+/// Returns the system's reason why no file can be created in the folder, by creating one; empty if it is possible.
 std::string cannot_write(const std::filesystem::path& folder);
 
-/// Who has brought a table: empty of those that contactd built itself, which serve everybody. In the names of files
-/// other characters than letters, digits, - and _ stand as = and their two hexadecimal digits.
+/// The user who imported a table; empty for tables built by contactd, which all users share. In file names, characters
+/// other than letters, digits, - and _ are replaced by = and their two hexadecimal digits.
 using TableOwner = std::string;
 
 /// A file of the store.
@@ -62,65 +62,65 @@ struct StoredTable {
     int nx = 0;
     int ny = 0;
     std::uintmax_t bytes = 0;
-    std::filesystem::file_time_type last_use;  ///< when it was written or last read
+    std::filesystem::file_time_type last_use;  ///< time of the last write or read
 };
 
 /// Safe to use from several threads and, on one folder, from several processes.
 class IcStore {
    public:
-    /// Called with a sentence when a file is set aside.
+    /// Called with a sentence if a file is set aside.
     using Report = std::function<void(const std::string&)>;
 
-    /// Makes the folder when it is missing. Throws StoreError when it cannot be made or read; one that cannot be
-    /// written to is good for what is in it.
+    /// Creates the folder if it is missing. Throws StoreError if it cannot be created or read. A folder without write
+    /// permission can still be read.
     IcStore(std::filesystem::path folder, Report report);
 
-    /// The smallest stored table of the owner with the key of `spec` that covers its extent, or nothing. A file that
-    /// fails its check is moved to `quarantine/`, reported, and not considered again; one that cannot be read, or was
-    /// written by a newer version, is reported and passed over. Throws StoreError when the folder itself cannot be
+    /// Returns the smallest stored table of the owner with the key of `spec` that covers its extent, if any. A file
+    /// that fails its check is moved to `quarantine/`, reported, and not considered again. A file that cannot be
+    /// read, or was written by a newer version, is reported and ignored. Throws StoreError if the folder cannot be
     /// read.
     std::optional<IcRecord> find(const IcSpec& spec, const TableOwner& owner = {}) const;
-    /// Whether there is a file by a name that find() would look into.
+    /// Returns whether there is a file whose name find() would consider.
     bool may_have(const IcSpec& spec, const TableOwner& owner = {}) const;
 
-    /// Where the table of `spec` belongs: <key>.<nx>x<ny>.h5, of an owner <key>.<nx>x<ny>.by-<owner>.h5.
+    /// Returns the path of the table of `spec`: <key>.<nx>x<ny>.h5, with an owner <key>.<nx>x<ny>.by-<owner>.h5.
     std::filesystem::path path_of(const IcSpec& spec) const;
     std::filesystem::path path_of(const std::string& key, int nx, int ny, const TableOwner& owner = {}) const;
-    /// Returns that path, or where a newer version keeps a file of its own under this name,
-    /// <key>.<nx>x<ny>.format<n>.h5, of the format n of this version. Looks into the file.
+    /// Returns that path, or if a newer version has a file with this name, <key>.<nx>x<ny>.format<n>.h5, with the
+    /// format n of this version. Reads the file.
     std::filesystem::path path_to_write(const std::string& key, int nx, int ny, const TableOwner& owner = {}) const;
-    /// The file that says that somebody builds a table with this key.
+    /// Returns the path of the lock file of a running build with this key.
     std::filesystem::path lock_of(const std::string& key) const { return folder_ / (key + ".lock"); }
 
-    /// Removes tables of the owner that the one of `spec` covers, itself and those of newer versions excepted.
+    /// Removes tables of the owner that are covered by that of `spec`, except itself and those of newer versions.
     void remove_covered_by(const IcSpec& spec, const TableOwner& owner = {}) const;
 
     using Time = std::filesystem::file_time_type;
-    /// Marks a table as used at that time, for evict, unless it was used later. find() does so by itself.
+    /// Marks a table as used at that time, for evict, unless it was used later. find() calls it.
     void note_use(const std::filesystem::path& path, Time used) const;
-    /// The time of a use that happens now: the wall clock's, and later than any that was given before. Where the clock
-    /// was set back, times of use that lie in its future now are brought back, as by settle_times().
+    /// Returns the time for a use now: that of the wall clock, and later than all earlier ones. If the clock was set
+    /// back, times of use in the future are moved back, as by settle_times().
     Time time_of_use() const;
-    /// Brings times of use that lie in the future to the present, in their order, so that what is used from now on
-    /// counts as used after them: those of clocks that were ahead, or of versions that counted from the year 2174.
+    /// Moves times of use in the future to the present, in their order, so that later uses count as later. Such times
+    /// come from clocks that were ahead, or from versions that counted from the year 2174.
     void settle_times() const;
 
-    /// Every table, by name. Throws StoreError when the folder cannot be read.
+    /// Returns all tables by name. Throws StoreError if the folder cannot be read.
     std::vector<StoredTable> list() const;
 
-    /// Removes the tables of a key that nobody has brought, or that `owner` has; returns how many. Throws StoreError
-    /// when one cannot be removed.
+    /// Removes the tables of a key without owner, or those of `owner`; returns their number. Throws StoreError if one
+    /// cannot be removed.
     int remove(const std::string& key, const TableOwner& owner = {}) const;
 
-    /// Makes the folder again when somebody removed it. What keeps it from being written to, as a sentence, or nothing.
+    /// Creates the folder again if it was removed. Returns a sentence if it cannot be written to.
     std::string problem() const;
 
-    /// Removes what dead processes left, temporary files and locks of builds; returns how many files. Files whose name
-    /// does not begin with a key are nobody's business here.
+    /// Removes temporary files and build locks of ended processes; returns their number. Files whose name does not
+    /// begin with a key are left alone.
     int sweep() const;
 
-    /// Removes files until all together need no more than `budget_bytes`: first damaged ones that were set aside, then
-    /// tables by their last use, by whichever process. Those whose key is in `kept` stay. Returns the tables that went.
+    /// Removes files until the total is at most `budget_bytes`: first damaged ones that were set aside, then tables by
+    /// their last use by any process. Those whose key is in `kept` are not removed. Returns the removed tables.
     std::vector<StoredTable> evict(std::uintmax_t budget_bytes, const std::vector<std::string>& kept) const;
 
     const std::filesystem::path& folder() const { return folder_; }

@@ -43,7 +43,7 @@ struct LoadCaseEvidence {
     double residual = 0;  ///< true relative residual ||b - A u|| / ||b||
     bool converged = false;
     double seconds = 0;            ///< of the solve
-    std::optional<double> update;  ///< relative update ||u_new - u|| / ||u_new|| of the last iteration, when it is the
+    std::optional<double> update;  ///< relative update ||u_new - u|| / ||u_new|| of the last iteration, if it is the
                                    ///< stopping criterion
 };
 
@@ -54,11 +54,11 @@ struct ComponentError {
     double largest = 0;
 };
 
-/// Errors over a table, where they are known.
+/// Errors over a table, if known.
 struct IcErrors {
     std::optional<ComponentError> xx, yy, zz;
-    /// Largest |FEM - closed form| * 2 pi G rho / (dx dy) over the offsets but the origin, for the components that
-    /// change sign, whose relative errors mean nothing on the axes: xy and yx, and xz, zx, yz and zy.
+    /// Largest |FEM - closed form| * 2 pi G rho / (dx dy) over the offsets except the origin, for the components that
+    /// vanish on the axes, where relative errors are useless: xy and yx, and xz, zx, yz and zy.
     std::optional<double> scaled_xy, scaled_xz;
 };
 
@@ -70,16 +70,16 @@ struct BuildSeconds {
     double total = 0;
 };
 
-/// How the transform of a longitudinally uniform body's coefficients was computed, and its errors over zz of the
-/// half-space under an element as long as a strip is wide.
+/// Computation of the transform of a longitudinally uniform body's coefficients, and its errors over zz of the
+/// half-space under an element as long as the width of a strip.
 struct SectionEvidence {
     int order = 0;        ///< of the elements
     int wavenumbers = 0;  ///< that it was computed at
-    double error = 0;     ///< of any coefficient: the sum of these three
+    double error = 0;     ///< of any coefficient: the sum of the three below
     double mesh_error = 0;
     double wavenumber_error = 0;    ///< of interpolation between them
-    double end_error = 0;           ///< of what lies beyond the last of them
-    double reciprocity_defect = 0;  ///< before it was made symmetric, which mends it
+    double end_error = 0;           ///< of the part beyond the last wavenumber
+    double reciprocity_defect = 0;  ///< before it was made symmetric, which removes it
 
     bool operator==(const SectionEvidence&) const = default;
 };
@@ -87,40 +87,40 @@ struct SectionEvidence {
 /// The origin of the numbers of a table and how good they are.
 struct IcEvidence {
     std::string source;   ///< "analytic" or "fem"
-    std::string version;  ///< contactd and libraries that made the table
+    std::string version;  ///< contactd and libraries that computed the table
     long long elements = 0;
     long long dofs = 0;
     int processes = 1;
     BuildSeconds seconds;
     std::vector<LoadCaseEvidence> load_cases;
     std::string solver;                 ///< "amg_pcg", "direct" or "tensor_pcg"; empty for a closed form
-    std::optional<FemSpec> mesh;        ///< what was chosen for IcSpec::accuracy; not of a block
-    std::vector<std::string> warnings;  ///< sentences: what a user of the table should know
-    /// Against the closed form where there is one (half-space); of a block whose accuracy was asked for, estimated by
-    /// the difference to a coarser mesh, and `errors_estimated` says so.
+    std::optional<FemSpec> mesh;        ///< chosen for IcSpec::accuracy; not for a block
+    std::vector<std::string> warnings;  ///< sentences for users of the table
+    /// Against the closed form if there is one (half-space). For a block with a requested accuracy, estimated from the
+    /// difference to a coarser mesh; `errors_estimated` is then set.
     IcErrors errors;
     bool errors_estimated = false;
-    /// How far a block is from looking the same from every element: the largest difference between the table and a load
+    /// Dependence of a block's coefficients on the loaded element: the largest difference between the table and a load
     /// in the corner of as many elements as the table has offsets, about the middle of the block, in the measures of
     /// IcSpec::accuracy.
     std::optional<double> modelling_error;
-    /// The Poisson's ratios that were computed for a family, and the largest error that interpolation between them
-    /// adds, in the measures above.
+    /// The computed Poisson's ratios of a family, and the largest additional error of interpolation between them, in
+    /// the measures above.
     std::vector<double> family_nu;
     std::optional<double> interpolation_error;
     std::optional<SectionEvidence> section;  ///< of a longitudinally uniform body by finite elements
-    bool imported = false;                   ///< somebody has brought the table, whose word all of this is
+    bool imported = false;                   ///< the table was imported, and contactd did not verify this
 };
 
-/// Every value times `factor`: A of G and dx from the dimensionless table with factor = dx/G.
+/// Returns all values times `factor`: A for G and dx from the dimensionless table with factor = dx/G.
 IcTable scaled(const IcTable& table, double factor);
 
-/// The part with offsets 0..nx-1 x 0..ny-1, times `factor`. Throws InvalidArgument when the table is smaller.
+/// Returns the part with offsets 0..nx-1 x 0..ny-1, times `factor`. Throws InvalidArgument if the table is smaller.
 IcTable cropped(const IcTable& table, int nx, int ny, double factor = 1);
 
 /// Coefficients of the difference of displacements of the two bodies for equal and opposite tractions: sums xx, yy, zz,
 /// xy, yx and subtracts xz, zx, yz, zy (upper from lower: a pressure is positive, a load along z pulls). Throws
-/// InvalidArgument when the extents differ.
+/// InvalidArgument if the extents differ.
 IcTable pair_of(IcTable upper, const IcTable& lower);
 
 }  // namespace contactd

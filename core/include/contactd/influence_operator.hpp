@@ -1,5 +1,5 @@
-// The bodies as a contact solver sees them: displacements for tractions. Solvers do not know whether a two-dimensional
-// convolution or something else stands behind it.
+// The bodies in a contact solver: displacements for tractions. Solvers do not depend on the implementation, which may
+// be a two-dimensional convolution.
 #pragma once
 
 #include <algorithm>
@@ -28,8 +28,8 @@ class InfluenceOperator {
     virtual void tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
                             std::span<double> uy) const = 0;
 
-    /// Whether normal and tangential contact influence each other: false when A_xz, A_yz, A_zx and A_zy are negligible
-    /// (see coupling_tolerance); the two products with them then give zeros.
+    /// Whether normal and tangential contact are coupled: false if A_xz, A_yz, A_zx and A_zy are negligible (see
+    /// coupling_tolerance); the two products with them then return zeros.
     virtual bool coupled() const { return false; }
     /// uz = A_zx px + A_zy py
     virtual void normal_of_tangential(std::span<const double> /*px*/, std::span<const double> /*py*/,
@@ -43,25 +43,25 @@ class InfluenceOperator {
         std::fill(uy.begin(), uy.end(), 0.0);
     }
 
-    /// Whether the products are those of symmetric matrices. Those of bodies that creep as they roll are not; they are
-    /// positive definite all the same, and so is their preconditioner.
+    /// Whether the matrices are symmetric. Those of rolling viscoelastic bodies are not, but they are positive
+    /// definite, and so is their preconditioner.
     virtual bool is_symmetric() const { return true; }
 
     /// A[i,i] of every element on itself (mm^3/N), > 0.
     virtual std::vector<double> diagonal(Axis i) const = 0;
-    /// z ~ A[i,i]^-1 r, symmetric (where A is) and positive definite; any approximation serves, even a scaled identity.
+    /// z ~ A[i,i]^-1 r, symmetric (if A is) and positive definite; may be as rough as a scaled identity.
     virtual void precondition(Axis i, std::span<const double> r, std::span<double> z) const = 0;
-    /// Preconditions both tangential components at once, with their coupling where an implementation knows it.
+    /// Preconditions both tangential components at once, with their coupling if an implementation supports it.
     virtual void precondition_tangential(std::span<const double> rx, std::span<const double> ry, std::span<double> zx,
                                          std::span<double> zy) const {
         precondition(Axis::x, rx, zx);
         precondition(Axis::y, ry, zy);
     }
 
-    /// About what it takes in memory, with all that it will make when that is first needed.
+    /// Returns the approximate memory, including the parts that are created on first use.
     virtual std::size_t bytes() const = 0;
 
-    /// These make solves quicker, where an operator has them, else null. Both live as long as this one.
+    /// Optional parts that make solves faster, or null. Both live as long as this operator.
     virtual const CoarserGrid* coarser() const { return nullptr; }
     virtual const ElementBoxes* boxes() const { return nullptr; }
 };
@@ -71,15 +71,15 @@ class CoarserGrid {
    public:
     virtual ~CoarserGrid() = default;
     virtual const InfluenceOperator& influence() const = 0;
-    /// How many elements a coarser one stands for, along x and along y. The last coarser ones may reach beyond.
+    /// Number of elements in a coarser one, along x and along y. The last coarser ones may extend beyond the grid.
     virtual int along_x() const = 0;
     virtual int along_y() const = 0;
     int ratio() const { return along_x() * along_y(); }
-    /// Means over the elements that a coarser one stands for.
+    /// Returns means over the elements in each coarser one.
     virtual void average(std::span<const double> fine, std::span<double> coarse) const = 0;
     /// Interpolates between the centres of the coarser elements.
     virtual void interpolate(std::span<const double> coarse, std::span<double> fine) const = 0;
-    /// Gives every element the value of the coarser one it belongs to.
+    /// Gives each element the value of its coarser one.
     virtual void copy(std::span<const double> coarse, std::span<double> fine) const = 0;
 };
 
@@ -89,15 +89,15 @@ class ElementBoxes {
     virtual ~ElementBoxes() = default;
     /// All elements, as a rectangle.
     virtual ElementBox extent() const = 0;
-    /// A box around `needed` on which products are cheap: a little larger, so that few sizes occur, and with a margin
-    /// where the contact may grow; extent() when nothing is gained.
+    /// Returns a box around `needed` with cheap products: slightly larger, so that few sizes occur, and with a margin
+    /// for a growing contact; extent() if a box would not be cheaper.
     virtual ElementBox convenient(const ElementBox& needed, bool may_grow) const = 0;
-    /// The operator on the elements of a box within extent(); its element order is that of the box. Results depend on
-    /// the box alone, not on what was asked for before.
+    /// Returns the operator on the elements of a box within extent(); its element order is that of the box. Results
+    /// depend only on the box, not on earlier calls.
     virtual std::shared_ptr<const InfluenceOperator> influence(const ElementBox& box) const = 0;
 };
 
-/// All elements: the rectangle that they are where the operator has boxes, else a row.
+/// Returns all elements: as a rectangle if the operator has boxes, otherwise as a row.
 inline ElementBox extent_of(const InfluenceOperator& influence) {
     const ElementBoxes* boxes = influence.boxes();
     return boxes != nullptr ? boxes->extent() : ElementBox{0, 0, static_cast<int>(influence.size()), 1};

@@ -1,4 +1,4 @@
-// From a profile as a value to its curve.
+// Creates the curve of a profile.
 #pragma once
 
 #include "contactd/profile.hpp"
@@ -7,17 +7,17 @@
 
 namespace contactd {
 
-/// The curve of a wheel or a rail: y ascends, and the wheel's flange, the rail's gauge side lie at y < 0.
+/// Returns the curve of a wheel or a rail: y ascends, and the wheel's flange or the rail's gauge side is at y < 0.
 struct Profile {
     ProfileKind kind = ProfileKind::wheel;
     ProfileCurve curve;
     ProfileEvidence evidence{};
 };
 
-/// Points are mirrored, brought to mm, ordered by y and cleaned: what coincides or turns back is dropped, zigzags are
-/// averaged, of a wheel remains what is seen from above on both sides of its middle, of a rail what is not hidden from
-/// above. The curve is broken at kinks and smoothed. Throws InvalidArgument naming the field below "profile" for points
-/// that cross themselves, that are in no order, or of which too few remain, and for profiles upside down or mirrored.
+/// Points are mirrored, converted to mm, ordered by y and cleaned: points that coincide or turn back are dropped, and
+/// zigzags are averaged. A wheel keeps the points visible from above on both sides of its middle, a rail those not
+/// hidden from above. The curve is broken at kinks and smoothed. Throws InvalidArgument naming the field below
+/// "profile" for crossing or unordered points, for too few of them, and for profiles upside down or mirrored.
 Profile make_profile(const ProfileSpec& spec);
 
 }  // namespace contactd

@@ -11,14 +11,14 @@
 
 namespace contactd {
 
-/// On strips that are not flat: of the tables of those sections that there are, or of half-spaces in closed form that
-/// turn from row to row. Throws InvalidArgument ("dy") for tables of too many numbers, and Cancelled.
+/// Creates operators on strips that are not flat: from the tables of existing sections, or from half-spaces rotated
+/// from row to row. Throws InvalidArgument ("dy") for tables of too many numbers, and Cancelled.
 ContactInfluence patch_influence(const ContactProblem& problem, const PatchStrips& strips,
                                  const IcRecord* rail = nullptr, const IcRecord* wheel = nullptr,
                                  const Observer& observer = {});
 
-/// Makes operators of half-spaces that turn by halves, and keeps what those of grids of one size have in common: all
-/// but the angles of their rows. The sizes that were used last are kept. Thread-safe.
+/// Creates operators of half-spaces rotated by half angles, and keeps the common data of grids of one size, which do
+/// not depend on the angles of their rows, for the sizes used last. Thread-safe.
 class RotatedPatches {
    public:
     RotatedPatches();
@@ -26,8 +26,8 @@ class RotatedPatches {
     RotatedPatches(const RotatedPatches&) = delete;
     RotatedPatches& operator=(const RotatedPatches&) = delete;
 
-    /// `flat`, where it is given, makes the operators of rows that lie side by side. Answers do not depend on what was
-    /// asked for before. Throws InvalidArgument ("dy") for symbols of too many numbers, and Cancelled.
+    /// `flat`, if given, creates the operators of flat rows. Answers do not depend on earlier calls. Throws
+    /// InvalidArgument ("dy") for symbols of too many numbers, and Cancelled.
     ContactInfluence of(const ContactProblem& problem, const PatchStrips& strips, const Observer& observer = {},
                         const std::function<ContactInfluence()>& flat = {});
 

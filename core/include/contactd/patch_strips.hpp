@@ -1,4 +1,4 @@
-// Strips on which the elements of a contact lie that is curved across the track: what its operators are made of.
+// Strips of elements of a contact that is curved across the track, from which its operators are created.
 #pragma once
 
 #include <optional>
@@ -10,21 +10,21 @@
 
 namespace contactd {
 
-/// Neighbouring strips of a body's surface, out of a table of more of them. Tables begin and end at multiples of many
-/// strips along the profile, so that neighbouring positions of a wheel ask for the same ones.
+/// Neighbouring strips of a body's surface in a larger table. Tables begin and end at multiples of many strips along
+/// the profile, so that nearby positions of a wheel use the same ones.
 struct BodyStrips {
     IcSpec spec{};  ///< of all strips of the table, of source fem; nx is that of the patch
-    int first = 0;  ///< the patch's first one, as the section numbers them
+    int first = 0;  ///< first strip of the patch, in the numbering of the section
 };
 
 struct PatchStrips {
-    /// Frames of the rows of the grid, in the axes of the wheel, which is the lower body; shape [ny]. None: elements
-    /// lie flat side by side.
+    /// Frames of the rows of the grid, in the axes of the wheel, which is the lower body; shape [ny]. None: a
+    /// plane.
     std::vector<StripFrame> frames{};
-    /// Strips of bodies that are known by their sections: both, but for rigid ones.
+    /// Strips of bodies given by their sections: of both bodies, except rigid ones.
     std::optional<BodyStrips> rail{}, wheel{};
-    /// Half-spaces lie along the loaded row and only displacements turn; else midway between both rows, and loads turn
-    /// as much.
+    /// Half-spaces are along the loaded row, and only displacements are rotated; otherwise midway between both rows,
+    /// and loads are rotated as much.
     bool along_loaded_row = false;
 
     bool flat() const { return frames.empty(); }

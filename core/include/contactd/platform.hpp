@@ -1,5 +1,5 @@
-// Files, processes and the environment as operating systems have them: beside simd.hpp the one place that knows which
-// one it is. core/src/platform has it once for POSIX and once for Windows.
+// Files, processes and the environment of the operating system: apart from simd.hpp, the only code that depends on it.
+// core/src/platform implements it for POSIX and for Windows.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace contactd::platform {
 
-/// A file that is open as long as this lives. Programs that are started meanwhile do not inherit it, links are not
-/// followed, and what is no file makes nobody wait. Others may rename and remove it.
+/// A file that is open during the lifetime of this object. Child processes do not inherit it, links are not followed,
+/// and opening never waits for pipes or devices. Others may rename and remove it.
 class OpenFile {
    public:
     enum class Use {
-        reading,      ///< of a file that is there
-        writing_new,  ///< of a file that must not be there yet
-        locking       ///< of a file that is made where it is missing
+        reading,      ///< an existing file
+        writing_new,  ///< a new file, which must not exist
+        locking       ///< a file that is created if missing
     };
     OpenFile(const std::filesystem::path& path, Use use);
     ~OpenFile();
@@ -26,27 +26,27 @@ class OpenFile {
     OpenFile& operator=(OpenFile&& other) noexcept;
 
     bool is_open() const { return handle_ != none; }
-    /// Why it is not open, or why the last call has failed.
+    /// Returns the reason why it is not open, or why the last call failed.
     std::error_code error() const { return error_; }
     bool is_regular() const;
-    /// (bytes); nothing where it cannot be found out.
+    /// (bytes); none if it cannot be determined.
     std::optional<std::uintmax_t> size() const;
     /// False once the file has been removed.
     bool has_name() const;
-    /// False when the file at `path` is another one, or none.
+    /// False if the file at `path` is another one, or missing.
     bool is_at(const std::filesystem::path& path) const;
 
-    /// Reads until `bytes` is full or the file ends; how many, or nothing when it fails.
+    /// Reads until `bytes` is full or the file ends; returns their number, or none on failure.
     std::optional<std::size_t> read(std::span<unsigned char> bytes);
-    /// Writes all of it; false when it fails.
+    /// Writes all bytes; returns false on failure.
     bool write(std::span<const unsigned char> bytes);
-    /// False when the disk has not got it.
+    /// Returns false if the data are not on the disk.
     bool sync();
 
     enum class Lock { held, busy, unavailable };
     /// Locks it against other holders of this lock, in other processes, too, until the file is closed, without waiting.
     Lock try_lock();
-    /// Makes the present the time of the last change.
+    /// Sets the time of the last change to the present.
     void note_change() const;
 
    private:
@@ -57,30 +57,30 @@ class OpenFile {
     std::error_code error_;
 };
 
-/// Gives the file another name, in place of the file that has it; on Windows so that the name lasts.
+/// Renames the file, replacing a file with that name; on Windows, durably.
 std::error_code rename_over(const std::filesystem::path& from, const std::filesystem::path& to);
-/// Waits until the names of a folder last; on Windows rename_over has.
+/// Waits until the names in a folder are durable; on Windows rename_over does so.
 std::error_code sync_folder(const std::filesystem::path& folder);
 
-/// Why no file can be made in the folder, found out by making one; none when one can.
+/// Returns the reason why no file can be created in the folder, by creating one; none if it is possible.
 std::error_code cannot_make_file(const std::filesystem::path& folder);
-/// Why the folder cannot be read, or also not `written`, as far as permissions tell.
+/// Returns the reason why the folder cannot be read, or `written`, according to its permissions.
 std::error_code cannot_use(const std::filesystem::path& folder, bool written);
 
-/// Letters and digits that another start of this machine has not, or, where there are none, another machine.
+/// Returns letters and digits that identify the boot of this machine or, if unavailable, the machine.
 std::string boot_name();
 std::string process_name();
-/// When the process of this name has started, in units of the system; "0" where there is none.
+/// Returns the start time of the process with this ID in units of the system; "0" if there is none.
 std::string start_of(const std::string& process);
 /// Returns the name of this machine, without dots and slashes.
 std::string host_name();
 
-/// Fills `bytes` with what nobody can guess. Throws std::system_error.
+/// Fills `bytes` with cryptographically random data. Throws std::system_error.
 void random_bytes(std::span<unsigned char> bytes);
 
-/// A variable of the environment in UTF-8; empty where it is not set.
+/// Returns a variable of the environment in UTF-8; empty if it is not set.
 std::string variable(const char* name);
-/// Where programs of the user keep what they can make again; empty where nothing says so.
+/// Returns the user's cache folder; empty if it is not defined.
 std::filesystem::path cache_folder();
 
 }  // namespace contactd::platform

@@ -10,10 +10,10 @@
 
 namespace contactd {
 
-/// Parametric cubic splines y(s), z(s) through points. s (mm) is the length of the chords from the first point. The
-/// curve is C2, with natural ends, and broken at kinks, where only its points are continuous; values at a kink are
-/// those behind it. Beyond its ends it goes on as its tangent. Immutable; copies share what they hold, threads may,
-/// too.
+/// Parametric cubic splines y(s), z(s) through points. s (mm) is the length of the chords from the first point.
+/// The curve is C2, with natural ends, and broken at kinks, where only its points are continuous; values at a
+/// kink are those after it. Its tangents extend it beyond its ends. Immutable and thread-safe; copies share
+/// data.
 class ProfileCurve {
    public:
     /// The point of a parameter, and its first and second derivatives with respect to s.
@@ -22,8 +22,8 @@ class ProfileCurve {
     };
 
     /// `kinks` are indices of inner points, ascending. Throws InvalidArgument, naming "points[i]" or "kinks[i]", for
-    /// fewer than two points, points that are not finite or beyond 1e5 mm, neighbours that coincide, and kinks that are
-    /// no inner points or not ascending.
+    /// fewer than two points, points that are not finite or beyond 1e5 mm, coincident neighbours, and kinks that are
+    /// not inner points or not ascending.
     explicit ProfileCurve(std::vector<ProfilePoint> points, std::vector<std::size_t> kinks = {});
 
     double begin() const { return 0; }
@@ -32,27 +32,27 @@ class ProfileCurve {
     ProfilePoint at(double s) const;
     ProfilePoint slope(double s) const;    ///< d/ds; its length is near 1
     ProfilePoint curving(double s) const;  ///< d2/ds2 (1/mm)
-    Place place(double s) const;           ///< the three, for little more than one
+    Place place(double s) const;           ///< all three, at little more than the cost of one
     double angle(double s) const;          ///< of the tangent, atan2(dz, dy) (rad): 0 along y, pi/2 along z
     double curvature(double s) const;  ///< d angle / d arc length (1/mm): positive where the tangent turns from y to z
 
     double arc_length(double s) const;  ///< from the first point (mm); negative before it
     double s_at_arc_length(double arc_length) const;
-    /// The first s at which the curve has this y. Quick where y of the points is monotone, otherwise a search. A y
-    /// beyond all points gets the end of the curve that is nearest to it.
+    /// Returns the first s at which the curve has this y. Fast if y of the points is monotone, otherwise a search. For
+    /// a y beyond all points, returns the nearest end of the curve.
     double s_at_y(double y) const;
 
     const std::vector<ProfilePoint>& points() const;
     const std::vector<std::size_t>& kinks() const;
     const std::vector<double>& knots() const;  ///< s of the points
-    bool y_is_monotone() const;                ///< strictly, of the points, by 1e-6 mm at least from end to end
+    bool y_is_monotone() const;                ///< strictly, for the points, by at least 1e-6 mm from end to end
 
-    /// The s from which lengths across a rail are counted: where y = 0, or the end that is nearest, unless the curve
-    /// was told another one.
+    /// Returns the origin of lengths across a rail: y = 0, or the nearest end, unless another one was
+    /// set.
     double middle() const { return middle_ ? *middle_ : s_at_y(0); }
     ProfileCurve counted_from(double s) const;
 
-    /// y -> -y, run through from the other end, so that y of the points still ascends (or descends).
+    /// Returns the curve with y -> -y in reverse order, so that y of the points still ascends (or descends).
     ProfileCurve mirrored() const;
 
    private:

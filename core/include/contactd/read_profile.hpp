@@ -1,4 +1,4 @@
-// Profiles from files of measuring instruments and of other programs.
+// Reads profiles from files of measuring instruments and of other programs.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace contactd {
 
-/// The size that a file of profiles may have.
+/// Largest size of a profile file.
 inline constexpr std::size_t most_profile_bytes = 16 << 20;
 
 /// The points of a profile as its file has them, with the unit and the mirroring that the format means; make_profile
@@ -29,12 +29,12 @@ inline constexpr std::size_t most_profile_bytes = 16 << 20;
 /// Throws InvalidArgument, naming file and line, for what is none of this, for a `kind` that is not the file's, and for
 /// files beyond the limits.
 ProfileSpec read_profile(std::string_view text, const std::string& name, std::optional<ProfileKind> kind = {});
-/// Reads a file on disk likewise. Throws InvalidArgument when it cannot be read.
+/// Reads a file on disk in the same way. Throws InvalidArgument if it cannot be read.
 ProfileSpec read_profile(const std::filesystem::path& file, std::optional<ProfileKind> kind = {});
-/// The bytes of such a file.
+/// Returns the bytes of such a file.
 std::string text_of_profile(const std::filesystem::path& file);
 
-/// The points of a file in mm, turned and shifted, and how that came about.
+/// The points of a file in mm, mirrored and shifted, and the evidence.
 struct PointsOfFile {
     ProfilePoints points;
     ProfileReading reading;
@@ -42,18 +42,18 @@ struct PointsOfFile {
     std::vector<std::string> warnings{};
 };
 
-/// What ProfileFile says holds beside what its text says. Throws InvalidArgument with the field "profile.file" for what
-/// read_profile refuses; and for a text that does not say in which unit or which way up its points are, where their
-/// shape does not show it and nobody has said it.
+/// Reads the points with the options of ProfileFile in addition to those in its text. Throws InvalidArgument with the
+/// field "profile.file" for the errors of read_profile, and if the unit or the direction of z follows neither from the
+/// text, nor from the shape, nor from the options.
 PointsOfFile points_of(const ProfileFile& file, ProfileKind kind);
 
-/// The profile with the points of its file in place of the file, or as it is.
+/// Returns the profile with the points of its file in place of the file; others are unchanged.
 ProfileSpec with_points(const ProfileSpec& profile);
 
-/// For naming_file: the problem of a file that `error` is, which names the file and the line, or "profile.points".
+/// For naming_file: returns the problem in `error`, which names the file and the line, or "profile.points".
 std::string problem_of_file(const ProfileFile& file, const InvalidArgument& error);
 
-/// The result of `work` on a file or its points; what it refuses is refused as "profile.file", by the file's name.
+/// Returns the result of `work` on a file or its points; errors name "profile.file" and the file.
 template <class Work>
 auto naming_file(const ProfileFile& file, const Work& work) {
     try {

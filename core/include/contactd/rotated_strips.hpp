@@ -13,9 +13,9 @@ namespace contactd {
 
 /// mm^3/N, at the offsets k dx + shift, k = 0..nx-1, between the grid.ny strips of the section, each grid.dy wide: the
 /// half-space's closed form at the distance along the surface, in axes midway between those of the two strips, then
-/// turned by half the angle between them (Blanco-Lorenzo et al.). It knows curvature, but no edges, no thickness, and
-/// not how the body is clamped. On flat strips it is the half-space's table. Throws InvalidArgument as strip_frames(),
-/// and Cancelled when the observer, which is asked strip by strip, says so.
+/// rotated by half the angle between them (Blanco-Lorenzo et al.). It includes curvature, but not edges, thickness, or
+/// the clamping of the body. On flat strips it is the half-space's table. Throws InvalidArgument as strip_frames(), and
+/// Cancelled (the observer can cancel after each strip).
 StripTable rotated_strips(const Section& section, const Grid& grid, const Material& material, LoadShape load,
                           double shift = 0, const std::string& field = "section", const Observer& observer = {});
 

@@ -1,4 +1,4 @@
-// Tables of longitudinally uniform bodies whose stated error is more than was asked for.
+// Warnings of tables of longitudinally uniform bodies whose stated error exceeds the requested accuracy.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace contactd {
 
-/// A sentence where the stated error exceeds `accuracy`, for tables and for all answers that are computed with them.
+/// Returns a sentence if the stated error exceeds `accuracy`, for tables and for all answers computed with them.
 std::vector<std::string> section_warnings(double accuracy, const SectionEvidence& evidence);
 
 }  // namespace contactd

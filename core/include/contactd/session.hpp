@@ -18,19 +18,19 @@ namespace contactd {
 
 /// The opening of a session.
 struct SessionSpec {
-    ContactSetup setup;  ///< what all steps have in common
-    /// The load of steps that do not state it; `previous` is where the first one starts. Of gap, approach and Fn every
-    /// step names what is absent here.
+    ContactSetup setup;  ///< the common part of all steps
+    /// The default load of steps; the first one starts from `previous`. Each step must provide those of gap, approach
+    /// and Fn that are absent here.
     ContactLoad load{};
     std::optional<double> lease_seconds{};
-    bool accept_unconverged = false;  ///< whether steps count that missed a tolerance
+    bool accept_unconverged = false;  ///< whether steps that missed a tolerance are accepted
 };
 
 /// The opening of a session of a wheel on its rail.
 struct WheelRailSessionSpec {
     WheelRailSetup setup{};
     std::optional<double> lease_seconds{};
-    bool accept_unconverged = false;  ///< as in SessionSpec; of the searches for forces, too
+    bool accept_unconverged = false;  ///< as in SessionSpec; also for the searches for forces
 };
 
 /// An open session.
@@ -41,55 +41,55 @@ struct SessionReply {
     IcUses ics{};
 };
 
-/// Where a session is, and what all its steps have in common.
+/// The state of a session, and the common part of all its steps.
 struct SessionInfo {
     long long step = 0;  ///< number of the last one
     double lease_seconds = 0;
-    std::size_t states = 0;              ///< saved ones
-    std::size_t bytes = 0;               ///< with those
+    std::size_t states = 0;              ///< saved states
+    std::size_t bytes = 0;               ///< memory, including saved states
     std::optional<Grid> grid{};          ///< of a contact
-    std::optional<MotionKind> motion{};  ///< of a contact; none without friction
+    std::optional<MotionKind> motion{};  ///< for a contact; absent without friction
     std::optional<Side> side{};          ///< of a wheel on its rail
     IcUses ics{};
 };
 
-/// The input of a step; fields that it leaves out are as the session was opened.
+/// The input of a step. Omitted fields are those of the opening of the session.
 struct StepInput {
-    std::optional<double> approach{}, Fn{};  ///< one at most
+    std::optional<double> approach{}, Fn{};  ///< at most one of the two
     std::optional<Gap> gap{};
     std::optional<FrictionLaw> friction{};
-    std::optional<Motion> motion{};  ///< whole: all its fields are sent
+    std::optional<Motion> motion{};  ///< complete: all its fields are sent
     RigidSlip rigid_slip{};          ///< empty: as before
-    /// The step asked for last is asked for anew: where it was solved it is taken back first. So an integrator tries a
-    /// step until it is content.
+    /// Repeats the last requested step; if that step was solved, it is undone first. An integrator repeats a step until
+    /// it accepts the result.
     bool again = false;
-    std::optional<bool> derivatives{};    ///< whether the answer has those
+    std::optional<bool> derivatives{};    ///< whether the answer includes them
     std::optional<bool> displacements{};  ///< likewise
-    SolutionFields fields{};              ///< wanted back
+    SolutionFields fields{};              ///< requested arrays
 };
 
 struct StepReply {
     long long step = 0;
-    ContactSolution solution;  ///< its arrays are empty unless they were asked for
+    ContactSolution solution;  ///< its arrays are empty unless they were requested
 };
 
-/// The input of a step of a wheel on its rail, whole: nothing of the state is as it was.
+/// The complete input of a step of a wheel on its rail: nothing of the previous state is kept.
 struct WheelRailStepInput {
     WheelRailState state{};
-    std::optional<WheelRailFriction> friction{};  ///< for this step, where it is not as the session was opened
+    std::optional<WheelRailFriction> friction{};  ///< for this step, if it differs from that of the opening
     bool again = false;                           ///< as in StepInput
-    SolutionFields fields{};                      ///< wanted back of each patch
-    bool gap = false;                             ///< whether that is, too
-    /// Whether the answer has its patches at all. Simulations that only take forces save most of a message.
+    SolutionFields fields{};                      ///< requested arrays of each patch
+    bool gap = false;                             ///< whether the gap is requested, too
+    /// Whether the answer includes the patches. Without them, most of a message is saved.
     bool patches = true;
 };
 
 struct WheelRailStepReply {
     long long step = 0;
-    WheelRailSolution solution;  ///< arrays of its patches are empty unless they were asked for
+    WheelRailSolution solution;  ///< arrays of its patches are empty unless they were requested
 };
 
-/// Each of many steps has its solution, or says why there is none.
+/// The solution of each of many steps, or the reason why there is none.
 using StepOrStatus = std::variant<StepReply, Status>;
 using AnyStepOrStatus = std::variant<StepReply, WheelRailStepReply, Status>;
 

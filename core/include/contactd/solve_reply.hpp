@@ -11,10 +11,10 @@
 
 namespace contactd {
 
-/// Operators that are larger than what is kept of all operators together: those used last are kept alone.
+/// Operators that are larger than the memory for all operators: only those used last are kept.
 struct OperatorUse {
-    bool made = false;             ///< for this solve; else they were kept from one before
-    std::size_t bytes = 0;         ///< about what they take in memory
+    bool made = false;             ///< for this solve; otherwise kept from an earlier one
+    std::size_t bytes = 0;         ///< approximate memory
     std::size_t budget_bytes = 0;  ///< store.influence_budget_bytes
 
     bool operator==(const OperatorUse&) const = default;
@@ -22,11 +22,11 @@ struct OperatorUse {
 
 struct SolveReply {
     ContactSolution solution;
-    IcUses ics;                              ///< where its coefficients came from
-    std::optional<OperatorUse> operators{};  ///< where they exceed the budget
+    IcUses ics;                              ///< origin of its coefficients
+    std::optional<OperatorUse> operators{};  ///< if they exceed the budget
 };
 
-/// Each of many problems has its solution, or says why there is none.
+/// The solution of each of many problems, or the reason why there is none.
 using ReplyOrStatus = std::variant<SolveReply, Status>;
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-// From profiles, a wheelset's position and its motion to contact forces.
+// Computes contact forces from profiles, and position and motion of a wheelset.
 #pragma once
 
 #include <functional>
@@ -15,37 +15,37 @@
 
 namespace contactd {
 
-/// Who makes the operators of a problem, of which only set-up and motion are of any meaning, on the strips of its
-/// patch. Patches of one size ask again and again. The observer hears of tables that are built, and ends that.
+/// A function that creates the operators of a problem, using only set-up and motion, on the strips of its patch. It is
+/// called repeatedly for patches of one size. The observer receives the progress of tables, and can cancel.
 using InfluenceSource = std::function<ContactInfluence(const ContactProblem&, const PatchStrips&, Observer&)>;
 
-/// One wheel on its rail: keeps the curves of the profiles and, where it makes them itself, the operators of the grids
-/// that occurred last. Safe to use from several threads at once; answers depend on the state alone.
+/// One wheel on its rail: keeps the curves of the profiles and, unless a source is given, the operators of the grids
+/// used last. Safe to use from several threads at once; answers depend only on the state.
 class WheelRailContact {
    public:
-    /// Half-spaces where no source is given; other bodies, and conformal fem, need one. Throws InvalidArgument naming
-    /// the field, and Cancelled when the observer says so while profiles are read.
+    /// Without a source, bodies are half-spaces; other bodies, and conformal fem, need one. Throws InvalidArgument
+    /// naming the field, and Cancelled while profiles are read.
     explicit WheelRailContact(WheelRailSetup setup, InfluenceSource source = nullptr, const Observer& observer = {});
 
-    /// No contact is an answer, and so is one that has not converged, or has warnings. Throws InvalidArgument where the
-    /// state makes no sense ("position.z" where the wheel stands far inside the rail), and Cancelled.
+    /// The answer may have no contact, may not have converged, or may have warnings. Throws InvalidArgument for an
+    /// invalid state ("position.z" if the wheel is far inside the rail), and Cancelled.
     WheelRailSolution solve(const WheelRailState& state, Observer& observer) const;
 
-    /// Solves within the tolerances, from where a step before has ended; the solves of a search for a force start from
-    /// each other. `estimates` become those for the next step, and mean nothing where this throws.
+    /// Solves within the tolerances, from the end of the previous step; the solves of a search for a force start from
+    /// each other. `estimates` become those for the next step, and are invalid after an exception.
     WheelRailSolution solve(const WheelRailState& state, WheelRailEstimates& estimates, Observer& observer) const;
-    /// Solves one state of several of a step that is searched for; estimates.end_step() ends it.
+    /// Solves one of several states in the search for a step; estimates.end_step() ends it.
     WheelRailSolution solve_within_step(const WheelRailState& state, WheelRailEstimates& estimates,
                                         Observer& observer) const;
 
-    /// The search for contacts alone: at position.z or, where Fz is given, where Hertz's theory expects that force.
-    /// Throws as solve.
+    /// Searches only for contacts: at position.z or, if Fz is given, at the height where Hertz's theory yields that
+    /// force. Throws as solve.
     WheelRailGeometry locate(const WheelRailState& state, const Observer& observer = {}) const;
 
-    /// position.z at which wheel and rail begin to touch (mm); nothing where they are not above each other.
+    /// Returns position.z at first contact of wheel and rail (mm); none if they are not above each other.
     std::optional<double> first_contact_height(const WheelRailState& state, const Observer& observer = {}) const;
 
-    /// Returns this contact with another friction; it shares what is cached. Throws InvalidArgument ("friction.mu",
+    /// Returns this contact with another friction, sharing cached data. Throws InvalidArgument ("friction.mu",
     /// ...).
     WheelRailContact with_friction(const WheelRailFriction& friction) const;
 
@@ -57,15 +57,15 @@ class WheelRailContact {
     std::shared_ptr<const Parts> parts_;
 };
 
-/// One step of a contact that is not kept.
+/// Solves one step of a temporary contact.
 WheelRailSolution solve_wheel_rail(const WheelRailSetup& setup, const WheelRailState& state, Observer& observer);
 
-/// Both wheels of a wheelset that is free to roll: at the height and the roll at which each presses on its rail as
-/// told, heights that agree to `height_tolerance` (mm). Set-ups are those of one left and one right wheel. Throws as
+/// Solves both wheels of a wheelset with free roll: at the height and roll for the prescribed force of each, with
+/// heights that agree to `height_tolerance` (mm). Set-ups are those of one left and one right wheel. Throws as
 /// WheelRailContact::solve, and InvalidArgument ("Fz_left", "left", ...).
 WheelsetSolution solve_wheelset(const WheelRailContact& left, const WheelRailContact& right, const WheelsetState& state,
                                 Observer& observer, double height_tolerance = 1e-6);
-/// Solves within the tolerances, from where a step before has ended.
+/// Solves within the tolerances, from the end of the previous step.
 WheelsetSolution solve_wheelset(const WheelRailContact& left, const WheelRailContact& right, const WheelsetState& state,
                                 WheelsetEstimates& estimates, Observer& observer, double height_tolerance = 1e-6);
 

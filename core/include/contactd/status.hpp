@@ -1,4 +1,4 @@
-// How a request ended: gRPC's status codes, which every reply of the daemon carries, and contactd's stable reasons.
+// The status of a request: gRPC's status codes, which every reply contains, and contactd's stable reasons.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace contactd {
 
-/// Numbers and names as gRPC defines them.
+/// Numbers and names defined by gRPC.
 enum class StatusCode {
     ok = 0,
     cancelled = 1,
@@ -31,10 +31,10 @@ enum class StatusCode {
     unauthenticated = 16
 };
 std::string_view name_of(StatusCode code);  ///< "INVALID_ARGUMENT", ...
-/// The code with that name. Throws std::out_of_range.
+/// Returns the code with that name. Throws std::out_of_range.
 StatusCode code_named(std::string_view name);
 
-/// Upper-case words a program can rely on; docs/protocol.md lists what each means.
+/// Stable upper-case keywords for programs; see docs/protocol.md for their meanings.
 namespace reason {
 inline constexpr std::string_view not_json = "NOT_JSON";
 inline constexpr std::string_view not_an_object = "NOT_AN_OBJECT";
@@ -75,8 +75,8 @@ inline constexpr std::string_view stopping = "STOPPING";
 inline constexpr std::string_view unexpected = "UNEXPECTED";
 }  // namespace reason
 
-/// One field of a request that cannot be used. `field` is a path from the envelope's root or, below "params", from
-/// there: "grid.nx", "bodies.upper.nu", "gap.array".
+/// An invalid field of a request. `field` is a path from the envelope's root or, below "params", from there: "grid.nx",
+/// "bodies.upper.nu", "gap.array".
 struct Violation {
     std::string field;
     std::string description;
@@ -85,15 +85,15 @@ struct Violation {
 struct Status {
     StatusCode code = StatusCode::ok;
     std::string message;
-    std::string reason;                 ///< empty when ok
-    std::vector<Violation> violations;  ///< of an invalid argument
-    int retry_delay_ms = 0;             ///< of a full queue or a table in quarantine, else 0
-    std::vector<int> versions{};        ///< of the protocol that are served, when another one was asked for
+    std::string reason;                 ///< empty for ok
+    std::vector<Violation> violations;  ///< for an invalid argument
+    int retry_delay_ms = 0;             ///< for a full queue or a table in quarantine, else 0
+    std::vector<int> versions{};        ///< supported versions of the protocol, if another one was requested
 
     bool ok() const { return code == StatusCode::ok; }
 };
 
-/// A status as an exception: what the server answers with, what the C++ client throws.
+/// A status as an exception: the server answers with it, and the C++ client throws it.
 class StatusError : public Error {
    public:
     explicit StatusError(Status status) : Error(status.message), status_(std::move(status)) {}
@@ -104,10 +104,10 @@ class StatusError : public Error {
     Status status_;
 };
 
-/// INVALID_ARGUMENT for one field; the message reads "<field> <problem>".
+/// Returns INVALID_ARGUMENT for one field, with the message "<field> <problem>".
 StatusError invalid_field(std::string field, const std::string& problem, std::string_view why = reason::field_invalid);
 
-/// Returns the status that a thrown exception means to who asked.
+/// Returns the status of a thrown exception.
 Status status_of(const std::exception& error);
 
 }  // namespace contactd

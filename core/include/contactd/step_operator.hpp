@@ -1,4 +1,4 @@
-// The increment of displacements over a step of rolling: by how much those at the elements differ from those one step
+// The increment of displacements in a step of rolling: the difference between those at the elements and one step
 // ahead.
 #pragma once
 
@@ -11,7 +11,7 @@
 namespace contactd {
 
 /// z ~ (C + added)^-1 r for both tangential components at once, where an amount > 0 (mm^3/N) is added to the diagonal;
-/// any approximation serves. Safe to use from several threads at once.
+/// any approximation is allowed. Safe to use from several threads at once.
 class StepInverse {
    public:
     virtual ~StepInverse() = default;
@@ -28,16 +28,16 @@ class StepOperator {
     /// (ux, uy) = [[C_xx, C_xy], [C_yx, C_yy]] (px, py)
     virtual void tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
                             std::span<double> uy) const = 0;
-    /// False when C_xz and C_yz are negligible; tangential_of_normal then gives zeros.
+    /// False if C_xz and C_yz are negligible; tangential_of_normal then returns zeros.
     virtual bool coupled() const = 0;
     /// ux = C_xz pz, uy = C_yz pz
     virtual void tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const = 0;
-    /// About what it takes in memory, with all that it will make when that is first needed.
+    /// Returns the approximate memory, including the parts that are created on first use.
     virtual std::size_t bytes() const = 0;
 
-    /// Returns an inverse that makes solves on many elements quicker, or null where it cannot be had.
+    /// Returns an inverse that makes solves on many elements faster, or null if unavailable.
     virtual std::shared_ptr<const StepInverse> inverse(double /*added*/) const { return nullptr; }
-    /// Returns the step on the elements of a box, as ElementBoxes::influence, or null where it cannot be had.
+    /// Returns the step on the elements of a box, as ElementBoxes::influence, or null if unavailable.
     virtual std::shared_ptr<const StepOperator> on(const ElementBox& /*box*/) const { return nullptr; }
     /// Returns the step (in mm) on the grid of InfluenceOperator::coarser(), or null. It lives as long as this one.
     virtual const StepOperator* coarser() const { return nullptr; }

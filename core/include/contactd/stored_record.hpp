@@ -1,4 +1,4 @@
-// Tables of strangers, before a store keeps them.
+// Checks imported tables before they are stored.
 #pragma once
 
 #include "contactd/ic_record.hpp"
@@ -6,10 +6,10 @@
 
 namespace contactd {
 
-/// Returns the record of an IC file as a store keeps it: dimensionless. Throws InvalidArgument ("datasets") for what no
-/// builder makes: tables of closed forms, of specs that cannot be, tables that err by more than they state where a
-/// closed form exists, coefficients that no elastic body has (sign, decay, reciprocity, positive definiteness), frames
-/// of strips that are not those of the section. That the numbers are right otherwise nobody can know. Throws Cancelled.
+/// Returns the record of an IC file in stored form: dimensionless. Throws InvalidArgument ("datasets") for tables that
+/// no builder makes: tables of closed forms or of invalid specs, tables whose errors against a closed form exceed the
+/// stated ones, coefficients that no elastic body has (sign, decay, reciprocity, positive definiteness), and frames of
+/// strips that differ from those of the section. Other errors cannot be detected. Throws Cancelled.
 IcRecord stored_record(IcRecord record, const Observer& observer);
 
 }  // namespace contactd

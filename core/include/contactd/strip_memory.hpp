@@ -1,16 +1,16 @@
-// Memory of coefficients that differ from strip to strip: of longitudinally uniform bodies and of curved patches.
+// Memory of coefficients that differ from strip to strip, for longitudinally uniform bodies and curved patches.
 #pragma once
 
 namespace contactd {
 
-/// A step of rolling in elements along x: only one by a fraction of an element has tables of its own.
+/// A step of rolling in elements along x. Only a step by a fraction of an element needs separate tables.
 enum class StripRolling { none, whole, fractional };
 
 /// Returns the kind of a step of `elements` elements.
 StripRolling strip_rolling(double elements);
 
-/// Returns the bytes that tables, symbols and boxes of elements take when they take most, for `pairs` offsets along x
-/// and pairs of strips. `tables` bodies have tables of their own, whose sum is that of the pair.
+/// Returns the peak memory of tables, symbols and boxes of elements in bytes, for `pairs` offsets along x and pairs of
+/// strips. `tables` bodies have separate tables, whose sum is that of the pair.
 double strip_bytes(double pairs, int tables, StripRolling step);
 
 /// Returns the bytes of a patch of half-spaces that rotate from row to row, for nx*ny `elements` and nx*ny*ny `pairs`.

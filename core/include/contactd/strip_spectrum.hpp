@@ -1,5 +1,5 @@
-// Influence coefficients of a longitudinally uniform body as they are stored: their transform along x at a few
-// wavenumbers, from which tables for any length and number of elements along x are made.
+// Stored influence coefficients of a longitudinally uniform body: their transform along x at a few wavenumbers, from
+// which tables for any length and number of elements along x are computed.
 #pragma once
 
 #include <cstddef>
@@ -38,9 +38,9 @@ struct StripSpectrum {
 /// The coefficients at the offsets k dx + shift along x, k = 0..nx-1 (dx and shift over ds), times `factor`: ds/G for
 /// mm^3/N. With a shift there is no parity; the offsets -k dx + shift are those of -shift, with the parity of each
 /// component. Between the wavenumbers the difference to the half-space, its load and its displacement each turned by
-/// half the angle between the strips, is interpolated (cubic, with its parity); the half-space itself is exact. So
-/// many threads share the work, the caller's among them; the coefficients are the same to the last bit. Throws
-/// NotFinite when one is beyond a double's range, and Cancelled when the observer, which all threads ask, says so.
+/// half the angle between the strips, is interpolated (cubic, with its parity); the half-space itself is exact.
+/// `threads` includes the calling thread and does not affect the coefficients. Throws NotFinite if one is beyond a
+/// double's range, and Cancelled; all threads call the observer.
 StripTable strip_table(const StripSpectrum& spectrum, double dx, int nx, double shift = 0, double factor = 1,
                        int threads = 1, const Observer& observer = {});
 

@@ -1,4 +1,4 @@
-// Influence coefficients of a body that is uniform along x, whatever its cross-section: of strips of elements.
+// Influence coefficients of strips of elements on a body that is uniform along x, with any cross-section.
 #pragma once
 
 #include <cstddef>
@@ -39,27 +39,27 @@ struct StripTable {
     bool operator==(const StripTable&) const = default;
 };
 
-/// Strips `first`..`first + strips - 1` and the offsets 0..nx-1, times `factor`. Throws InvalidArgument when the
+/// Returns strips `first`..`first + strips - 1` and offsets 0..nx-1, times `factor`. Throws InvalidArgument if the
 /// table is smaller, and Cancelled.
 StripTable cropped(const StripTable& table, int first, int strips, int nx, double factor = 1,
                    const Observer& observer = {});
 
-/// That of a flat surface whose table is Toeplitz along y too: A(I,J,k) = A(k, l = I - J), on all offsets of the table.
+/// Returns the table of a flat surface, which is also Toeplitz along y: A(I,J,k) = A(k, l = I - J), on all offsets.
 StripTable strip_table_of(const IcTable& flat);
 
-/// The largest |A[i,j](I,J,k) - A[j,i](J,I,-k)| over zz of an element on itself, the mean of all. Betti's theorem makes
-/// it zero but for what is observed at centres instead of averaged over elements, and for errors.
+/// Returns the largest |A[i,j](I,J,k) - A[j,i](J,I,-k)| over the mean zz of elements on themselves. It is zero by
+/// Betti's theorem, except for errors, and because displacements are those at centres, not means over elements.
 double reciprocity_defect(const StripTable& table);
 
-/// (A + A')/2 with A'[i,j](I,J,k) = A[j,i](J,I,-k), as operators need it.
+/// Returns (A + A')/2 with A'[i,j](I,J,k) = A[j,i](J,I,-k), for operators.
 StripTable symmetrised(StripTable table);
 
-/// That of the body's mirror image in a plane across y: strips in reverse order, and the signs of y.
-/// Throws Cancelled.
+/// Returns the table of the body mirrored in y: strips in reverse order, and opposite signs of y. Throws
+/// Cancelled.
 StripTable mirrored(const StripTable& table, const Observer& observer = {});
 
-/// Sums the tables as pair_of of IcTable does, in the frames of the lower body's strips, of which the upper body has as
-/// many, opposite and in reverse order. Throws InvalidArgument when the extents differ, and
+/// Sums the tables like pair_of of IcTable, in the frames of the lower body's strips. The upper body has the
+/// same number of strips, opposite and in reverse order. Throws InvalidArgument if the extents differ, and
 /// Cancelled.
 StripTable pair_of(const StripTable& upper, StripTable lower, const Observer& observer = {});
 

@@ -1,4 +1,4 @@
-// One build of a table among all processes that share a store, on one machine or several.
+// Ensures one build of a table among all processes that share a store, on one or several machines.
 #pragma once
 
 #include <filesystem>
@@ -8,24 +8,24 @@
 
 namespace contactd {
 
-/// An advisory lock on a file beside the tables; the kernel gives it back when its holder dies. Where locks or
-/// files cannot be had it says so, and the build goes on without: two writers do no harm but work.
+/// An advisory lock on a file next to the tables; the kernel releases it when its holder ends. If locks or files are
+/// unavailable, it reports this, and the build continues without: two writers only duplicate work.
 class TableLock {
    public:
     enum class State { held, busy, unavailable };
     using Sign = std::filesystem::file_time_type;
 
     explicit TableLock(std::filesystem::path path) : path_(std::move(path)) {}
-    /// Gives the lock back and removes its file.
+    /// Releases the lock and removes its file.
     ~TableLock();
     TableLock(const TableLock&) = delete;
     TableLock& operator=(const TableLock&) = delete;
 
     State try_lock();
-    /// The holder's sign of life, to be given every few seconds: a stopped holder, or one on a machine that is gone,
-    /// must not be waited for.
+    /// The holder must call this every few seconds, so that others do not wait for a stopped holder or a failed
+    /// machine.
     void give_sign() const;
-    /// The last sign of whoever holds the lock; only whether it changes means something, clocks being what they are.
+    /// Returns the last sign of life of the holder. Only its changes are meaningful, because clocks may differ.
     std::optional<Sign> sign() const;
 
    private:

@@ -1,6 +1,6 @@
-// Temperature of the surfaces of bodies that roll steadily, as plain values: what bodies have to do with heat, and what
-// a contact answers of it. Friction heats both surfaces (flash temperature); the heat goes into the depth only, which
-// holds where the Peclet number is large (Ertz and Knothe, Wear 253, 2002; Carslaw and Jaeger, section 2.9).
+// Surface temperatures in steady rolling, as plain values: thermal properties of bodies, and the answers of a contact.
+// Friction heats both surfaces (flash temperature); heat flows only into the depth, which is valid for a large Peclet
+// number (Ertz and Knothe, Wear 253, 2002; Carslaw and Jaeger, section 2.9).
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,10 @@
 
 namespace contactd {
 
-/// Thermal properties of a body, which do not follow its temperature; those of steel unless given.
+/// Thermal properties of a body, independent of its temperature. The defaults are those of steel.
 struct ThermalBody {
-    double bulk_temperature = 0;  ///< where it has not been in contact (degrees Celsius)
-    double conductivity = 50;     ///< (W/(m K)), >= 0; a body of none takes no heat
+    double bulk_temperature = 0;  ///< away from the contact (degrees Celsius)
+    double conductivity = 50;     ///< (W/(m K)), >= 0; a body with 0 absorbs no heat
     double heat_capacity = 450;   ///< (J/(kg K)), > 0
     double density = 7850;        ///< (kg/m^3), > 0
 
@@ -28,37 +28,37 @@ struct ThermalBody {
 
 struct ThermalBodies {
     ThermalBody upper{};
-    std::optional<ThermalBody> lower{};  ///< absent: like the upper one
-    double plastic_share = 1;            ///< of the plastic work of a layer, what becomes heat, 0 to 1
+    std::optional<ThermalBody> lower{};  ///< absent: equal to the upper one
+    double plastic_share = 1;            ///< fraction of a layer's plastic work that becomes heat, 0 to 1
 
     bool operator==(const ThermalBodies&) const = default;
     const ThermalBody& below() const { return lower ? *lower : upper; }
 };
 
-/// What a contact answers of temperatures beside those of the elements.
+/// Thermal answers of a contact other than element temperatures.
 struct ContactTemperature {
     double largest =
-        0;  ///< in contact, where both surfaces have one (degrees Celsius); without contact the larger bulk
-    double x = 0, y = 0;                    ///< centre of the element that has it, the first of equals (mm)
+        0;  ///< in contact, common to both surfaces (degrees Celsius); without contact, the larger bulk temperature
+    double x = 0, y = 0;                    ///< centre of its element, the first of equal ones (mm)
     double largest_upper = 0;               ///< of all elements, also before and behind the contact (degrees Celsius)
     double largest_lower = 0;               ///< likewise
     double rise = 0;                        ///< largest one by friction alone (K)
-    double heat_upper = 0, heat_lower = 0;  ///< frictional power that goes into either body (N mm/s)
-    /// The smaller one of both bodies, U L/(2 diffusivity), U the speed of its surface through the contact, L the
-    /// length of the longest row; of bodies without conductivity none. 0 without contact.
+    double heat_upper = 0, heat_lower = 0;  ///< frictional power into each body (N mm/s)
+    /// The smaller value of both bodies, U L/(2 diffusivity), with U the speed of its surface through the contact, L
+    /// the length of the longest row; absent without conductivity. 0 without contact.
     double peclet = 0;
 
     bool operator==(const ContactTemperature&) const = default;
 };
 
-/// Those of both surfaces, each of shape [ny, nx] (degrees Celsius), in contact and behind it.
+/// Temperatures of both surfaces, each of shape [ny, nx] (degrees Celsius), in and behind the contact.
 struct SurfaceTemperatures {
     std::vector<double> upper_temperature, lower_temperature;
     ContactTemperature temperature;
     std::vector<std::string> warnings;  ///< sentences
 };
 
-/// Temperatures are wanted of the tractions and slips of a solution that rolls steadily, all of shape [ny, nx].
+/// A request for temperatures, with tractions and slips of a steady rolling solution, all of shape [ny, nx].
 struct TemperatureRequest {
     Grid grid;
     ThermalBodies temperature;
@@ -67,10 +67,10 @@ struct TemperatureRequest {
     std::vector<double> pressure;                ///< > 0 in contact (N/mm^2)
     std::vector<double> traction_x, traction_y;  ///< on the upper body (N/mm^2)
     std::vector<double> slip_x, slip_y;  ///< relative slip of the upper body over the lower, per distance rolled
-    std::vector<double> flow_x, flow_y;  ///< plastic flow of a layer likewise, along the tractions; empty: none
+    std::vector<double> flow_x, flow_y;  ///< plastic flow of a layer per distance rolled, along the tractions; or empty
 };
 
-/// Tells whether chi is 0 or pi to 1e-9, so that particles roll along rows.
+/// Returns whether chi is 0 or pi to 1e-9, so that particles roll along rows.
 bool rolls_along_x(double chi);
 
 /// Throws InvalidArgument (`field` and below, such as "temperature.upper.density").

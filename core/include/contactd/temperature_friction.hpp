@@ -1,4 +1,4 @@
-// Friction by the temperature of the surfaces.
+// Friction that depends on the surface temperature.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@ namespace contactd {
 
 /// The coefficient of friction goes from that of the law (mu) at `reference` to mu + change at `reference` + `range`,
 /// in a straight line, and is constant on both sides: mu + change min(1, max(0, (T - reference)/range)). T is the
-/// temperature of the element itself, its own heat included.
+/// temperature of the element itself, including its own heat.
 struct TemperatureFriction {
-    double change = 0;     ///< where the surface is hot; negative where friction falls
+    double change = 0;     ///< for a hot surface; negative if friction decreases
     double reference = 0;  ///< (degrees Celsius)
     double range = 0;      ///< > 0 (K)
     std::optional<FrictionMemory> memory{};
@@ -20,7 +20,7 @@ struct TemperatureFriction {
     bool operator==(const TemperatureFriction&) const = default;
 };
 
-/// The coefficient at the temperature T (degrees Celsius); `mu` is that of the law.
+/// Returns the coefficient at the temperature T (degrees Celsius); `mu` is that of the law.
 double friction_coefficient(const TemperatureFriction& law, double mu, double T);
 
 /// Throws InvalidArgument ("friction.temperature.change", ...) unless all are finite, range and the distance of memory

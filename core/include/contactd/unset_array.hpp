@@ -1,4 +1,4 @@
-// Arrays whose memory nobody touches before it is written.
+// Arrays whose memory is not touched before it is written.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace contactd {
 
-/// Leaves what is given no value as it is found. Zeros that are overwritten anyway cost a large table a quarter of its
-/// time: the system hands out memory page by page, when it is touched first.
+/// Leaves values without initializers unset. Unneeded zeros would take a quarter of the time of a large table: the
+/// system allocates memory page by page, on the first access.
 template <class T>
 struct UnsetAllocator : std::allocator<T> {
     template <class U>

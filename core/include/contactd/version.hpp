@@ -1,4 +1,4 @@
-// The origin of a result: the version of contactd and of the libraries that core stands on.
+// The origin of a result: the versions of contactd and of the libraries that core uses.
 #pragma once
 
 #include <map>
@@ -7,7 +7,7 @@
 namespace contactd {
 
 std::string version();                                  ///< "0.1.0"
-std::map<std::string, std::string> library_versions();  ///< name -> version, of what contactd::core links
-std::string transform_library();                        ///< "ducc0 0.42.0": what CMake's option CONTACTD_FFT chose
+std::map<std::string, std::string> library_versions();  ///< name -> version, for libraries linked by contactd::core
+std::string transform_library();                        ///< "ducc0 0.42.0": as chosen by the CMake option CONTACTD_FFT
 
 }  // namespace contactd

@@ -1,9 +1,9 @@
-// Wear of the surfaces of bodies that roll steadily, as plain values: laws as their users state them, with a source and
-// the range that they were tested in, and what a contact answers. No law and no coefficient is a default.
+// Wear of surfaces in steady rolling, as plain values: laws stated by users, with a source and their tested range, and
+// the answers of a contact. There are no default laws or coefficients.
 //
-// Surfaces pass a contact along x. A point of a row loses the depth h = int f dx on its way, f the depth per length of
-// path by a law of pressure p, traction t and relative slip s there (slip over distance rolled; zero in adhesion).
-// Depths are along the normal of each row. docs/damage.md tells what is certain of this and what is assumption.
+// Surfaces pass a contact along x. A point of a row loses the depth h = int f dx, with f the depth per length of path
+// by a law of pressure p, traction t and relative slip s (slip over distance rolled; zero in adhesion). Depths are
+// along the normal of each row. docs/damage.md describes the assumptions.
 #pragma once
 
 #include <optional>
@@ -12,22 +12,22 @@
 
 namespace contactd {
 
-/// Which of both surfaces a law is of; the contact itself does not know which body wears.
+/// The surface to which a law applies; the contact itself does not depend on it.
 enum class WornBody { upper, lower };
 
-/// How the dissipation |t s| of the elements is scaled: their sum is of first order in dx, and too low. `scaled`: each
-/// slip times one factor for the patch, by which the sum becomes T gamma by forces and creepages, with spin; `plain`:
-/// as the elements have it.
+/// Scaling of the dissipation |t s| of the elements, whose sum is too low by a term of first order in dx. `scaled`:
+/// slips are multiplied by one factor per patch, so that the sum is T gamma from forces and creepages, with spin;
+/// `plain`: not scaled.
 enum class WearEnergy { scaled, plain };
 
-/// Between which values a law was tested, of its argument.
+/// Tested range of a law's argument.
 struct WearRange {
     double least = 0, most = 0;
 
     bool operator==(const WearRange&) const = default;
 };
 
-/// Archard's k (-) where the sliding velocity is between two.
+/// Archard's k (-) for sliding velocities between two bounds.
 struct SevereWear {
     double k = 0;
     WearRange velocity{};  ///< (mm/s)
@@ -35,7 +35,7 @@ struct SevereWear {
     bool operator==(const SevereWear&) const = default;
 };
 
-/// Archard's k (-) where the pressure is above a share of the hardness, whatever the velocity.
+/// Archard's k (-) for pressures above a fraction of the hardness, at any velocity.
 struct SeizureWear {
     double k = 0;
     double pressure = 0;  ///< over the hardness
@@ -47,7 +47,7 @@ struct SeizureWear {
 /// velocity (mm/s).
 struct ArchardWear {
     double hardness = 0;                 ///< H (N/mm^2), > 0
-    double mild = 0;                     ///< k (-) where neither of the others holds
+    double mild = 0;                     ///< k (-) outside both other regions
     std::optional<SevereWear> severe{};  ///< absent: none
     std::optional<SeizureWear> seizure{};
 
@@ -61,7 +61,7 @@ struct EnergyWear {
     bool operator==(const EnergyWear&) const = default;
 };
 
-/// A piece of a function that is straight in pieces, from an argument on: value + slope (argument - from).
+/// A piece of a piecewise linear function, from an argument on: value + slope (argument - from).
 struct WearPiece {
     double from = 0, value = 0, slope = 0;
 
@@ -79,7 +79,7 @@ struct UsfdWear {
 
 /// British Rail's function (Pearce and Sherratt 1991), of a whole patch: D times the area that a wheel of diameter D
 /// loses of its section per distance (mm mm^2/km), by T gamma without spin (N). A passage is a revolution, in which the
-/// diameter cancels. The area is spread over the rows by |t s|.
+/// diameter cancels. The area is distributed over the rows by |t s|.
 struct BrWear {
     std::vector<WearPiece> pieces{};  ///< the first one from 0, ascending
 
@@ -94,7 +94,7 @@ struct ZoboryWear {
     bool operator==(const ZoboryWear&) const = default;
 };
 
-/// A factor for depths where the surface is inclined by `angle` (rad, from the horizontal, negative on the gauge side).
+/// A factor for depths on a surface inclined by `angle` (rad, from the horizontal, negative on the gauge side).
 struct WearZone {
     double angle = 0, factor = 0;
 
@@ -111,7 +111,7 @@ struct WearLaw {
     std::optional<UsfdWear> usfd{};
     std::optional<BrWear> br{};
     std::optional<ZoboryWear> zobory{};
-    /// By ascending angles, straight lines between, constant beyond; none: 1 everywhere. Lubricated flanges have one.
+    /// By ascending angles, linear between, constant beyond; none: 1 everywhere. Use it for lubricated flanges.
     std::vector<WearZone> zones{};
 
     bool operator==(const WearLaw&) const = default;
@@ -119,38 +119,38 @@ struct WearLaw {
 
 struct WearRequest {
     WearEnergy energy = WearEnergy::scaled;
-    std::vector<WearLaw> laws{};  ///< none: rows have what laws are made of
+    std::vector<WearLaw> laws{};  ///< none: rows only contain the variables of laws
 
     bool operator==(const WearRequest&) const = default;
 };
 
 /// A row of elements, dy wide, from the first to the last one in contact.
 struct WearRow {
-    double y = 0, z = 0;           ///< its middle (mm): of wheels on rails in track coordinates
+    double y = 0, z = 0;           ///< its middle (mm); for wheels on rails in track coordinates
     double angle = 0;              ///< its inclination (rad); depths are along its normal
     double pressure_slip = 0;      ///< int p |s| dx (N/mm)
     double dissipation = 0;        ///< int |t s| dx (N/mm)
-    std::vector<double> depths{};  ///< that one passage takes off (mm), by the laws in their order
+    std::vector<double> depths{};  ///< removed in one passage (mm), by the laws in order
 
     bool operator==(const WearRow&) const = default;
 };
 
-/// What a law makes of a contact.
+/// The wear of a contact by a law.
 struct LawWear {
     std::string name;
     WornBody body = WornBody::upper;
-    double area = 0;      ///< of the section, that a passage takes off (mm^2): the volume per distance rolled
+    double area = 0;      ///< of the section, removed in a passage (mm^2): the volume per distance rolled
     double depth = 0;     ///< the largest of the rows (mm)
-    double argument = 0;  ///< the largest of the law, in the unit of its range
+    double argument = 0;  ///< the largest argument of the law, in the unit of its range
 
     bool operator==(const LawWear&) const = default;
 };
 
 struct ContactWear {
     double T_gamma = 0;            ///< by forces and creepages, without spin: |Fx xi + Fy eta| (N, J/m)
-    double T_gamma_with_spin = 0;  ///< and with it: -(Fx xi + Fy eta + Mz phi) (N)
+    double T_gamma_with_spin = 0;  ///< including spin: -(Fx xi + Fy eta + Mz phi) (N)
     double dissipation = 0;        ///< sum of |t s| over the elements, not scaled (N)
-    double factor = 1;             ///< by which slips were scaled
+    double factor = 1;             ///< factor of the slips
     double largest_pressure_slip = 0, largest_dissipation = 0;  ///< of p |s| and |t s| at an element (N/mm^2)
     double largest_sliding_velocity = 0;                        ///< (mm/s)
     std::vector<WearRow> rows{};                                ///< by ascending y of the grid; none without contact
@@ -165,10 +165,10 @@ void validate(const WearRequest& request, const std::string& field);
 /// Returns whether a law depends on the velocity of rolling.
 bool needs_velocity(const WearLaw& law);
 
-/// Returns the factor of a law for a row that is inclined by `angle` (rad).
+/// Returns the factor of a law for a row inclined by `angle` (rad).
 double factor_at(const std::vector<WearZone>& zones, double angle);
 
-/// Returns the value of a function that is straight in pieces, of which there is one at least.
+/// Returns the value of a piecewise linear function with at least one piece.
 double value_at(const std::vector<WearPiece>& pieces, double argument);
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-// What a step of a wheel on its rail leaves to the next one.
+// Estimates from a step of a wheel on its rail for the next one.
 #pragma once
 
 #include <cmath>
@@ -12,20 +12,20 @@
 
 namespace contactd {
 
-/// The logarithm of the vertical force over that which Hertz's theory expects at the same height, a straight line in z.
+/// The logarithm of the vertical force over that of Hertz's theory at the same height, a linear function of z.
 struct HeightCorrection {
     double logarithm = 0, slope = 0;  ///< (1, 1/mm)
 };
 
-/// A number that changes little from step to step.
+/// A number that changes slowly from step to step.
 class Trend {
    public:
-    /// Returns what was learnt in this step, or what the step has if it changes as in those before; none where nothing
-    /// is known.
+    /// Returns the value learnt in this step, or else one extrapolated from earlier steps; none if nothing is
+    /// known.
     const std::optional<double>& expected() const { return expected_; }
-    /// None: the step has no such number.
+    /// Sets the value; none if the step does not have it.
     void learn(std::optional<double> value) { expected_ = value; }
-    /// The step ends with what was learnt last.
+    /// Ends the step with the value learnt last.
     void end_step() {
         const bool goes_on = expected_ && last_ && std::abs(*expected_ - *last_) <= largest_change;
         before_that_ = goes_on ? before_ : std::nullopt;
@@ -38,16 +38,16 @@ class Trend {
     }
 
    private:
-    static constexpr double largest_change = 0.05;  // of a step: beyond, the number has jumped, and says no more
+    static constexpr double largest_change = 0.05;  // of a step: a larger change is a jump and is not extrapolated
     std::optional<double> expected_, last_, before_, before_that_;
 };
 
-/// Where the searches and solvers of a step start. They change what it costs; its answer within the tolerances only.
-/// The tractions are those, too, which a step that is not steady goes on from.
+/// Starts of the searches and solvers of a step. They affect its cost, and its answer only within the tolerances. A
+/// step that is not steady continues from the tractions.
 struct WheelRailEstimates {
     HeightCorrection height{};
-    Trend height_logarithm{};  ///< of the correction at the height that was found
-    Trend vertical_share{};    ///< Fz over the normal force of the only patch, which friction has a part in
+    Trend height_logarithm{};  ///< of the correction at the computed height
+    Trend vertical_share{};    ///< Fz over the normal force of the only patch, including friction
 
     struct Patch {
         Grid grid;
@@ -58,9 +58,9 @@ struct WheelRailEstimates {
     };
     std::vector<Patch> patches{};          ///< of model full
     std::optional<double> rail_y{};        ///< lateral deflection of a flexible rail (mm)
-    std::optional<double> slip{};          ///< the pitch rate that brings Fx, over that without creepage, less 1
-    std::vector<double> balance_slopes{};  ///< derivatives of the forces that both balance, row by row
-    std::size_t regions = 0;               ///< of overlap, in all patches; 0: not known
+    std::optional<double> slip{};          ///< the pitch rate that produces Fx, over that without creepage, minus 1
+    std::vector<double> balance_slopes{};  ///< derivatives of the forces for both, row by row
+    std::size_t regions = 0;               ///< of overlap, in all patches; 0: unknown
 
     void end_step() {
         height_logarithm.end_step();
@@ -68,7 +68,7 @@ struct WheelRailEstimates {
     }
 };
 
-/// What a step of a wheelset that is free to roll leaves to the next one.
+/// Estimates from a step of a wheelset with free roll for the next one.
 struct WheelsetEstimates {
     WheelRailEstimates left{}, right{};
     Trend roll{};  ///< (rad)

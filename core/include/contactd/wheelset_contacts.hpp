@@ -1,4 +1,4 @@
-// Where the wheels of a rigid wheelset touch rigid rails: contact points, angles and radii against its lateral shift.
+// Contacts of a rigid wheelset on rigid rails: contact points, angles and radii against its lateral shift.
 //
 // Track coordinates: y to the right in the direction of travel, z down, the origin on the plane of the track. Profiles
 // have y to the field side on both sides. Lengths in mm, angles in rad.
@@ -18,7 +18,7 @@ struct WheelOverRail {
     ProfileCurve rail;
     double wheel_origin = 750;              ///< from the middle of the axle to y = 0 of the wheel's profile
     ProfilePoint rail_origin{};             ///< of the rail's profile, from the middle of the track
-    double nominal_radius = 460;            ///< of the wheel where its profile has z = 0
+    double nominal_radius = 460;            ///< of the wheel at z = 0 of its profile
     std::optional<double> roller_radius{};  ///< as in Track; absent: a rail
 };
 
@@ -29,13 +29,13 @@ struct WheelsetOnTrack {
 /// Throws InvalidArgument naming the field, "track.gauge", "wheelset.flange_back_distance", ...
 WheelOverRail wheel_over_rail(const ProfileCurve& wheel, const ProfileCurve& rail, const Track& track = {},
                               const Wheelset& wheelset = {});
-/// With the same profiles on both sides. Throws as wheel_over_rail.
+/// Uses the same profiles on both sides. Throws as wheel_over_rail.
 WheelsetOnTrack wheelset_on_track(const ProfileCurve& wheel, const ProfileCurve& rail, const Track& track = {},
                                   const Wheelset& wheelset = {});
 
-/// The wheelset shifted to the right by `shift`, without yaw. Rollers are cut where they are highest, which is where
-/// such a wheelset touches them. Where a wheel touches in two points at once, that with
-/// the least gap by rounding. Throws InvalidArgument for shifts at which a wheel is not above its rail.
+/// Returns the contacts of the wheelset shifted to the right by `shift`, without yaw. Such a wheelset touches rollers
+/// at their tops, where they are cut. If a wheel touches at two points, returns the one with the smaller gap by
+/// rounding. Throws InvalidArgument for shifts at which a wheel is not above its rail.
 WheelsetContacts contacts_at(const WheelsetOnTrack& wheelset, double shift, WheelsetRoll roll = WheelsetRoll::demanded);
 
 }  // namespace contactd
