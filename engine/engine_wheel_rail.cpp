@@ -145,7 +145,7 @@ ContactInfluence Engine::patch_influence(const ContactProblem& problem, const Pa
 }
 
 WheelRailSolution Engine::solve(const WheelRailSetup& setup, const WheelRailState& state, Observer& observer) {
-    validate_below("state", state);
+    below("state", [&] { validate(setup, state); });
     WheelRailSolution solution =
         below_setup("setup", [&] { return wheel_on_rail(setup, observer)->solve(state, observer); });
     count(solution);

@@ -1,10 +1,13 @@
 #include "contactd/wheel_rail_state.hpp"
 
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "contactd/error.hpp"
 #include "contactd/fields/wheel_rail_state.hpp"
+#include "contactd/wheel_rail_setup.hpp"
 #include "number_text.hpp"
 
 namespace contactd {
@@ -27,6 +30,28 @@ WheelRailState state_of_wheel(const WheelsetState& state, const WheelDeviation& 
     WheelRailState one{state.position, state.velocity, wheel, rail, state.roller_pitch};
     one.Fz = Fz;
     return one;
+}
+
+void check_rail_load(double force, const std::optional<double>& spring, const std::string& direction) {
+    if (force != 0 && !spring)
+        throw InvalidArgument("rail.F" + direction,
+                              "is " + number_text(force) +
+                                  ", and the rail is rigid in that direction; set track.springs." + direction +
+                                  " of the set-up or remove the force");
+}
+
+void check_motion(const WheelRailSetup& setup, WheelRailMotion motion) {
+    if (motion == WheelRailMotion::steady_rolling) return;
+    const auto refuse = [](const std::string& reason) {
+        throw InvalidArgument("motion", "is not steady_rolling, and " + reason);
+    };
+    if (setup.model != Model::full)
+        refuse("simplified models solve steady rolling only; set model = full in the set-up");
+    for (const auto& [given, name] :
+         {std::pair(setup.temperature.has_value(), "temperature"), std::pair(setup.fatigue.has_value(), "fatigue"),
+          std::pair(setup.wear.has_value(), "wear")})
+        if (given)
+            refuse(std::string(name) + " of the set-up requires it; set motion = steady_rolling or remove " + name);
 }
 
 }  // namespace
@@ -52,6 +77,16 @@ void validate(const WheelRailState& state) {
         throw InvalidArgument("Fx",
                               "is given, and velocity.x and roller_pitch are 0; a wheel that stands has no pitch "
                               "rate that brings a force");
+}
+
+void validate(const WheelRailSetup& setup, const WheelRailState& state) {
+    validate(state);
+    if (state.Fx && !setup.friction)
+        throw InvalidArgument("Fx", "requires friction; set friction in the set-up or remove Fx");
+    const RailSprings springs = setup.track.springs.value_or(RailSprings{});
+    check_rail_load(state.rail.Fy, springs.y, "y");
+    check_rail_load(state.rail.Fz, springs.z, "z");
+    check_motion(setup, state.motion);
 }
 
 void check_height_or_force(const WheelRailState& state) {

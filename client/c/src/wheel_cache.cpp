@@ -13,7 +13,7 @@ bool serves(const WheelRailSetup& opened, const WheelRailSetup& requested) {
 }
 
 WheelRailStepInput step_of(const WheelRailSetup& opened, const WheelInput& requested) {
-    validate_below("state", requested.state);
+    below("state", [&] { validate(requested.setup, requested.state); });
     WheelRailStepInput input{.state = requested.state, .fields = requested.fields, .gap = requested.gap};
     if (opened.friction == requested.setup.friction) return input;
     validate_below("setup", requested.setup);

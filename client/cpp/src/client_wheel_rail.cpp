@@ -35,7 +35,7 @@ void check_pressures(const WheelRailSolution& solution, const SolutionFields& fi
 WheelRailSolution Client::wheel_rail(const WheelRailSetup& setup, const WheelRailState& state,
                                      const CallOptions& options, const SolutionFields& fields, bool gap) {
     validate_below("setup", setup);
-    validate_below("state", state);
+    below("state", [&] { validate(setup, state); });
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
     json params = proto::encode_wheel_rail_request(setup, state, {fields, gap}, arrays);
     const Answer reply =

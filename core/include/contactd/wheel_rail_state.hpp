@@ -5,6 +5,8 @@
 
 namespace contactd {
 
+struct WheelRailSetup;
+
 /// Position of the wheelset's centre in track coordinates: y and z (mm) relative to the central position with its tape
 /// circles on the plane of the track. Angles (rad) rotate from y to z (roll), z to x (pitch) and x to y (yaw), the yaw
 /// first.
@@ -95,6 +97,9 @@ WheelRailState state_of_left_wheel(const WheelsetState& state);
 
 /// Throws InvalidArgument naming the field, e.g. "position.roll".
 void validate(const WheelRailState& state);
+/// Also throws InvalidArgument for a field of the state that the set-up does not allow, e.g. "Fx" without friction,
+/// "rail.Fy" on a rail without that spring, or "motion" with temperatures. Call it before any contact is prepared.
+void validate(const WheelRailSetup& setup, const WheelRailState& state);
 /// Throws InvalidArgument ("Fz") for a state that has neither Fz nor position.z, at which no contact can be solved.
 void check_height_or_force(const WheelRailState& state);
 /// Throws InvalidArgument naming the field, e.g. "left_rail.y", "Fz_right".

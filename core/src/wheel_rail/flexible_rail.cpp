@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <string>
 
-#include "contactd/error.hpp"
-#include "types/number_text.hpp"
 #include "wheel_rail/condense.hpp"
 #include "wheel_rail/differentiate.hpp"
 #include "wheel_rail/right_wheel.hpp"
@@ -72,19 +69,6 @@ WheelRailState expected_on_flexible_rail(const RightWheel& wheel) {
 double rolling_pitch_rate(const WheelRailSetup& setup, const WheelRailState& state) {
     const double speed = setup.track.roller_radius ? state.roller_pitch * *setup.track.roller_radius : state.velocity.x;
     return -speed / setup.wheelset.nominal_radius;
-}
-
-void check_rail_loads(const WheelRailSetup& setup, const RailDeviation& rail, const std::string& name) {
-    const RailSprings springs = setup.track.springs.value_or(RailSprings{});
-    const auto check = [&](double force, const std::optional<double>& spring, const char* direction) {
-        if (force != 0 && !spring)
-            throw InvalidArgument(name + ".F" + direction, "is " + number_text(force) +
-                                                               ", and the rail is rigid there; a force on it needs "
-                                                               "track.springs." +
-                                                               direction);
-    };
-    check(rail.Fy, springs.y, "y");
-    check(rail.Fz, springs.z, "z");
 }
 
 }  // namespace contactd

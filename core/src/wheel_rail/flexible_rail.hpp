@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "contactd/observer.hpp"
 #include "contactd/wheel_rail_setup.hpp"
@@ -27,9 +26,6 @@ std::optional<HeightTask> height_over_rail(RightWheel& unloaded, const WheelRail
 /// Sets the derivatives of the solution of a wheel on a flexible rail, in which the rail deflects, or says in a warning
 /// why there are none.
 void differentiate_on_flexible_rail(const RightWheel& wheel, WheelRailSolution& solution, Observer& observer);
-
-/// Throws InvalidArgument for a force below `name` on a rail that is rigid in its direction.
-void check_rail_loads(const WheelRailSetup& setup, const RailDeviation& rail, const std::string& name);
 
 /// Returns the pitch rate of a wheel that rolls without creepage at its nominal radius (rad/s).
 double rolling_pitch_rate(const WheelRailSetup& setup, const WheelRailState& state);

@@ -100,26 +100,7 @@ RightWheel::RightWheel(const WheelRailSetup& setup, const geometry::Profiles& pr
       observer_(observer),
       state_(shifted_if_slow(setup, state)),
       position_(setup, profiles, state_, observer),
-      before_(std::move(before)) {
-    if (state_.Fx && !setup.friction)
-        throw InvalidArgument("state.Fx", "is given, and there is no friction; without it there is no such force");
-    check_rail_loads(setup_, state_.rail, "state.rail");
-    if (state_.motion != WheelRailMotion::steady_rolling && setup_.model != Model::full)
-        throw InvalidArgument("state.motion",
-                              "is not steady_rolling; simplified models know no other, take model full");
-    if (state_.motion != WheelRailMotion::steady_rolling && setup_.temperature)
-        throw InvalidArgument("state.motion",
-                              "is not steady_rolling, and setup.temperature is given; temperatures are those of "
-                              "steady rolling");
-    if (state_.motion != WheelRailMotion::steady_rolling && setup_.fatigue)
-        throw InvalidArgument("state.motion",
-                              "is not steady_rolling, and setup.fatigue is given; the history of a particle is that of "
-                              "steady rolling");
-    if (state_.motion != WheelRailMotion::steady_rolling && setup_.wear)
-        throw InvalidArgument("state.motion",
-                              "is not steady_rolling, and setup.wear is given; what a passage takes off is that of "
-                              "steady rolling");
-}
+      before_(std::move(before)) {}
 
 WheelRailSolution RightWheel::solve(Observer& observer) {
     WheelRailSolution solution;

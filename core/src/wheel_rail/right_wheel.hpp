@@ -19,7 +19,7 @@ class RightWheel {
     using Patches = std::vector<WheelRailEstimates::Patch>;
 
     /// All but the state must live longer. The observer ends searches, too. `before` is what a step that is not steady
-    /// goes on from. Throws InvalidArgument ("Fx") where there is no friction to bring it.
+    /// goes on from. The set-up allows the state (validate).
     RightWheel(const WheelRailSetup& setup, const geometry::Profiles& profiles, const InfluenceSource& influences,
                const WheelRailState& state, const Observer& observer, std::shared_ptr<const Patches> before = nullptr);
 

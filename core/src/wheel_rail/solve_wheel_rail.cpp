@@ -60,7 +60,7 @@ struct WheelRailContact::Parts {
     /// Asks a right wheel, in a mirror where it is a left one.
     template <class Ask>
     auto of_right_wheel(const WheelRailState& state, const Observer& observer, const Ask& ask) const {
-        validate_below("state", state);
+        below("state", [&] { validate(setup, state); });
         if (setup.side == Side::right) return ask(right_wheel(state, observer));
         const WheelRailState right = mirrored(state);
         return mirrored(ask(right_wheel(right, observer)));

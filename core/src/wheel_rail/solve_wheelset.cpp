@@ -8,7 +8,6 @@
 #include "contactd/error.hpp"
 #include "contactd/solve_wheel_rail.hpp"
 #include "types/number_text.hpp"
-#include "wheel_rail/flexible_rail.hpp"
 #include "wheel_rail/position/equilibrium_search.hpp"
 #include "wheel_rail/position/rising_search.hpp"
 
@@ -33,8 +32,6 @@ void check(const WheelRailContact& left, const WheelRailContact& right, const Wh
                                   ", and the right wheel runs on a " +
                                   (right.setup().track.roller_radius ? "roller" : "rail") +
                                   "; both wheels of a wheelset run on rails, or both on rollers");
-    check_rail_loads(left.setup(), state.left_rail, "state.left_rail");
-    check_rail_loads(right.setup(), state.right_rail, "state.right_rail");
 }
 
 /// The result of `solve` for one wheel, which refuses fields by the names that they have for both: "state.Fz" is

@@ -214,3 +214,14 @@ TEST_CASE("Operators of rotated half-spaces are cached for positions with the sa
     static_cast<void>(engine.solve(setup, state, observer));
     CHECK(engine.influences().usage().entries > of_both);
 }
+
+TEST_CASE("A state that its set-up does not allow is refused before profiles are read") {
+    Engine engine({});
+    WheelRailSetup setup = coarse_setup();
+    setup.friction.reset();
+    setup.rail.shape = ProfileFile{"rail.prr", "this is no profile"};
+    WheelRailState state = rolling_state();
+    state.Fx = 100;
+    Observer observer;
+    CHECK_THROWS_WITH(engine.solve(setup, state, observer), StartsWith("state.Fx requires friction"));
+}
