@@ -1,6 +1,6 @@
 """contactctl: contactd from a terminal and from scripts (docs/contactctl.md).
 
-Commands ask the daemon in the words of the wire (docs/protocol.md), which are also those of the files they read. Tables are
-for people and go to standard output; with --json that is one JSON document instead. All else, bars, warnings and errors, goes
-to standard error. `codes` lists the exit codes.
+Commands send requests to the daemon with the names of the wire (docs/protocol.md), which are also those of input files.
+Results are tables on standard output, or one JSON document with --json. Progress bars, warnings and errors go to
+standard error. `codes` lists the exit codes.
 """

@@ -1,4 +1,4 @@
-"""All commands, and how one of them is run."""
+"""The list of all commands, and how a command is run."""
 
 from __future__ import annotations
 
@@ -60,18 +60,18 @@ def _say_version(requested: bool) -> None:
 @app.callback()
 def contactctl(
     version: Annotated[
-        bool, typer.Option("--version", callback=_say_version, is_eager=True, help="Print the version, and end.")
+        bool, typer.Option("--version", callback=_say_version, is_eager=True, help="Print the version and exit.")
     ] = False,
 ) -> None:
-    """Elastic contact from a terminal: solves in this process, or asks the daemon contactd.
+    """Solve elastic contact problems from a terminal, in this process or with the daemon contactd.
 
-    Commands that solve ask a daemon only where --endpoint or CONTACTD_ENDPOINT names one; all others show or change what a daemon
-    has. Files are JSON or YAML in the words of the wire (docs/protocol.md).
+    Commands that solve use a daemon only if --endpoint or CONTACTD_ENDPOINT is set. All others show or change the state
+    of a daemon. Files are JSON or YAML with the field names of the wire (docs/protocol.md).
     """
 
 
 def run(arguments: Sequence[str] | None = None) -> int:
-    """The exit code of the command that `arguments` name."""
+    """Runs the command in `arguments` and returns its exit code."""
     with heeded_signals():
         return _run(arguments)
 

@@ -1,4 +1,4 @@
-"""Arrays in files of their own: numpy's .npy, or text with a row a line."""
+"""Arrays in separate files: numpy's .npy, or text with one row per line."""
 
 from __future__ import annotations
 
@@ -15,13 +15,14 @@ from contactd.files.whole import check_npy, read_whole
 
 __all__ = ["read_array"]
 
-_MOST_BYTES = 1 << 29  #: 67 million numbers; a daemon takes no such grid
+_MOST_BYTES = 1 << 29  #: 67 million numbers, more than the grid of any daemon.
 _MOST_TEXT = 1 << 26
 
 
 def read_array(file: Path, named_by: str) -> np.ndarray[Any, Any]:
-    """The array of `file`, lengths of text in mm and pressures in N/mm^2 whatever unit its heading states. Raises click.UsageError
-    with the file that names it, and the line."""
+    """Returns the array of `file`. Text is converted from the unit in its heading to mm or N/mm^2. Raises
+    click.UsageError naming the file that refers to it, and the line.
+    """
     try:
         if file.suffix == ".npy":
             return _npy(read_whole(file, _MOST_BYTES))

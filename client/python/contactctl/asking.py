@@ -1,4 +1,4 @@
-"""One request to the daemon: with a bar, and with an end to what it started there when it is interrupted."""
+"""Sends one request to the daemon, with a progress bar, and ends its builds if it is interrupted."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from .progress import Bar
 
 __all__ = ["OwnBuilds", "ask", "reports_of_rounds"]
 
-_LONGEST_WAIT = 1.0  # seconds until the daemon has heard that the request is abandoned
+_LONGEST_WAIT = 1.0  # seconds until the daemon has received the cancellation
 
 
 class OwnBuilds:
-    """The builds that requests from now on start, as opposed to those that they join."""
+    """The builds that requests start from now on, without those that they join."""
 
     def __init__(self, client: Client) -> None:
         self._client = client
@@ -29,17 +29,17 @@ class OwnBuilds:
         self._seen: set[str] = set()
 
     def notice(self, progress: Progress) -> None:
-        """From the progress of a request."""
+        """Reads the progress of a request."""
         if progress.job.startswith("build-"):
             self._seen.add(progress.job)
 
     @property
     def latest(self) -> str:
-        """The name of one, or "" while none is known."""
+        """Returns the name of the latest build, or ""."""
         return max(self._seen, default="")
 
     def cancel(self) -> None:
-        """Ends those of abandoned requests, now that the requests are cancelled."""
+        """Ends the builds of abandoned requests, after the requests are cancelled."""
         with uninterrupted():
             self._cancel()
 
@@ -65,13 +65,13 @@ class OwnBuilds:
         new = [job for job in jobs if job.job not in self._others]
         if self._seen:
             return [job for job in new if job.job in self._seen]
-        # Interrupted before the daemon told its name: an abandoned one.
+        # Interrupted before the daemon reported its name: an abandoned one.
         return [job for job in new if not job.callers]
 
 
 @contextmanager
 def own_builds(client: Client, params: dict[str, Any]) -> Iterator[OwnBuilds | None]:
-    """The builds of requests with these parameters, None where they start none. Interrupted, it ends them."""
+    """Yields the builds of requests with these parameters, None if they start none. Ends them if interrupted."""
     builds = OwnBuilds(client) if may_build(params) else None
     try:
         yield builds
@@ -83,7 +83,7 @@ def own_builds(client: Client, params: dict[str, Any]) -> Iterator[OwnBuilds | N
 
 @contextmanager
 def reports_of_rounds(client: Client, params: dict[str, Any], bar: Bar) -> Iterator[Callable[[Progress], None]]:
-    """Shows how far many requests are together, and how far a build is that they wait for."""
+    """Shows the progress of several requests together, and that of a build that they wait for."""
     with own_builds(client, params) as builds:
 
         def report(progress: Progress) -> None:
@@ -98,7 +98,7 @@ def reports_of_rounds(client: Client, params: dict[str, Any], bar: Bar) -> Itera
 
 
 def ask(client: Client, method: str, params: dict[str, Any], what: str) -> dict[str, Any]:
-    """The result of a request, `what` being said beside its bar. Interrupted, it ends its builds, too."""
+    """Returns the result of a request; its bar shows `what`. Ends its builds if interrupted."""
     with own_builds(client, params) as builds:
         try:
             with Bar(what) as bar:

@@ -1,4 +1,4 @@
-"""Exit codes, and which of them an error has. docs/contactctl.md and the manual page list them."""
+"""Exit codes, and the code of each error. docs/contactctl.md and the manual page list them."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from contactd import (
 __all__ = ["Code", "Ended", "HungUp", "Terminated", "code_of"]
 
 
-#: These errors are those of a file or folder that was named, as opposed to a disk that is full or broken.
+#: Errors of a named file or folder, not of a full or broken disk.
 _UNUSABLE = {
     errno.EACCES, errno.EPERM, errno.EROFS, errno.ENOENT, errno.ENOTDIR, errno.EISDIR, errno.EEXIST, errno.ELOOP, errno.ENAMETOOLONG,
     errno.EINVAL, errno.EFBIG, errno.ENXIO,
@@ -29,44 +29,44 @@ _UNUSABLE = {
 
 
 class Code(IntEnum):
-    """How a command ended."""
+    """The result of a command."""
 
     DONE = 0
-    DEFECT = 1  #: something that should not happen: a full disk, a defect
-    USAGE = 2  #: a command line, or a file that was named, cannot be used
-    CONNECTION = 3  #: no daemon answers, or it ends, or does not know the key
-    REFUSED = 4  #: the daemon does not do what was asked for
-    NOT_CONVERGED = 5  #: there is an answer, and a solver missed its tolerance
-    CANCELLED = 6  #: somebody else cancelled the job
+    DEFECT = 1  #: An unexpected error: a full disk, or a defect.
+    USAGE = 2  #: The command line, or a named file, is invalid.
+    CONNECTION = 3  #: No daemon answers, or it is stopping, or does not accept the key.
+    REFUSED = 4  #: The daemon refuses the request.
+    NOT_CONVERGED = 5  #: There is an answer, but a solver missed its tolerance.
+    CANCELLED = 6  #: Another client cancelled the job.
     TIMEOUT = 7  #: no answer within --timeout
-    FAILED = 8  #: the daemon tried, and failed: a build, or a defect there
+    FAILED = 8  #: The daemon failed: a build, or a defect.
     HUNG_UP = 129  #: SIGHUP
     INTERRUPTED = 130  #: Ctrl-C
-    PIPE = 141  #: who read the output has gone
+    PIPE = 141  #: The reader of the output has closed it.
     TERMINATED = 143  #: SIGTERM
 
 
 class Ended(Exception):
-    """A command that cannot go on: an exit code, and a sentence for people."""
+    """Ends a command with an exit code and a sentence."""
 
     def __init__(self, code: Code, message: str) -> None:
         super().__init__(message)
         self.code = code
 
     def __reduce__(self) -> tuple[object, ...]:
-        return type(self), (self.code, str(self))  # workers of a cluster send it
+        return type(self), (self.code, str(self))  # It is pickled by workers of a cluster.
 
 
 class HungUp(KeyboardInterrupt):
-    """SIGHUP: the terminal has gone. It interrupts as Ctrl-C does."""
+    """SIGHUP: the terminal is closed. It interrupts like Ctrl-C."""
 
 
 class Terminated(KeyboardInterrupt):
-    """SIGTERM, which interrupts as Ctrl-C does."""
+    """SIGTERM, which interrupts like Ctrl-C."""
 
 
 def code_of(error: BaseException) -> Code:
-    """The exit code that an error of the client, or of a file, has."""
+    """Returns the exit code of an error of the client, or of a file."""
     kinds: tuple[tuple[type[BaseException], Code], ...] = (
         (HungUp, Code.HUNG_UP),
         (Terminated, Code.TERMINATED),

@@ -1,4 +1,4 @@
-"""The options that every command has, before and behind its name, and the client that they stand for."""
+"""Common options of all commands, before and after the name, and the client that they describe."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def _of_environment(name: str) -> str | None:
 
 @dataclass
 class Setting:
-    """Values of the common options; each stands for an environment variable where it has one."""
+    """Values of the common options; each may also be set by an environment variable."""
 
     endpoint: str | None = field(default_factory=lambda: _of_environment("CONTACTD_ENDPOINT"))
     local: bool = False
@@ -48,13 +48,13 @@ class Setting:
 
 
 def setting() -> Setting:
-    """That of the command that runs."""
+    """Returns the setting of the running command."""
     found: Setting = click.get_current_context().find_root().ensure_object(Setting)
     return found
 
 
 def _keep(context: click.Context, parameter: click.Parameter, value: Any) -> None:
-    """Whatever place the option was given at."""
+    """Stores the option, whether it precedes or follows the name."""
     assert parameter.name is not None
     if context.get_parameter_source(parameter.name) is not ParameterSource.DEFAULT:
         setattr(context.find_root().ensure_object(Setting), parameter.name, value)
@@ -67,22 +67,22 @@ def _options() -> list[click.Parameter]:
     seconds = click.FloatRange(min=0, min_open=True, max=86400)
     return [
         option("--endpoint", "-e", metavar="ENDPOINT",
-               help="The daemon's, such as tcp://host:5555 or ipc:///path; else CONTACTD_ENDPOINT. Without either, commands that "
-               f"solve need no daemon; all others ask {DEFAULT_ENDPOINT}."),
-        option("--local", is_flag=True, help="No daemon, whatever CONTACTD_ENDPOINT says: solve in this process, or with a private daemon."),
-        option("--folder", metavar="FOLDER", help="Without a daemon: where tables are kept; else they go at the end."),
-        option("--server-key", metavar="FILE", help="The daemon's public key; else CONTACTD_SERVER_KEY."),
-        option("--own-key", metavar="FILE", help="The own secret key; else CONTACTD_OWN_KEY."),
-        option("--timeout", type=seconds, metavar="SECONDS", help="Of each request; else 60, and an hour for builds."),
-        option("--json", is_flag=True, help="JSON on standard output, for scripts."),
+               help="Address of the daemon, such as tcp://host:5555 or ipc:///path. Default: CONTACTD_ENDPOINT. Without both, commands "
+               f"that solve need no daemon; all others use {DEFAULT_ENDPOINT}."),
+        option("--local", is_flag=True, help="Ignore CONTACTD_ENDPOINT: solve in this process, or with a private daemon."),
+        option("--folder", metavar="FOLDER", help="Without a daemon: folder for tables. By default they are deleted at the end."),
+        option("--server-key", metavar="FILE", help="File with the daemon's public key. Default: CONTACTD_SERVER_KEY."),
+        option("--own-key", metavar="FILE", help="File with your secret key. Default: CONTACTD_OWN_KEY."),
+        option("--timeout", type=seconds, metavar="SECONDS", help="Timeout of each request. Default: 60 s, and an hour for builds."),
+        option("--json", is_flag=True, help="Print JSON on standard output."),
         option("--allow-folder", metavar="FOLDER", multiple=True,
-               help="Files may name others that lie there; else only those in their own folder and below it."),
-        option("--overwrite", is_flag=True, help="Write also over files that contactd has not written."),
+               help="Allow files to refer to files in this folder. By default only their own folder and below are allowed."),
+        option("--overwrite", is_flag=True, help="Overwrite files that other programs have written."),
     ]  # fmt: skip
 
 
 class _Helpful(click.Command):
-    """Help as it is meant: typer escapes brackets for rich, which is not what shows it."""
+    """Prints help unchanged; typer escapes brackets for rich, which is not used here."""
 
     def format_help(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         super().format_help(ctx, formatter)
@@ -90,7 +90,7 @@ class _Helpful(click.Command):
 
 
 class Command(_Helpful, TyperCommand):
-    """A command with the common options; its errors are sentences and exit codes."""
+    """A command with the common options; errors become sentences and exit codes."""
 
     def __init__(self, *arguments: Any, **options: Any) -> None:
         super().__init__(*arguments, **options)
@@ -109,7 +109,7 @@ class Group(_Helpful, TyperGroup):
         self.params.extend(_options())
 
     def resolve_command(self, ctx: click.Context, args: list[str]) -> tuple[str | None, click.Command | None, list[str]]:
-        """Names the command that was meant, where none has this name."""
+        """Suggests a similar command for an unknown name."""
         try:
             return super().resolve_command(ctx, args)
         except click.UsageError as error:
@@ -120,10 +120,10 @@ class Group(_Helpful, TyperGroup):
 
 @contextmanager
 def connected(*, workers: int | None = None, local_unless_named: bool = False) -> Iterator[Client]:
-    """The client that the options stand for; `workers` of a local one.
+    """Returns the client for the options; `workers` is for a local one.
 
-    Commands that solve are `local_unless_named`: they ask a daemon only where an endpoint was given. All others show or change
-    what a daemon has, and ask the one at DEFAULT_ENDPOINT then.
+    Commands that solve are `local_unless_named`: they use a daemon only if an endpoint is set. All others need a
+    daemon; the default is DEFAULT_ENDPOINT.
     """
     given = setting()
     if is_local(given, local_unless_named=local_unless_named):
@@ -140,19 +140,19 @@ def connected(*, workers: int | None = None, local_unless_named: bool = False) -
 
 
 def is_local(given: Setting, *, local_unless_named: bool = True) -> bool:
-    """Whether these options need no daemon."""
+    """Returns whether these options need no daemon."""
     return given.local or (local_unless_named and given.endpoint is None)
 
 
 def _check_keys(given: Setting) -> None:
-    """Raises click.UsageError for keys on the command line that no daemon would see."""
+    """Raises click.UsageError for keys on the command line without a daemon."""
     usual = Setting()
     if not given.local and (given.server_key, given.own_key) != (usual.server_key, usual.own_key):
         raise click.UsageError("--server-key and --own-key are those of a daemon: name it by --endpoint.")
 
 
 def client_of(given: Setting) -> Client:
-    """One of the daemon."""
+    """Returns a client of a daemon."""
     times = {} if given.timeout is None else {"timeout": given.timeout, "build_timeout": given.timeout}
     try:
         return Client(given.endpoint or DEFAULT_ENDPOINT, server_key=given.server_key, own_key=given.own_key, **times)
@@ -168,7 +168,7 @@ def _local(given: Setting, workers: int | None) -> Iterator[Client]:
         with contactd.local(folder=folder, config=config, in_process=True) as client:
             yield client
         return
-    # Nothing that is left when the command ends is needed.
+    # No later use after the command ends.
     config["shutdown"] = {"drain_seconds": 0}
     with _private_daemon(folder, config) as daemon, daemon.client() as client:
         yield client

@@ -1,4 +1,4 @@
-"""Choice of a table: a file in the words of ic.get, options for what most often differs, and --set for all else."""
+"""Choice of a table: a file with parameters of ic.get, options for the most common ones, and --set for all others."""
 
 from __future__ import annotations
 
@@ -14,24 +14,24 @@ from .paths import changed, get
 __all__ = ["DX", "DY", "NU", "NX", "NY", "Accuracy", "E", "G", "Set", "Spec", "as_given", "offsets_of", "table_params"]
 
 Spec = Annotated[str | None, typer.Argument(metavar="[FILE]", help="JSON or YAML with material, grid and ics; - reads standard input.")]
-Set = Annotated[list[str] | None, typer.Option("--set", metavar="PATH=VALUE", help="Change a field, as in ics.order=3; as often as wanted.")]
+Set = Annotated[list[str] | None, typer.Option("--set", metavar="PATH=VALUE", help="Change a field, such as ics.order=3. Repeatable.")]
 G = Annotated[float | None, typer.Option("--G", help="Shear modulus (N/mm^2).")]
-E = Annotated[float | None, typer.Option("--E", help="Young's modulus (N/mm^2), in place of G.")]
+E = Annotated[float | None, typer.Option("--E", help="Young's modulus (N/mm^2), instead of G.")]
 NU = Annotated[float | None, typer.Option("--nu", help="Poisson's ratio.")]
-NX = Annotated[int | None, typer.Option("--nx", help="Offsets along x.")]
-NY = Annotated[int | None, typer.Option("--ny", help="Offsets along y; as nx.")]
+NX = Annotated[int | None, typer.Option("--nx", help="Number of offsets along x.")]
+NY = Annotated[int | None, typer.Option("--ny", help="Number of offsets along y. Default: nx.")]
 DX = Annotated[float | None, typer.Option("--dx", help="Element size along x (mm).")]
-DY = Annotated[float | None, typer.Option("--dy", help="Element size along y (mm); as dx.")]
-Accuracy = Annotated[float | None, typer.Option("--accuracy", help="Largest relative error, by finite elements; 1e-3.")]
+DY = Annotated[float | None, typer.Option("--dy", help="Element size along y (mm). Default: dx.")]
+Accuracy = Annotated[float | None, typer.Option("--accuracy", help="Largest relative error of finite elements. Default: 1e-3.")]
 
 
 def as_given(**options: Any) -> dict[str, Any]:
-    """Those that were given."""
+    """Returns the given options."""
     return {name: value for name, value in options.items() if value is not None}
 
 
 def table_params(file: str | None, given: dict[str, Any], sets: Sequence[str] | None) -> dict[str, Any]:
-    """The parameters of ic.get. Raises click.UsageError."""
+    """Returns the parameters of ic.get. Raises click.UsageError."""
     params = read_object(file) if file is not None else {}
     if file is None and not given and not sets:
         raise click.UsageError("Say which table: a FILE, or at least --G, --nu, --nx and --dx.")
@@ -66,6 +66,6 @@ def _modulus(given: dict[str, Any], material: dict[str, Any]) -> dict[str, Any]:
 
 
 def offsets_of(params: dict[str, Any]) -> int:
-    """How many; 0 where that is not said rightly, which is the daemon's to refuse."""
+    """Returns the number of offsets; 0 for invalid values, which the daemon refuses."""
     nx, ny = get(params, "grid.nx"), get(params, "grid.ny")
     return nx * ny if isinstance(nx, int) and isinstance(ny, int) and nx > 0 and ny > 0 else 0

@@ -1,1 +1,1 @@
-"""Cases of the CONTACT program's input files: computed by threads, kept in a journal, compared and written."""
+"""Cases of the CONTACT program's input files: computed in threads, recorded in a journal, compared and written."""

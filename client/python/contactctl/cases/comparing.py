@@ -1,4 +1,4 @@
-"""Rows of cases beside what another program printed of them."""
+"""Compares rows of cases with those printed by another program."""
 
 from __future__ import annotations
 
@@ -13,8 +13,9 @@ __all__ = ["compared_rows"]
 
 
 def compared_rows(rows: Sequence[dict[str, Any]], printed: Sequence[PrintedCase]) -> list[list[str]]:
-    """The differences of each row: to the printed case with the same number of the same result element and contact problem,
-    in order."""
+    """Returns the differences of each row from the printed case with the same number, result element and contact
+    problem, in order.
+    """
     named = [row["values"] for row in rows]
     theirs = matched(((one["number"], one["reid"], one.get("cpid")) for one in named), printed)
     return [_differences(row, other) for row, other in zip(rows, theirs)]

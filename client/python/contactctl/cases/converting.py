@@ -1,4 +1,4 @@
-"""Cases in the words of contactd: as YAML that `contactctl solve` and `contactctl wheelrail solve` take, or as Python."""
+"""Converts cases to input of contactd: YAML for `contactctl solve` and `contactctl wheelrail solve`, or Python."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ __all__ = ["as_python", "as_yaml", "case_params"]
 
 
 def case_params(case: Case, client: Client, profiles: ProfileFiles) -> dict[str, Any]:
-    """The parameters of contact.solve or of wheelrail.solve. Raises click.UsageError for a case that has none."""
+    """Returns the parameters of contact.solve or wheelrail.solve. Raises click.UsageError for a case without them."""
     contact = _made(case, client, profiles)
     if isinstance(contact, str):
         raise click.UsageError(contact)
@@ -38,7 +38,7 @@ def case_params(case: Case, client: Client, profiles: ProfileFiles) -> dict[str,
 
 
 def as_yaml(case: Case, client: Client, profiles: ProfileFiles) -> str:
-    """Returns it as text. Raises click.UsageError for a case that has none."""
+    """Returns the case as YAML text. Raises click.UsageError for a case without parameters."""
     import yaml
 
     params = case_params(case, client, profiles)
@@ -47,7 +47,7 @@ def as_yaml(case: Case, client: Client, profiles: ProfileFiles) -> str:
 
 
 def as_python(file: Path, cases: Sequence[Case], client: Client, profiles: ProfileFiles) -> str:
-    """A program that solves the cases, one after the other."""
+    """Returns a program that solves the cases one after the other."""
     contacts = [_made(case, client, profiles) for case in cases]
     return python_text(f"Cases of {file.name}, by contactd.", contacts, [goes_on(case) for case in cases])
 

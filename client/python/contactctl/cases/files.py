@@ -1,4 +1,4 @@
-"""The files that are written of cases, and those that they are compared with."""
+"""Output files of cases, and files for comparison."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from ..files import check_own, write_text
 
 __all__ = ["CaseFiles", "read_printed"]
 
-_MOST_BYTES = 1 << 29  #: of an .out file
+_MOST_BYTES = 1 << 29  #: Largest size of an .out file.
 
 
 def read_printed(path: Path) -> str:
-    """The text of an .out file. Raises click.UsageError."""
+    """Returns the text of an .out file. Raises click.UsageError."""
     try:
         return read_whole(path, _MOST_BYTES).decode("utf-8", errors="replace")
     except OSError as error:
@@ -29,14 +29,15 @@ def read_printed(path: Path) -> str:
 
 
 class CaseFiles:
-    """Files beside the .out file, each written whole when its case is there."""
+    """Files in addition to the .out file. Each is written when its case is complete."""
 
     def __init__(self, place: Path) -> None:
         self._place = place
 
     def check(self, cases: Iterable[Case]) -> None:
-        """Raises click.UsageError for a file of theirs that another program has written; which letters of contacts there will
-        be, no case says."""
+        """Raises click.UsageError if one of them exists and another program has written it. The letters of contacts are
+        not yet known.
+        """
         stems: dict[str, set[str]] = {".mat": set(), ".subs": set()}
         for case in cases:
             stem = self._named(case, f"{case.number:04d}").name
@@ -49,7 +50,7 @@ class CaseFiles:
                 check_own("--output", path)
 
     def keep(self, outcome: Outcome) -> None:
-        """Writes what a case asks for."""
+        """Writes the files of a case."""
         if outcome.result is None:
             return
         for letter, text in mat_texts(outcome.result):
@@ -58,6 +59,6 @@ class CaseFiles:
             write_text(self._named(outcome.case, f"{outcome.case.number:04d}{letter}.subs"), text)
 
     def _named(self, case: Case, ending: str) -> Path:
-        """Result elements count their cases each by itself."""
+        """Each result element counts its cases separately."""
         element = "" if case.reid is None else f".r{case.reid}" + ("" if case.cpid is None else f"c{case.cpid}")
         return self._place.with_name(f"{self._place.stem}{element}.{ending}")

@@ -1,4 +1,4 @@
-"""Input files of the CONTACT program as commands read them: warnings name the case, by its number in the file."""
+"""Reads input files of the CONTACT program for commands. Warnings name the case by its number in the file."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ __all__ = ["read_cases"]
 
 def read_cases(file: Path, client: Client) -> ContactFile:
     """Reads a file, and shows its warnings and those of its cases."""
-    with collected():  # they name cases by their indices
+    with collected():  # These sentences name cases by their indices.
         found = read(file, client)
     warn(found.warnings)
     warn_of("case", ((case_name(vars(case)), sentence) for case in found.cases for sentence in case.warnings))

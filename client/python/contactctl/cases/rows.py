@@ -1,4 +1,4 @@
-"""Rows of the journal of a run: they keep of each case what everything is written from."""
+"""Rows of the journal of a run, which contain everything that is written for each case."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _CODES = {"solved": Code.DONE, "read": Code.DONE, "not converged": Code.NOT_CONV
 
 
 def keys_of(chain: Sequence[Case], options: Mapping[str, Any]) -> list[str]:
-    """A key for each case of a chain: equal for the same cases before it, asked for in the same way."""
+    """Returns a key for each case of a chain: equal for the same preceding cases and the same options."""
     digest = hashlib.sha256(json.dumps([__version__, options], sort_keys=True).encode())
     keys = []
     for case in chain:
@@ -32,17 +32,17 @@ def keys_of(chain: Sequence[Case], options: Mapping[str, Any]) -> list[str]:
 
 
 def case_name(values: Mapping[str, Any]) -> str:
-    """Names a case by its number and its line: files with several result elements have several cases of a number."""
+    """Names a case by its number and its line, because several result elements may have cases with the same number."""
     return f"{values['number']} (line {values['line']})"
 
 
 def code_of_status(status: str) -> Code:
-    """What a command ends with for a case."""
+    """Returns the exit code of a command for a case."""
     return _CODES.get(status, Code.REFUSED)
 
 
 def row_of(key: str, outcome: Outcome) -> dict[str, Any]:
-    """Makes the row of a case that was computed, or was not."""
+    """Returns the row of a case, whether or not it was computed."""
     answers: dict[str, Any] = {"status": outcome.status, "sentence": outcome.sentence, "lines": lines_of(outcome)}
     if outcome.warnings:
         answers["warnings"] = list(outcome.warnings)
@@ -53,5 +53,5 @@ def row_of(key: str, outcome: Outcome) -> dict[str, Any]:
 
 
 def row_values(case: Case) -> dict[str, Any]:
-    """Returns what names a case: its number counts those of one contact problem of one result element."""
+    """Returns the identification of a case: its number, its result element and its contact problem."""
     return {"number": case.number, "line": case.line, "module": case.module, "reid": case.reid, "cpid": case.cpid}

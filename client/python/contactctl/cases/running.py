@@ -1,4 +1,4 @@
-"""Chains of cases by threads of this process, each with a client of all."""
+"""Runs chains of cases in threads of this process, which share a client."""
 
 from __future__ import annotations
 
@@ -19,8 +19,9 @@ def run_chains(
     runner: Runner, chains: Sequence[Sequence[Case]], options: Mapping[str, Any], journal: Journal, workers: int,
     keep: Callable[[Outcome], None], on_row: Callable[[], None],
 ) -> None:  # fmt: skip
-    """Adds a row for each case to the journal, but for chains that are all there, and tells `on_row` in this thread. `keep`
-    writes what an outcome has beside its row."""
+    """Adds a row for each case to the journal, except for complete chains, and calls `on_row` in this thread. `keep`
+    writes the other files of an outcome.
+    """
     todo = [chain for chain in chains if any(key not in journal.rows for key in keys_of(chain, options))]
 
     def compute(chain: Sequence[Case], add: Add) -> None:

@@ -1,1 +1,1 @@
-"""The commands, a module each family; `add_to` puts them into the program."""
+"""The commands, one module for each family; `add_to` adds them to the program."""

@@ -1,4 +1,4 @@
-"""bench: how long a daemon takes to answer, from here."""
+"""bench: response times of a daemon from here."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from .solve import Set
 
 __all__ = ["add_to"]
 
-#: A small contact: what the requests cost shows, more than what the solve does.
+#: A small contact, so that the cost of requests exceeds that of the solve.
 SMALL = {
     "grid": {"nx": 20, "ny": 20, "dx": 0.12, "dy": 0.12},
     "bodies": {"upper": {"G": 200, "nu": 0.42}},
@@ -40,21 +40,21 @@ def add_to(app: typer.Typer) -> None:
 
 
 def bench(
-    file: Annotated[str | None, typer.Argument(metavar="[FILE]", help="A problem of contact.solve; else a small one of 20 x 20 elements.")] = None,
+    file: Annotated[str | None, typer.Argument(metavar="[FILE]", help="A problem of contact.solve. Default: a small one of 20 x 20 elements.")] = None,
     sets: Set = None,
-    count: Annotated[int, typer.Option("--count", "-n", min=1, max=1_000_000, help="Requests of each kind.")] = 200,
-    clients: Annotated[int, typer.Option("--clients", "-c", min=1, max=128, help="How many ask at a time.")] = 1,
+    count: Annotated[int, typer.Option("--count", "-n", min=1, max=1_000_000, help="Number of requests of each kind.")] = 200,
+    clients: Annotated[int, typer.Option("--clients", "-c", min=1, max=128, help="Number of simultaneous requests.")] = 1,
 ) -> None:
-    """Time requests, as they are from here.
+    """Measure the response times of the daemon from here.
 
-    One that does nothing (server.health), and a solve.
+    Requests are server.health, which does nothing, and a solve.
     """
     problem = changed({"fields": [], **read_object(file)} if file else SMALL, sets or ())
     kinds: list[tuple[str, dict[str, Any]]] = [("server.health", {}), ("contact.solve", problem)]
     measured = {}
     with connected(workers=clients if setting().local else None) as client, Bar("timing") as bar:
         for number, (method, params) in enumerate(kinds):
-            client.call(method, params)  # connections and operators are made
+            client.call(method, params)  # warm-up: creates connections and operators
             bar.show(number / len(kinds), method)
             measured[method] = _measured(client, method, params, count, clients)
     columns = ["request", "a second", *(f"{percent} %" for percent in PERCENTILES), "longest"]
@@ -80,7 +80,7 @@ def _measured(client: Client, method: str, params: dict[str, Any], count: int, c
             began = time.perf_counter()
             try:
                 client.call(method, params)
-            except BaseException as error:  # told to who waits for the threads
+            except BaseException as error:  # raised in the thread that waits
                 errors.append(error)
                 return
             times.append(time.perf_counter() - began)

@@ -1,4 +1,4 @@
-"""compare: one case by all contact models that can compute it."""
+"""compare: one case with all contact models that support it."""
 
 from __future__ import annotations
 
@@ -42,15 +42,15 @@ def add_to(app: typer.Typer) -> None:
 def compare(
     file: Annotated[str, typer.Argument(help="JSON or YAML of contact.solve or wheelrail.solve, or an input file of CONTACT (.inp); - reads standard input.")],
     sets: Set = None,
-    models: Annotated[str | None, typer.Option("--models", metavar="NAMES", help="Such as fastsim,kpec+fastsim; else all that there are.")] = None,
+    models: Annotated[str | None, typer.Option("--models", metavar="NAMES", help="Models, such as fastsim,kpec+fastsim. Default: all.")] = None,
     case: Annotated[int | None, typer.Option("--case", metavar="N", help="The N-th case of an input file of CONTACT.")] = None,
-    repeats: Annotated[int, typer.Option("--repeats", min=1, max=1000, help="How often short requests are timed.")] = 3,
-    plot: Annotated[str | None, typer.Option("--plot", metavar="FILE", help="A picture, .png, .svg or .pdf.")] = None,
-    table: Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write all numbers to a CSV file, too.")] = None,
+    repeats: Annotated[int, typer.Option("--repeats", min=1, max=1000, help="Number of repetitions to time short requests.")] = 3,
+    plot: Annotated[str | None, typer.Option("--plot", metavar="FILE", help="Write a picture: .png, .svg or .pdf.")] = None,
+    table: Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write all numbers to a CSV file.")] = None,
 ) -> None:  # fmt: skip
-    """One case by all contact models that can compute it: forces, errors against the full theory, and costs.
+    """Compare all contact models for a case: forces, errors against the full theory, and computing times.
 
-    Ends with 5 when one of them did not converge.
+    Exit code 5: a model did not converge.
     """
     _check_outputs(plot, table)
     names = None if models is None else [name.strip() for name in models.split(",")]
@@ -77,7 +77,7 @@ def compare(
 
 
 def _left_out(found: ModelComparison) -> list[str]:
-    """Sentences about options of `simplified`, with the models that are without them though they have others."""
+    """Returns sentences about options of `simplified`, with the models that do not have them."""
     names = {option for one in found.models for option in one.left_out}
     sentences = []
     for option in sorted(names):
@@ -107,7 +107,7 @@ def _case_of(file: Path, number: int | None, client: Client) -> dict[str, Any]:
 
 
 def _row(one: ComparedModel) -> dict[str, Any]:
-    """Returns all that is known of a model, with None for what is not."""
+    """Returns all results of a model; missing ones are None."""
     row: dict[str, Any] = {"name": one.name, "model": one.model, "normal_model": one.normal_model}
     found = one.solution
     if found is None:
@@ -167,7 +167,7 @@ def _shown(found: ModelComparison, rows: list[dict[str, Any]]) -> list[Any]:
 
 
 def _digits(value: Any, count: int = 5) -> Any:
-    """Fewer than there are: models do not agree in more."""
+    """Rounds to the digits that are relevant for a comparison."""
     return float(f"{value:.{count}g}") if isinstance(value, float) else value
 
 

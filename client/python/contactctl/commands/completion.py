@@ -1,4 +1,4 @@
-"""completion: what makes shells complete commands and options."""
+"""completion: completes commands and options in shells."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from ..common import Command
 
 __all__ = ["add_to", "completed"]
 
-_VARIABLE = "_CONTACTCTL_COMPLETE"  #: what the scripts set
+_VARIABLE = "_CONTACTCTL_COMPLETE"  #: Variable set by the scripts.
 
 
 class Shell(str, Enum):
-    """Those that can be helped."""
+    """Supported shells."""
 
     bash = "bash"
     zsh = "zsh"
@@ -30,10 +30,10 @@ def add_to(app: typer.Typer) -> None:
     app.command(cls=Command)(completion)
 
 
-def completion(context: typer.Context, shell: Annotated[Shell, typer.Argument(help="Which one.")]) -> None:
-    """Print what makes a shell complete commands and options.
+def completion(context: typer.Context, shell: Annotated[Shell, typer.Argument(help="The shell.")]) -> None:
+    """Print a script that completes commands and options in a shell.
 
-    Put this into the start file of the shell: eval "$(contactctl completion bash)"
+    Add this line to the start file of your shell: eval "$(contactctl completion bash)"
     """
     kind = get_completion_class(shell.value)
     assert kind is not None
@@ -41,6 +41,6 @@ def completion(context: typer.Context, shell: Annotated[Shell, typer.Argument(he
 
 
 def completed(command: ClickCommand) -> int | None:
-    """The exit code after an answer to the script of a shell; None when none asks."""
+    """Answers a completion request of a shell and returns the exit code; None if there is no request."""
     instruction = os.environ.get(_VARIABLE)
     return None if instruction is None else shell_complete(command, {}, "contactctl", _VARIABLE, instruction)

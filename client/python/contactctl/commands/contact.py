@@ -34,8 +34,8 @@ from ..study.journal import Journal
 __all__ = ["add_to"]
 
 File = Annotated[Path, typer.Argument(help="An input file of the CONTACT program (.inp).")]
-_MOST_SHOWN = 40  #: cases with something to be said
-_ELEMENTS = {"reid": "result element", "cpid": "contact problem"}  #: what may stand beside the number of a case
+_MOST_SHOWN = 40  #: Statuses that need an explanation.
+_ELEMENTS = {"reid": "result element", "cpid": "contact problem"}  #: Optional columns next to the number of a case.
 
 
 def add_to(app: typer.Typer) -> None:
@@ -48,9 +48,9 @@ def add_to(app: typer.Typer) -> None:
 
 
 def check(file: File) -> None:
-    """Tell what can be computed, and what not and why.
+    """Show which cases can be computed, and why others cannot.
 
-    Ends with 4 when cases need what contactd does not have, and with 2 when the file has errors.
+    Exit codes: 4 if cases need unsupported features, 2 if the file has errors.
     """
     with connected(local_unless_named=True) as client:
         read_file = _read(file, client)
@@ -65,21 +65,21 @@ def check(file: File) -> None:
 
 def run(
     file: File,
-    compare: Annotated[Path | None, typer.Option("--compare", metavar="FILE.out", help="Tell where numbers differ from printed ones.")] = None,
-    output: Annotated[Path | None, typer.Option("--output", "-o", metavar="FILE.out", help="Where to write; else beside the input file.")] = None,
-    workers: Annotated[int, typer.Option("--workers", "-w", min=1, max=128, help="Cases at a time.")] = os.cpu_count() or 1,
-    wheel: Annotated[str, typer.Option("--wheel", help="Wheels on rails: exact, or bilinear as the CONTACT program has them.")] = "exact",
-    fresh: Annotated[bool, typer.Option("--fresh", help="Compute all cases, also those that are there.")] = False,
+    compare: Annotated[Path | None, typer.Option("--compare", metavar="FILE.out", help="Compare the numbers with those printed in an .out file.")] = None,
+    output: Annotated[Path | None, typer.Option("--output", "-o", metavar="FILE.out", help="Output file or folder. Default: next to the input file.")] = None,
+    workers: Annotated[int, typer.Option("--workers", "-w", min=1, max=128, help="Number of cases at a time.")] = os.cpu_count() or 1,
+    wheel: Annotated[str, typer.Option("--wheel", help="Wheel surface: exact, or bilinear as in the CONTACT program.")] = "exact",
+    fresh: Annotated[bool, typer.Option("--fresh", help="Compute all cases again.")] = False,
 ) -> None:
     """Compute the cases of a file, and write its .out, .mat and .subs files.
 
-    Killed at any moment and started again, it goes on where it was. Ends with 5 when cases did not converge or numbers
-    differ, with 4 when cases need what contactd does not have or does not take, and with 2 when the file has errors.
+    If it is killed and started again, it continues. Exit codes: 5 if cases did not converge or numbers differ, 4 if
+    cases need unsupported features or are refused, 2 if the file has errors.
     """
     if wheel not in ("exact", "bilinear"):
         raise click.UsageError(f"--wheel {wheel}: it is exact or bilinear.")
     surface: Literal["exact", "bilinear"] = "exact" if wheel == "exact" else "bilinear"
-    if not file.name:  # as of a folder, which has no other ending
+    if not file.name:  # A folder has no extension.
         raise click.UsageError(f"{file} is a folder; it must be an input file of CONTACT.")
     place = writable("--output", output or file.with_suffix(".out"))
     printed = None if compare is None else printed_cases(read_printed(compare))
@@ -107,10 +107,10 @@ def convert(
     output: Annotated[Path, typer.Argument(help="FILE.yaml for one case, FILE.py for all.")],
     case: Annotated[int | None, typer.Option("--case", metavar="N", help="The N-th case of the file.")] = None,
 ) -> None:
-    """Write cases in the words of contactd: YAML for contactctl solve, or a program of Python.
+    """Convert cases to YAML for contactctl solve, or to a Python program.
 
-    A program names the cases that are not in it. It ends then with 4 when contactd does not have what they need, and
-    with 2 when the file has errors.
+    A program names the cases that it does not contain. Exit codes: 4 if these need unsupported features, 2 if the file
+    has errors.
     """
     if output.suffix not in (".yaml", ".py"):
         raise click.UsageError(f"{output}: the name must end in .yaml or .py.")
@@ -133,7 +133,7 @@ def convert(
 
 
 def _read(file: Path, client: Client) -> ContactFile:
-    """A file that has cases; what is wrong between them is said."""
+    """Reads a file with cases, and shows its errors between cases."""
     found = read_cases(file, client)
     for sentence in found.errors:
         note(f"{file}: {sentence}")
@@ -145,7 +145,7 @@ def _read(file: Path, client: Client) -> ContactFile:
 def _computed(
     runner: Runner, chains: Sequence[Sequence[Case]], options: dict[str, Any], path: Path, workers: int, fresh: bool, files: CaseFiles
 ) -> dict[int, dict[str, Any]]:
-    """The rows of all cases."""
+    """Returns the rows of all cases."""
     total = sum(map(len, chains))
     with Journal(path) as journal:
         if fresh:
@@ -168,7 +168,7 @@ def _computed(
 
 
 def _show(rows: Sequence[dict[str, Any]], place: Path, differences: Sequence[list[str]] | None) -> list[str]:
-    """Tells what became of the cases; returns their statuses."""
+    """Shows the results of the cases; returns their statuses."""
     shown = []
     for index, row in enumerate(rows):
         values, answers = row["values"], row["answers"]
@@ -186,7 +186,7 @@ def _show(rows: Sequence[dict[str, Any]], place: Path, differences: Sequence[lis
 
 
 def _named(values: dict[str, Any]) -> dict[str, Any]:
-    """The columns that name a case; a journal of before has no contact problems."""
+    """Returns the columns that identify a case; older journals have no contact problems."""
     return {"case": values["number"], **{name: values.get(name) for name in _ELEMENTS}, "line": values["line"], "module": values["module"]}
 
 
@@ -212,7 +212,7 @@ def _listed(remarks: Sequence[dict[str, Any]], last: str) -> list[Any]:
 
 
 def _end(statuses: Sequence[str], read_file: ContactFile) -> None:
-    """With the code of what is worst, in the cases or between them."""
+    """Ends with the code of the worst problem, in the cases or between them."""
     statuses = [*statuses, *("wrong" for _ in read_file.errors)]
     bad = Counter(status for status in statuses if status not in ("solved", "read"))
     if not bad:

@@ -1,4 +1,4 @@
-"""dashboard: what the daemon is doing, in a browser."""
+"""dashboard: the activity of the daemon, in a browser."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ def add_to(app: typer.Typer) -> None:
 
 
 def dashboard(
-    address: Annotated[str, typer.Option("--address", metavar="IP", help="Where to listen, in numbers.")] = "127.0.0.1",
-    port: Annotated[int, typer.Option("--port", "-p", min=0, max=65535, help="Where to listen; 0: a free one.")] = 5580,
-    interval: Annotated[float, typer.Option("--interval", "-i", min=0.2, max=3600, help="Seconds between looks.")] = 1.0,
-    name: Annotated[list[str] | None, typer.Option("--name", metavar="NAME[:PORT]", help="Where else browsers reach it, as through ssh -L or a proxy; as often as wanted.")] = None,
+    address: Annotated[str, typer.Option("--address", metavar="IP", help="Numeric address to listen on.")] = "127.0.0.1",
+    port: Annotated[int, typer.Option("--port", "-p", min=0, max=65535, help="Port to listen on; 0: a free one.")] = 5580,
+    interval: Annotated[float, typer.Option("--interval", "-i", min=0.2, max=3600, help="Seconds between updates.")] = 1.0,
+    name: Annotated[list[str] | None, typer.Option("--name", metavar="NAME[:PORT]", help="Further address by which browsers reach it, for example through ssh -L or a proxy. Repeatable.")] = None,
 ) -> None:
-    """Show in a browser what the daemon does, until Ctrl-C.
+    """Show the activity of the daemon in a browser, until Ctrl-C.
 
-    Jobs, the last solves, tables, sessions, latency, configuration. It prints the address to open.
+    It has jobs, the last solves, tables, sessions, latency and configuration. The command prints the address to open.
     """
     if setting().local:
         raise click.UsageError("dashboard shows a daemon, and --local has none; say where it is by --endpoint.")
@@ -47,7 +47,7 @@ def dashboard(
             serve(watcher, address, port, lambda link: emit(setting().json, {"address": link}, link), name or ())
         except OSError as error:
             raise Ended(Code.USAGE, f"{address} port {port}: {error.strerror or error}.") from None
-        except SystemExit:  # of uvicorn's
+        except SystemExit:  # raised by uvicorn
             raise Ended(Code.DEFECT, "NiceGUI has ended; what it said is above.") from None
 
 

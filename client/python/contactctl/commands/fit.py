@@ -33,10 +33,10 @@ from .solve import Set
 
 __all__ = ["add_to"]
 
-_MOST_BYTES = 1 << 24  #: of a file with a curve
+_MOST_BYTES = 1 << 24  #: Largest size of a file with a curve.
 _COLUMNS = ("creepage", "measured", "computed", "residual")
 _PERCENT = re.compile(r"[\[(]\s*%\s*[\])]|\bper ?cent\b", re.IGNORECASE)
-_BETWEEN = 61  #: creepages of the curve that is drawn
+_BETWEEN = 61  #: Number of creepages of the drawn curve.
 
 
 def add_to(app: typer.Typer) -> None:
@@ -45,26 +45,26 @@ def add_to(app: typer.Typer) -> None:
 
 
 def fit(
-    measured: Annotated[Path, typer.Argument(help="The curve: a line a point with creepage, value and, if known, its standard uncertainty.")],
-    case: Annotated[str, typer.Option("--case", metavar="FILE", help="The contact: JSON or YAML with the parameters of contact.solve.")],
-    parameter: Annotated[list[str], typer.Option("--parameter", "-p", metavar="PATH=LOW:HIGH", help="A field to be found and its bounds, as friction.mu=0.1:0.6; as often as wanted.")],
-    start: Annotated[list[str] | None, typer.Option("--start", metavar="PATH=VALUE", help="Where a parameter begins; else as the case says, or the best of some.")] = None,
-    starts: Annotated[int | None, typer.Option("--starts", min=1, max=10000, help="How many beginnings are tried; 16 where nobody says one.")] = None,
+    measured: Annotated[Path, typer.Argument(help="The curve, one line per point: creepage, value and optionally its standard uncertainty.")],
+    case: Annotated[str, typer.Option("--case", metavar="FILE", help="The contact problem: JSON or YAML with the parameters of contact.solve.")],
+    parameter: Annotated[list[str], typer.Option("--parameter", "-p", metavar="PATH=LOW:HIGH", help="A fitted field and its bounds, such as friction.mu=0.1:0.6. Repeatable.")],
+    start: Annotated[list[str] | None, typer.Option("--start", metavar="PATH=VALUE", help="Start of a parameter. Default: the value in the case, or the best of several.")] = None,
+    starts: Annotated[int | None, typer.Option("--starts", min=1, max=10000, help="Number of starts that are tried. Default: 16.")] = None,
     sets: Set = None,
-    by: Annotated[str, typer.Option("--by", metavar="CREEPAGE", help="What varies: xi, eta or phi, or a path such as friction.rigid_shift[0].")] = "xi",
-    quantity: Annotated[str, typer.Option("--quantity", help="Measured is the coefficient of traction, or the force (N).")] = "coefficient",
-    force: Annotated[str | None, typer.Option("--force", help="Fx or Fy; else that of the creepage.")] = None,
-    columns: Annotated[str | None, typer.Option("--columns", metavar="N,N[,N]", help="Columns of creepage, value and uncertainty; else the first ones.")] = None,
-    percent: Annotated[bool | None, typer.Option("--percent/--no-percent", help="Creepages are in per cent; else ratios.")] = None,
-    confidence: Annotated[float, typer.Option("--confidence", help="Probability of intervals and of the band.")] = 0.95,
-    evaluations: Annotated[int, typer.Option("--max-evaluations", min=1, max=100000, help="Most curves that the search may compute, beside those of derivatives.")] = 100,
-    plot: Annotated[str | None, typer.Option("--plot", metavar="FILE", help="A picture, .png, .svg or .pdf.")] = None,
+    by: Annotated[str, typer.Option("--by", metavar="CREEPAGE", help="Varied creepage: xi, eta or phi, or a path such as friction.rigid_shift[0].")] = "xi",
+    quantity: Annotated[str, typer.Option("--quantity", help="Measured quantity: traction coefficient, or force (N).")] = "coefficient",
+    force: Annotated[str | None, typer.Option("--force", help="Fx or Fy. Default: that of the creepage.")] = None,
+    columns: Annotated[str | None, typer.Option("--columns", metavar="N,N[,N]", help="Columns of creepage, value and uncertainty. Default: the first ones.")] = None,
+    percent: Annotated[bool | None, typer.Option("--percent/--no-percent", help="Creepages are in percent, not ratios.")] = None,
+    confidence: Annotated[float, typer.Option("--confidence", help="Confidence level of intervals and of the band.")] = 0.95,
+    evaluations: Annotated[int, typer.Option("--max-evaluations", min=1, max=100000, help="Largest number of curves in the search, without those for derivatives.")] = 100,
+    plot: Annotated[str | None, typer.Option("--plot", metavar="FILE", help="Write a picture: .png, .svg or .pdf.")] = None,
     table: Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write points, computed values and residuals to a CSV file.")] = None,
-    output: Annotated[str | None, typer.Option("--output", "-o", metavar="FILE", help="Write the case with the values found, .json, .yaml or .yml.")] = None,
+    output: Annotated[str | None, typer.Option("--output", "-o", metavar="FILE", help="Write the case with the fitted values: .json, .yaml or .yml.")] = None,
 ) -> None:  # fmt: skip
-    """Find parameters of friction for a measured creep curve, by least squares.
+    """Fit parameters of friction to a measured creep curve by least squares.
 
-    Ends with 5 when the search did not converge.
+    Exit code 5: the search did not converge.
     """
     _check_outputs(plot, table, output)
     points = _points(measured, columns, percent)
@@ -111,7 +111,7 @@ def _check_outputs(plot: str | None, table: Path | None, output: str | None) -> 
 
 
 def _points(file: Path, columns: str | None, percent: bool | None) -> list[np.ndarray[Any, Any]]:
-    """Creepages, values and, where the file has a third column, uncertainties."""
+    """Returns creepages, values and, if the file has a third column, uncertainties."""
     try:
         text = read_whole(file, _MOST_BYTES).decode("utf-8-sig")
         rows = np.array(rows_of(text))
@@ -160,7 +160,7 @@ def _start(text: str) -> tuple[str, float]:
 
 
 def _between(creepage: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
-    """Creepages of the curve that is drawn: from zero on, close to each other where measured ones are."""
+    """Returns the creepages of the drawn curve: from zero, and dense where there are measured ones."""
     ends = np.unique([0.0, *creepage])
     found: np.ndarray[Any, Any] = np.interp(np.linspace(0, len(ends) - 1, _BETWEEN), np.arange(len(ends)), ends)
     return found

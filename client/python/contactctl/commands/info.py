@@ -1,4 +1,4 @@
-"""info, health: what the daemon is, and whether it serves."""
+"""info, health: version and state of the daemon."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ def add_to(app: typer.Typer) -> None:
 
 
 def info() -> None:
-    """Versions, limits and counters of the daemon."""
+    """Show versions, limits and counters of the daemon."""
     with connected() as client:
         given = client.info()
         emit(setting().json, given, *_shown(client.endpoint, given))
 
 
 def health() -> None:
-    """Whether the daemon serves, and what it warns of.
+    """Show whether the daemon is serving, and its warnings.
 
-    Ends with 0 when it serves, and with 3 when it is ending.
+    Exit codes: 0 if it is serving, 3 if it is stopping.
     """
     with connected() as client:
         given = client.call("server.health")

@@ -1,4 +1,4 @@
-"""jobs, cancel: the work of the daemon, and an end to it."""
+"""jobs, cancel: lists and ends jobs of the daemon."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ def add_to(app: typer.Typer) -> None:
 
 
 def jobs() -> None:
-    """Work that waits or runs."""
+    """List waiting and running jobs."""
     with connected() as client:
         found = client.jobs()
     emit(setting().json, {"jobs": found}, shown_jobs(found) if found else "no jobs")
 
 
 def shown_jobs(found: tuple[Job, ...]) -> RenderableType:
-    """A line each."""
+    """Shows one line per job."""
     columns = ["job", "state", "stage", "done", "waiting", "since", "to go", "memory", "for", "what"]
     rows = [
         (
@@ -46,10 +46,10 @@ def shown_jobs(found: tuple[Job, ...]) -> RenderableType:
 
 
 def cancel(
-    job: Annotated[list[str] | None, typer.Argument(metavar="JOB...", help="Names, as jobs tells them.")] = None,
-    every: Annotated[bool, typer.Option("--all", help="All jobs there are.")] = False,
+    job: Annotated[list[str] | None, typer.Argument(metavar="JOB...", help="Names of jobs, as listed by jobs.")] = None,
+    every: Annotated[bool, typer.Option("--all", help="All jobs.")] = False,
 ) -> None:
-    """Ends jobs; everyone who waits for them is told."""
+    """End jobs of the daemon; requests that wait for them fail with CANCELLED."""
     if bool(job) == every:
         raise click.UsageError("Name the jobs to cancel, or say --all.")
     ended, gone = [], []
@@ -60,7 +60,7 @@ def cancel(
                 ended.append(name)
             except NotFound:
                 gone.append(name)
-                if not every:  # among all, one may have ended meanwhile
+                if not every:  # With --all, one may have ended meanwhile.
                     note(f"contactctl: there is no job {name}.")
     emit(setting().json, {"cancelled": ended}, f"cancelled: {', '.join(ended) or 'nothing'}")
     if gone and not every:

@@ -1,4 +1,4 @@
-"""keys: pairs of CURVE keys, for connections that are encrypted (docs/security.md)."""
+"""keys: pairs of CURVE keys for encrypted connections (docs/security.md)."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ..output import emit, facts
 
 __all__ = ["add_to"]
 
-_MOST_BYTES = 1 << 16  #: of a key file
+_MOST_BYTES = 1 << 16  #: Largest size of a key file.
 
 
 def add_to(app: typer.Typer) -> None:
@@ -30,12 +30,12 @@ def add_to(app: typer.Typer) -> None:
 
 
 def new(
-    name: Annotated[str, typer.Argument(help="Whose keys: a user, or the daemon.")],
-    folder: Annotated[Path, typer.Option("--to", help="Where NAME.key and NAME.key_secret are written.")] = Path("."),
+    name: Annotated[str, typer.Argument(help="Owner of the keys: a user, or the daemon.")],
+    folder: Annotated[Path, typer.Option("--to", help="Folder for NAME.key and NAME.key_secret.")] = Path("."),
 ) -> None:
-    """Make a pair of keys; never overwrites.
+    """Create a pair of keys. Existing files are never overwritten.
 
-    NAME.key is for the others, NAME.key_secret for NAME alone.
+    NAME.key is public. Only NAME may read NAME.key_secret.
     """
     if not name or "/" in name or name.startswith("."):
         raise click.UsageError(f"{name!r} is no name of a file; a name is letters and digits, such as alice.")
@@ -54,12 +54,12 @@ def new(
 
 
 def show(file: Annotated[Path, typer.Argument(help="NAME.key or NAME.key_secret.")]) -> None:
-    """The public key of a file.
+    """Show the public key in a file.
 
-    And whether the file has a secret one, too, which is never shown.
+    Also reports whether the file contains a secret key, which is never shown.
     """
     try:
-        read_whole(file, _MOST_BYTES)  # no pipe that waits
+        read_whole(file, _MOST_BYTES)  # does not wait for a pipe
         public, secret = zmq.auth.load_certificate(file)
     except OSError as error:
         raise click.UsageError(f"{file} cannot be read: {error.strerror or error}.") from None

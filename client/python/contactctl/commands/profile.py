@@ -1,4 +1,4 @@
-"""profile: what a file of a profile is taken for, and the same profile in other formats."""
+"""profile: reads a profile file, and converts it to other formats."""
 
 from __future__ import annotations
 
@@ -27,22 +27,22 @@ from ..writing.drawing import save_picture
 __all__ = ["add_to"]
 
 Kind = Literal["wheel", "rail"]
-File = Annotated[Path, typer.Argument(help="File of Simpack (.prr, .prw), of MiniProf (.ban, .whl), or of two columns, y and z.")]
-IsWheel = Annotated[bool, typer.Option("--wheel", help="It is a wheel's, whatever its shape.")]
-IsRail = Annotated[bool, typer.Option("--rail", help="It is a rail's.")]
-Unit = Annotated[float | None, typer.Option("--unit", help="Mm that a unit of its points has: 25.4 inches, 1000 metres; else as it says.")]
-MirrorY = Annotated[bool, typer.Option("--mirror-y", help="Turn y to the other side.")]
-MirrorZ = Annotated[bool | None, typer.Option("--mirror-z/--keep-z", help="Turn z, or leave it; else as the file or its shape says.")]
-ShiftY = Annotated[float, typer.Option("--shift-y", help="Added to y at last (mm).")]
-ShiftZ = Annotated[float, typer.Option("--shift-z", help="Added to z at last (mm).")]
-Smoothing = Annotated[float, typer.Option("--smoothing", help="Wavelength of which half is smoothed away (mm); 5 suits measured profiles.")]
+File = Annotated[Path, typer.Argument(help="Profile file: Simpack (.prr, .prw), MiniProf (.ban, .whl), or two columns y and z.")]
+IsWheel = Annotated[bool, typer.Option("--wheel", help="The profile is that of a wheel.")]
+IsRail = Annotated[bool, typer.Option("--rail", help="The profile is that of a rail.")]
+Unit = Annotated[float | None, typer.Option("--unit", help="Unit of its points in mm: 25.4 for inches, 1000 for metres. Default: that in the file.")]
+MirrorY = Annotated[bool, typer.Option("--mirror-y", help="Mirror y.")]
+MirrorZ = Annotated[bool | None, typer.Option("--mirror-z/--keep-z", help="Mirror z or not. Default: according to the file or its shape.")]
+ShiftY = Annotated[float, typer.Option("--shift-y", help="Added to y last (mm).")]
+ShiftZ = Annotated[float, typer.Option("--shift-z", help="Added to z last (mm).")]
+Smoothing = Annotated[float, typer.Option("--smoothing", help="Wavelength whose amplitude smoothing halves (mm); 5 suits measured profiles.")]
 _WIDTHS_OF_WHEELS = (95, 180)  #: mm
 _BY_ENDING: dict[str, Kind] = {".whl": "wheel", ".prw": "wheel", ".ban": "rail", ".prr": "rail"}
 
 
 def add_to(app: typer.Typer) -> None:
     """Adds the commands of this family."""
-    family = typer.Typer(cls=Group, help="Files of profiles.", rich_markup_mode=None)
+    family = typer.Typer(cls=Group, help="Profile files.", rich_markup_mode=None)
     family.command(cls=Command)(show)
     family.command(cls=Command)(convert)
     app.add_typer(family, name="profile")
@@ -51,9 +51,9 @@ def add_to(app: typer.Typer) -> None:
 def show(
     file: File, wheel: IsWheel = False, rail: IsRail = False, unit: Unit = None, mirror_y: MirrorY = False, mirror_z: MirrorZ = None,
     shift_y: ShiftY = 0, shift_z: ShiftZ = 0, smoothing: Smoothing = 0,
-    output: Annotated[str | None, typer.Option("--output", "-o", metavar="FILE", help="A picture, .png, .svg or .pdf.")] = None,
+    output: Annotated[str | None, typer.Option("--output", "-o", metavar="FILE", help="Write a picture: .png, .svg or .pdf.")] = None,
 ) -> None:  # fmt: skip
-    """What a file was taken for, how its points lie, their curvature, and what is doubtful about them."""
+    """Show the detected properties of a file, its points, their curvature, and warnings."""
     if output is not None:
         check_picture("--output", output)
     profile = _file(file, unit, mirror_y, mirror_z, shift_y, shift_z, smoothing)
@@ -73,7 +73,7 @@ def convert(
     wheel: IsWheel = False, rail: IsRail = False, unit: Unit = None, mirror_y: MirrorY = False, mirror_z: MirrorZ = None,
     shift_y: ShiftY = 0, shift_z: ShiftZ = 0, smoothing: Smoothing = 0,
 ) -> None:  # fmt: skip
-    """Write the points of a file as they are understood: cleaned, turned, in mm."""
+    """Write the interpreted points of a file: cleaned, oriented, in mm."""
     if target.suffix not in ENDINGS:
         raise click.UsageError(f"{target}: the name must end in {', '.join(ENDINGS)}.")
     writable("the target", target)
@@ -107,7 +107,7 @@ def _kind(wheel: bool, rail: bool) -> Kind | None:
 
 
 class _Found:
-    """A profile as the daemon reads it, and whose it is."""
+    """A profile as read by the daemon, and its side."""
 
     def __init__(self, client: Client, profile: ProfileFile, kind: Kind | None) -> None:
         named = _BY_ENDING.get(Path(profile.name).suffix.lower())
@@ -126,10 +126,10 @@ class _Found:
             self._read(client, profile)
 
     def _read(self, client: Client, profile: ProfileFile) -> None:
-        # Where the rail lies needs no gauge face, which not every rail has.
+        # The position needs no gauge face, which some rails do not have.
         track = Track(rail_origin=(750.0, 0.0))
         setup = WheelRailSetup(wheel=profile, track=track) if self.kind == "wheel" else WheelRailSetup(rail=profile, track=track)
-        with warnings.catch_warnings():  # `show` tells what they warn of
+        with warnings.catch_warnings():  # `show` prints their warnings.
             warnings.simplefilter("ignore", ContactWarning)
             placed = client.placed_profiles(setup).right
         self.points = placed.wheel if self.kind == "wheel" else placed.rail

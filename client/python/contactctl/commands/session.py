@@ -1,4 +1,4 @@
-"""session: a recorded history, step by step."""
+"""session: replays a recorded history step by step."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from .solve import Set, contact_rows
 
 __all__ = ["add_to"]
 
-_MOST_BYTES = 1 << 26  #: of a file with steps
+_MOST_BYTES = 1 << 26  #: Largest number of steps in a file.
 
 
 def add_to(app: typer.Typer) -> None:
@@ -37,11 +37,11 @@ def add_to(app: typer.Typer) -> None:
 
 
 def session(
-    file: Annotated[str, typer.Argument(help="JSON or YAML: open, as of session.open, and steps, as of session.step; - reads standard input.")],
+    file: Annotated[str, typer.Argument(help="JSON or YAML: open (parameters of session.open) and steps (of session.step); - reads standard input.")],
     sets: Set = None,
-    accept: Annotated[bool, typer.Option("--accept-unconverged", help="Go on after a step that missed a tolerance.")] = False,
+    accept: Annotated[bool, typer.Option("--accept-unconverged", help="Continue after a step that missed a tolerance.")] = False,
 ) -> None:
-    """Replay the steps of a history: one line each. Ends with 5 at a step that did not converge.
+    """Replay the steps of a history, with one line per step. Exit code 5: a step did not converge.
 
     `steps` is a list, or the name of a CSV file whose columns are paths, such as Fn and friction.rolling.xi.
     """
@@ -50,14 +50,14 @@ def session(
     if accept:
         opening["accept_unconverged"] = True
     answers: list[dict[str, Any]] = []
-    # Steps that were solved are shown however the session ends.
+    # Solved steps are shown however the session ends.
     with connected(local_unless_named=True) as client, _opened(client, opening) as name, Bar("stepping") as bar:
         try:
             for number, step in enumerate(steps, 1):
                 bar.show((number - 1) / len(steps), f"step {number} of {len(steps)}")
                 params = {"fields": [], **step, "session": name, "step": number}
                 with warnings.catch_warnings():
-                    warnings.simplefilter("ignore", ContactWarning)  # said below the steps, with their numbers
+                    warnings.simplefilter("ignore", ContactWarning)  # printed below the steps, with their numbers
                     answers.append(client.call("session.step", params))
         except BaseException:
             _show(answers)
@@ -79,7 +79,7 @@ def _show(answers: list[dict[str, Any]]) -> None:
 
 @contextmanager
 def _opened(client: Client, opening: dict[str, Any]) -> Iterator[str]:
-    """The name of a session, which ends with the block."""
+    """Yields the name of a session, which ends with the block."""
     name = str(ask(client, "session.open", opening, "opening")["session"])
     try:
         yield name

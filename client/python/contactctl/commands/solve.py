@@ -23,9 +23,9 @@ from ..saving import ARRAYS, check_outputs, save
 
 __all__ = ["Fields", "Outputs", "Set", "add_to", "contact_rows", "requested_fields"]
 
-Set = Annotated[list[str] | None, typer.Option("--set", metavar="PATH=VALUE", help="Change a field, as in friction.mu=0.3; as often as wanted.")]
-Outputs = Annotated[list[str] | None, typer.Option("--output", "-o", metavar="FILE", help="Write the answer to FILE.json or FILE.h5, a picture to FILE.png, .svg or .pdf.")]
-Fields = Annotated[str | None, typer.Option("--fields", metavar="NAMES", help=f"Arrays of the answer: all, none, or of {','.join(ARRAYS)}.")]
+Set = Annotated[list[str] | None, typer.Option("--set", metavar="PATH=VALUE", help="Change a field, such as friction.mu=0.3. Repeatable.")]
+Outputs = Annotated[list[str] | None, typer.Option("--output", "-o", metavar="FILE", help="Write the answer to FILE.json or FILE.h5, or a picture to FILE.png, .svg or .pdf.")]
+Fields = Annotated[str | None, typer.Option("--fields", metavar="NAMES", help=f"Arrays of the answer: all, none, or a list of {','.join(ARRAYS)}.")]
 
 
 def add_to(app: typer.Typer) -> None:
@@ -39,7 +39,7 @@ def solve(
     output: Outputs = None,
     fields: Fields = None,
 ) -> None:
-    """Solve a contact problem; ends with 5 when it did not converge."""
+    """Solve a contact problem. Exit code 5: it did not converge."""
     outputs = check_outputs(output or ())
     params = changed(read_object(file), sets or ())
     requested_fields(params, fields, outputs)
@@ -53,7 +53,7 @@ def solve(
 
 
 def requested_fields(params: dict[str, Any], fields: str | None, outputs: list[Path]) -> None:
-    """Puts into `params` the arrays that the answer shall hold: of a table none, for pictures all."""
+    """Sets the requested arrays in `params`: none for a table, all for pictures."""
     if fields is not None:
         names = [] if fields == "none" else list(ARRAYS) if fields == "all" else fields.split(",")
         if unknown := [name for name in names if name not in ARRAYS]:
@@ -75,7 +75,7 @@ def _title(params: dict[str, Any]) -> str:
 
 
 def contact_rows(answer: dict[str, Any]) -> list[tuple[str, Any]]:
-    """Names with units, and values, of what is answered of one contact."""
+    """Returns names with units, and values, of the answers for one contact."""
     forces, area, elements = answer["forces"], answer["area"], answer["elements"]
     has_friction = "motion" in answer
     rows: list[tuple[str, Any]] = [("Fn (N)", float(forces["Fn"]))]

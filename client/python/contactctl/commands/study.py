@@ -27,7 +27,7 @@ from ..writing.csv_files import csv_text
 
 __all__ = ["add_to"]
 
-_SHOWN = 40  # rows of a table for people; more go to a file
+_SHOWN = 40  # rows of a printed table; use a file for more
 
 
 def add_to(app: typer.Typer) -> None:
@@ -37,20 +37,20 @@ def add_to(app: typer.Typer) -> None:
 
 def study(
     file: Annotated[str, typer.Argument(help="JSON or YAML: problem, vary, together, answers, method.")],
-    rows: Annotated[Path | None, typer.Option("--rows", help="Where rows are kept; else FILE.rows beside it.")] = None,
-    workers: Annotated[int, typer.Option("--workers", "-w", min=1, max=128, help="Requests at a time.")] = os.cpu_count() or 1,
-    share: Annotated[str | None, typer.Option("--share", metavar="INDEX/COUNT", help="Only these rows: 0/16 to 15/16 are all.")] = None,
-    dask: Annotated[str | None, typer.Option("--dask", metavar="SCHEDULER", help="By the workers of a Dask cluster, such as tcp://host:8786.")] = None,
-    table: Annotated[Path | None, typer.Option("--csv", help="Write all rows to a CSV file, too.")] = None,
-    arrays: Annotated[Path | None, typer.Option("--hdf5", help="Write all rows to an HDF5 file, as arrays over what varies.")] = None,
-    fresh: Annotated[bool, typer.Option("--fresh", help="Solve all rows, also those that are there.")] = False,
-    retry: Annotated[bool, typer.Option("--retry", help="Solve those again that failed or did not converge.")] = False,
+    rows: Annotated[Path | None, typer.Option("--rows", help="File of the rows. Default: FILE.rows next to it.")] = None,
+    workers: Annotated[int, typer.Option("--workers", "-w", min=1, max=128, help="Number of requests at a time.")] = os.cpu_count() or 1,
+    share: Annotated[str | None, typer.Option("--share", metavar="INDEX/COUNT", help="Solve a share of the rows: 0/16 to 15/16 are all.")] = None,
+    dask: Annotated[str | None, typer.Option("--dask", metavar="SCHEDULER", help="Use the workers of a Dask cluster, such as tcp://host:8786.")] = None,
+    table: Annotated[Path | None, typer.Option("--csv", help="Write all rows to a CSV file.")] = None,
+    arrays: Annotated[Path | None, typer.Option("--hdf5", help="Write all rows to an HDF5 file, as arrays over the varied fields.")] = None,
+    fresh: Annotated[bool, typer.Option("--fresh", help="Solve all rows again.")] = False,
+    retry: Annotated[bool, typer.Option("--retry", help="Solve rows again that failed or did not converge.")] = False,
 ) -> None:
     """Solve a problem for many values of its parameters.
 
-    Killed at any moment and started again, it goes on where it was.
+    If it is killed and started again, it continues.
 
-    Ends with 5 when rows did not converge, and with 4, 7 or 8 when rows failed.
+    Exit codes: 5 if rows did not converge; 4, 7 or 8 if rows failed.
     """
     plan = read_plan(file)
     if rows is None:
@@ -74,7 +74,7 @@ def _columns(plan: Plan) -> list[str]:
 
 
 def _check_output(part: Share | None, table: Path | None, arrays: Path | None, plan: Plan) -> None:
-    """Before anything is solved."""
+    """Checks the output before anything is solved."""
     for option, path in (("--csv", table), ("--hdf5", arrays)):
         if path is None:
             continue
@@ -88,7 +88,7 @@ def _check_output(part: Share | None, table: Path | None, arrays: Path | None, p
 def _solved(
     plan: Plan, cases: Sequence[Case], journal: Journal, beside: Rows, workers: int, dask: str | None, fresh: bool, retry: bool
 ) -> list[dict[str, Any]]:
-    """The rows of these cases; `beside` has those of other files."""
+    """Returns the rows of these cases; `beside` contains those of other files."""
     keys = {case.key for case in cases}
     there = best(journal.rows, beside)
     unwanted = keys if fresh else {key for key in keys if retry and there.get(key, {}).get("code")}
@@ -111,7 +111,7 @@ def _solved(
 
 
 def _solve(plan: Plan, todo: Sequence[Case], there: int, journal: Journal, workers: int, dask: str | None) -> None:
-    """`there` are the rows that are not to be solved."""
+    """Solves the cases, except the rows in `there`."""
     if not todo:
         return
     known = len(journal.rows)
@@ -130,7 +130,7 @@ def _solve(plan: Plan, todo: Sequence[Case], there: int, journal: Journal, worke
 
 
 def _show(plan: Plan, rows: list[dict[str, Any]], table: Path | None, numbers: Sequence[int]) -> None:
-    """Rows with their numbers among all of the study."""
+    """Shows rows with their numbers in the study."""
     answers = [name for name in plan.answers if name not in plan.names]
     columns = _columns(plan)
     cells = [[*row["values"].values(), *(row.get("answers", {}).get(name) for name in answers)] for row in rows]
@@ -161,7 +161,7 @@ def _named(number: int, row: dict[str, Any]) -> str:
 
 
 def _shown(columns: list[str], cells: list[Any]) -> list[Any]:
-    """For people, without what rounding leaves of forces."""
+    """Returns printed values; forces without rounding errors."""
     forces = [name.startswith("forces.") and isinstance(cell, float) for name, cell in zip(columns, cells)]
     largest = max((abs(cell) for cell, is_force in zip(cells, forces) if is_force), default=0.0)
     return [above_rounding(cell, largest) if is_force else cell for cell, is_force in zip(cells, forces)]

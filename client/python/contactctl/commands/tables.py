@@ -48,17 +48,17 @@ def build(
     file: Spec = None, sets: Set = None, G: G = None, E: E = None, nu: NU = None,
     nx: NX = None, ny: NY = None, dx: DX = None, dy: DY = None, accuracy: Accuracy = None,
 ) -> None:  # fmt: skip
-    """Have the daemon make a table, unless it has it.
+    """Build a table in the daemon, unless it exists.
 
-    Ctrl-C ends the build, unless others wait for it, too.
+    Ctrl-C ends the build, unless other clients wait for it.
 
-    FILE has the parameters of ic.get: material, grid, ics. Without one the options say them.
+    FILE contains the parameters of ic.get: material, grid, ics. Without a file, use the options.
     """
     params = table_params(file, as_given(G=G, E=E, nu=nu, nx=nx, ny=ny, dx=dx, dy=dy, accuracy=accuracy), sets)
     count = offsets_of(params)
     if count:
         note(f"{count} offsets: the table takes {size(72 * count)} of memory, and as much in the store.")
-    # A row of one component travels, so that a table of any size can be built.
+    # Only a row of one component is sent, so that a table of any size can be built.
     part = {**params, "components": ["zz"], "rows": {"first": 0, "count": 1}}
     with connected() as client:
         inputs = ask(client, "ic.get", part, "building")
@@ -89,7 +89,7 @@ def _shown(inputs: dict[str, Any]) -> RenderableType:
 
 
 def list_tables() -> None:
-    """The tables of the store, and builds in quarantine."""
+    """List the tables of the store, and builds in quarantine."""
     with connected() as client:
         tables, quarantined = list(client.stored_ics()), client.quarantined_ics()
     total = sum(table.bytes for table in tables)
@@ -110,7 +110,7 @@ def _shown_quarantine(quarantined: tuple[QuarantinedIc, ...]) -> RenderableType:
 def show(
     table: Annotated[str, typer.Argument(metavar="KEY|FILE", help="A key of ic list, its beginning, or a .h5, .npz or .txt file.")],
 ) -> None:
-    """Shows what a file holds, or what the store knows of a key."""
+    """Show the contents of a file, or the store's table of a key."""
     if table.endswith((".h5", ".npz", ".txt")):
         inputs, shown = shown_file(table)
         emit(setting().json, inputs, shown)
@@ -132,7 +132,7 @@ def export(
 ) -> None:  # fmt: skip
     """Write a table to a file.
 
-    The daemon makes it, unless it has it.
+    The daemon builds it, unless it exists.
     """
     check_suffix(output)
     params = table_params(file, as_given(G=G, E=E, nu=nu, nx=nx, ny=ny, dx=dx, dy=dy, accuracy=accuracy), sets)
@@ -145,9 +145,9 @@ def import_tables(
     files: Annotated[list[str], typer.Argument(metavar="FILE...", help="Files of ic export (.h5), or of another store.")],
     store: Annotated[str | None, typer.Option("--store", help="A folder: files of another store are copied there, without a daemon.")] = None,
 ) -> None:
-    """Put tables of files into the daemon's store, or into the folder of one.
+    """Import tables from files into the daemon's store, or into the folder of a store.
 
-    They are checked first. Daemons with this store find them at once.
+    The files are checked first. Daemons with this store find the tables immediately.
     """
     if store is not None:
         done = import_files(files, store)
@@ -178,7 +178,7 @@ def delete(
 
 
 def _whole_key(client: Client, beginning: str) -> str:
-    """The one key that begins so. Raises Ended when there is none, click.UsageError when there are several."""
+    """Returns the key with this beginning. Raises Ended if there is none, click.UsageError if there are several."""
     if not beginning:
         raise click.UsageError("A key is empty; say at least its beginning, as ic list shows it.")
     entries: list[StoredIc | QuarantinedIc] = [*client.stored_ics(), *client.quarantined_ics()]

@@ -1,4 +1,4 @@
-"""watch: what the daemon is doing, again and again."""
+"""watch: the activity of the daemon, updated regularly."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ def add_to(app: typer.Typer) -> None:
 
 
 def watch(
-    interval: Annotated[float, typer.Option("--interval", "-i", min=0.1, max=3600, help="Seconds between looks.")] = 1.0,
-    count: Annotated[int | None, typer.Option("--count", "-n", min=1, help="End after so many looks; else with Ctrl-C.")] = None,
+    interval: Annotated[float, typer.Option("--interval", "-i", min=0.1, max=3600, help="Seconds between updates.")] = 1.0,
+    count: Annotated[int | None, typer.Option("--count", "-n", min=1, help="End after this number of updates.")] = None,
 ) -> None:
-    """Show live what the daemon does, until Ctrl-C.
+    """Show the activity of the daemon, until Ctrl-C.
 
-    Requests, solves, builds, memory, jobs. In a pipe a line a look, with --json an object.
+    It shows requests, solves, builds, memory and jobs. A pipe receives one line per update, or one object with --json.
     """
     as_json, is_live = setting().json, on_terminal(sys.stdout) and not setting().json
     with connected() as client, Live(console=console(), auto_refresh=False, transient=False) as live:

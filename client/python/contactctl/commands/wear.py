@@ -1,4 +1,4 @@
-"""wear: profiles that wear under a collective of states."""
+"""wear: wears profiles in a set of weighted states."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ from ..wearing.shares import ShareFiles, work
 
 __all__ = ["add_to"]
 
-_SHOWN = 40  #: steps of a table for people
+_SHOWN = 40  #: Number of steps in a printed table.
 
 
 def add_to(app: typer.Typer) -> None:
@@ -46,21 +46,21 @@ def add_to(app: typer.Typer) -> None:
 
 def wear(
     file: Annotated[str, typer.Argument(help="JSON or YAML: setup, states, wears, law, until, step, smoothing.")],
-    output: Annotated[Path | None, typer.Option("--output", "-o", metavar="FILE", help="HDF5 with all steps; else FILE.h5 beside it.")] = None,
-    workers: Annotated[int, typer.Option("--workers", "-w", min=1, max=128, help="Requests at a time.")] = os.cpu_count() or 1,
-    profile: Annotated[Path | None, typer.Option("--profile", metavar="FILE", help="Write the last section, too: y and z, a point a line.")] = None,
-    profiles: Annotated[Path | None, typer.Option("--profiles", metavar="FOLDER", help="Write the last profiles there: .prw or .prr, .whl or .ban.")] = None,
-    pictures: Annotated[Path | None, typer.Option("--pictures", metavar="FOLDER", help="Draw profiles, depths, groups, conicity and more there.")] = None,
+    output: Annotated[Path | None, typer.Option("--output", "-o", metavar="FILE", help="HDF5 file with all steps. Default: FILE.h5 next to it.")] = None,
+    workers: Annotated[int, typer.Option("--workers", "-w", min=1, max=128, help="Number of requests at a time.")] = os.cpu_count() or 1,
+    profile: Annotated[Path | None, typer.Option("--profile", metavar="FILE", help="Write the last section: y and z, one point per line.")] = None,
+    profiles: Annotated[Path | None, typer.Option("--profiles", metavar="FOLDER", help="Folder for the last profiles: .prw or .prr, .whl or .ban.")] = None,
+    pictures: Annotated[Path | None, typer.Option("--pictures", metavar="FOLDER", help="Folder for pictures of profiles, depths, groups, conicity and more.")] = None,
     share: Annotated[str | None, typer.Option("--share", metavar="INDEX/COUNT", help="Solve a share of the states; 0/4 makes the steps, 1/4 to 3/4 help.")] = None,
-    longest_wait: Annotated[float, typer.Option("--longest-wait", metavar="SECONDS", min=1, help="How long shares wait for each other.")] = 3600,
-    dask: Annotated[str | None, typer.Option("--dask", metavar="SCHEDULER", help="By the workers of a Dask cluster, such as tcp://host:8786.")] = None,
-    convergence: Annotated[bool, typer.Option("--convergence", help="Wear nothing, but tell how far results have settled: other states, elements and steps.")] = False,
-    allow_program: Annotated[bool, typer.Option("--allow-program", help="Run the program that the study names in dynamics.")] = False,
-    fresh: Annotated[bool, typer.Option("--fresh", help="Begin with the new profile, also where there are steps.")] = False,
+    longest_wait: Annotated[float, typer.Option("--longest-wait", metavar="SECONDS", min=1, help="Time that shares wait for each other.")] = 3600,
+    dask: Annotated[str | None, typer.Option("--dask", metavar="SCHEDULER", help="Use the workers of a Dask cluster, such as tcp://host:8786.")] = None,
+    convergence: Annotated[bool, typer.Option("--convergence", help="Only check convergence: with other states, elements and steps.")] = False,
+    allow_program: Annotated[bool, typer.Option("--allow-program", help="Allow the program in dynamics of the study.")] = False,
+    fresh: Annotated[bool, typer.Option("--fresh", help="Start again with the new profile.")] = False,
 ) -> None:
-    """Wear a wheel or a rail, or both, under a collective of states, step by step.
+    """Wear a wheel, a rail, or both in a set of weighted states, step by step.
 
-    Killed at any moment and started again, it goes on behind the last step.
+    If it is killed and started again, it continues after the last step.
     """
     need("h5py", "HDF5 files", "hdf5")
     if pictures is not None:
@@ -114,7 +114,7 @@ def wear(
 
 
 def _tell_convergence(study: WearStudy, workers: int) -> None:
-    """A table of variants, each against the finest."""
+    """Shows a table of variants, each compared with the finest."""
     with connected(workers=workers, local_unless_named=True) as client, Bar("convergence") as bar:
         found = list(settled(client, study, workers, bar.show))
     columns = ["what differs", "L1 of depth", "area", "largest depth", "steps", "s"]
@@ -123,7 +123,7 @@ def _tell_convergence(study: WearStudy, workers: int) -> None:
 
 
 def _study_of(file: str, dynamics: Dynamics, fresh: bool) -> WearStudy:
-    """The study whose states are those that dynamics tell on the new profiles."""
+    """Returns the study with the states from dynamics on the new profiles."""
     if fresh:
         _forget_stages(dynamics.folder)
     anyone = read_study(file, [WeightedState(WheelRailState(), 1.0)])
@@ -133,7 +133,7 @@ def _study_of(file: str, dynamics: Dynamics, fresh: bool) -> WearStudy:
 
 
 def _forget_stages(folder: Path) -> None:
-    """Removes the folders of stages. Raises Ended for a folder that has anything else."""
+    """Removes the folders of stages. Raises Ended for a folder with other files."""
     if not folder.is_dir():
         return
     for path in folder.iterdir():
@@ -143,7 +143,7 @@ def _forget_stages(folder: Path) -> None:
 
 
 def _help(study: WearStudy, output: Path, share: Share, workers: int, longest_wait: float) -> None:
-    """What a share but the first does."""
+    """Runs a share other than the first."""
     with connected(workers=workers, local_unless_named=True) as client, Bar("wear") as bar:
         files = ShareFiles(output, study, share, longest_wait)
         work(
@@ -158,7 +158,7 @@ def _before(output: Path, study: WearStudy, fresh: bool) -> list[WornStep]:
     try:
         return read_record(output, study)
     except InvalidArgument as error:
-        if len(read_record(output)) < 2:  # that study was refused, and nothing of it would be lost
+        if len(read_record(output)) < 2:  # That study was refused, so nothing is lost.
             return []
         raise Ended(Code.USAGE, f"{error} --fresh begins anew.") from None
     except (OSError, KeyError):
@@ -169,10 +169,10 @@ def _evolve(
     study: WearStudy, steps: list[WornStep], output: Path, workers: int, share: Share | None, longest_wait: float, dask: str | None, is_measured: bool,
     dynamics: Dynamics | None = None,
 ) -> Measures:
-    """Adds steps to the list as they end, and writes all to the file each time."""
+    """Adds completed steps to the list, and writes all to the file each time."""
     before, began = steps[-1].distance if steps else 0.0, time.monotonic()
     with ExitStack() as stack:
-        stack.enter_context(collected())  # `_show` has the warnings of all steps, also of those before
+        stack.enter_context(collected())  # `_show` prints the warnings of all steps, including earlier ones.
         client = stack.enter_context(connected(workers=workers, local_unless_named=True))
         bar = stack.enter_context(Bar("wear"))
 
@@ -212,7 +212,7 @@ def _show(steps: list[WornStep], study: WearStudy) -> None:
 
 
 def _sentences(steps: list[WornStep], study: WearStudy, totals: dict[str, dict[str, float]]) -> list[str]:
-    """Sentences below the table: the depths after all steps, and why some of these are less deep than they might be."""
+    """Returns the sentences below the table: the depths after all steps, and the limits of shallow steps."""
     found = [
         f"After {steps[-1].distance:g} {study.unit} the {part} is worn by {total['depth']:.4g} mm at most, at y = {total['y']:.2f} mm; "
         f"the worn area is {total['area']:.4g} mm^2."

@@ -28,14 +28,14 @@ from .solve import Fields, Outputs, Set, requested_fields
 
 __all__ = ["add_to"]
 
-File = Annotated[str | None, typer.Argument(metavar="[FILE]", help="JSON or YAML with setup and state, as of wheelrail.solve; else S1002 on 60E1.")]
-Y = Annotated[float | None, typer.Option("--y", help="Shift of the wheelset to the right (mm).")]
-Yaw = Annotated[float | None, typer.Option("--yaw", help="Its yaw angle (rad).")]
-Roll = Annotated[float | None, typer.Option("--roll", help="Its roll angle (rad).")]
+File = Annotated[str | None, typer.Argument(metavar="[FILE]", help="JSON or YAML with setup and state of wheelrail.solve. Default: S1002 on 60E1.")]
+Y = Annotated[float | None, typer.Option("--y", help="Lateral shift of the wheelset to the right (mm).")]
+Yaw = Annotated[float | None, typer.Option("--yaw", help="Yaw angle of the wheelset (rad).")]
+Roll = Annotated[float | None, typer.Option("--roll", help="Roll angle of the wheelset (rad).")]
 Fz = Annotated[float | None, typer.Option("--Fz", help="Vertical force of this wheel on the rail (N).")]
-Speed = Annotated[float | None, typer.Option("--speed", help="Forwards (mm/s); the wheelset then rolls, unless the file says its pitch.")]
-Side = Annotated[str | None, typer.Option("--side", help="right or left.")]
-Mu = Annotated[float | None, typer.Option("--mu", help="Coefficient of friction; 0.3 without a file.")]
+Speed = Annotated[float | None, typer.Option("--speed", help="Forward speed (mm/s). The wheelset rolls, unless the file has a pitch rate.")]
+Side = Annotated[str | None, typer.Option("--side", help="Side of the wheel: right or left.")]
+Mu = Annotated[float | None, typer.Option("--mu", help="Friction coefficient. Default without a file: 0.3.")]
 
 
 def add_to(app: typer.Typer) -> None:
@@ -50,7 +50,7 @@ def solve(
     file: File = None, y: Y = None, yaw: Yaw = None, roll: Roll = None, Fz: Fz = None, speed: Speed = None,
     side: Side = None, mu: Mu = None, sets: Set = None, output: Outputs = None, fields: Fields = None,
 ) -> None:  # fmt: skip
-    """Patches and forces on the rail; ends with 5 when it did not converge."""
+    """Solve patches and forces on the rail. Exit code 5: it did not converge."""
     outputs = check_outputs(output or ())
     params = _params(file, {"y": y, "yaw": yaw, "roll": roll}, Fz, speed, side, mu, sets)
     requested_fields(params, fields, outputs)
@@ -65,9 +65,9 @@ def solve(
 
 
 def _profiles(client: Client, params: dict[str, Any]) -> PlacedProfiles | None:
-    """Those of the side, for a picture; None where the set-up has no such profiles."""
+    """Returns the profiles of the side for a picture; None if the set-up has none."""
     try:
-        with collected():  # the solution warns of them
+        with collected():  # The solution has their warnings.
             both = client.placed_profiles(params.get("setup", {}))
     except StatusError:
         return None
@@ -75,7 +75,7 @@ def _profiles(client: Client, params: dict[str, Any]) -> PlacedProfiles | None:
 
 
 def _solution(params: dict[str, Any], answer: dict[str, Any], profiles: PlacedProfiles | None) -> WheelRailSolution:
-    """The solution that Python has, which knows what it was solved for."""
+    """Returns the Python solution with its set-up and state."""
     solution = read_wheel_rail(params.get("fields"), params.get("gap", False), answer)
     radius = get(params, "setup.wheelset.nominal_radius")
     position = read(WheelsetPosition, get(params, "state.position") or {}, "state.position")
@@ -89,7 +89,7 @@ def geometry(
     file: File = None, y: Y = None, yaw: Yaw = None, roll: Roll = None, Fz: Fz = None, speed: Speed = None,
     side: Side = None, mu: Mu = None, sets: Set = None,
 ) -> None:  # fmt: skip
-    """Where wheel and rail touch, without a solve: places, angles, radii, creepages."""
+    """Compute contact points, angles, radii and creepages without a solve."""
     params = _params(file, {"y": y, "yaw": yaw, "roll": roll}, Fz, speed, side, mu, sets)
     if "state" in params:
         params["states"] = [params.pop("state")]
@@ -107,16 +107,16 @@ def _params(
     file: str | None, position: dict[str, float | None], force: float | None, speed: float | None,
     side: str | None, mu: float | None, sets: list[str] | None,
 ) -> dict[str, Any]:  # fmt: skip
-    """`setup` and `state`; options are laid over what the file says."""
+    """Returns `setup` and `state`; options replace values in the file."""
     params = read_object(file) if file is not None else {"setup": {}, "state": {}}
     given: list[tuple[str, Any]] = [(f"state.position.{name}", value) for name, value in position.items()]
     given += [("state.Fz", force), ("state.velocity.x", speed), ("setup.side", side), ("setup.friction.mu", mu)]
     params = changed(params, [f"{path}={value}" for path, value in given if value is not None])
     if speed is not None:
         radius = get(params, "setup.wheelset.nominal_radius")
-        is_usable = isinstance(radius, (int, float)) and radius != 0  # else it is the daemon's to refuse
+        is_usable = isinstance(radius, (int, float)) and radius != 0  # The daemon refuses other values.
         params["state"]["velocity"].setdefault("pitch", -speed / (radius if is_usable else RADIUS))
-    # Files that are named here lie where the command is given.
+    # Files in options are relative to the current folder.
     return with_arrays(changed(params, sets), "--set") if sets else params
 
 
