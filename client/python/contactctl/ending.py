@@ -1,8 +1,8 @@
-"""The end of the process soon after a signal, whatever its threads do.
+"""Ends the process soon after a signal, whatever its threads do.
 
-A command that is interrupted ends in order: it cancels what it asked for, and says what is kept. Two watches bound how long
-that may take. A thread ends the process with the exit code of the signal. Where no thread of Python runs any more, as one of
-them is inside a library that keeps the interpreter's lock, a shell kills the process.
+An interrupted command ends normally: it cancels its requests, and reports the stored results. Two timers limit the time
+for this. A thread ends the process with the exit code of the signal. If no Python thread can run, because a library
+holds the interpreter's lock, a shell kills the process.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from .codes import Code
 
 __all__ = ["end_soon_after_signals"]
 
-_IN_ORDER = 1.5  #: seconds from a signal
+_IN_ORDER = 1.5  #: Seconds after a signal.
 _CODES: dict[int, Code] = {signal.SIGINT: Code.INTERRUPTED, signal.SIGTERM: Code.TERMINATED, signal.SIGHUP: Code.HUNG_UP}
 
-#: $1: the process. The interpreter writes the number of each signal that it handles into the pipe, without its lock; the end
-#: of the process closes it. A process that has the same number by chance is not the parent of this one.
+#: $1: the process ID. The interpreter writes the number of each handled signal into the pipe, without its lock; the end
+#: of the process closes it. Another process with the same ID is not the parent of this one.
 _WATCH = r"""
 number=$(head -c 1 | od -An -tu1)
 [ -n "$number" ] || exit 0
@@ -33,7 +33,9 @@ grep -qs "^PPid:[[:space:]]*$1\$" /proc/$$/status && kill -KILL "$1"
 
 
 def end_soon_after_signals() -> None:
-    """From now on SIGINT, SIGTERM and SIGHUP end this process within two seconds, unless they are ignored. Of the main thread."""
+    """Makes SIGINT, SIGTERM and SIGHUP end this process within two seconds, unless they are ignored. Call it in the
+    main thread.
+    """
     reading, writing = os.pipe()
     os.set_blocking(writing, False)
     try:
@@ -41,12 +43,12 @@ def end_soon_after_signals() -> None:
             ["/bin/sh", "-c", _WATCH, "contactctl-watch", str(os.getpid())],
             stdin=reading, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd="/", start_new_session=True,
         )  # fmt: skip
-    except OSError:  # no more processes: the command goes on without
+    except OSError:  # no new process is possible: the command continues without
         os.close(writing)
         return
     finally:
         os.close(reading)
-    watch.returncode = 0  # it outlives this process
+    watch.returncode = 0  # It outlives this process.
     signal.set_wakeup_fd(writing, warn_on_full_buffer=False)
     threading.Thread(target=_end_after_signal, args=(watch,), daemon=True, name="ending").start()
 

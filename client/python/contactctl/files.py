@@ -1,4 +1,4 @@
-"""Files that users write: JSON or YAML in the words of the wire, with arrays in files of their own where they are large."""
+"""Input files of users: JSON or YAML as on the wire, with large arrays in separate files."""
 
 from __future__ import annotations
 
@@ -25,25 +25,25 @@ __all__ = [
 ]  # fmt: skip
 
 _UNMARKED = " The CONTACT program and versions of contactd before 0.1.0 write .mat and .subs files without a mark."
-COMMENT = "$comment"  #: of an object: text that is no field of it
-_DEEPEST = 50  #: levels of fields; no request has a quarter of them
-_MOST_BYTES = 1 << 25  #: of a document; what is larger is arrays, which have files of their own
-_MOST_VALUES = 2_000_000  #: of a document of JSON
+COMMENT = "$comment"  #: Name of a comment in an object.
+_DEEPEST = 50  #: Largest depth of fields, four times that of any request.
+_MOST_BYTES = 1 << 25  #: Largest size of a document; arrays should be in separate files.
+_MOST_VALUES = 2_000_000  #: Largest number of values in a JSON document.
 
 
 def read_object(path: str) -> dict[str, Any]:
-    """The object that a file holds, "-" being standard input; the ending .json, .yaml or .yml says how it is written.
+    """Returns the object in a file; "-" is standard input. The extension .json, .yaml or .yml determines the format.
 
-    ``{"$file": "gap.npy"}`` stands for the array of that file, beside this one: .npy, or text with a row a line; a profile's
-    ``file: wheel.whl``, or ``file: {name: wheel.whl, unit: 25.4}``, for the text of that file. Text named ``$comment`` is left
-    out: JSON has no other comments. Raises click.UsageError with the file and the line.
+    ``{"$file": "gap.npy"}`` is replaced by the array of that file in the same folder: .npy, or text with one row per
+    line. In a profile, ``file: wheel.whl`` or ``file: {name: wheel.whl, unit: 25.4}`` is replaced by the text of that
+    file. Text named ``$comment`` is a comment. Raises click.UsageError with the file and the line.
     """
     found: dict[str, Any] = with_arrays(read_named(path), path)
     return found
 
 
 def read_named(path: str) -> dict[str, Any]:
-    """Reads as read_object does, with the names of files in place of their arrays."""
+    """Reads like read_object, but keeps the names of files instead of their arrays."""
     document = read_document(path)
     if not isinstance(document, dict):
         raise click.UsageError(f"{path} holds {_kind(document)}; it must hold an object, fields with their values.")
@@ -53,14 +53,14 @@ def read_named(path: str) -> dict[str, Any]:
 
 
 def with_arrays(document: Any, path: str) -> Any:
-    """Returns what `path` holds, with the arrays and the profiles of the files that it names."""
+    """Returns the contents of `path` with the arrays and profiles of the named files."""
     return _with_arrays(document, path)
 
 
 def read_document(path: str) -> Any:
-    """Reads as read_object does, whatever the file holds, and arrays left as they are."""
+    """Reads any document like read_object, but does not read arrays."""
     text = _text(path)
-    # JSON is YAML, but for what both say about doubtful numbers and signs.
+    # JSON is a subset of YAML, apart from unusual numbers and characters.
     is_json = path.endswith(".json") or (path == "-" and text.lstrip()[:1] in ("{", "["))
     try:
         return _json(text) if is_json else parse_yaml(text, _object)
@@ -71,15 +71,16 @@ def read_document(path: str) -> Any:
 
 
 def writable(option: str, path: str | Path, heading: Sequence[str] | None = None) -> Path:
-    """Asked before anything is solved: whether there can be such a file, in the place of none or of one that contactd has
-    written. `heading` has the names of the columns of a table without comments. Raises click.UsageError."""
+    """Checks before a solve that the file can be written: it does not exist, or contactd has written it. `heading`
+    contains the column names of a table without comments. Raises click.UsageError.
+    """
     place = Path(path)
     folder = place.absolute().parent
     if not folder.is_dir():
         raise click.UsageError(f"{option} {path}: there is no folder {place.parent}.")
     if place.is_dir():
         raise click.UsageError(f"{option} {path} is a folder; it must be the name of a file.")
-    is_written_to = place.exists() and not place.is_file()  # others are put in place
+    is_written_to = place.exists() and not place.is_file()  # other files are renamed into place
     needed = [place] if is_written_to else [folder, place] if place.exists() else [folder]
     if not all(os.access(path, os.W_OK) for path in needed):
         raise click.UsageError(f"{option} {path} cannot be written: permission is denied.")
@@ -88,7 +89,7 @@ def writable(option: str, path: str | Path, heading: Sequence[str] | None = None
 
 
 def check_own(option: str, place: Path, heading: Sequence[str] | None = None) -> None:
-    """Raises click.UsageError for a file that another program has written, unless the command has --overwrite."""
+    """Raises click.UsageError for a file that another program has written, unless --overwrite is set."""
     if may_overwrite():
         return
     try:
@@ -102,12 +103,12 @@ def check_own(option: str, place: Path, heading: Sequence[str] | None = None) ->
 
 
 def may_overwrite() -> bool:
-    """Whether the command that runs has --overwrite."""
+    """Returns whether the command has --overwrite."""
     return bool(_option("overwrite", False))
 
 
 def allowed_folders(folder: Path) -> list[Path]:
-    """Where files lie that a file in `folder` may name: there, and in those of --allow-folder."""
+    """Returns the folders of files that a file in `folder` may name: this folder, and those of --allow-folder."""
     return [folder, *map(Path, _option("allow_folder", ()))]
 
 
@@ -117,8 +118,9 @@ def _option(name: str, otherwise: Any) -> Any:
 
 
 def named_file(name: str | Path, named_by: str) -> Path:
-    """The place of a file that another one names, beside itself. Raises click.UsageError for one that lies elsewhere, unless
-    --allow-folder allows it."""
+    """Returns the path of a file named in another one, relative to that. Raises click.UsageError for other folders that
+    --allow-folder does not allow.
+    """
     folder = Path() if named_by == "-" else Path(named_by).parent
     place = folder / name
     try:
@@ -129,7 +131,7 @@ def named_file(name: str | Path, named_by: str) -> Path:
 
 
 def writable_folder(option: str, path: str | Path) -> Path:
-    """Likewise of a folder, which is made where there is none. Raises click.UsageError."""
+    """Checks a folder in the same way, and creates it if missing. Raises click.UsageError."""
     place = Path(path)
     there = next(folder for folder in (place.absolute(), *place.absolute().parents) if folder.exists())
     if not there.is_dir():
@@ -140,7 +142,7 @@ def writable_folder(option: str, path: str | Path) -> Path:
 
 
 def write_text(path: str | Path, text: str) -> None:
-    """Whole or not at all."""
+    """Writes a text file, which is never incomplete."""
     write_whole(path, lambda file: file.write(text.encode()))
 
 
@@ -201,7 +203,9 @@ def _with_arrays(value: Any, path: str, depth: int = 0) -> Any:
 
 
 def _profile(named: Any, path: str) -> Any:
-    """The file of a profile with its text; what is no name of a file, or has its text, as it is."""
+    """Returns the file of a profile with its text; values that are not file names, or that have a text, are
+    unchanged.
+    """
     given = {"name": named} if isinstance(named, str) else named
     if not isinstance(given, dict) or not isinstance(name := given.get("name"), str) or "text" in given:
         return named

@@ -1,4 +1,4 @@
-"""Signals that ask the command to end."""
+"""Signals that end the command."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ _ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 @contextmanager
 def heeded_signals() -> Iterator[None]:
-    """SIGTERM and SIGHUP interrupt the main thread as Ctrl-C does; afterwards they do what they did before.
+    """Lets SIGTERM and SIGHUP interrupt the main thread like Ctrl-C inside the block.
 
-    One that is ignored from the start, as nohup has it, goes on being ignored.
+    A signal that is ignored at the start, as with nohup, remains ignored.
     """
     handlers = {signal.SIGTERM: _terminate, signal.SIGHUP: _hang_up}
     before: dict[signal.Signals, Any] = {number: signal.getsignal(number) for number in handlers}
@@ -44,7 +44,7 @@ def _hang_up(*_: Any) -> None:
 
 
 def _write_nowhere() -> None:
-    """Leaves a terminal that has gone: what would be said there must not keep the command from ending in order."""
+    """Discards output to a closed terminal, which must not keep the command from ending."""
     for descriptor in (1, 2):
         try:
             os.write(descriptor, b"")
@@ -55,14 +55,14 @@ def _write_nowhere() -> None:
 
 
 def ignore_more() -> None:
-    """The command is on its way out."""
+    """Ignores further signals while the command ends."""
     for number in _ENDING:
         signal.signal(number, signal.SIG_IGN)
 
 
 @contextmanager
 def uninterrupted() -> Iterator[None]:
-    """For what must be finished once it has begun, and takes a moment; of the main thread."""
+    """Protects a short operation that must be completed; for the main thread."""
     before: list[Any] = [signal.signal(number, signal.SIG_IGN) for number in _ENDING]
     try:
         yield

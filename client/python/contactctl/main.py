@@ -1,4 +1,4 @@
-"""Where the program begins."""
+"""The entry point of the program."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from typing import Any, NoReturn
 
 __all__ = ["main"]
 
-_OF_THE_EXTRA = ("click", "rich", "typer")  #: what pip installs with contactd[cli] only
+_OF_THE_EXTRA = ("click", "rich", "typer")  #: Packages of the extra contactd[cli].
 
 
 def main(arguments: Sequence[str] | None = None) -> NoReturn:
-    """Runs the command that `arguments` name (those of the process), and ends the process with its exit code."""
+    """Runs the command in `arguments` (default: those of the process), and ends the process with its exit code."""
     _open_streams()
     with _killed_by_interrupts():
         try:
@@ -29,7 +29,7 @@ def main(arguments: Sequence[str] | None = None) -> NoReturn:
 
 
 def _end_without(error: ModuleNotFoundError) -> NoReturn:
-    """Says which extra brings the module that is missing; anything but a package of the extra is a defect."""
+    """Names the extra of a missing module. A missing module of other packages is a defect."""
     from contactd import MissingExtra
 
     from .codes import Code
@@ -41,19 +41,19 @@ def _end_without(error: ModuleNotFoundError) -> NoReturn:
 
 
 def _open_streams() -> None:
-    """Also where the caller has closed one of the three: else what is opened next, such as a socket, would take its place."""
+    """Opens closed standard streams; otherwise the next opened file, such as a socket, would take their place."""
     for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
         if getattr(sys, name) is None:
             setattr(sys, name, open(os.devnull, mode))
-    if isinstance(getattr(sys.stdout, "buffer", None), io.RawIOBase):  # by PYTHONUNBUFFERED: what a write leaves over would be lost unsaid
+    if isinstance(getattr(sys.stdout, "buffer", None), io.RawIOBase):  # for PYTHONUNBUFFERED: partial writes would be lost
         sys.stdout = open(sys.stdout.fileno(), "w", encoding=sys.stdout.encoding, errors=sys.stdout.errors, closefd=False)
 
 
 @contextmanager
 def _killed_by_interrupts() -> Iterator[None]:
-    """While modules are loaded there is nothing to cancel, and nothing to say."""
+    """Restores default signals while modules are loaded, when there is nothing to cancel or print."""
     before: Any = signal.getsignal(signal.SIGINT)
-    if before is signal.SIG_IGN:  # in the background of a script
+    if before is signal.SIG_IGN:  # ignored in the background of a script
         yield
         return
     signal.signal(signal.SIGINT, signal.SIG_DFL)

@@ -1,4 +1,4 @@
-"""The metrics of the daemon (docs/operations.md): at one time, and what happened between two."""
+"""The metrics of the daemon (docs/operations.md): at one time, and their changes between two times."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ __all__ = ["Reading", "difference", "quantile"]
 
 Labels = tuple[tuple[str, str], ...]
 _DURATION = "contactd_request_duration_seconds"
-#: Methods of those who look at the daemon, which are no work of its users.
+#: Methods of observers, which are not work of users.
 _LOOKS = {
     "health.watch", "job.list", "server.config", "server.health", "server.info", "server.metrics", "session.list",
     "solves.pressures", "solves.recent",
@@ -20,13 +20,13 @@ _LOOKS = {
 
 @dataclass(frozen=True)
 class Reading:
-    """Values by metric and labels; of histograms their counts and sums.
+    """Values by metric and labels; for histograms their counts and sums.
 
     Attributes:
-        at: When it was taken (s, monotonic).
-        values: Of counters and gauges.
-        histograms: Count and sum.
-        buckets: Of histograms: upper bounds, and how many observations are not above them.
+        at: Time of the reading (s, monotonic).
+        values: Values of counters and gauges.
+        histograms: Counts and sums.
+        buckets: Upper bounds of histograms, and the number of observations up to each.
     """
 
     at: float
@@ -36,7 +36,7 @@ class Reading:
 
     @staticmethod
     def of(metrics: list[dict[str, Any]]) -> Reading:
-        """From the answer to server.metrics."""
+        """Reads the answer of server.metrics."""
         reading = Reading(time.monotonic())
         for metric in metrics:
             for sample in metric["samples"]:
@@ -50,13 +50,13 @@ class Reading:
         return reading
 
     def value(self, name: str, **labels: str) -> float:
-        """Returns the value of one metric, or the sum over labels that are not said; 0 where there is none."""
+        """Returns the value of one metric, summed over unspecified labels; 0 if there is none."""
         given = set(labels.items())
         return sum(value for (found, have), value in self.values.items() if found == name and given <= set(have))
 
 
 def difference(before: Reading, now: Reading) -> dict[str, Any]:
-    """Rates between the two, and values at the second."""
+    """Returns the rates between two readings, and values at the second."""
     elapsed = now.at - before.at
 
     def rate(name: str) -> float:
@@ -86,7 +86,7 @@ def difference(before: Reading, now: Reading) -> dict[str, Any]:
 
 
 def _methods(before: Reading, now: Reading, elapsed: float) -> dict[str, dict[str, float]]:
-    """Those that were asked for meanwhile, apart from the looking itself."""
+    """Returns the methods requested in between, without those of observers."""
     found = {}
     for key, (count, total) in now.histograms.items():
         earlier_count, earlier_total = before.histograms.get(key, (0, 0.0))
@@ -102,9 +102,10 @@ def _is_work(key: tuple[str, Labels]) -> bool:
 
 
 def quantile(before: Reading, now: Reading, part: float) -> float | None:
-    """The time (s) in which that part of the requests between the two was answered, all methods together but for the
-    looking itself; None when there were none. Between the bounds of the histogram it is interpolated, beyond the last one
-    it is that one."""
+    """Returns the time (s) in which this fraction of the requests between the two readings was answered, for all
+    methods except those of observers; None without requests. It is interpolated in the histogram, and at most its last
+    bound.
+    """
     counts: dict[float, int] = {}
     for key, buckets in now.buckets.items():
         if _is_work(key):

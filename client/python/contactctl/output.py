@@ -1,4 +1,4 @@
-"""Output of commands: tables for people or JSON for scripts on standard output, all else on standard error."""
+"""Output of commands: tables or JSON on standard output, everything else on standard error."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ __all__ = [
     "span", "warn", "warn_of", "warned",
 ]  # fmt: skip
 
-_MOST_WARNINGS = 20  # that are said of a command
-_MOST_NAMED = 5  # cases, rows or steps that a sentence is of
+_MOST_WARNINGS = 20  # largest number of warnings of a command
+_MOST_NAMED = 5  # largest number of cases, rows or steps named in a sentence
 _MOST_KEPT = 1000
 _OTHERS = "other sentences"
-_UNBOUNDED = 10_000  # columns where there is no terminal: nothing is cut off in a pipe
+_UNBOUNDED = 10_000  # columns without a terminal, so that nothing is truncated in a pipe
 
 
 class _Console(Console):
@@ -40,30 +40,34 @@ class _Console(Console):
 
 
 def on_terminal(stream: Any) -> bool:
-    """Whether a person is likely to read what is written there."""
+    """Returns whether the stream is a terminal."""
     return bool(stream.isatty())
 
 
 def console(*, stderr: bool = False, is_bounded: bool = True) -> Console:
-    """Where to print; colours on a terminal only, and there not against NO_COLOR. `is_bounded` by its width."""
+    """Returns the console for printing. Colours are used only in a terminal without NO_COLOR. `is_bounded` limits the
+    width.
+    """
     stream = sys.stderr if stderr else sys.stdout
     width = None if is_bounded and on_terminal(stream) else _UNBOUNDED
     return _Console(file=stream, width=width, highlight=False, markup=False, emoji=False, legacy_windows=False)
 
 
 def note(text: str) -> None:
-    """A sentence on standard error."""
+    """Prints a sentence on standard error."""
     console(stderr=True).print(printable(text), soft_wrap=True)
 
 
 def warn(sentences: Iterable[str]) -> None:
-    """Warnings, each once."""
+    """Prints warnings, each once."""
     for sentence in dict.fromkeys(sentences):
         note(f"warning: {sentence}")
 
 
 def warn_of(noun: str, warnings: Iterable[tuple[str, str]]) -> None:
-    """Warnings of cases, rows or steps, as the `noun` says: names and sentences, each sentence once with the names it is of."""
+    """Prints warnings of cases, rows or steps (`noun`), given as names and sentences: each sentence once, with its
+    names.
+    """
     found: dict[str, dict[str, None]] = {}
     for name, sentence in warnings:
         found.setdefault(sentence, {})[name] = None
@@ -83,7 +87,7 @@ def _named(noun: str, names: list[str]) -> str:
 
 @contextmanager
 def warned() -> Iterator[None]:
-    """Says what answers warn of inside at its end, with how many of them do."""
+    """Prints the warnings of answers in the block at its end, with the number of answers for each."""
     counts: Counter[str] = Counter()
     lock = Lock()
 
@@ -109,7 +113,7 @@ def warned() -> Iterator[None]:
 
 
 def emit(as_json: bool, value: Any, *shown: RenderableType) -> None:
-    """`value` as one line of JSON, or what is `shown` of it."""
+    """Prints `value` as one line of JSON, or `shown`."""
     if as_json:
         sys.stdout.write(json.dumps(plain_json(value), allow_nan=False) + "\n")
     else:
@@ -118,7 +122,7 @@ def emit(as_json: bool, value: Any, *shown: RenderableType) -> None:
 
 
 def _print(shown: Iterable[RenderableType]) -> None:
-    # A terminal that is too narrow breaks lines, which reads better than numbers in pieces.
+    # In a narrow terminal, wrapped lines are more readable than broken numbers.
     page = console(is_bounded=False)
     if on_terminal(sys.stdout):
         for part in shown:
@@ -127,12 +131,14 @@ def _print(shown: Iterable[RenderableType]) -> None:
     with page.capture() as captured:
         for part in shown:
             page.print(part)
-    # Columns are filled up with blanks, which nobody needs in a file.
+    # Removes trailing blanks of columns.
     sys.stdout.writelines(f"{line.rstrip()}\n" for line in captured.get().splitlines())
 
 
 def plain_json(value: Any) -> Any:
-    """`value` as what JSON has: arrays as lists, classes as objects without what is None, no numbers that are not finite."""
+    """Returns `value` for JSON: arrays as lists, classes as objects without None, and no numbers that are not
+    finite.
+    """
     if isinstance(value, np.ndarray):
         return plain_json(value.tolist())
     if isinstance(value, np.generic):
@@ -150,28 +156,28 @@ def plain_json(value: Any) -> Any:
 
 
 def number(value: Any) -> str:
-    """Six digits of a number, "yes" or "NO", a dash for what is not there."""
+    """Returns six digits of a number, "yes" or "NO", or a dash for a missing value."""
     if value is None:
         return "-"
     if isinstance(value, bool):
         return "yes" if value else "NO"
     if isinstance(value, float):
-        return f"{value + 0.0:.6g}"  # no minus before a zero
+        return f"{value + 0.0:.6g}"  # no negative zero
     return printable(str(value))
 
 
 def above_rounding(value: float, scale: float) -> float:
-    """`value`, or 0 where it is what rounding leaves of numbers as large as `scale`."""
+    """Returns `value`, or 0 if it is a rounding error of numbers as large as `scale`."""
     return value if abs(value) > 1e-12 * abs(scale) else 0.0
 
 
 def counted(count: int, noun: str) -> str:
-    """Counts things, as in "1 table", "2 tables"."""
+    """Returns a count with a noun, such as "1 table" or "2 tables"."""
     return f"{count} {noun}{'' if count == 1 else 's'}"
 
 
 def size(count: float) -> str:
-    """Bytes in the unit that leaves one to three digits before the point."""
+    """Returns bytes in a unit with one to three digits before the point."""
     for unit in ("bytes", "kB", "MB", "GB", "TB"):
         if abs(count) < 1000 or unit == "TB":
             return f"{count:.0f} {unit}" if unit == "bytes" else f"{count:.3g} {unit}"
@@ -180,7 +186,7 @@ def size(count: float) -> str:
 
 
 def span(seconds: float) -> str:
-    """A time in the unit that suits it."""
+    """Returns a time in a suitable unit."""
     if seconds < 1:
         return f"{1000 * seconds:.3g} ms"
     if seconds < 120:
@@ -190,7 +196,7 @@ def span(seconds: float) -> str:
 
 
 def facts(title: str, rows: Iterable[tuple[str, Any]]) -> RenderableType:
-    """Names and values of one thing; rows of None are left out."""
+    """Returns a table of names and values; rows of None are omitted."""
     table = Table(show_header=False, box=None, padding=(0, 3, 0, 0))
     table.add_column(style="cyan", no_wrap=True)
     table.add_column(overflow="fold")
@@ -201,7 +207,7 @@ def facts(title: str, rows: Iterable[tuple[str, Any]]) -> RenderableType:
 
 
 def listing(title: str | None, columns: Sequence[str], rows: Iterable[Sequence[Any]]) -> RenderableType:
-    """A line each; numbers to the right."""
+    """Returns a table with one line per row; numbers are right-aligned."""
     found = [[*row] for row in rows]
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
     for index, name in enumerate(columns):
@@ -214,5 +220,5 @@ def listing(title: str | None, columns: Sequence[str], rows: Iterable[Sequence[A
 
 
 def _titled(title: str, table: Table) -> RenderableType:
-    """Above, and not in the table, whose columns may be narrower."""
+    """Puts the title above the table, because its columns may be narrower."""
     return Group(Text(title, style="bold"), table)

@@ -1,5 +1,6 @@
-"""Fields by their paths, as refusals name them: ``friction.rolling.xi``, ``ics.layers[0].G``; and what files may have in other
-words than the wire: Young's modulus, and lists in place of the objects that laws are made of."""
+"""Fields by their paths, as in error messages: ``friction.rolling.xi``, ``ics.layers[0].G``. Also converts notations of
+files that the wire does not have: Young's modulus, and lists instead of the objects of laws.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +22,7 @@ _LAWS: dict[str, type] = {"wear": WearRequest, "fatigue": FatigueRequest}
 
 
 def parts(path: str) -> list[str | int]:
-    """Names and indices. Raises click.UsageError."""
+    """Returns names and indices. Raises click.UsageError."""
     try:
         return field_paths.parts(path)
     except ValueError as error:
@@ -29,7 +30,7 @@ def parts(path: str) -> list[str | int]:
 
 
 def put(document: Any, path: str, value: Any) -> None:
-    """Changes `document`; objects on the way are made where they are missing or null. Raises click.UsageError."""
+    """Sets a value in `document`; creates missing or null objects on the path. Raises click.UsageError."""
     try:
         field_paths.put(document, path, value)
     except ValueError as error:
@@ -37,7 +38,7 @@ def put(document: Any, path: str, value: Any) -> None:
 
 
 def get(document: Any, path: str) -> Any:
-    """The value there; None where there is none. Raises click.UsageError for what is no path."""
+    """Returns the value, or None. Raises click.UsageError for an invalid path."""
     try:
         return field_paths.get(document, path)
     except ValueError as error:
@@ -45,8 +46,9 @@ def get(document: Any, path: str) -> Any:
 
 
 def changed(document: dict[str, Any], settings: Iterable[str]) -> dict[str, Any]:
-    """A copy with each PATH=VALUE of the command line in place; a value is JSON, or else a text. The copy is in the
-    words of the wire (put_into_words)."""
+    """Returns a copy with each PATH=VALUE of the command line; a value is JSON, or otherwise a text. The copy has the
+    form of the wire (put_into_words).
+    """
     found: dict[str, Any] = copied(document)
     for setting in settings:
         path, sign, text = setting.partition("=")
@@ -58,17 +60,17 @@ def changed(document: dict[str, Any], settings: Iterable[str]) -> dict[str, Any]
 
 
 def put_into_words(document: dict[str, Any]) -> None:
-    """Changes `document` to the words of the wire: G = E / (2 (1 + nu)) in the place of E where an object has both E and nu; and
-    objects in the place of lists in laws of wear and in what fatigue is asked by, as Python takes them.
+    """Converts `document` to the form of the wire: G = E / (2 (1 + nu)) replaces E in objects with E and nu, and
+    objects replace lists in laws of wear and fatigue requests, as in Python.
 
-    Raises click.UsageError for E that stands beside G, or is not a positive number, and for lists of another length.
+    Raises click.UsageError for E together with G, for an E that is not positive, and for lists of another length.
     """
     _with_shear_moduli(document)
     _with_laws(document)
 
 
 def _with_laws(document: dict[str, Any], path: str = "") -> None:
-    """Wherever parameters of a contact or a set-up have them."""
+    """Converts laws in all parameters of a contact or a set-up."""
     for name, item in document.items():
         place = f"{path}.{name}" if path else name
         if (kind := _LAWS.get(name)) is not None:

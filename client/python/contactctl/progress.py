@@ -1,4 +1,4 @@
-"""A live bar of what the daemon is doing, on standard error where that is a terminal, and else nothing."""
+"""A live progress bar on standard error if that is a terminal."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ __all__ = ["Bar"]
 
 
 class Bar:
-    """Appears with the first news, and goes when the work has ended."""
+    """Appears with the first report, and disappears at the end of the work."""
 
     def __init__(self, what: str) -> None:
         self._what = what
         self._bars: Bars | None = None
-        self._is_seen = on_terminal(sys.stderr)  # not asked again: a bar puts something else in its place
+        self._is_seen = on_terminal(sys.stderr)  # checked once, because a bar replaces the stream
         self._has_reported = self._has_reported_memory = False
 
     def __enter__(self) -> Bar:
@@ -34,7 +34,7 @@ class Bar:
             self._bars.stop()
 
     def report(self, progress: Progress) -> None:
-        """How far a request is."""
+        """Shows the progress of a request."""
         left = "" if progress.seconds_left is None else f"about {span(progress.seconds_left)} to go"
         if progress.memory_bytes is not None and not self._has_reported_memory:
             self._has_reported_memory = True
@@ -47,14 +47,14 @@ class Bar:
         self.show(progress.fraction, f"{progress.job}: {progress.stage}" if progress.job else progress.stage, left)
 
     def _tell(self, sentence: str) -> None:
-        """Above the bar where there is one; it stays."""
+        """Prints a line above the bar, if there is one."""
         if self._bars is None:
             note(sentence)
         else:
             self._bars.console.print(sentence)
 
     def show(self, fraction: float, stage: str, remark: str = "") -> None:
-        """`fraction` is 0 to 1."""
+        """Shows a `fraction` from 0 to 1."""
         if not self._is_seen:
             return
         if self._bars is None:

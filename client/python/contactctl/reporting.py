@@ -1,4 +1,4 @@
-"""From errors to sentences on standard error and exit codes."""
+"""Converts errors to sentences on standard error and exit codes."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ __all__ = ["drop_output", "reported", "sentence"]
 
 @contextmanager
 def reported() -> Iterator[None]:
-    """Ends the command with the exit code of what goes wrong inside, after saying what it was."""
+    """Prints an error in the block, and ends the command with its exit code."""
     try:
         yield
         sys.stdout.flush()
@@ -43,23 +43,23 @@ def reported() -> Iterator[None]:
     except OSError as error:
         where = f"{error.filename}: " if error.filename else ""
         note(f"contactctl: {where}{error.strerror or error}.")
-        if not where:  # it is the output that cannot be written
+        if not where:  # The output cannot be written.
             drop_output()
         raise click.exceptions.Exit(code_of(error)) from None
 
 
 def drop_output() -> None:
-    """Sends what is still to be written nowhere, so that the end of Python does not try again."""
+    """Discards pending output, so that Python does not try to write it at exit."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def sentence(error: ContactdError) -> str:
-    """Says what went wrong, with each field of the request that did."""
+    """Returns the error as a sentence, with each invalid field of the request."""
     if not isinstance(error, StatusError):
         return str(error)
     text = error.message.rstrip()
     lines = []
-    if len(error.violations) > 1:  # which the message has one behind the other
+    if len(error.violations) > 1:  # The message already lists them.
         text = f"{len(error.violations)} fields of the request cannot be used."
         lines = [f"  {violation.field}: {violation.description}" for violation in error.violations]
     words = f"{error.name}, {error.reason}" if error.reason else error.name

@@ -1,4 +1,4 @@
-"""Answers to files: JSON, HDF5 or a picture, by the ending of the name."""
+"""Writes answers to files: JSON, HDF5 or a picture, by extension."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from .writing.drawing import save_picture
 
 __all__ = ["ARRAYS", "check_outputs", "check_picture", "is_picture", "need", "save"]
 
-#: Arrays over the grid that an answer may have.
+#: Possible arrays over the grid in an answer.
 ARRAYS: tuple[str, ...] = get_args(Field)
 _PICTURES = (".png", ".svg", ".pdf")
 
 
 def check_outputs(paths: Iterable[str]) -> list[Path]:
-    """Before anything is solved: whether each can be written. Raises click.UsageError."""
+    """Checks before a solve that each file can be written. Raises click.UsageError."""
     checked = []
     for name in paths:
         path = Path(name)
@@ -40,7 +40,7 @@ def check_outputs(paths: Iterable[str]) -> list[Path]:
 
 
 def check_picture(option: str, name: str) -> Path:
-    """Before anything is solved: whether a picture can be drawn there. Raises click.UsageError."""
+    """Checks before a solve that a picture can be written. Raises click.UsageError."""
     if Path(name).suffix not in _PICTURES:
         raise click.UsageError(f"{option} {name}: the name must end in {', '.join(_PICTURES)}.")
     path = writable(option, name)
@@ -49,7 +49,7 @@ def check_picture(option: str, name: str) -> Path:
 
 
 def is_picture(path: Path) -> bool:
-    """Whether what is written there is a picture."""
+    """Returns whether the file is a picture."""
     return path.suffix in _PICTURES
 
 
@@ -58,7 +58,7 @@ def _need_matplotlib() -> None:
 
 
 def need(module: str, what: str, extra: str) -> None:
-    """Raises click.UsageError where the module is not installed, which the extra brings."""
+    """Raises click.UsageError if the module of an extra is not installed."""
     try:
         __import__(module)
     except ImportError:
@@ -66,7 +66,7 @@ def need(module: str, what: str, extra: str) -> None:
 
 
 def save(path: Path, answer: dict[str, Any], read: Callable[[], ContactSolution | PartialSolution | WheelRailSolution]) -> None:
-    """`answer` is that of the wire, and what `read` makes of it the solution that Python has."""
+    """Saves `answer` as on the wire; `read` converts it to the Python solution."""
     if path.suffix == ".json":
         write_text(path, json.dumps(plain_json(answer), allow_nan=False) + "\n")
     elif path.suffix == ".h5":

@@ -1,4 +1,4 @@
-"""Files of tables: written for other programs, looked into, and put into the folder of a store."""
+"""Table files: written for other programs, shown, and imported into the folder of a store."""
 
 from __future__ import annotations
 
@@ -27,16 +27,16 @@ _STORED = re.compile(r"([0-9a-f]{64})\.(\d+)x(\d+)\.h5")
 
 
 def check_suffix(output: str) -> None:
-    """Before anything is built. Raises click.UsageError."""
+    """Checks the extension before a build. Raises click.UsageError."""
     if not output.endswith((".h5", ".npz", ".txt")):
         raise click.UsageError(f"--output {output}: the name must end in .h5, .npz or .txt.")
     writable("--output", output)
 
 
 def write_export(client: Client, params: dict[str, Any], output: str) -> int:
-    """How many bytes were written; the file is whole or not there."""
+    """Writes the file, which is never incomplete, and returns its size in bytes."""
     if output.endswith(".npz"):
-        # Builds first, with a bar; then the table lies ready.
+        # Builds the table first, with a progress bar.
         given = ask(client, "ic.get", {**params, "components": ["zz"], "rows": {"first": 0, "count": 1}}, "building")
         spec = read(IcSpec, given["spec"], "spec")
         save_table(output, client.get_ic(spec.material, spec.grid, _as_asked(params, spec)))
@@ -48,7 +48,7 @@ def write_export(client: Client, params: dict[str, Any], output: str) -> int:
 
 
 def _as_asked(params: dict[str, Any], spec: IcSpec) -> AnalyticIcs | FemIcs:
-    """Returns what the request says of the coefficients: the answer has defaults, which do not all go together."""
+    """Returns the coefficients as requested: the answer includes defaults, which may exclude each other."""
     fields = {name: value for name, value in params["ics"].items() if name not in ("source", "layers", "base")}
     if isinstance(spec.ics, FemIcs):
         return FemIcs(**fields)
@@ -56,7 +56,7 @@ def _as_asked(params: dict[str, Any], spec: IcSpec) -> AnalyticIcs | FemIcs:
 
 
 def shown_file(path: str) -> tuple[dict[str, Any], Any]:
-    """For scripts and for people. Raises click.UsageError or TableFileError."""
+    """Returns JSON and text. Raises click.UsageError or TableFileError."""
     try:
         table = load_table(path)
     except OSError as error:
@@ -96,8 +96,9 @@ def _extent(grid: Grid) -> str:
 
 
 def send_files(client: Client, files: list[str]) -> list[dict[str, Any]]:
-    """Has the daemon import each file. Raises click.UsageError where one cannot be read, TableFileError for what is none, and
-    StatusError for a table that the daemon does not take."""
+    """Imports each file into the daemon. Raises click.UsageError if one cannot be read, TableFileError if it is not a
+    table, and StatusError if the daemon refuses it.
+    """
     done = []
     for file in files:
         try:
@@ -111,8 +112,9 @@ def send_files(client: Client, files: list[str]) -> list[dict[str, Any]]:
 
 
 def import_files(files: list[str], store: str) -> list[dict[str, Any]]:
-    """Checks each file, and writes what it holds to a file of our own, which appears whole or not at all. Raises
-    click.UsageError or TableFileError."""
+    """Checks each file, and writes its contents to a new file, which is never incomplete. Raises click.UsageError or
+    TableFileError.
+    """
     folder = Path(store)
     if not folder.is_dir():
         raise click.UsageError(f"--store {store} is no folder.")
@@ -130,7 +132,7 @@ def import_files(files: list[str], store: str) -> list[dict[str, Any]]:
 
 
 def _checked(file: Path) -> tuple[Path, str, int, int]:
-    """The file with the key and extent of its name, whose digest and extent are right."""
+    """Returns the file with the key and extent of its name after checking digest and extent."""
     matched = _STORED.fullmatch(file.name)
     if matched is None:
         raise click.UsageError(

@@ -1,4 +1,4 @@
-"""YAML as contactctl takes it: numbers and words as YAML 1.2 has them, and no more values than memory has room for."""
+"""Reads YAML: numbers and words of YAML 1.2, with a limited number of values."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from contactd import MissingExtra
 
 __all__ = ["parse_yaml"]
 
-#: Values that are written there. Each takes a kilobyte until all are read; larger arrays are better in files of their own.
+#: Largest number of values. Each needs a kilobyte while reading; use separate files for larger arrays.
 _MOST_VALUES = 200_000
-#: This is the most with those that aliases and merges repeat. A few lines can stand for thousands of millions.
+#: Limit including aliases and merges: a few lines can represent billions of values.
 _MOST_REPEATED = 500_000
-_MOST_DIGITS = 1000  #: of a whole number
+_MOST_DIGITS = 1000  #: Largest number of digits of an integer.
 _WORDS = (
     ("null", r"~|null|Null|NULL|", ["~", "n", "N", ""]),
     ("bool", r"true|True|TRUE|false|False|FALSE", list("tTfF")),
@@ -27,7 +27,7 @@ _WORDS = (
 
 
 def parse_yaml(text: str, check_names: Callable[[Iterable[tuple[Hashable, Any]]], Any]) -> Any:
-    """`check_names` is given the names of each object. Raises ValueError with the line."""
+    """Parses a text. Calls `check_names` with the names of each object. Raises ValueError with the line."""
     try:
         import yaml
     except ImportError:
@@ -70,7 +70,7 @@ def _loader_kind(yaml: Any, check_names: Callable[[Iterable[tuple[Hashable, Any]
             return loader.construct_object(part, deep=True)
 
         own = [key for key, _ in node.value if not key.tag.endswith(":merge")]
-        check_names((construct(key), None) for key in own)  # before what is merged, which they may replace
+        check_names((construct(key), None) for key in own)  # before merged values, which they may replace
         loader.flatten_mapping(node)
         return {construct(key): construct(value) for key, value in node.value}
 
@@ -88,14 +88,14 @@ def _whole(digits: str) -> int:
 
 
 class _Repeated:
-    """Counts what a document holds once every alias stands for what it names, each node once."""
+    """Counts the values of a document after replacing every alias, each node once."""
 
     def __init__(self) -> None:
         self._known: dict[int, int] = {}
         self._open: set[int] = set()
 
     def count(self, node: Any) -> int:
-        """Raises ValueError where there are too many, or something holds itself."""
+        """Raises ValueError if there are too many, or a value contains itself."""
         name = id(node)
         if name in self._known:
             return self._known[name]

@@ -1,4 +1,4 @@
-"""A page in the browser that shows what a daemon does: a client of it like any other, in a process of its own.
+"""A browser page that shows the activity of a daemon. It is an ordinary client in a separate process.
 
-`Watcher` asks the daemon and knows nothing of pages; `pages` show what it has heard, by NiceGUI; `serving` runs both.
+`Watcher` queries the daemon independently of pages, `pages` shows its data with NiceGUI, and `serving` runs both.
 """

@@ -1,13 +1,14 @@
-"""Who may look: what each request to the dashboard has to show before NiceGUI sees it.
+"""Access control: requirements for each request to the dashboard before it reaches NiceGUI.
 
-Every user of the machine can reach a port of the loopback, and so can every page that a browser shows. What keeps them out:
+Every user of the machine can reach a loopback port, and so can every page in a browser. The protection consists of:
 
-* `Host` must be a name of the dashboard's. A foreign name that its owner lets point at this machine (DNS rebinding) is none.
-* `Origin` must be the dashboard's own, of what a page sends and of every WebSocket.
-* The link has a token. Opening it gives the browser a cookie, and the page a key.
-* The cookie lets a browser read the door, which knows nothing. Cookies know no ports: what another user serves on the
-  same address gets it, too, so that it may neither be the token nor be enough.
-* The key is kept by the page's origin, which has a port, and is part of every other address, that of the WebSocket included.
+* `Host` must be a name of the dashboard. This excludes foreign names that point at this machine (DNS rebinding).
+* `Origin` must be that of the dashboard, for requests of a page and for every WebSocket.
+* The link contains a token. Opening it sets a cookie in the browser, and a key in the page.
+* The cookie gives access to the door page, which contains no data. Cookies do not depend on ports, so a server of
+  another user at the same address receives it, too. It is therefore neither the token nor sufficient.
+* The key is stored for the page's origin, which includes the port, and is part of all other addresses, including that
+  of the WebSocket.
 """
 
 from __future__ import annotations
@@ -22,14 +23,14 @@ from .names import Names
 __all__ = ["Guard"]
 
 _OPEN = "Open the address that contactctl dashboard has printed, with its token."
-#: No other page may show this one in a frame, keep it, or learn its addresses.
+#: Headers against frames in other pages, caching, and leaked addresses.
 _HEADERS = ((b"x-frame-options", b"DENY"), (b"content-security-policy", b"frame-ancestors 'none'"),
             (b"cross-origin-resource-policy", b"same-origin"), (b"referrer-policy", b"no-referrer"),
             (b"x-content-type-options", b"nosniff"))  # fmt: skip
 
 
 class Guard:
-    """Lets a request through to `app`, an application of ASGI, or answers it itself."""
+    """Passes a request to `app`, an ASGI application, or answers it itself."""
 
     def __init__(self, app: Any, *, token: str, names: Names) -> None:
         self._app = app
@@ -51,13 +52,13 @@ class Guard:
             await _refuse(scope, send, _OPEN)
 
     def _problem(self, scope: Any) -> str:
-        """Says as a sentence what is wrong with Host and Origin; "" where nothing is."""
+        """Returns a sentence about an invalid Host or Origin; "" if both are valid."""
         hosts, origins = _values(scope, b"host"), _values(scope, b"origin")
         if len(hosts) != 1 or not self._names.hold(hosts[0]):
             asked = ", ".join(hosts)[:200]
             return f"This dashboard answers to {self._names}, and was asked as {asked!r}. Where browsers reach it so, start it with --name."
         if not origins and scope["type"] == "http" and scope["method"] in ("GET", "HEAD"):
-            return ""  # a page tells none of what it reads from its own origin
+            return ""  # Pages send none for reads from their own origin.
         if len(origins) != 1 or not self._names.is_origin(origins[0], hosts[0]):
             return "Only the dashboard's own page may ask this: the request has another Origin, or none."
         return ""
@@ -65,7 +66,7 @@ class Guard:
     async def _open_door(self, scope: Any, send: Any) -> None:
         given = parse_qs(scope["query_string"].decode("latin-1")).get("token", [""])[-1]
         if _same(given, self._token):
-            # Without the token in the address, which a browser shows and remembers; what is behind # is never sent.
+            # Without the token in the visible address; the part after # is never sent.
             cookie = f"{_cookie_of(scope)}={self._session}; HttpOnly; SameSite=Strict; Path=/"
             headers = [(b"location", f"/#{self._key}".encode()), (b"set-cookie", cookie.encode())]
             await _answer(send, 303, b"", *headers)
@@ -75,13 +76,13 @@ class Guard:
             await _refuse(scope, send, _OPEN)
 
     def _has_cookie(self, scope: Any) -> bool:
-        # Whatever else is served on this address may have left cookies, of this name, too, and of any form.
+        # Other servers at this address may have set cookies of any form, also with this name.
         pairs = (pair.partition("=") for value in _values(scope, b"cookie") for pair in value.split(";"))
         name = _cookie_of(scope)
         return any(found.strip() == name and _same(value.strip(), self._session) for found, _, value in pairs)
 
     def _behind_key(self, scope: Any) -> Any:
-        """Returns the request as NiceGUI knows it: without the key, which it puts in front of the addresses in its page."""
+        """Returns the request in NiceGUI's form: without the key, which is its root path."""
         before = f"/{self._key}"
         headers = [(name, value) for name, value in scope["headers"] if name != b"x-forwarded-prefix"]
         path = scope["path"].removeprefix(before) or "/"
@@ -90,7 +91,9 @@ class Guard:
 
 
 def _cookie_of(scope: Any) -> str:
-    """Its name, by the port that the browser knows: dashboards of several ports have one each."""
+    """Returns the name of the cookie, which contains the port in the browser: dashboards on several ports have separate
+    cookies.
+    """
     (host,) = _values(scope, b"host")
     _, _, port = host.rpartition("]")[2].partition(":")
     return f"contactd_dashboard_{port or 80}"

@@ -1,4 +1,4 @@
-"""Rates and times of the last minutes, as options of ECharts."""
+"""Rates and times of the last minutes, as ECharts options."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from .view import Sample
 
 __all__ = ["latency_chart", "throughput_chart"]
 
-_BLUE, _RED = "#2f6fe4", "#c8553d"  #: these and the others are seen on white and on dark ground
+_BLUE, _RED = "#2f6fe4", "#c8553d"  #: These and the other colours are visible on white and dark backgrounds.
 _TEXT, _LINES = "#7d7d88", "rgba(128, 128, 128, 0.25)"
-_DOT = 5  #: pixels
+_DOT = 5  #: Pixels.
 Pick = Callable[[Sample], float | None]
 
 
 def throughput_chart(samples: Sequence[Sample]) -> dict[str, Any]:
-    """Solves and requests a second."""
+    """Returns a chart of solves and requests per second."""
     lines: dict[str, tuple[str, Pick]] = {
         "requests": (_BLUE, lambda sample: sum(method["per_second"] for method in sample.said["methods"].values())),
         "solves": (_RED, lambda sample: sample.said["solves_per_second"]),
@@ -25,7 +25,7 @@ def throughput_chart(samples: Sequence[Sample]) -> dict[str, Any]:
 
 
 def latency_chart(samples: Sequence[Sample]) -> dict[str, Any]:
-    """Times of answers (ms)."""
+    """Returns a chart of response times (ms)."""
     lines: dict[str, tuple[str, Pick]] = {
         "half of the requests": (_BLUE, lambda sample: _milliseconds(sample.median)),
         "95 % of them": (_RED, lambda sample: _milliseconds(sample.slow)),
@@ -55,7 +55,7 @@ def _chart(axis: dict[str, Any], lines: dict[str, tuple[str, Pick]], samples: Se
 
 
 def _points(samples: Sequence[Sample], pick: Pick) -> list[Any]:
-    """Times and values. A value between two gaps has no line to either side: it gets a symbol, which others have not."""
+    """Returns times and values. A value between two gaps has no line, so it gets a symbol, unlike others."""
     values = [pick(sample) for sample in samples]
     points: list[Any] = []
     for i, (sample, value) in enumerate(zip(samples, values)):

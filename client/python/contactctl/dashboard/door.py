@@ -1,4 +1,4 @@
-"""The page at /, which fetches the dashboard by the key that this origin keeps."""
+"""The page at /, which loads the dashboard with the key stored for this origin."""
 
 __all__ = ["DOOR"]
 

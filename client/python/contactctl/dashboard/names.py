@@ -1,4 +1,4 @@
-"""By which names browsers reach the dashboard."""
+"""Host names by which browsers reach the dashboard."""
 
 from __future__ import annotations
 
@@ -12,13 +12,15 @@ _ADDRESSES = ("127.0.0.1", "[::1]")
 
 
 class Names:
-    """Values of Host, such as ``127.0.0.1:5580``. A name that somebody else may point at this machine must be given."""
+    """Valid values of Host, such as ``127.0.0.1:5580``. A name that others can point at this machine must be given
+    explicitly.
+    """
 
     def __init__(self, address: str, port: int, others: Sequence[str] = ()) -> None:
-        """`address` is where the dashboard listens, in numbers; `others` are NAME or NAME:PORT."""
+        """Takes the numeric `address` on which the dashboard listens; `others` are NAME or NAME:PORT."""
         listens = ipaddress.ip_address(address)
         self._port = port
-        self._takes_addresses = listens.is_unspecified  # all of this machine, which it may get later, too
+        self._takes_addresses = listens.is_unspecified  # all addresses of this machine, including later ones
         names = [f"[{address}]" if listens.version == 6 else address]
         if listens.is_loopback or listens.is_unspecified:
             names += ["localhost", *_ADDRESSES]
@@ -33,12 +35,12 @@ class Names:
         return ", ".join((*self._own, *self._given))
 
     def hold(self, host: str) -> bool:
-        """Whether a request with this Host is meant for the dashboard."""
+        """Returns whether a request with this Host is for the dashboard."""
         host = host.lower()
         return host in self._own or host in self._given or (self._takes_addresses and self._is_address(host))
 
     def is_origin(self, origin: str, host: str) -> bool:
-        """Whether a page of `host`, which they hold, says `origin` of itself: with https where a proxy is in front."""
+        """Returns whether a page of the valid `host` has this `origin`; https if there is a proxy."""
         schemes = ("http", "https") if host.lower() in self._given else ("http",)
         return origin.lower() in [f"{scheme}://{host.lower()}" for scheme in schemes]
 
@@ -52,5 +54,5 @@ class Names:
 
 
 def _with_port(name: str, port: int) -> str:
-    """Writes a name as browsers do, which leave out HTTP's own."""
+    """Writes a name like browsers, which omit HTTP's default port."""
     return name if port == 80 else f"{name}:{port}"

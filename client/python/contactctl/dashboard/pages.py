@@ -1,4 +1,4 @@
-"""The page: what the watcher has seen, in panels that are brought up to date once a second."""
+"""The page: data of the watcher in panels that are updated every second."""
 
 from __future__ import annotations
 
@@ -38,11 +38,11 @@ _TABS = (("Work", (RatesPanel, JobsPanel)), ("Solves", (SolvesPanel,)), ("Tables
 
 
 def add_page(watcher: Watcher) -> None:
-    """At /, for each browser that opens it."""
+    """Adds the page at /, for each browser that opens it."""
 
     def page() -> None:
         ui.add_css(_STYLE)
-        ui.dark_mode(None)  # as the browser prefers
+        ui.dark_mode(None)  # light or dark, as set in the browser
         ui.colors(primary="#1449b8")
         panels: list[Panel] = []
         with ui.column().classes("w-full max-w-6xl mx-auto gap-3"):
@@ -64,7 +64,7 @@ def add_page(watcher: Watcher) -> None:
             for panel in panels:
                 await panel.show(view)
 
-        # Not while the page is made: a daemon that does not answer would keep it from its reader.
+        # Not while the page is created: a daemon that does not answer would delay it.
         ui.timer(0.5, bring_up_to_date)
 
     ui.page("/", title="contactd")(page)

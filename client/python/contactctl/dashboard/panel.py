@@ -1,4 +1,4 @@
-"""Parts that the panels of the page share."""
+"""Common parts of the panels of the page."""
 
 from __future__ import annotations
 
@@ -18,18 +18,20 @@ T = TypeVar("T")
 
 
 class Panel:
-    """A part of the page. It is made once, where the page is laid out, and then shows one view after the other."""
+    """A part of the page. It is created once with the layout, and then shows one view after the other."""
 
     def __init__(self, watcher: Watcher) -> None:
         self.watcher = watcher
 
     async def show(self, view: View) -> None:
-        """Brings it up to date."""
+        """Updates the panel."""
         raise NotImplementedError
 
 
 async def answer_of(watcher: Watcher, ask: Callable[..., T], *arguments: Any) -> T | None:
-    """Returns the answer to a question to the daemon, which a thread waits for; None, and a note on the page, where it fails."""
+    """Returns the answer to a query of the daemon, for which a thread waits; on failure None, with a note on the
+    page.
+    """
     try:
         found: T = await run.io_bound(ask, *arguments)
         return found
@@ -44,7 +46,7 @@ def column(name: str, label: str, *, of_numbers: bool = True) -> dict[str, Any]:
 
 
 def table(columns: Sequence[dict[str, Any]], key: str, empty: str) -> Any:
-    """Without rows as yet; `empty` is said while there are none."""
+    """Creates a table without rows; it shows `empty` while there are none."""
     made = ui.table(columns=list(columns), rows=[], row_key=key, pagination={"rowsPerPage": 15})
     made.classes("w-full").props(f'dense flat bordered no-data-label="{empty}"')
     return made

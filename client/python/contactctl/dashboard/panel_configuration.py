@@ -1,4 +1,4 @@
-"""The configuration of the daemon, as it tells it: without secrets and without names of files."""
+"""The configuration of the daemon, without secrets and without names of files."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _COLUMNS = (column("field", "field", of_numbers=False), column("value", "value",
 
 
 class ConfigurationPanel(Panel):
-    """A line each field, by the names of the configuration's file."""
+    """One line per field, with the names of the configuration file."""
 
     def __init__(self, watcher: Watcher) -> None:
         super().__init__(watcher)

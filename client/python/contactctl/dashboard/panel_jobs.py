@@ -1,4 +1,4 @@
-"""The work that waits and runs, and an end to it."""
+"""Waiting and running jobs, with a button to end each."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from .watcher import Watcher
 __all__ = ["JobsPanel"]
 
 
-_MOMENT = 0.3  #: seconds: what is done sooner nobody could cancel
+_MOMENT = 0.3  #: Seconds; shorter jobs cannot be cancelled in time.
 _WORK = {"build": "It builds a table", "solve": "It solves", "subsurface": "It computes stresses", "step": "It takes a step"}
 
 
 class JobsPanel(Panel):
-    """A card with a line each, but for those that have only just come."""
+    """A card with one line per job, except very recent ones."""
 
     def __init__(self, watcher: Watcher) -> None:
         super().__init__(watcher)
@@ -48,7 +48,7 @@ class JobsPanel(Panel):
 
 
 class _Line:
-    """Kept for as long as its job is there, so that its button stays where it is pressed."""
+    """Exists as long as its job, so that its button does not move."""
 
     def __init__(self, name: str, ask: Callable[[Job], None]) -> None:
         with ui.column().classes("w-full gap-1 job").props(f"data-job={name}") as self._all:
@@ -83,7 +83,7 @@ class _Line:
 
 
 class _Question:
-    """Whether a job shall really end. It goes away when the job ends by itself."""
+    """Asks for confirmation before a job is ended. It disappears when the job ends."""
 
     def __init__(self, watcher: Watcher) -> None:
         self._watcher = watcher

@@ -1,4 +1,4 @@
-"""How busy the daemon is: figures of now, and rates and times of the last minutes."""
+"""Load of the daemon: current figures, and rates and times of the last minutes."""
 
 from __future__ import annotations
 

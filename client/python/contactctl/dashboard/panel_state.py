@@ -1,4 +1,4 @@
-"""Which daemon it is, and how it does."""
+"""Identification and state of the daemon."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The tables of the daemon's store: how large they are, and how good."""
+"""The tables of the daemon's store: size and accuracy."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _COLUMNS = (column("key", "key", of_numbers=False), column("offsets", "offsets")
 
 
 class TablesPanel(Panel):
-    """They are listed anew when the daemon counts other ones than before."""
+    """Lists the tables again when their number in the daemon changes."""
 
     def __init__(self, watcher: Watcher) -> None:
         super().__init__(watcher)
@@ -35,7 +35,7 @@ class TablesPanel(Panel):
         self._shown = view.store
         found = await answer_of(self.watcher, self.watcher.tables)
         if found is None:
-            self._shown = ()  # once more with the next look
+            self._shown = ()  # again with the next update
             return
         self._table.rows = [_row(stored) for stored in found]
         self._total.text = f"{counted(len(found), 'table')}, {size(sum(stored.bytes for stored in found))}"

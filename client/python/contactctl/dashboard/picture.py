@@ -1,4 +1,4 @@
-"""The picture of a solve: its pressures, the edge of contact, and that of adhesion."""
+"""The picture of a solve: pressures, and the borders of contact and adhesion."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ __all__ = ["picture_of"]
 
 
 def picture_of(patches: Sequence[RecentPatch]) -> str:
-    """A PNG as a link that holds it; patches side by side, from the right to the left of the rail as they are told."""
+    """Returns a PNG as a data URL, with patches side by side, from the right to the left of the rail."""
     figure = Figure(figsize=(5.6 * len(patches), 4.6), layout="constrained")
     FigureCanvasAgg(figure)
     for axes, patch in zip(figure.subplots(1, len(patches), squeeze=False)[0], patches):

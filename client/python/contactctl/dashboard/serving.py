@@ -1,4 +1,4 @@
-"""The process of the dashboard, and where it listens."""
+"""Runs the dashboard as a process on a port."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ __all__ = ["serve"]
 
 
 def serve(watcher: Watcher, host: str, port: int, say: Callable[[str], None], names: Sequence[str] = ()) -> None:
-    """Until a signal ends it. `say` hears the address, once it can be opened. Raises OSError where it cannot listen.
+    """Runs until a signal. Calls `say` with the address when it is ready. Raises OSError if it cannot listen.
 
-    `names` are those by which browsers reach it besides (Names).
+    `names` are further names by which browsers reach it (Names).
     """
     listener = _listening(host, port)
     shown, number = listener.getsockname()[:2]
@@ -37,7 +37,7 @@ def serve(watcher: Watcher, host: str, port: int, say: Callable[[str], None], na
 
     async def startup(sockets: list[socket.socket] | None = None) -> None:
         await begin(sockets)
-        if server.started:  # and heeds signals
+        if server.started:  # and handles signals
             say(link)
 
     server.startup = startup

@@ -1,4 +1,4 @@
-"""All that is known of a daemon at one time, as plain, immutable values."""
+"""The known state of a daemon at one time, as immutable values."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ AWAY = "away"
 
 @dataclass(frozen=True)
 class Sample:
-    """Rates and values between two looks.
+    """Rates and values between two updates.
 
     Attributes:
-        at: When the second was (s since 1970).
-        said: Rates and values (`measured.difference`).
-        median: Time of half of the requests (s), those of who looks left out; None where there were none.
-        slow: Time that 95 % stayed below (s).
+        at: Time of the second update (s since 1970).
+        said: Rates and values, from `measured.difference`.
+        median: Median time of requests (s) without those of observers; None without requests.
+        slow: 95th percentile of the time (s).
     """
 
     at: float
@@ -34,17 +34,17 @@ class Sample:
 
 @dataclass(frozen=True)
 class View:
-    """Findings of a look; of a daemon that does not answer, what the last one had.
+    """Results of an update. If the daemon does not answer, it has those of the last answer.
 
     Attributes:
-        state: "connecting", "serving", "stopping", or "away": it does not answer.
-        why: A sentence: why it is away; else "".
-        since: Of the state (s since 1970).
-        warnings: What the daemon warns of.
+        state: "connecting", "serving", "stopping", or "away" (no answer).
+        why: Reason for "away"; otherwise "".
+        since: Start of the state (s since 1970).
+        warnings: Warnings of the daemon.
         info: Versions and limits; None before the first answer.
-        config: Its configuration, without secrets; None before the first answer, and of a daemon that does not tell it.
-        store: What changes when tables of the store do.
-        samples: Of the last minutes, oldest first.
+        config: Its configuration without secrets; None before the first answer, and if the daemon does not report it.
+        store: A value that changes with the tables of the store.
+        samples: Samples of the last minutes, oldest first.
     """
 
     state: str
@@ -61,5 +61,5 @@ class View:
 
     @property
     def is_there(self) -> bool:
-        """Whether the daemon answered the last look."""
+        """Whether the daemon answered the last query."""
         return self.state not in (AWAY, CONNECTING)

@@ -1,4 +1,4 @@
-"""Looks at a daemon again and again, in a thread of its own, and keeps what it has found."""
+"""Queries a daemon regularly in a separate thread, and stores the results."""
 
 from __future__ import annotations
 
@@ -18,19 +18,20 @@ from .view import AWAY, CONNECTING, Sample, View
 
 __all__ = ["Watcher"]
 
-_SAMPLES = 600  #: that are kept: ten minutes, by a look a second
-_CONNECTING = 1.0  #: seconds for a daemon to listen
+_SAMPLES = 600  #: Number of stored samples: ten minutes at one per second.
+_CONNECTING = 1.0  #: Timeout of a connection (s).
 T = TypeVar("T")
 
 
 class Watcher:
-    """Keeps what is known of a daemon in `view`, which is exchanged whole. Whatever happens to the daemon, the looks go on.
+    """Holds the state of a daemon in `view`, which is replaced as a whole. Queries continue whatever happens to the
+    daemon.
 
-    All methods may be called by any thread. Those that ask the daemon raise ContactdError.
+    All methods may be called from any thread. Those that query the daemon raise ContactdError.
     """
 
     def __init__(self, client: Client, *, interval: float = 1.0, patience: float = 3.0) -> None:
-        """`interval` between looks, `patience` for each answer (s)."""
+        """Queries every `interval` seconds, with `patience` as the timeout of an answer (s)."""
         client.connect_timeout = min(_CONNECTING, patience)
         self.endpoint = client.endpoint
         self.view = View(CONNECTING, since=time.time())
@@ -59,7 +60,7 @@ class Watcher:
             self._ends.wait(self._interval)
 
     def look(self) -> None:
-        """Once, as the thread does."""
+        """Queries once, like the thread."""
         with self._looks:
             self._look()
 
@@ -67,7 +68,7 @@ class Watcher:
         try:
             seen = self._seen()
         except ContactdError as error:
-            self._last = None  # rates start anew with a daemon that comes back
+            self._last = None  # Rates are reset when a daemon is reachable again,
             why = error.message if isinstance(error, StatusError) else str(error)
             seen = replace(self.view, state=AWAY, why=why, jobs=(), sessions=())
         if seen.state == self.view.state:
@@ -80,7 +81,7 @@ class Watcher:
         wait = self._patience
         health = self._client.call("server.health", timeout=wait)
         known = self.view
-        if not known.is_there:  # or it came back, as another version perhaps
+        if not known.is_there:  # or it was restarted, possibly as another version
             config = self._if_it_can(lambda: self._client.config(timeout=wait))
             known = replace(known, info=self._client.info(timeout=wait), config=config)
         now = Reading.of(self._client.metrics(timeout=wait))
@@ -98,7 +99,7 @@ class Watcher:
         )
 
     def _if_it_can(self, ask: Callable[[], T]) -> T | None:
-        """None of a daemon that is older than the method."""
+        """Returns None if the daemon is older than the method."""
         try:
             return ask()
         except StatusError as error:
@@ -109,7 +110,7 @@ class Watcher:
     def _add_sample(self, now: Reading) -> None:
         before = self._last
         if before is not None and now.at - before.at < self._interval / 2:
-            return  # a look between two others, whose rates would be those of a moment
+            return  # an extra query, whose interval is too short for rates
         self._last = now
         if before is None:
             return
@@ -117,7 +118,7 @@ class Watcher:
         self._samples.append(Sample(time.time(), difference(before, now), median, slow))
 
     def cancel(self, job: str) -> bool:
-        """Ends a job; False when it had ended before."""
+        """Ends a job; returns False if it had already ended."""
         try:
             self._client.cancel_job(job, timeout=self._patience)
         except NotFound:
@@ -127,7 +128,7 @@ class Watcher:
         return True
 
     def tables(self) -> list[StoredIc]:
-        """Those of the store. A worker of the daemon lists them, so that a busy one may not do it in time."""
+        """Returns the tables of the store. A worker of the daemon lists them, so a busy daemon may miss the timeout."""
         return list(self._client.stored_ics(evidence=True, timeout=self._patience))
 
     def pressures(self, number: int) -> tuple[RecentPatch, ...]:
@@ -135,5 +136,5 @@ class Watcher:
         return self._client.recent_pressures(number, timeout=self._patience)
 
     def explain(self, error: ContactdError) -> str:
-        """Says what went wrong, as a sentence for people."""
+        """Returns the error as a sentence."""
         return sentence(error)

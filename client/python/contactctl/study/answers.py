@@ -1,4 +1,4 @@
-"""Which answers a study may ask for: an answer that is left out where it says nothing is no mistake, one that there is not is."""
+"""Valid answers of a study: an optional answer may be missing, an unknown one is an error."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _KINDS = {"contact.solve": ContactSolution, "wheelrail.solve": WheelRailSolution
 
 @cache
 def may_answer(method: str, path: str) -> bool:
-    """Whether an answer of the method may have something at this path."""
+    """Returns whether an answer of the method can have this path."""
     found: list[Any] = [_KINDS[method]]
     for part in parts(path):
         found = [inner for hint in found for kind in _alternatives(hint) for inner in _inside(kind, part)]
@@ -33,7 +33,7 @@ def _alternatives(hint: Any) -> tuple[Any, ...]:
 
 
 def _inside(kind: Any, part: str | int) -> Iterator[Any]:
-    """Types of the member that this type has there. What the type leaves open may be there."""
+    """Returns the types of the member of this type. Members of open types may exist."""
     origin = get_origin(kind) or kind
     if kind is Any or isinstance(kind, TypeVar) or origin is dict or getattr(origin, "__name__", "") == "Mapping":
         yield Any

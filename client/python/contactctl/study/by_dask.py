@@ -1,4 +1,4 @@
-"""Cases of a study by the workers of a Dask cluster, each of which asks a daemon, or solves in its own process."""
+"""Solves cases of a study on the workers of a Dask cluster, each with a daemon, or in its own process."""
 
 from __future__ import annotations
 
@@ -19,18 +19,20 @@ from .solving import row_of
 
 __all__ = ["client_of_worker", "dask_at", "run_by_dask"]
 
-_CLIENTS: dict[Any, Client] = {}  #: of this worker, by what was said of the daemon
+_CLIENTS: dict[Any, Client] = {}  #: Clients of this worker by endpoint.
 _ADDRESS = re.compile(r"^inproc://|:\d+/?$")
-_OPEN = ExitStack()  #: what solves in process ends with the worker
+_OPEN = ExitStack()  #: In-process solvers, which end with the worker.
 
 
 def dask_at(scheduler: str) -> Any:
-    """A client of Dask, which closes at the end of a `with`. Raises click.UsageError, and ConnectionFailed where nobody answers."""
+    """Returns a Dask client, which closes at the end of a `with`. Raises click.UsageError, and ConnectionFailed without
+    an answer.
+    """
     try:
         from dask.distributed import Client as Dask
     except ImportError:
         raise click.UsageError("--dask needs dask.distributed: pip install distributed, or on Debian python3-distributed.") from None
-    if not _ADDRESS.search(scheduler):  # with which Dask's client would not close, either
+    if not _ADDRESS.search(scheduler):  # Dask's client would not close with it.
         raise click.UsageError(f"--dask is {scheduler!r}; it must be the address of a scheduler with its port, such as tcp://host:8786.")
     try:
         return Dask(scheduler, timeout=10, set_as_default=False)
@@ -41,7 +43,7 @@ def dask_at(scheduler: str) -> Any:
 def run_by_dask(
     scheduler: str, given: Setting, plan: Plan, cases: Sequence[Case], journal: Journal, on_row: Callable[[], None]
 ) -> None:
-    """Adds a row for each case, and tells `on_row`. The package must be installed where the workers are."""
+    """Adds a row for each case, and calls `on_row`. The package must be installed on the workers."""
     with dask_at(scheduler) as dask:
         from dask.distributed import as_completed
 
@@ -61,14 +63,15 @@ def run_by_dask(
 def _solved(
     argument: tuple[str, dict[str, Any]], method: str, varying: Sequence[str], answers: Sequence[str], given: dict[str, Any]
 ) -> tuple[str, dict[str, Any]]:
-    """On a worker."""
+    """Runs on a worker."""
     key, params = argument
     return key, row_of(client_of_worker(given), method, params, varying, answers)
 
 
 def client_of_worker(given: dict[str, Any]) -> Client:
-    """Returns the client of this worker: by the endpoint that the command names, or else CONTACTD_ENDPOINT there. Where neither
-    does, the worker solves by itself."""
+    """Returns the client of this worker: for the endpoint of the command, or else CONTACTD_ENDPOINT of the worker.
+    Without both, the worker solves in process.
+    """
     there = Setting(**{name: value for name, value in given.items() if value not in (None, False, ())})
     identity = (there.local, there.folder, there.endpoint)
     if identity not in _CLIENTS:

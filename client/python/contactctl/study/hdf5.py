@@ -1,6 +1,6 @@
-"""All rows of a study as one HDF5 file: an array an answer over the axes of what varies.
+"""Writes all rows of a study to one HDF5 file: an array for each answer, over the varied fields.
 
-Axes are dimension scales, as netCDF has them: `xarray.open_dataset(path, engine="h5netcdf")` gives each array its coordinates.
+Axes are dimension scales as in netCDF: `xarray.open_dataset(path, engine="h5netcdf")` gives each array its coordinates.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ __all__ = ["write_hdf5"]
 
 
 def write_hdf5(path: Path, plan: Plan, rows: Sequence[dict[str, Any]]) -> None:
-    """The rows in the order of the plan's cases; `path` is whole, or not there. Needs h5py.
+    """Writes the rows in the order of the plan's cases. The file is never incomplete. Needs h5py.
 
-    A dataset for each answer, of one dimension for each axis: float64 with NaN where a row failed, int8 for what is true or
-    false with -1 there, and else JSON. `code` has the exit code of each row. Fields that move together lie on one axis, which
-    the first of them names.
+    Each answer is a dataset with one dimension per axis: float64 with NaN for failed rows, int8 for booleans with -1
+    for failed rows, otherwise JSON. `code` contains the exit code of each row. Fields that vary together share an axis,
+    named after the first.
     """
     import h5py
 
@@ -48,7 +48,7 @@ def write_hdf5(path: Path, plan: Plan, rows: Sequence[dict[str, Any]]) -> None:
 
 
 def _written_axis(file: Any, axis: dict[str, list[Any]]) -> Any:
-    """The scale that the first field makes; others are coordinates along it."""
+    """Writes the scale of the first field; others are coordinates along it."""
     first, *others = (file.create_dataset(name, data=_array(values)) for name, values in axis.items())
     first.make_scale(next(iter(axis)))
     for other in others:
@@ -57,7 +57,7 @@ def _written_axis(file: Any, axis: dict[str, list[Any]]) -> Any:
 
 
 def _array(values: Sequence[Any]) -> Any:
-    """None stands for what is not there."""
+    """Returns the array; None marks missing values."""
     kinds = {type(value) for value in values if value is not None}
     if kinds == {bool}:
         return np.array([-1 if value is None else value for value in values], dtype=np.int8)

@@ -1,4 +1,4 @@
-"""Cases of a study by threads of this process, each with a request of its own at one client."""
+"""Solves cases of a study in threads of this process, which share a client."""
 
 from __future__ import annotations
 
@@ -18,8 +18,9 @@ __all__ = ["run_here"]
 def run_here(
     client: Client, plan: Plan, cases: Iterable[Case], journal: Journal, workers: int, on_row: Callable[[], None]
 ) -> None:
-    """Adds a row for each case, and tells `on_row` in this thread. Interrupted, it ends the builds that it started; what
-    else the daemon does for it ends with the connections."""
+    """Adds a row for each case, and calls `on_row` in this thread. If interrupted, it ends the builds that it started;
+    other work in the daemon ends with the connections.
+    """
     builds = OwnBuilds(client)
 
     def answer(case: Case, add: Add) -> None:

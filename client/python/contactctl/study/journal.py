@@ -1,7 +1,7 @@
-"""Rows of a study in a file that only grows: a line each, with its checksum, written in one piece.
+"""Rows of a study in a file that only grows: one line each, with its checksum, written at once.
 
-Whenever the process is killed, the file holds each finished row once, and perhaps the beginning of one more, which the next
-run cuts off. Lines that a disk has damaged are left out, and their rows solved again.
+If the process is killed, the file contains each finished row once, and possibly the beginning of another, which the
+next run removes. Damaged lines are ignored, and their rows are solved again.
 """
 
 from __future__ import annotations
@@ -23,16 +23,16 @@ from ..output import note
 
 __all__ = ["MOST_BYTES", "Journal", "rows_in"]
 
-MOST_BYTES = 1 << 32  #: of a file with rows
-_CHECKSUM = 8  #: digits
-_SYNC = 1.0  # seconds of work that a loss of power may cost
+MOST_BYTES = 1 << 32  #: Largest size of a file with rows.
+_CHECKSUM = 8  #: Number of digits.
+_SYNC = 1.0  # largest loss at a power failure, in seconds of work
 
 
 class Journal:
-    """The rows that are finished, by their keys. Belongs to one process at a time, and there to one thread at a time.
+    """The finished rows by their keys. Only one thread of one process may use it at a time.
 
     Attributes:
-        rows: In the order in which they were finished; each has a `key`.
+        rows: Rows in the order of completion; each has a `key`.
     """
 
     def __init__(self, path: Path) -> None:
@@ -59,14 +59,14 @@ class Journal:
         os.close(self._file)
 
     def add(self, row: dict[str, Any]) -> None:
-        """Writes a row that is not there yet. Raises OSError, and leaves no part of it, when it cannot be written."""
+        """Writes a new row. If it cannot be written, raises OSError and leaves no part of it."""
         if row["key"] in self.rows:
             return
         line = _line(row)
         before = os.fstat(self._file).st_size
         written = 0
         try:
-            while written < len(line):  # short of room, a part may go
+            while written < len(line):  # on a full disk, a part may be written
                 written += os.write(self._file, line[written:])
         except BaseException:
             os.ftruncate(self._file, before)
@@ -77,7 +77,7 @@ class Journal:
             self._synced = time.monotonic()
 
     def forget(self, keys: set[str]) -> None:
-        """Lets rows be solved again: writes the file anew without them, and puts it in place of the old one."""
+        """Removes rows so that they are solved again: rewrites the file without them."""
         kept = [row for key, row in self.rows.items() if key not in keys]
         part = Path(f"{os.path.realpath(self.path)}.{secrets.token_hex(4)}.part")
         with part.open("xb") as file:
@@ -99,12 +99,12 @@ class Journal:
             os.close(self._file)
             raise
         whole = content.rfind(b"\n") + 1
-        if whole < len(content):  # killed within a line
+        if whole < len(content):  # The process was killed while it wrote a line.
             os.ftruncate(self._file, whole)
 
 
 def rows_in(path: Path, content: bytes) -> dict[str, dict[str, Any]]:
-    """The whole lines of a file with this content. Raises Ended where none of them is a row."""
+    """Returns the complete lines of a file with this content. Raises Ended if none is a row."""
     rows: dict[str, dict[str, Any]] = {}
     damaged = 0
     for line in content[: content.rfind(b"\n") + 1].splitlines():
@@ -122,7 +122,7 @@ def rows_in(path: Path, content: bytes) -> dict[str, dict[str, Any]]:
 
 
 def _can_begin_a_line(content: bytes) -> bool:
-    """Whether a line of a row begins so, or nothing is there yet."""
+    """Returns whether a row can begin like this, or the content is empty."""
     checksum, blank, text = content[:_CHECKSUM], content[_CHECKSUM : _CHECKSUM + 1], content[_CHECKSUM + 1 :]
     is_hexadecimal = all(sign in b"0123456789abcdef" for sign in checksum)
     return is_hexadecimal and blank in (b"", b" ") and text[:1] in (b"", b"{")
@@ -134,13 +134,13 @@ def _line(row: dict[str, Any]) -> bytes:
 
 
 def _row(line: bytes) -> dict[str, Any] | None:
-    """None where the line is damaged."""
+    """Returns the row; None for a damaged line."""
     checksum, _, text = line.partition(b" ")
     if checksum != b"%08x" % zlib.crc32(text):
         return None
     try:
         row = json.loads(text)
-    except (ValueError, RecursionError):  # of somebody who knows the checksum
+    except (ValueError, RecursionError):  # a line with a valid checksum, but not a row
         return None
     kinds = {"key": str, "code": int, "values": dict}
     if not isinstance(row, dict) or not all(isinstance(row.get(name), kind) for name, kind in kinds.items()):

@@ -1,4 +1,4 @@
-"""Plans of studies: a problem, the fields that vary, and the answers that are wanted."""
+"""Plans of studies: a problem, the varied fields, and the requested answers."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from .values import MOST, values_of
 __all__ = ["Case", "Plan", "read_plan"]
 
 METHODS = ("contact.solve", "wheelrail.solve")
-#: Answers where the file names none, by method.
+#: Default answers by method.
 USUAL = {
     "contact.solve": ["forces.Fn", "forces.Fx", "forces.Fy", "forces.Mz", "approach", "pmax", "converged"],
     "wheelrail.solve": ["z", "forces.track.Fx", "forces.track.Fy", "forces.track.Fz", "converged"],
@@ -32,12 +32,12 @@ _FIELDS = {"method", "problem", "vary", "together", "answers"}
 
 @dataclass(frozen=True)
 class Case:
-    """One row to be.
+    """A case to solve.
 
     Attributes:
-        key: Tells it from all others, also in a later run: a digest of what is asked.
-        values: Of the fields that vary, by their paths, as the file has them.
-        asked: The same with the arrays of files that are named there.
+        key: Identifies the case, also in later runs: a digest of the request.
+        values: Values of the varied fields by their paths, as in the file.
+        asked: The same with the arrays of the named files.
     """
 
     key: str
@@ -50,12 +50,12 @@ class Plan:
     """A study.
 
     Attributes:
-        method: That of the wire.
+        method: Method of the wire.
         problem: Parameters that all rows share.
-        axes: Paths of the fields that vary and their values: every value of an axis goes with every one of the others,
-            and fields of one axis move together.
-        answers: Paths of what is wanted of each answer.
-        cases: In their order: the last axis moves first.
+        axes: Paths and values of the varied fields: all combinations of values of different axes are solved, and the
+            fields of one axis vary together.
+        answers: Paths of the requested answers.
+        cases: Cases in order: the last axis varies fastest.
     """
 
     method: str
@@ -66,7 +66,7 @@ class Plan:
 
     @property
     def names(self) -> list[str]:
-        """Paths of the fields that vary."""
+        """Paths of the varied fields."""
         return [name for axis in self.axes for name in axis]
 
     def params(self, case: Case) -> dict[str, Any]:
@@ -79,7 +79,7 @@ class Plan:
 
 
 def read_plan(path: str) -> Plan:
-    """The study that a file describes. Raises click.UsageError naming the field."""
+    """Returns the study in a file. Raises click.UsageError naming the field."""
     named = read_named(path)
     inputs = with_arrays(named, path)
     if unknown := inputs.keys() - _FIELDS:
@@ -102,7 +102,7 @@ def read_plan(path: str) -> Plan:
     plan = Plan(method, problem, axes, answers, [])
     plan.cases.extend(_cases(path, plan, [with_arrays(axis, path) for axis in axes]))
     if plan.cases:
-        plan.params(plan.cases[0])  # a path that leads nowhere is told before anything is solved
+        plan.params(plan.cases[0])  # report an invalid path before anything is solved
     return plan
 
 
@@ -116,7 +116,7 @@ def _problem(path: str, given: Any) -> dict[str, Any]:
 
 
 def _axes(path: str, inputs: dict[str, Any]) -> list[dict[str, list[Any]]]:
-    """Each moves by itself; its fields move together."""
+    """Returns the axes; the fields of one axis vary together."""
     vary, together = (inputs.get(name, {}) for name in ("vary", "together"))
     if not isinstance(vary, dict) or not isinstance(together, dict) or not (vary or together):
         raise click.UsageError(f"{path} lacks vary, an object of paths and their values, such as Fn: [1000, 2000].")
@@ -135,7 +135,7 @@ def _axes(path: str, inputs: dict[str, Any]) -> list[dict[str, list[Any]]]:
 
 
 def _cases(path: str, plan: Plan, asked: list[dict[str, list[Any]]]) -> Iterator[Case]:
-    """`asked` are the plan's axes with the arrays of files."""
+    """Returns the cases; `asked` are the axes with the arrays of files."""
     shared = json.dumps([plan.method, plan_answers(plan), plain_json(plan.problem)], sort_keys=True)
     base = hashlib.sha256(shared.encode()).hexdigest()
     seen: set[str] = set()
@@ -148,12 +148,12 @@ def _cases(path: str, plan: Plan, asked: list[dict[str, list[Any]]]) -> Iterator
 
 
 def _chosen(axes: list[dict[str, list[Any]]]) -> Iterator[dict[str, Any]]:
-    """A value of each field, in all ways."""
+    """Yields all combinations of the axes."""
     moves = [[dict(zip(axis, values)) for values in zip(*axis.values())] for axis in axes]
     for chosen in itertools.product(*moves):
         yield {name: value for part in chosen for name, value in part.items()}
 
 
 def plan_answers(plan: Plan) -> list[str]:
-    """Whoever wants other answers needs other rows."""
+    """Returns the answers; other answers need new rows."""
     return sorted(plan.answers)

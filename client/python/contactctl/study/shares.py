@@ -1,4 +1,4 @@
-"""Shares of a study, for processes that know nothing of each other: the tasks of an array of jobs, or two terminals."""
+"""Shares of a study for independent processes: the tasks of a job array, or two terminals."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from .plan import Case
 
 __all__ = ["Rows", "Share", "best", "check_ended", "rows_beside", "share_of"]
 
-Rows = dict[str, dict[str, Any]]  #: by their keys
+Rows = dict[str, dict[str, Any]]  #: Rows by their keys.
 
 
 @dataclass(frozen=True)
 class Share:
-    """Every `count`-th case from the `index`-th on, so that all shares have about as much to do."""
+    """Every `count`-th case from the `index`-th on, so that shares have similar amounts of work."""
 
     index: int
     count: int
@@ -33,7 +33,7 @@ class Share:
         return cases[self.index :: self.count]
 
     def numbers(self, count: int) -> Sequence[int]:
-        """Returns the numbers of its cases among all of the study, which begin with 1."""
+        """Returns the numbers of its cases in the study, which begin with 1."""
         return range(1, count + 1)[self.index :: self.count]
 
     def file(self, rows: Path) -> Path:
@@ -42,7 +42,7 @@ class Share:
 
 
 def share_of(text: str) -> Share:
-    """The share that a text such as 0/16 stands for. Raises click.UsageError."""
+    """Returns the share described by a text such as 0/16. Raises click.UsageError."""
     found = re.fullmatch(r"(\d{1,6})/(\d{1,6})", text)
     if not found or not int(found[1]) < int(found[2]):
         raise click.UsageError(f"--share is {text!r}; it must be INDEX/COUNT with INDEX below COUNT, such as 0/16 to 15/16.")
@@ -50,14 +50,15 @@ def share_of(text: str) -> Share:
 
 
 def rows_beside(rows: Path, own: Path) -> Rows:
-    """Those of the study's file and of all its shares, however many these were, but for the `own` file. Who writes them may
-    be at work: a line that is not whole is none."""
+    """Returns the rows of the study's file and of all its shares, for any number of shares, except the `own` file.
+    Other processes may be writing: incomplete lines are ignored.
+    """
     files = [path for path in (rows, *_files(rows)) if path != own and path.is_file()]
     return best(*(rows_in(path, read_whole(path, MOST_BYTES)) for path in files))
 
 
 def best(*sources: Rows) -> Rows:
-    """Each row once: that of the first source, unless it failed and a later one is done."""
+    """Returns each row once: that of the first source, or a later successful one if it failed."""
     found: Rows = {}
     for rows in sources:
         found.update({key: row for key, row in rows.items() if key not in found or (found[key]["code"] and not row["code"])})
@@ -65,7 +66,7 @@ def best(*sources: Rows) -> Rows:
 
 
 def check_ended(rows: Path) -> None:
-    """Raises Ended while a share is at work."""
+    """Raises Ended while a share is running."""
     for path in _files(rows):
         with path.open("rb") as file:
             try:

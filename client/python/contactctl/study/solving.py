@@ -1,4 +1,4 @@
-"""One case of a study solved, by whomever: what becomes a row, and what ends the study."""
+"""Solves one case of a study: returns a row, or ends the study."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from .answers import may_answer
 
 __all__ = ["row_of"]
 
-TRIES = 5  #: where the daemon has gone, or has no room: it may be back, after 0.5, 1, 2 and 4 s
+TRIES = 5  #: Retries after 0.5, 1, 2 and 4 s if the daemon is not reachable or full.
 
 ProgressCallback = Callable[[Progress], None]
 
@@ -35,10 +35,10 @@ def row_of(
     client: Client, method: str, params: dict[str, Any], varying: Sequence[str], answers: Sequence[str],
     on_progress: ProgressCallback | None = None,
 ) -> dict[str, Any]:
-    """The row without its key and values: `code`, of the exit codes, `answers` or an `error`, and `warnings` if there are any.
+    """Returns the row without its key and values: the exit `code`, `answers` or an `error`, and `warnings` if any.
 
-    Raises Cancelled, and what says that there is no daemon to ask: these are no property of the case. Neither is that a field
-    that varies, or an answer, is of no row: Ended says so.
+    Raises Cancelled, and errors of the connection, which do not depend on the case. Raises Ended for a varied field or
+    an answer that is invalid in all rows.
     """
     began = time.monotonic()
     try:
@@ -66,7 +66,7 @@ def _paths_in(answer: dict[str, Any], path: str = "") -> Iterator[str]:
 
 
 def _check_names(error: StatusError | TimeoutExpired, varying: Sequence[str]) -> None:
-    """Raises Ended where a field that varies is none: every row would be refused alike."""
+    """Raises Ended if a varied field is unknown: all rows would be refused."""
     for violation in error.violations if isinstance(error, StatusError) else ():
         if violation.field in varying and violation.description.startswith("is not a field of"):
             raise Ended(Code.USAGE, f"vary has {violation.field}, which {violation.description}.")

@@ -1,4 +1,4 @@
-"""Jobs done by threads of this process, whose results are rows of a journal."""
+"""Runs jobs in threads of this process; their results are rows of a journal."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from .journal import Journal
 __all__ = ["Add", "by_threads"]
 
 Job = TypeVar("Job")
-#: Adds a row to the journal; False where the thread has to end.
+#: Adds a row to the journal; returns False if the thread must end.
 Add = Callable[[dict[str, Any]], bool]
 
-_LONGEST_WAIT = 1.0  # seconds for what is nearly finished, when interrupted
+_LONGEST_WAIT = 1.0  # seconds to finish jobs after an interrupt
 
 
 def by_threads(
     jobs: Iterable[Job], do: Callable[[Job, Add], None], journal: Journal, workers: int, on_row: Callable[[], None],
     interrupted: Callable[[], None] = lambda: None,
 ) -> None:  # fmt: skip
-    """Has `do` called with each job, and tells `on_row` of rows in this thread. Raises what one of them raised.
+    """Calls `do` with each job, and `on_row` for rows in this thread. Raises the exception of a job.
 
-    Interrupted, it calls `interrupted`, and waits a moment for the threads.
+    If interrupted, it calls `interrupted`, and waits briefly for the threads.
     """
     todo, lock = iter(jobs), threading.Lock()
     errors: list[BaseException] = []
@@ -46,13 +46,13 @@ def by_threads(
                     except StopIteration:
                         return
                 do(job, add)
-        except BaseException as error:  # told to who waits for the threads
+        except BaseException as error:  # raised in the thread that waits
             errors.append(error)
             ending.set()
         finally:
             changed.set()
 
-    # Daemons, since a request that waits for long must not keep the program from ending.
+    # Daemon threads, because a long request must not keep the program from ending.
     threads = [threading.Thread(target=work, daemon=True) for _ in range(workers)]
     for thread in threads:
         thread.start()
@@ -69,6 +69,6 @@ def by_threads(
         raise
     finally:
         with lock:
-            closed.set()  # whoever still runs must not write any more
+            closed.set()  # Running threads must not write any more.
     if errors:
         raise errors[0]

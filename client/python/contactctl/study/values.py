@@ -1,4 +1,4 @@
-"""The values of one field of a study: a list, or a range."""
+"""The values of a field of a study: a list, or a range."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from ..paths import parts
 
 __all__ = ["MOST", "values_of"]
 
-MOST = 1_000_000  #: rows of a study
+MOST = 1_000_000  #: Largest number of rows in a study.
 
 
 def values_of(path: str, name: str, given: Any) -> list[Any]:
-    """Returns the values that the study in `path` has for the field `name`, as a list. Raises click.UsageError."""
+    """Returns the values of the field `name` in the study `path` as a list. Raises click.UsageError."""
     parts(name)
     right = "a list, or {from: 0, to: 1, count: 11}, or with step in place of count, or with scale: log"
     if isinstance(given, list) and given:
@@ -38,7 +38,7 @@ def values_of(path: str, name: str, given: Any) -> list[Any]:
 def _is_finite(value: Any) -> bool:
     try:
         return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
-    except OverflowError:  # an integer beyond all doubles
+    except OverflowError:  # an integer beyond the range of doubles
         return False
 
 

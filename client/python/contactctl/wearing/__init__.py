@@ -1,1 +1,1 @@
-"""Studies of wear: files that describe them, and how their states are solved and shared."""
+"""Wear studies: files that describe them, and the solution and sharing of their states."""

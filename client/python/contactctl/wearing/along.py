@@ -1,4 +1,4 @@
-"""What a study takes off a rail that varies along the track, such as a crossing: a map, in a file and as a table."""
+"""Wear of a rail that varies along the track, such as a crossing: a map in a file, and a table."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ from .reading import states_of
 __all__ = ["is_along", "wear_along"]
 
 _FIELDS = {"setup", "states", "wears", "law", "until", "along", "energy"}
-_MOST = 100_000  #: cells of an axis
-_MOST_CELLS = 10_000_000  #: of the map
+_MOST = 100_000  #: Largest number of cells on an axis.
+_MOST_CELLS = 10_000_000  #: Largest number of cells of the map.
 
 
 def is_along(file: str) -> bool:
-    """Tells if a study has `along`, and so a map in place of steps."""
+    """Returns whether a study has `along`, and so a map instead of steps."""
     return file != "-" and "along" in read_object(file)
 
 
@@ -72,7 +72,7 @@ def wear_along(file: str, output: Path) -> None:
 
 
 def _edges(file: str, along: Any, name: str) -> np.ndarray[Any, np.dtype[np.float64]]:
-    """From, to and step, in `along`."""
+    """Returns the edges from `from`, `to` and `step` in `along`."""
     value = along.get(name) if isinstance(along, dict) else None
     is_list = isinstance(value, list) and len(value) == 3 and all(_is_number(one) for one in value)
     if not is_list or value is None or not (value[2] > 0 and value[1] - value[0] >= value[2]):

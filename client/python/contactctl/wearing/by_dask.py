@@ -1,4 +1,4 @@
-"""States of a study of wear by the workers of a Dask cluster."""
+"""Solves states of a wear study on the workers of a Dask cluster."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ __all__ = ["solving_by_dask"]
 
 @contextmanager
 def solving_by_dask(scheduler: str, given: Setting) -> Iterator[Solve]:
-    """Each state by a worker, on which the package must be installed."""
+    """Solves each state on a worker, where the package must be installed."""
     with dask_at(scheduler) as dask:
         yield _solving(dask, given)
 

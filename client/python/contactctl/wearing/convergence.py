@@ -1,4 +1,6 @@
-"""How far a study of wear has settled: the same distance with other states, elements, steps and smoothing, against the finest."""
+"""Convergence of a wear study: the same distance with other states, elements, steps and smoothing, compared with the
+finest.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +18,7 @@ from contactd.wear import Section, WearStudy, WeightedState, WornStep, evolve
 
 __all__ = ["Settled", "settled", "variants"]
 
-_ELEMENT = 0.5  #: mm, where a set-up names none: that of WheelRailSetup
+_ELEMENT = 0.5  #: Default of WheelRailSetup (mm).
 
 
 @dataclass(frozen=True)
@@ -24,12 +26,12 @@ class Settled:
     """A variant of a study.
 
     Attributes:
-        name: What differs.
-        difference: Of the depths over the section from the finest: the mean size over the mean depth.
-        area: What is taken off, over that of the finest.
-        largest: Largest depth, likewise.
-        steps: How many there were.
-        seconds: What it took by the clock.
+        name: Name of the change.
+        difference: Mean absolute difference of the depths from the finest, over the mean depth.
+        area: Removed area over that of the finest.
+        largest: Largest depth over that of the finest.
+        steps: Number of steps.
+        seconds: Wall-clock time (s).
     """
 
     name: str
@@ -41,7 +43,9 @@ class Settled:
 
 
 def variants(study: WearStudy) -> dict[str, WearStudy]:
-    """Studies by what differs from the given one; the first is the finest: half of its elements and steps."""
+    """Returns studies by their difference from the given one; the first is the finest, with half the element size and
+    steps.
+    """
     setup = study.setup_params()
     dx, dy = float(setup.get("dx", _ELEMENT)), float(setup.get("dy", _ELEMENT))
 
@@ -67,7 +71,7 @@ def variants(study: WearStudy) -> dict[str, WearStudy]:
 
 
 def _sample(states: Sequence[WeightedState], part: int) -> list[WeightedState]:
-    """One in so many of each group, at random, with the weight that the group has."""
+    """Returns one of every N states of each group at random, with the weight of the group."""
     chance = random.Random(1)
     found = []
     for name in dict.fromkeys(one.group for one in states):
@@ -81,7 +85,7 @@ def _sample(states: Sequence[WeightedState], part: int) -> list[WeightedState]:
 def settled(
     client: Client, study: WearStudy, workers: int, on_progress: Callable[[float, str], None], names: Sequence[str] | None = None
 ) -> Iterator[Settled]:
-    """Each variant when it has gone the distance; with `names` these beside the finest, which comes first."""
+    """Yields each variant when it is complete; `names` selects some, in addition to the finest, which is first."""
     studies = {name: one for name, one in variants(study).items() if names is None or name in ("finest", *names)}
     finest: WornStep | None = None
     first: WornStep | None = None

@@ -1,4 +1,4 @@
-"""Files of worn profiles, and pictures of how they wore."""
+"""Files of worn profiles, and pictures of their wear."""
 
 from __future__ import annotations
 
@@ -22,16 +22,15 @@ from ..writing.drawing import save_animation, save_picture
 
 __all__ = ["Measures", "check_folders", "measured", "totals_of", "write_pictures", "write_profiles"]
 
-Measures = dict[str, list[float]]  #: a list a measure, with a number a step
+Measures = dict[str, list[float]]  #: Measures: a list with a number per step.
 
 _GROUPS = {"conicity": ("conicity at 3 mm", "conicity at 5 mm"), "flange": ("Sh", "Sd", "qR"), "head": ("W1", "W2", "W3")}
-_MOST = 25  #: steps that conicities are found for
-_FRAMES = 40  #: of an animation
+_MOST = 25  #: Largest number of steps with conicities.
+_FRAMES = 40  #: Number of frames of an animation.
 
 
 def check_folders(profiles: Path | None, pictures: Path | None) -> None:
-    """Before anything is solved. Raises click.UsageError for files there that would be written over and that contactd has not
-    written."""
+    """Checks before a solve. Raises click.UsageError for existing files that another program has written."""
     for option, folder, stems, endings in (
         ("--profiles", profiles, ("wheel", "rail"), (".prw", ".prr", ".whl", ".ban")),
         ("--pictures", pictures, ("wheel-", "rail-", *_GROUPS, "measures"), (".png", ".gif", ".json")),
@@ -42,7 +41,7 @@ def check_folders(profiles: Path | None, pictures: Path | None) -> None:
 
 
 def write_profiles(folder: Path, study: WearStudy, steps: Sequence[WornStep]) -> list[Path]:
-    """The last profiles as Simpack and MiniProf have them."""
+    """Writes the last profiles as Simpack and MiniProf files."""
     folder.mkdir(parents=True, exist_ok=True)
     written = []
     last = steps[-1]
@@ -57,7 +56,7 @@ def write_profiles(folder: Path, study: WearStudy, steps: Sequence[WornStep]) ->
 
 
 def measured(client: Client, study: WearStudy, steps: Sequence[WornStep]) -> Measures:
-    """Conicities, and what gauges tell, of up to 25 of the steps; `distance` has theirs."""
+    """Returns conicities and gauge dimensions of up to 25 steps; `distance` contains their distances."""
     place = place_of(client, study)
     chosen = [steps[i] for i in np.unique(np.linspace(0, len(steps) - 1, min(len(steps), _MOST)).round().astype(int))]
     found: Measures = {"distance": [step.distance for step in chosen]}
@@ -78,8 +77,9 @@ def measured(client: Client, study: WearStudy, steps: Sequence[WornStep]) -> Mea
 
 
 def totals_of(study: WearStudy, steps: Sequence[WornStep]) -> dict[str, dict[str, float]]:
-    """What all steps together took off, by parts: the largest depth (mm), where on the new profile it is (y, mm), and the area
-    (mm^2). The depth is the distance from the new profile to the worn one."""
+    """Returns the total wear of all steps by bodies: the largest depth (mm), its position on the new profile (y, mm),
+    and the area (mm^2). The depth is the distance of the worn profile from the new one.
+    """
     found: dict[str, dict[str, float]] = {}
     for part in study.parts:
         new, last = steps[0].of(part), steps[-1].of(part)
@@ -90,7 +90,7 @@ def totals_of(study: WearStudy, steps: Sequence[WornStep]) -> dict[str, dict[str
 
 
 def _or_nan(tell: Any, count: int) -> list[float]:
-    """What a profile is too short for is no number."""
+    """Returns NaN if a profile is too short."""
     try:
         return list(tell())
     except InvalidArgument:
@@ -98,8 +98,9 @@ def _or_nan(tell: Any, count: int) -> list[float]:
 
 
 def write_pictures(folder: Path, study: WearStudy, steps: Sequence[WornStep], measures: Measures) -> list[Path]:
-    """Worn against new, depths, groups, conicity and gauges over the distance, an animation, and with fatigue the shakedown
-    diagram and cracks against wear. Needs matplotlib."""
+    """Draws worn and new profiles, depths, groups, conicity and gauges against the distance, an animation, and with
+    fatigue the shakedown diagram and cracks against wear. Needs matplotlib.
+    """
     import matplotlib
 
     matplotlib.use("Agg")
@@ -131,7 +132,7 @@ def write_pictures(folder: Path, study: WearStudy, steps: Sequence[WornStep], me
     labels = {"conicity": "equivalent conicity", "flange": "change (mm)", "head": "mm"}
     for name, members in _GROUPS.items():
         values = {member: measures[member] for member in members if member in measures}
-        if name == "flange":  # which hardly changes, beside what it is
+        if name == "flange":  # the profile hardly changes on its own scale
             values = {f"{member}, {numbers[0]:.2f} new": [number - numbers[0] for number in numbers] for member, numbers in values.items()}
         if values:
             picture(f"{name}.png", lambda axes, values=values, name=name: draw_measures(axes, measures["distance"], values, study.unit, labels[name]))
@@ -140,7 +141,7 @@ def write_pictures(folder: Path, study: WearStudy, steps: Sequence[WornStep], me
 
 
 def _magnified(steps: Sequence[WornStep]) -> float:
-    """By which a depth that is hardly seen is some millimetres in the picture."""
+    """Returns the scale that makes small depths some millimetres in the picture."""
     largest = float(sum(step.depths.max() for step in steps[1:]))
     return next((factor for factor in (1, 2, 5, 10, 20, 50) if largest * factor >= 2), 100)
 

@@ -1,4 +1,4 @@
-"""From a file to a study of wear."""
+"""Reads a wear study from a file."""
 
 from __future__ import annotations
 
@@ -29,7 +29,9 @@ _NAMED = ("rail_law", "passages_per_km", "symmetric", "fatigue", "smoothing", "e
 
 
 def read_study(file: str, states: Sequence[WeightedState] | None = None) -> WearStudy:
-    """The study that a file of JSON or YAML describes, with other states than its own. Raises click.UsageError naming the file and what is wrong."""
+    """Returns the study in a JSON or YAML file, with its states or others. Raises click.UsageError naming the file and
+    the error.
+    """
     given = read_object(file)
     if unknown := given.keys() - FIELDS:
         meant = did_you_mean(min(unknown), FIELDS)
@@ -68,7 +70,7 @@ def read_study(file: str, states: Sequence[WeightedState] | None = None) -> Wear
 
 
 def states_of(place: Path) -> Sequence[WeightedState]:
-    """The states of a file. Raises click.UsageError naming it."""
+    """Returns the states in a file. Raises click.UsageError naming it."""
     try:
         with Bar("states") as bar:
             return read_states(place, lambda share: bar.show(share, f"reading {place.name}"))
@@ -79,8 +81,9 @@ def states_of(place: Path) -> Sequence[WeightedState]:
 
 
 def read_dynamics(file: str, folder: Path, allow_program: bool) -> Dynamics | None:
-    """What tells the states of a study, whose stages lie in a folder; None where a file has them. A study may come from
-    somebody else: raises click.UsageError where the command line does not allow its program."""
+    """Returns the source of states of a study, whose stages are in a folder; None if a file has them. The study may be
+    from an untrusted source: raises click.UsageError if the command line does not allow its program.
+    """
     given = read_object(file)
     if "dynamics" not in given:
         return None
@@ -94,7 +97,7 @@ def read_dynamics(file: str, folder: Path, allow_program: bool) -> Dynamics | No
         return Dynamics(words, folder, **others)
     except InvalidArgument as error:
         raise click.UsageError(f"{file}: {error.message}") from None
-    except ValueError as error:  # a quotation mark without another one
+    except ValueError as error:  # an unpaired quotation mark
         raise click.UsageError(f"{file}: dynamics.program is {program!r}, which is no command: {error}.") from None
 
 

@@ -1,7 +1,7 @@
-"""States of a study of wear that are shared among processes, such as the tasks of an array of jobs.
+"""States of a wear study shared among processes, such as the tasks of a job array.
 
-The process with share 0 makes the steps and writes the record. The others read it, solve their states on the section that it has
-last, and leave the answers in a file beside it. So no two processes need the same last bits.
+The process with share 0 computes the steps and writes the record. The others read it, solve their states on its last
+section, and write the answers to files next to it. So processes need not compute the same bits.
 """
 
 from __future__ import annotations
@@ -27,12 +27,12 @@ from ..study.shares import Share
 
 __all__ = ["ShareFiles", "work"]
 
-_PAUSE = 0.1  #: s between two looks at a file
+_PAUSE = 0.1  #: Interval between checks of a file (s).
 Answers = list[dict[str, Any]]
 
 
 class ShareFiles:
-    """Files of answers, by steps and shares; those of another study are none."""
+    """Files of answers by steps and shares; those of other studies are ignored."""
 
     def __init__(self, record: Path, study: WearStudy, share: Share, longest_wait: float) -> None:
         self._record, self._share, self._longest_wait = record, share, longest_wait
@@ -40,11 +40,11 @@ class ShareFiles:
         self._study = hashlib.sha256(described.encode()).hexdigest()
 
     def path(self, step: int, index: int) -> Path:
-        """The file of a share's answers to the section of a step."""
+        """Returns the file of a share's answers for the section of a step."""
         return Path(f"{self._record}.{step:06d}.{index}-of-{self._share.count}")
 
     def read(self, step: int, index: int) -> Answers | None:
-        """The answers, or None while there are none."""
+        """Returns the answers, or None while there are none."""
         try:
             found = json.loads(read_whole(self.path(step, index), MOST_BYTES))
         except (OSError, ValueError):
@@ -52,7 +52,7 @@ class ShareFiles:
         return list(found["answers"]) if found.get("study") == self._study else None
 
     def write(self, step: int, answers: Answers) -> None:
-        """Leaves the answers of this share."""
+        """Writes the answers of this share."""
         content = json.dumps({"study": self._study, "answers": answers}).encode()
         path = self.path(step, self._share.index)
         if not can_be_written_over(path):
@@ -60,7 +60,7 @@ class ShareFiles:
         write_whole(path, lambda into: into.write(content))
 
     def wait(self, step: int, index: int) -> Answers:
-        """The answers of another share, when they are there. Raises Ended when they do not come."""
+        """Waits for the answers of another share. Raises Ended if they do not arrive."""
         until = time.monotonic() + self._longest_wait
         while (answers := self.read(step, index)) is None:
             if time.monotonic() > until:
@@ -69,13 +69,13 @@ class ShareFiles:
         return answers
 
     def forget(self, step: int) -> None:
-        """Removes what all have answered."""
+        """Removes the files that all shares have answered."""
         for index in range(self._share.count):
             if can_be_written_over(path := self.path(step, index)):
                 path.unlink(missing_ok=True)
 
     def solving(self, own: Solve, number: Callable[[], int]) -> Solve:
-        """All states, by this share and the others; `number` is that of the step whose section it is."""
+        """Solves all states in this and the other shares; `number` is the step of the section."""
 
         def solve(requests: Sequence[dict[str, Any]], tell: Callable[[int], None]) -> Answers:
             step = number()
@@ -94,7 +94,7 @@ class ShareFiles:
 def work(
     files: ShareFiles, record: Path, study: WearStudy, place: StudyPlace, share: Share, own: Solve, longest_wait: float, on_step: Callable[[float], None]
 ) -> None:
-    """What the other processes do: their states on each section of the record, until it is at the study's end."""
+    """Runs the other processes: solves their states on each section of the record, until the study's end."""
     done, until = -1, time.monotonic() + longest_wait
     while True:
         steps = read_record(record, study)

@@ -1,1 +1,1 @@
-"""Tables and pictures that commands write to files."""
+"""Writes tables and pictures to files."""

@@ -1,4 +1,4 @@
-"""Tables as CSV, for programs of all kinds."""
+"""Writes tables as CSV."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from typing import Any
 
 __all__ = ["csv_text"]
 
-_COMMANDS = "=+-@\t\r"  #: with which a cell begins that a spreadsheet computes
+_COMMANDS = "=+-@\t\r"  #: First characters of cells that spreadsheets evaluate.
 
 
 def csv_text(rows: Iterable[Sequence[Any]]) -> str:
-    """The rows, the names of columns among them. A text that a spreadsheet would compute begins with an apostrophe."""
+    """Returns the rows, including column names. An apostrophe precedes texts that a spreadsheet would evaluate."""
     written = io.StringIO()
     csv.writer(written, lineterminator="\n").writerows([_cell(value) for value in row] for row in rows)
     return written.getvalue()

@@ -1,4 +1,4 @@
-"""Pictures in files, with the mark of who has written them."""
+"""Writes pictures to files, marked as written by contactd."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ _END_OF_GIF = b";"
 
 
 def save_picture(path: Path, figure: Any, **options: Any) -> None:
-    """Writes a figure of matplotlib as a whole; options are those of savefig."""
+    """Writes a matplotlib figure, never incomplete; options are those of savefig."""
     metadata = {_NAMES[path.suffix]: written_by()}
     write_whole(path, lambda file: figure.savefig(file, format=path.suffix[1:], metadata=metadata, **options))
 
 
 def save_animation(path: Path, content: bytes) -> None:
-    """Writes the content of a GIF with the mark as a comment at its end."""
+    """Writes a GIF with the mark as a comment at its end."""
     mark = written_by().encode()
     comment = b"!\xfe" + bytes([len(mark)]) + mark + b"\0"
     write_whole(path, lambda file: file.write(content.removesuffix(_END_OF_GIF) + comment + _END_OF_GIF))

@@ -1,4 +1,4 @@
-"""Profiles, and coefficients, that cases name: files beside the file of cases, placed as the CONTACT program has them."""
+"""Profiles and coefficients named in cases: files next to the input file, placed as in the CONTACT program."""
 
 from __future__ import annotations
 
@@ -37,15 +37,16 @@ _DRIVE = re.compile(r"[A-Za-z]:")
 _LISTS = (".slcs", ".slcw")
 _SIMPACK = (".prr", ".prw")
 _NAMES = ("RFNAME", "WFNAME", "CFNAME")
-_ORIENTED = (*_SIMPACK, ".ban", ".whl")  #: whose formats say which way z points
-_FACE = 0.05  #: part of a wheel's width at an end
+_ORIENTED = (*_SIMPACK, ".ban", ".whl")  #: Formats that define the direction of z.
+_FACE = 0.05  #: Fraction of a wheel's width at an end.
 _METRE = 1000.0  # mm
 _OPTIONS = ("MIRRORY", "SCALE", "SMOOTH", "MIRRORZ", "ISMOOTH", "KINKHIGH", "KINKLOW", "KINKWID")
 
 
 class ProfileFiles:
-    """Reads each file once. Names are relative to `folder`; both kinds of separators serve. The `client` reads the text of
-    lists of slices. Files outside of the folders that are `allowed` are refused; None: none is."""
+    """Reads each file once. Names are relative to `folder`, with either path separator. The `client` parses lists of
+    slices. Files outside the `allowed` folders are refused; None allows all.
+    """
 
     def __init__(self, folder: str | os.PathLike[str], client: AskedClient, allowed: Iterable[Path] | None = None) -> None:
         self._folder, self._client = Path(folder), client
@@ -54,7 +55,7 @@ class ProfileFiles:
         self._lock = Lock()
 
     def __call__(self, case: Case, which: str) -> Profile | tuple[Slices, str]:
-        """The profile of "RAIL" or "WHEEL". Raises OSError where it cannot be read."""
+        """Returns the profile of "RAIL" or "WHEEL". Raises OSError if it cannot be read."""
         values = case.values
         name = str(values["RFNAME" if which == "RAIL" else "WFNAME"])
         options = {option: values[f"{which}_{option}"] for option in _OPTIONS}
@@ -67,14 +68,17 @@ class ProfileFiles:
             return self._read[key]
 
     def coefficients(self, case: Case, modulus: float) -> TableIcs:
-        """The influence coefficients that a case names (C = 9). Raises OSError where they cannot be read, and TableFileError
-        where they are none."""
+        """Returns the influence coefficients of a case (C = 9). Raises OSError if they cannot be read, and
+        TableFileError for invalid ones.
+        """
         path = self.place(str(case.values["CFNAME"]))
         self._check(path)
         return TableIcs.from_contact_text(path, modulus)
 
     def digests(self, cases: Iterable[Case]) -> dict[str, str]:
-        """What the files have in them that cases name, those of slices too: a digest each, empty of one that cannot be read."""
+        """Returns a digest of each file named in the cases, including those of slices; empty for a file that cannot be
+        read.
+        """
         named = {self.place(str(case.values[name])) for case in cases for name in _NAMES if name in case.values}
         lists = [path for path in named if path.suffix.lower() in _LISTS and self._is_allowed(path)]
         slices = {path.parent / name.replace("\\", "/") for path in lists for name in _names_in(path)}
@@ -103,14 +107,15 @@ class ProfileFiles:
         return profile if placed is None else _with_options(file, {**options, "MIRRORZ": 1 if upwards else -1}, reported)
 
     def _reading(self, file: ProfileFile, options: Mapping[str, Any], which: str) -> _FileReading:
-        """By the service, which reads a file of Simpack without the options of the case, where these change what it says. A
-        file whose unit is wrong, so that its points have no size of a profile, is in metres or in mm by what the scale makes
-        of it."""
+        """Returns the reading by the service, which first reads a Simpack file without options of the case that change
+        its interpretation. For a file with a wrong unit, the points have no plausible size; it is then in metres or mm
+        according to the scale.
+        """
         scale = options["SCALE"]
         if scale == 1 and options["MIRRORY"] != -1:
             return _FileReading(None)
         for unit in (None, _METRE * scale, scale):
-            with warnings.catch_warnings():  # the case is warned of the file as it is used
+            with warnings.catch_warnings():  # The case warns of the file as used.
                 warnings.simplefilter("ignore", UserWarning)
                 placed = self._placed(replace(file, unit=unit), which)
             if placed is not None and (reading := placed[1].file) is not None:
@@ -119,11 +124,11 @@ class ProfileFiles:
         return _FileReading(None if scale == 1 else _METRE * scale)
 
     def _placed(self, profile: ProfileFile, which: str) -> tuple[Array, ProfileEvidence] | None:
-        """Its points as the service reads them, y and z, with the evidence; None where it cannot."""
-        track = Track(rail_origin=(750.0, 0.0))  # needs no gauge face, which not every rail has
+        """Returns the points as read by the service, y and z, with the evidence; None if it cannot read them."""
+        track = Track(rail_origin=(750.0, 0.0))  # needs no gauge face, which some rails do not have
         setup = WheelRailSetup(wheel=profile, track=track) if which == "WHEEL" else WheelRailSetup(rail=profile, track=track)
         try:
-            with collected():  # the case itself warns of its profiles, where they lie
+            with collected():  # The case itself warns of its profiles.
                 placed = self._client.placed_profiles(setup).right
         except InvalidArgument:
             return None
@@ -138,14 +143,14 @@ class ProfileFiles:
         return [one[:2] if is_wheel else one for one in slices], SPLINES[read.is_approximated]
 
     def place(self, name: str) -> Path:
-        """Where a file lies that is named in another one."""
+        """Returns the path of a file named in another one."""
         path = Path(name.replace("\\", "/"))
         is_absolute = path.is_absolute() or _DRIVE.match(name) is not None
         return path if is_absolute else self._folder / path
 
 
 def _names_in(path: Path) -> Iterator[str]:
-    """The profiles that a list of slices names, between quotation marks in its lines; none where it cannot be read."""
+    """Returns the profiles in a list of slices, in quotation marks in its lines; none if it cannot be read."""
     try:
         lines = text_of(path).splitlines()
     except OSError:
@@ -156,7 +161,7 @@ def _names_in(path: Path) -> Iterator[str]:
 
 @dataclass(frozen=True)
 class _FileReading:
-    """Millimetres of a unit of a file's points, None where the file says it, and whether the file turns y."""
+    """The unit of a file's points in mm, None if the file defines it, and whether the file mirrors y."""
 
     unit: float | None
     mirror_y: bool = False
@@ -164,7 +169,7 @@ class _FileReading:
 
 def _with_options(file: ProfileFile, options: Mapping[str, Any], reported: _FileReading) -> ProfileFile:
     """Adds the options of a case to a file."""
-    # MIRRORY = -1 takes back what a file of Simpack says itself.
+    # MIRRORY = -1 reverts the mirroring in a Simpack file.
     mirrored_back = options["MIRRORY"] == -1 and reported.mirror_y
     smooth = options["SMOOTH"]
     smoothing: dict[str, Any] = {}
@@ -180,7 +185,9 @@ def _with_options(file: ProfileFile, options: Mapping[str, Any], reported: _File
 
 
 def _runs_upwards(points: Array, which: str) -> bool:
-    """As the CONTACT program decides where neither a flange nor the ends of a rail show it: by where the least z lies."""
+    """Decides like the CONTACT program if neither a flange nor the ends of a rail show the direction: by the position
+    of the smallest z.
+    """
     y, z = points.T
     if which == "RAIL":
         outer = len(z) // 10

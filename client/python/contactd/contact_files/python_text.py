@@ -1,4 +1,4 @@
-"""Cases as a program of Python that solves them with contactd."""
+"""Converts cases to a Python program that solves them with contactd."""
 
 from __future__ import annotations
 
@@ -28,12 +28,13 @@ from contactd import *
 from contactd.wheel_rail import *
 
 '''
-_OF_ROW = 8  #: numbers of an array in a line
+_OF_ROW = 8  #: Numbers of an array per line.
 
 
 def python_text(title: str, contacts: Iterable[BasicContact | RailContact | str], goes_on: Iterable[bool]) -> str:
-    """`contacts` are cases made ready, or sentences that say why they are not; `goes_on` says which start from the case
-    before."""
+    """`contacts` are prepared cases, or sentences with the reason why they are not; `goes_on` marks those that continue
+    the previous case.
+    """
     lines = [_HEAD.format(title=ascii(title), mark=written_by().capitalize()), "with contactd.local() as client:\n    last = None"]
     for contact, follows in zip(contacts, goes_on):
         lines += ["", *_case(contact, follows)]
@@ -74,7 +75,7 @@ def _written(value: Any, indent: int) -> str:
 
 
 def _plain(value: Any) -> str:
-    """A number, a text or a truth value as an expression of Python: names of files, too, whatever they hold."""
+    """Returns a number, text or boolean as a Python expression, also for unusual names of files."""
     if isinstance(value, float) and not math.isfinite(value):
         return f'float("{value!r}")'
     if isinstance(value, os.PathLike):

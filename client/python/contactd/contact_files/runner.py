@@ -1,5 +1,6 @@
-"""Cases computed in their order. A file is a history: steps start from what the one before ended with, so that what goes
-wrong in one is told of those that follow from it, and other histories go on."""
+"""Runs cases in order. A file is a history: a step starts from the end of the previous one. An error in a case
+therefore affects its successors, but not other histories.
+"""
 
 from __future__ import annotations
 
@@ -44,7 +45,7 @@ it names, has wrong."""
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """What became of a case, with a sentence where that is not all that was wanted, and with what its answers warn of."""
+    """The outcome of a case, with a sentence about its limitations and the warnings of its answers."""
 
     case: Case
     status: Status
@@ -55,12 +56,14 @@ class Outcome:
 
     @property
     def is_solved(self) -> bool:
-        """Tells whether there are numbers."""
+        """Whether there are numbers."""
         return self.result is not None
 
 
 def chains_of(cases: Iterable[Case]) -> list[list[Case]]:
-    """Cases that must be computed one after the other; chains do not depend on each other. In the order of their ends."""
+    """Returns chains of cases that must be run in sequence; chains are independent of each other. They are ordered by
+    their last cases.
+    """
     open_chains: dict[object, list[Case]] = {}
     chains: list[list[Case]] = []
     for case in cases:
@@ -74,8 +77,9 @@ def chains_of(cases: Iterable[Case]) -> list[list[Case]]:
 
 
 def checked(cases: Iterable[Case], most_elements: int = MOST_ELEMENTS) -> list[Outcome]:
-    """What can be computed, without computing it, in the order of the file; `most_elements` are those that the service takes
-    (`client.info().limits.max_grid_elements`)."""
+    """Returns the outcomes of a check without computation, in the order of the file. `most_elements` is the limit of
+    the service (`client.info().limits.max_grid_elements`).
+    """
     found: dict[int, Outcome] = {}
     for chain in chains_of(cases):
         broken: Case | None = None
@@ -99,7 +103,7 @@ def _refusal(case: Case, broken: Case | None, most_elements: int) -> Outcome | N
 
 
 class Runner:
-    """Computes cases by a client. Threads may compute chains of their own at the same time."""
+    """Runs cases with a client. Several threads may run different chains at the same time."""
 
     def __init__(self, client: AskedClient, profiles: Profiles, wheel_surface: WheelSurface = "exact") -> None:
         self._client = client
@@ -108,9 +112,9 @@ class Runner:
         self._coefficients: ReadCoefficients | None = getattr(profiles, "coefficients", None)
 
     def run(self, chain: Iterable[Case]) -> Iterator[Outcome]:
-        """The outcomes of cases that go on from each other.
+        """Returns the outcomes of the cases of a chain.
 
-        Raises what says that there is nobody to ask; what is refused or goes wrong is the outcome of its case.
+        Raises errors of the connection. Other errors are outcomes of their cases.
         """
         chain = list(chain)
         steps = _RailSteps(self._client) if len(chain) > 1 and chain[0].module == 1 else None
@@ -183,7 +187,7 @@ class Runner:
 
 
 class _RailSteps:
-    """The steps of one chain of cases, in a session that the first of them opens."""
+    """The steps of one chain of cases, in a session that the first one opens."""
 
     def __init__(self, client: AskedClient) -> None:
         self._client = client
@@ -192,8 +196,9 @@ class _RailSteps:
         self._last: RailResult | None = None
 
     def solve(self, contact: RailContact, stresses: Stresses) -> RailResult:
-        """Solves the next step, or where the case says so (P = 3) the last one anew. Raises Missing where profiles, track or
-        elements are others than those of the step before."""
+        """Solves the next step, or repeats the last one (P = 3). Raises Missing if profiles, track or elements differ
+        from those of the previous step.
+        """
         common = setup_params(contact.setup.replace(friction=None))
         again = contact.case.digits["P"] == 3 and self._last is not None
         if self._session is None:
@@ -234,24 +239,24 @@ def run(
     wheel_surface: WheelSurface = "exact",
     workers: int | None = None,
 ) -> SolvedCases:
-    """Computes all cases of an input file (.inp), or of its text: a string with an end of line in it is a text::
+    """Computes all cases of an input file (.inp), or of its text: a string with a line break is a text::
 
         cases = contact_files.run("testbank.inp")
         print(cases[0].forces, cases[0].patches[0].pressure)
         print(cases.compare("testbank.out"))
 
-    `client` solves; None: contactd.default_client(). Files that the input names are opened where they lie in its folder or
-    below it, and in `allow_folders`. Wheels are ``"exact"`` by their splines, or ``"bilinear"`` as CONTACT has them.
-    Histories that do not depend on each other are computed by as many threads as `workers` says; None: one a processor.
+    `client` solves the cases; None: contactd.default_client(). Files named in the input are opened if they are in its
+    folder, below it, or in `allow_folders`. Wheel surfaces are ``"exact"`` (splines), or ``"bilinear"`` as in CONTACT.
+    Independent histories are computed in `workers` threads; None: one per processor.
 
-    A case that contactd does not compute has no solution; its `status` and `sentence` say why, and a ContactWarning names it,
-    beside what the answers of the others warn of. Raises OSError for a file that cannot be read, and InvalidArgument for one
-    without cases.
+    A case that contactd does not compute has no solution. Its `status` and `sentence` contain the reason, and a
+    ContactWarning names it, in addition to the warnings of the answers. Raises OSError for a file that cannot be read,
+    and InvalidArgument for one without cases.
     """
     is_text = isinstance(path, str) and "\n" in path
     place = Path("text") if is_text else Path(path)
     asked: AskedClient = shared_client() if client is None else client
-    with collected():  # what reading warns of is told with the cases
+    with collected():  # Warnings of reading are reported with the cases.
         file = read(path, asked)
     if not file.cases:
         raise invalid(os.fspath(place), f"has no cases. {' '.join(file.errors)}".strip())

@@ -1,4 +1,4 @@
-"""Lists of slices of the CONTACT program, with the profiles that they name."""
+"""Reads lists of slices of the CONTACT program with their profiles."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 __all__ = ["SPLINES", "placed_slices", "read_slices"]
 
-#: Curves from slice to slice (rail_spline, wheel_spline), by whether the list asks for an approximation.
+#: Interpolation between slices (rail_spline, wheel_spline), by whether the list requests an approximation.
 SPLINES = {False: "cubic", True: "approximating"}
 #: A feature at the end of every profile: lists without features have one part.
 _WHOLE = (0.0, 1e5)
@@ -28,15 +28,15 @@ def read_slices(
     *,
     profile: Callable[[Path], Profile] = ProfileFile,
 ) -> list[tuple[float, Profile, tuple[float, ...]]]:
-    """The `rail_slices` of a list of rails (.slcs): place, profile and features of each::
+    """Reads the `rail_slices` of a list of rails (.slcs): position, profile and features of each::
 
         setup = WheelRailSetup(rail_slices=read_slices("nose.slcs", client), rail_spline="cubic", ...)
 
-    The `client` reads the list; profiles are read by `profile` from their paths, which are relative to the folder of the
-    list: ``profile=lambda path: ProfileFile(path, unit=1000)`` of files in metres. Of a list of wheels (.slcw) the first two
-    parts of each are the `wheel_slices`.
+    The `client` parses the list. `profile` reads profiles from their paths, which are relative to the folder of the
+    list: ``profile=lambda path: ProfileFile(path, unit=1000)`` for files in metres. For a list of wheels (.slcw), the
+    first two parts of each slice are the `wheel_slices`.
 
-    Raises OSError for what cannot be read, and InvalidArgument with line and column of what does not fit.
+    Raises OSError for a file that cannot be read, and InvalidArgument with line and column of an error.
     """
     path = Path(path)
     return placed_slices(client.read_contact_slices(text_of(path), name=path.name), path.parent, profile)
@@ -45,5 +45,5 @@ def read_slices(
 def placed_slices(
     read: ContactSlices, folder: Path, profile: Callable[[Path], Profile]
 ) -> list[tuple[float, Profile, tuple[float, ...]]]:
-    """The slices of a list that was read, whose profiles lie in `folder`."""
+    """Returns the slices of a parsed list, whose profiles are in `folder`."""
     return [(one.u, profile(folder / one.file.replace("\\", "/")), one.features or _WHOLE) for one in read.slices]

@@ -1,1 +1,1 @@
-"""Cases as problems of contactd, by the conventions of the CONTACT program."""
+"""Converts cases to problems of contactd by the conventions of the CONTACT program."""

@@ -1,4 +1,4 @@
-"""The potential contact area of a case of basic contact: its elements, and how far apart the surfaces are on them."""
+"""The potential contact area of a case of basic contact: its elements, and the undeformed distance on them."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ Values = Mapping[str, Any]
 
 @dataclass(frozen=True, eq=False)
 class PotentialContact:
-    """Where a case is solved.
+    """The grid and the gap of a case.
 
     Attributes:
         grid: The elements.
-        gap: The undeformed distance, as ContactProblem takes it.
+        gap: The undeformed distance, as for ContactProblem.
         h: The same at the element centres (mm), shape [ny, nx].
-        ellipse: Of Hertz's geometries (IPOTCN < 0).
+        ellipse: The ellipse of Hertzian geometries (IPOTCN < 0).
     """
 
     grid: Grid
@@ -37,8 +37,9 @@ class PotentialContact:
 
 
 def potential_contact(values: Values, before: Grid | None = None) -> PotentialContact:
-    """The area of a case, whose values are in force. `before` are the elements of the step that it goes on from: they keep
-    their size, and those of this case lie whole elements from them."""
+    """Returns the area of a case with all values that apply. `before` are the elements of the step that it continues:
+    their size is kept, and those of this case are shifted by whole elements.
+    """
     if values["IPOTCN"] > 0:
         grid = _continued(_grid(values), before)
         return PotentialContact(grid, *_gap(values, grid))
@@ -54,7 +55,7 @@ def potential_contact(values: Values, before: Grid | None = None) -> PotentialCo
 
 
 def ellipse_of(values: Values) -> Ellipse:
-    """Hertz's contact under the load of the case."""
+    """Returns Hertz's contact under the load of the case."""
     is_force = "FN" in values
     compliance = compliance_of((values["POISS1"], values["POISS2"]), (values["GG1"], values["GG2"]))
     load = Load(values["FN" if is_force else "PEN"], is_force, compliance)
@@ -72,7 +73,9 @@ def ellipse_of(values: Values) -> Ellipse:
 
 
 def _line(values: Values, load: Load) -> Ellipse:
-    """A cylinder of the length 2 BB under P per length: a^2 = 4 P R/(pi E*) (Johnson, 4.2(c)); the approach is not told."""
+    """A cylinder of the length 2 BB under P per length: a^2 = 4 P R/(pi E*) (Johnson, 4.2(c)); the approach is
+    undefined.
+    """
     squared = 4 * load.value / (2 * values["BB"]) * load.compliance / math.pi  # a^2/R
     radius = 1 / (2 * values["A1"]) if values["IPOTCN"] == -4 else values["AA"] ** 2 / squared
     return Ellipse(1 / (2 * radius), 0.0, math.sqrt(squared * radius), values["BB"], 0.0)
@@ -87,7 +90,7 @@ def _hertz_grid(values: Values, ellipse: Ellipse) -> Grid:
 
 
 def _rows_of_line(ny: int, scale: float) -> int:
-    """How many rows of elements divide the line; the others lie beyond its ends, as many on either side."""
+    """Returns the number of element rows on the line; the others are beyond its ends, equally on both sides."""
     if scale <= 1:
         return ny
     rows = max(1, round(ny / scale))

@@ -1,4 +1,4 @@
-"""A case of basic contact (module 3) as a problem of contactd, by the conventions of the CONTACT program."""
+"""Converts a case of basic contact (module 3) to a problem of contactd, by the conventions of the CONTACT program."""
 
 from __future__ import annotations
 
@@ -32,17 +32,18 @@ if TYPE_CHECKING:
 __all__ = ["BasicContact", "ReadCoefficients", "State", "goes_on"]
 
 NormalForce = Callable[[ContactProblem], float]
-#: Reads the table that a case names, with the combined modulus of its bodies (N/mm^2), by which the file's values are over it.
+#: Reads the table named in a case, with the combined modulus of its bodies (N/mm^2), by which the file's values are
+#: divided.
 ReadCoefficients = Callable[["Case", float], TableIcs]
 
 _BILINEAR, _OF_FILE = 3, 9  #: C
 _NONE, _SHIFT, _TRANSIENT, _STEADY = range(4)
-_NEAR = 0.01  #: rad, of a rolling direction that counts as that of an axis
+_NEAR = 0.01  #: Largest angle (rad) of a rolling direction along an axis.
 
 
 @dataclass(frozen=True, eq=False)
 class State:
-    """The end of a step, where the next one may start."""
+    """The end of a step, from which the next one may start."""
 
     grid: Grid
     pressure: npt.NDArray[np.float64]
@@ -54,17 +55,17 @@ class State:
 
 @dataclass(frozen=True, eq=False)
 class BasicContact:
-    """A case made ready.
+    """A prepared case.
 
     Attributes:
-        case: What was read.
+        case: The case as read.
         area: Its elements.
         pair: Its bodies.
-        friction_unit: What shares of tangential forces are shares of: the coefficient at rest (1 where rows have their own).
-        chi: The rolling direction that is used (rad).
-        dq: The step as the program prints it (mm).
+        friction_unit: Unit of tangential forces: the static coefficient (1 if rows have their own).
+        chi: The rolling direction (rad).
+        dq: The step as printed by the program (mm).
         ics: Its coefficients.
-        problem: What contactd solves.
+        problem: The problem for contactd.
     """
 
     case: Case
@@ -78,7 +79,9 @@ class BasicContact:
 
     @property
     def phi(self) -> float:
-        """The spin of the whole plane (rad, rad/mm); where it acts in one direction alone, that is slip of the elements."""
+        """The spin of the whole plane (rad, rad/mm); 0 if it acts in one direction only, which is slip of the
+        elements.
+        """
         is_split = self.case.digits["E"] != 0 and self.case.values.get("EXRHS") in (2, 3)
         return 0.0 if is_split else float(self.case.values["CPHI"])
 
@@ -86,10 +89,10 @@ class BasicContact:
     def of(
         cls, case: Case, normal_force: NormalForce, before: State | None = None, coefficients: ReadCoefficients | None = None
     ) -> BasicContact:
-        """`normal_force` solves a problem without friction; `before` is the state at the start of a step that goes on;
-        `coefficients` reads those of a file.
+        """`normal_force` solves a problem without friction, `before` is the initial state of a step that continues
+        another one, and `coefficients` reads those of a file.
 
-        Raises Missing for what contactd does not have.
+        Raises Missing for unsupported features.
         """
         if names := missing(case):
             raise Missing(", ".join(names))
@@ -110,7 +113,7 @@ class BasicContact:
         chi, dq = _rolling_step(case, area.grid)
         if case.digits["T"] != _NONE:
             force = shares(values, case.digits["F"], unit * _normal_force(problem, case, pair, normal_force))
-            # ConvexGS prints the step as it is given; its steady rolling is that by one element, too.
+            # ConvexGS prints the step as given; its steady rolling also uses one element.
             step = area.grid.dx if case.digits["T"] == _STEADY else dq
             friction = _friction(case, area.grid, chi, step, force)
             previous = None if before is None else _moved(before, area.grid, friction)
@@ -126,17 +129,21 @@ def _ics(case: Case, grid: Grid, pair: Pair, coefficients: ReadCoefficients | No
         raise Missing("coefficients from a file (C = 9), which nobody reads here")
     table = coefficients(case, pair.G)
     beyond = [max(0, there - here) for here, there in zip(table.shape, grid.shape)]
-    # The program takes offsets beyond those of the file for zero.
+    # The program treats offsets beyond those of the file as zero.
     return TableIcs(np.pad(table.array, [(0, 0), (0, 0), *((0, more) for more in beyond)]), table.dx, table.dy, table.G)
 
 
 def goes_on(case: Case) -> bool:
-    """Tells whether a case starts from what one before it ended with. One without digits, which could not be read, does not."""
+    """Returns whether a case starts from the end of an earlier one. A case without digits, which could not be read,
+    does not.
+    """
     return case.digits.get("P") != 2 and case.digits.get("T") in (_SHIFT, _TRANSIENT)
 
 
 def _rolling_step(case: Case, grid: Grid) -> tuple[float, float]:
-    """CHI and DQ as the program prints them: steady rolling goes along x by elements, unless ConvexGS solves it."""
+    """Returns CHI and DQ as printed by the program: steady rolling is along x by elements, unless ConvexGS solves
+    it.
+    """
     values = case.values
     chi, dq = values["CHI"], values["DQ"]
     is_along_x = (case.digits["T"] == _STEADY and values["GAUSEI"] != 2) or case.digits["M"] in (3, 5)
@@ -154,7 +161,7 @@ def _settings(values: Any, pair: Pair) -> dict[str, Any]:
 
 
 def _normal_force(problem: ContactProblem, case: Case, pair: Pair, normal_force: NormalForce) -> float:
-    """What shares of tangential forces refer to."""
+    """Returns the force to which shares of tangential forces refer."""
     if case.digits["F"] == 0:
         return 0.0
     if problem.Fn is not None:
@@ -191,9 +198,10 @@ def _friction(case: Case, grid: Grid, chi: float, dq: float, force: Any) -> Fric
 
 
 def _extra_slip(values: Any, digit: int, grid: Grid, ahead_x: float, ahead_y: float) -> tuple[Any, Any] | None:
-    """Slip of the elements beside that of the motion. Spin in one direction alone is slip of the elements, too, evaluated
-    `ahead` of their centres."""
-    if digit == 0 or values.get("EXRHS", 0) == 0:  # a first case with E = 1 keeps none
+    """Returns the slip of the elements in addition to that of the motion. Spin in one direction only is slip of the
+    elements, too, evaluated `ahead` of their centres.
+    """
+    if digit == 0 or values.get("EXRHS", 0) == 0:  # A first case with E = 1 has none to keep.
         return None
     if values["EXRHS"] == 9:
         return np.reshape(values["SLIP_X"], grid.shape), np.reshape(values["SLIP_Y"], grid.shape)
@@ -204,7 +212,7 @@ def _extra_slip(values: Any, digit: int, grid: Grid, ahead_x: float, ahead_y: fl
 
 
 def _moved(before: State, grid: Grid, friction: Friction) -> Estimate:
-    """Tractions and the state of friction on elements that lie whole elements elsewhere, and may be more or fewer."""
+    """Returns tractions and the state of friction on elements shifted by whole elements, whose number may differ."""
     dx, dy = round((grid.x[0] - before.grid.x[0]) / grid.dx), round((grid.y[0] - before.grid.y[0]) / grid.dy)
     if (dx, dy) == (0, 0) and grid.shape == before.grid.shape:
         return Estimate(

@@ -1,4 +1,4 @@
-"""The two bodies of a case, and the constants of the pair that the CONTACT program prints and decides by."""
+"""The two bodies of a case, and the constants of the pair that the CONTACT program prints and uses for decisions."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Body = Material | ViscoelasticBody
 
 _SHEET = 1
 _VISCOELASTIC = 1
-_ALIKE = 1e-4  #: below this difference the program takes bodies as quasi-identical
+_ALIKE = 1e-4  #: Difference below which the program treats bodies as quasi-identical.
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ class Pair:
 
     Attributes:
         upper: Body 1.
-        lower: Body 2; None: as the upper one.
+        lower: Body 2; None: equal to the upper one.
         nu: Combined Poisson's ratio: nu/G is the mean of both.
         G: Combined shear modulus (N/mm^2): 1/G is the mean of both.
         difference: G/4 ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2), of dissimilar bodies (AK).
@@ -40,12 +40,12 @@ class Pair:
 
     @property
     def is_quasi_identical(self) -> bool:
-        """Tells whether normal and tangential contact do not depend on each other."""
+        """Returns whether normal and tangential contact are independent."""
         return self.lower is None
 
 
 def pair_of(values: Mapping[str, Any]) -> Pair:
-    """The bodies of a case. Where they hardly differ, both are of the combined material, as the program has them."""
+    """Returns the bodies of a case. If they hardly differ, both have the combined material, as in the program."""
     nu1, nu2, g1, g2 = (values[name] for name in ("POISS1", "POISS2", "GG1", "GG2"))
     if nu1 == nu2 and g1 == g2:
         return Pair(Material(G=g1, nu=nu1), None, nu1, g1, 0.0)
@@ -56,18 +56,18 @@ def pair_of(values: Mapping[str, Any]) -> Pair:
 
 
 def combined(nu1: float, nu2: float, g1: float, g2: float) -> tuple[float, float, float]:
-    """Poisson's ratio, shear modulus and difference of two materials, as of a Pair."""
+    """Returns Poisson's ratio, shear modulus and difference of two materials, as in Pair."""
     G = 2 / (1 / g1 + 1 / g2)
     return G * (nu1 / g1 + nu2 / g2) / 2, G, G / 4 * ((1 - 2 * nu1) / g1 - (1 - 2 * nu2) / g2)
 
 
 def is_viscoelastic(case: Case) -> bool:
-    """Tells whether the bodies creep as they roll."""
+    """Returns whether the bodies are viscoelastic."""
     return case.digits["M"] == _VISCOELASTIC
 
 
 def bodies_of(case: Case, pair: Pair) -> tuple[Body, Body | None]:
-    """The upper and the lower body of basic contact; without the lower one both are alike."""
+    """Returns the upper and the lower body of basic contact; without the lower one, both are equal."""
     if not is_viscoelastic(case):
         return pair.upper, pair.lower
     (f1, f2), (tau1, tau2) = ((case.values[f"{name}1"], case.values[f"{name}2"]) for name in ("FG", "TC"))
@@ -77,5 +77,5 @@ def bodies_of(case: Case, pair: Pair) -> tuple[Body, Body | None]:
 
 
 def sheet_of(case: Case) -> float:
-    """The flexibility of the thin sheet between the bodies (mm^3/N); 0 where there is none."""
+    """Returns the flexibility of the thin sheet between the bodies (mm^3/N); 0 if there is none."""
     return float(case.values["FLXZ"]) if case.digits["B"] == _SHEET else 0.0

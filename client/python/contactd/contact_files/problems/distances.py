@@ -1,4 +1,6 @@
-"""The undeformed distance of a case on its elements (IBASE), which may touch, and what these share (IPLAN)."""
+"""The undeformed distance of a case on its elements (IBASE), the elements that may touch, and their interaction
+(IPLAN).
+"""
 
 from __future__ import annotations
 
@@ -16,11 +18,11 @@ __all__ = ["EXCLUDED", "distance", "excluded", "quadratic_of", "regions_of"]
 Floats = npt.NDArray[np.float64]
 Values = Mapping[str, Any]
 
-EXCLUDED = 1e6  #: the distance (mm) of elements outside of the planform: far beyond any approach, and no infinity
+EXCLUDED = 1e6  #: Distance (mm) of elements outside the planform: far beyond any approach, but finite.
 
 
 def distance(values: Values, grid: Grid) -> Floats:
-    """h at the element centres (mm), shape [ny, nx], without the planform."""
+    """Returns h at the element centres (mm), shape [ny, nx], without the planform."""
     x, y = grid.x[None, :], grid.y[:, None]
     match values["IBASE"]:
         case 1:
@@ -36,7 +38,7 @@ def distance(values: Values, grid: Grid) -> Floats:
 
 
 def excluded(values: Values, grid: Grid) -> npt.NDArray[np.bool_] | None:
-    """Elements that cannot touch, shape [ny, nx]; None: there are none."""
+    """Returns the elements that cannot touch, shape [ny, nx]; None if there are none."""
     x, y = grid.x[None, :], grid.y[:, None]
     match values["IPLAN"]:
         case 2:
@@ -50,7 +52,7 @@ def excluded(values: Values, grid: Grid) -> npt.NDArray[np.bool_] | None:
 
 
 def regions_of(values: Values) -> ContactRegions | None:
-    """The patches of IPLAN = 4 and what they share of their displacements."""
+    """Returns the patches of IPLAN = 4 and the shares of their displacements."""
     if values["IPOTCN"] <= 0 or values["IPLAN"] != 4:
         return None
     limits = tuple(RegionLimits((xl, xh), (yl, yh)) for xl, xh, yl, yh in _limits_of_patches(values))
@@ -61,12 +63,12 @@ def regions_of(values: Values) -> ContactRegions | None:
 
 
 def _limits_of_patches(values: Values) -> list[list[float]]:
-    """XL XH YL YH of each patch of IPLAN = 4."""
+    """Returns XL XH YL YH of each patch of IPLAN = 4."""
     return [[float(end) for end in limits] for limits in np.reshape(values["PATCH_LIMITS"], (-1, 4))]
 
 
 def _outside(limits: Iterable[Sequence[float]], x: Floats, y: Floats) -> npt.NDArray[np.bool_]:
-    """Elements that lie in none of the rectangles."""
+    """Returns the elements outside all rectangles."""
     inside = np.zeros((y.size, x.size), dtype=bool)
     for xl, xh, yl, yh in limits:
         inside |= (x >= xl) & (x <= xh) & (y >= yl) & (y <= yh)
@@ -74,7 +76,7 @@ def _outside(limits: Iterable[Sequence[float]], x: Floats, y: Floats) -> npt.NDA
 
 
 def quadratic_of(values: Values) -> list[float]:
-    """B1 to B6 of IBASE = 1."""
+    """Returns B1 to B6 of IBASE = 1."""
     return [values[f"B{i}"] for i in range(1, 7)]
 
 
@@ -83,7 +85,7 @@ def _quadratic(b: list[float], x: Floats, y: Floats) -> Floats:
 
 
 def _profile(values: Values, y: Floats) -> Floats:
-    """Heights at equal distances, straight lines between them and beyond the ends."""
+    """Returns heights at equal distances, with linear interpolation and extrapolation."""
     heights = np.array(values["HEIGHTS"], dtype=np.float64)
     if len(heights) == 1:
         return np.full(len(y), heights[0])

@@ -1,4 +1,4 @@
-"""What cases ask for that contactd does not have: each by its name, and by the digit or value that asks for it."""
+"""Unsupported features of cases: each by its name, and by the digit or value that requests it."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ if TYPE_CHECKING:
 __all__ = ["MOST_ELEMENTS", "TOO_MANY_ELEMENTS", "Missing", "missing", "prescribes_pressures"]
 
 _NEAR = 1e-6
-MOST_ELEMENTS = 4_000_000  #: the most that a service may be configured to take
-#: By the limit of the service that computes, where it is known.
+MOST_ELEMENTS = 4_000_000  #: Largest limit that a service can have.
+#: The limit of the computing service, if known.
 TOO_MANY_ELEMENTS = "areas of more elements than the service takes (MX, MY; limits.max_grid_elements)"
 
 
 class Missing(Exception):
-    """A case that cannot be computed, for the feature that it needs."""
+    """A case that cannot be computed because of an unsupported feature."""
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,7 @@ class _Feature:
 
 
 def missing(case: Case, most_elements: int = MOST_ELEMENTS) -> list[str]:
-    """Names of the features that a case needs and contactd lacks; `most_elements` are those that the service takes."""
+    """Returns the names of unsupported features of a case; `most_elements` is the limit of the service."""
     features = _BOTH + (_ON_RAILS if case.module == 1 else _BASIC)
     names = [feature.name for feature in features if feature.is_needed(case)]
     if case.module == 3 and (count := case.values["MX"] * case.values["MY"]) > most_elements:
@@ -59,7 +59,7 @@ def _has_no_ellipse(case: Case) -> bool:
 
 
 def prescribes_pressures(case: Case) -> bool:
-    """Tells whether the normal problem is skipped, for pressures over an ellipse or two half ellipses."""
+    """Returns whether the normal problem is skipped, for pressures over an ellipse or two half ellipses."""
     return case.digits["B"] in (2, 3, 4) and not (_is_simplified(case) and case.digits["B"] != 4)
 
 

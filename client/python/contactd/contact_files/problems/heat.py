@@ -1,4 +1,4 @@
-"""The heat of a case: what its bodies have to do with it, and friction by their temperature."""
+"""Heat in a case: thermal properties of its bodies, and temperature-dependent friction."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ __all__ = ["temperature_by_angle", "temperature_friction", "thermal_bodies"]
 _STEADY = 3
 _LAYER = 4
 _BY_TEMPERATURE = 6
-_CONDUCTIVITY, _DENSITY = 1e3, 1e9  #: from W/(mm K) to W/(m K), and from kg/mm^3 to kg/m^3
+_CONDUCTIVITY, _DENSITY = 1e3, 1e9  #: Factors from W/(mm K) to W/(m K), and from kg/mm^3 to kg/m^3.
 
 
 def thermal_bodies(case: Case) -> ThermalBodies | None:
-    """What both bodies have to do with heat; None where no temperatures are asked for."""
+    """Returns the thermal properties of both bodies; None if no temperatures are requested."""
     if case.digits["H"] == 0 or case.digits["T"] != _STEADY:
         return None
     plastic_share = case.values.get("BETAPL") if case.digits["M"] == _LAYER else None

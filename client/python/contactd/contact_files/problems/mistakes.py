@@ -1,5 +1,6 @@
-"""Values of a case that no problem has: each by its name, with what would be right. Formulas of Hertz's contact have no end
-or no number for them, and lists by elements do not fit the elements."""
+"""Invalid values of a case: each by its name, with the valid values. For them, formulas of Hertz's contact do not end
+or return NaN, and lists by elements do not match the elements.
+"""
 
 from __future__ import annotations
 
@@ -14,14 +15,14 @@ _HERTZ = {-1: ("A1", "B1"), -2: ("A1", "AOB"), -3: ("AA", "BB"), -4: ("A1", "BB"
           -6: ("AA", "BNEG", "BPOS")}  # fmt: skip
 _LINES = (-4, -5)
 _LAYERED = 4  #: M
-_LEAST, _LARGEST = 1e-30, 1e30  #: whose cubes are numbers, too
-_SLENDEREST = 1e6  #: ratio of semi-axes
-_STEEPEST = 1e10  #: ratio of curvatures, of semi-axes that are a little less slender
+_LEAST, _LARGEST = 1e-30, 1e30  #: Bounds whose cubes are finite.
+_SLENDEREST = 1e6  #: Ratio of semi-axes.
+_STEEPEST = 1e10  #: Ratio of curvatures, for slightly less slender semi-axes.
 _OF_ELEMENTS = (("GAP", "the undeformed distance (IBASE = 9)"), ("SLIP_X", "the extra rigid slip (E = 9)"))
 
 
 def mistakes(case: Case) -> list[str]:
-    """Sentences, without full stops, of a case that was read without errors."""
+    """Returns sentences without full stops about a case that was read without errors."""
     found = _out_of_range(case, ("GG1", "GG2", "EPS"))
     found += [
         f"{name} is {case.values[name]:g}; it must be from 0 to 0.5"
@@ -30,7 +31,7 @@ def mistakes(case: Case) -> list[str]:
     ]
     if case.digits["M"] == _LAYERED:
         found += _out_of_range(case, ("GG3",))
-        if not 0 <= case.values["LAYTHK"] <= _LARGEST:  # 0 is a layer that yields only
+        if not 0 <= case.values["LAYTHK"] <= _LARGEST:  # 0 is a layer that only yields
             found.append(f"LAYTHK is {case.values['LAYTHK']:g}; it must be zero or positive, up to {_LARGEST:g}")
     return found if case.module != 3 else [*found, *_of_hertz(case), *_of_elements(case)]
 

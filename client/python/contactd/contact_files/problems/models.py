@@ -1,4 +1,4 @@
-"""The models that a case asks for by its digits B and M, as contactd has them."""
+"""The models of a case according to its digits B and M."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ __all__ = ["is_parabolic", "models_of", "without_memory"]
 
 _PARABOLIC = 3
 _NORMAL: dict[int, NormalModel] = {4: "elliptic", 5: "kpec", 6: "analyn"}
-_PRESCRIBED: dict[int, NormalModel] = {2: "elliptic", 3: "parabolic"}  #: of the full theory; simplified ones bound by them
+_PRESCRIBED: dict[int, NormalModel] = {2: "elliptic", 3: "parabolic"}  #: Full theory; bounds simplified models, too.
 _TANGENTIAL: dict[int, Model] = {3: "fastsim", 5: "fastrip"}
 
 
 def is_parabolic(case: Case) -> bool:
-    """Tells whether tractions are bounded by a paraboloid, whose values the program prints as pressures."""
+    """Returns whether tractions are bounded by a paraboloid, whose values the program prints as pressures."""
     return case.digits["B"] == _PARABOLIC
 
 
 def models_of(case: Case) -> dict[str, Any]:
-    """Those fields of a problem, or of a set-up on rails, that are not the full theory.
+    """Returns the fields of a problem, or of a set-up on rails, that differ from the full theory.
 
     The program integrates FASTSIM in whole elements, blends its flexibilities, and reads creepage coefficients from the
     printed table.

@@ -1,4 +1,4 @@
-"""Refusals of a set-up in the words of the file that it was made from."""
+"""Errors of a set-up in the names of the file from which it was made."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _ALONE = {
 
 
 def in_words_of(case: Case, error: InvalidArgument) -> str:
-    """The sentence of an outcome: each field by its name in the file, too, where it has one."""
+    """Returns the sentence of an outcome, with the name of each field in the file, if it has one."""
     names = {**_BOTH, **(_ON_RAILS if case.module == 1 else _ALONE)}
     sentences = []
     for violation in error.violations:
@@ -44,6 +44,6 @@ def in_words_of(case: Case, error: InvalidArgument) -> str:
 
 
 def _starts_of(field: str) -> list[str]:
-    """The path itself, that of what it is a part of, and so on."""
+    """Yields the path itself, that of its parent, and so on."""
     parts = field.split(".")
     return [".".join(parts[:count]) for count in range(len(parts), 0, -1)]

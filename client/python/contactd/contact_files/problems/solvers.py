@@ -1,4 +1,4 @@
-"""The tolerances and limits of the solvers that a case asks for."""
+"""Tolerances and limits of the solvers for a case."""
 
 from __future__ import annotations
 
@@ -9,13 +9,14 @@ from ...values.evidence import SolverSettings
 
 __all__ = ["solver_settings"]
 
-_OWN = {"normal": 1e-8, "tangential": 1e-6, "outer": 1e-6}  #: contactd's tolerances, which a case may only decrease
-_NO_LIMIT = 999  #: MAXGS of a file that sets none
+_OWN = {"normal": 1e-8, "tangential": 1e-6, "outer": 1e-6}  #: Default tolerances of contactd; a case can only decrease them.
+_NO_LIMIT = 999  #: Default of MAXGS.
 
 
 def solver_settings(values: Mapping[str, Any]) -> dict[str, SolverSettings]:
-    """Returns those that differ from contactd's own. MAXGS limits the iterations for pressures and tractions, and MAXOUT
-    from 2 on the outer iterations."""
+    """Returns the settings that differ from the defaults. MAXGS limits the iterations for pressures and tractions, and
+    MAXOUT from 2 on the outer iterations.
+    """
     eps, inner, outer = values["EPS"], values["MAXGS"], values["MAXOUT"]
     limits = {"normal": inner if inner != _NO_LIMIT else None, "outer": outer if outer > 1 else None}
     limits["tangential"] = limits["normal"]
