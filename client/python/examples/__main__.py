@@ -1,6 +1,6 @@
 """Lists the examples, or copies them: python -m contactd.examples [FOLDER].
 
-Each begins with what it does, and how to run it.
+Each example begins with a description, and how to run it.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ HERE = Path(__file__).parent
 
 
 def main() -> int:
-    """Copies all of them to the folder, which must not be there, or prints their names and first sentences."""
+    """Copies all examples to a new folder, or prints their names and first sentences."""
     if len(sys.argv) > 2 or sys.argv[1:] in (["-h"], ["--help"]):
         print(__doc__)
         return 0 if len(sys.argv) == 2 else 2

@@ -1,7 +1,7 @@
 """The Cattaneo problem of the paper (section 4): a sphere is pressed on a plane, then shifted.
 
-Run: cattaneo.py [ENDPOINT], e.g. tcp://127.0.0.1:5555; without one it solves
-in its own process (contactd-local), or starts a daemon of its own.
+Run: cattaneo.py [ENDPOINT], e.g. tcp://127.0.0.1:5555. Without an endpoint it solves in its own process
+(contactd-local), or starts its own daemon.
 """
 
 import sys

@@ -1,13 +1,13 @@
-"""A mass hits an elastic half-space at a slant and bounces off: co-simulation with a master that steps back.
+"""A mass hits an elastic half-space at an angle and bounces off: co-simulation with a master that repeats steps.
 
-The master integrates the mass (velocity Verlet) and asks the session for the forces at the end of each step. Where the
-force changes by too much over a step, it takes the session back and halves its step. Friction has a history here: what
-sticks and slips depends on the way.
+The master integrates the mass (velocity Verlet) and requests the forces at the end of each step from the session. If
+the force changes too much in a step, it restores the session and halves the step. Friction has a history here: adhesion
+and slip depend on the path.
 
 Units: N, mm, s, and t for masses, so that energies are in mJ.
 
-Run: cosimulation.py [ENDPOINT]; without one it solves
-in its own process (contactd-local), or starts a daemon of its own.
+Run: cosimulation.py [ENDPOINT]. Without an endpoint it solves in its own process (contactd-local), or starts its own
+daemon.
 """
 
 import sys

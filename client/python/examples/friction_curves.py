@@ -1,5 +1,5 @@
-"""Creep curves of rolling contact with friction that is not Coulomb's: a layer that shears, one that flows, a coefficient
-that falls, and one with memory. The picture of docs/friction.md.
+"""Draws creep curves with non-Coulomb friction for docs/friction.md: an elastic layer, a plastic layer, falling
+friction, and friction with memory.
 
 Run: friction_curves.py PICTURE; needs contactd-local and matplotlib.
 """
@@ -38,7 +38,7 @@ KINDS: dict[str, Friction] = {
 
 
 def curve(client: contactd.Client, friction: Friction) -> list[float]:
-    """-Fx over mu Fn at each creepage."""
+    """Returns -Fx over mu Fn at each creepage."""
     grid = Grid.centred(25, 25, 12.5, 10.5)
     found = []
     for xi in CREEPAGES:

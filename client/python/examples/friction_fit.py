@@ -1,5 +1,5 @@
-"""A creep curve with noise, and what a fit finds of the layer and the falling friction that it was made with. The picture of
-docs/friction.md. The curve is synthetic: it is made here, and nobody has measured it.
+"""Fits a layer and falling friction to a creep curve with noise, and draws the picture of docs/friction.md. The curve
+is synthetic, not measured: this program computes it from known parameters.
 
 Run: friction_fit.py PICTURE; needs contactd-local, matplotlib and scipy.
 """
@@ -36,7 +36,7 @@ PARAMETERS = {
 
 
 def problem(xi: float = 0.0, mu: float = 0.3, kinetic: float = 0.1, slip_velocity: float = 200.0, flexibility: float = 1e-5) -> ContactProblem:
-    """A wheel on a rail; without arguments what a search may begin with."""
+    """Returns a wheel on a rail; without arguments, the start of a search."""
     grid = Grid.centred(25, 25, 12.5, 10.5)
     friction = Friction(
         mu, rolling=Rolling(xi=xi, dq=grid.dx, velocity=SPEED), layer=InterfacialLayer(flexibility),
@@ -46,7 +46,7 @@ def problem(xi: float = 0.0, mu: float = 0.3, kinetic: float = 0.1, slip_velocit
 
 
 def measured(client: contactd.Client) -> np.ndarray:
-    """Coefficients of traction with noise."""
+    """Returns traction coefficients with noise."""
     values = [value for value, _ in PARAMETERS.values()]
     answers = client.solve_many([problem(float(xi), *values) for xi in CREEPAGES], fields=[])
     coefficients = [-answer.Fx / answer.Fn for answer in answers if not isinstance(answer, contactd.StatusError)]

@@ -1,6 +1,6 @@
-"""Draws the pictures of docs/contact.md from the examples that stand there.
+"""Draws the pictures of docs/contact.md from its examples.
 
-Run: guide_pictures.py FOLDER [ENDPOINT]; without an endpoint it starts a daemon of its own (`contactd` on PATH). Needs
+Run: guide_pictures.py FOLDER [ENDPOINT]. Without an endpoint it starts its own daemon (`contactd` on PATH). Needs
 matplotlib.
 """
 
@@ -20,7 +20,7 @@ GUIDE = Path(__file__).parents[3] / "docs" / "contact.md"
 
 
 def results_of_guide(client: Client) -> dict[str, Any]:
-    """The names that the examples leave behind, run one after the other."""
+    """Returns the variables of the examples, run one after the other."""
     names: dict[str, Any] = {"client": client}
     for example in re.findall(r"^```python\n(.*?)^```", GUIDE.read_text(), re.MULTILINE | re.DOTALL):
         exec(compile(example, str(GUIDE), "exec"), names)

@@ -1,6 +1,6 @@
-"""Influence coefficients of steel by finite elements, beside the closed form of the half-space.
+"""Influence coefficients of steel by finite elements, compared with the closed form of the half-space.
 
-Run: ic_table.py [ENDPOINT]; without one it starts a daemon of its own (`contactd` on PATH).
+Run: ic_table.py [ENDPOINT]. Without an endpoint it starts its own daemon (`contactd` on PATH).
 """
 
 import sys

@@ -1,7 +1,7 @@
-"""A ball on rubber that is bonded to steel, from thick to thin, and with Poisson's ratio 0.5: what a half-space gets wrong.
+"""A ball on rubber bonded to steel, with decreasing thickness and Poisson's ratio 0.5: the errors of a half-space
+model.
 
-Run: layers.py [ENDPOINT]; without one it solves
-in its own process (contactd-local), or starts a daemon of its own.
+Run: layers.py [ENDPOINT]. Without an endpoint it solves in its own process (contactd-local), or starts its own daemon.
 """
 
 import math

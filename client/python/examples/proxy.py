@@ -1,11 +1,11 @@
-"""Many daemons behind one address: a ZeroMQ proxy that gives each connection of a client a daemon of its own.
+"""Many daemons at one address: a ZeroMQ proxy that assigns a daemon to each connection of a client.
 
     python3 proxy.py tcp://127.0.0.1:5555 ipc:///run/contactd/1.socket ipc:///run/contactd/2.socket
 
-Every connection keeps its daemon, the one with the fewest connections when it first sent something; what it sends
-goes there, and what comes from there goes back, untouched: progress, arrays, DEALER and REQ clients alike. When a
-daemon goes away, what it still owed is answered with UNAVAILABLE, and the connection gets another one with its next
-request. docs/scaling.md says what to use this for, and what not. Ends on SIGINT and SIGTERM.
+A connection keeps its daemon, which had the fewest connections at its first request. Messages are passed on unchanged
+in both directions, including progress and arrays, for DEALER and REQ clients. If a daemon stops, its open requests are
+answered with UNAVAILABLE, and the connection gets another daemon with its next request. docs/scaling.md describes its
+use. The proxy ends on SIGINT and SIGTERM.
 """
 
 from __future__ import annotations
@@ -65,12 +65,12 @@ def _id(envelope: bytes) -> str | None:
     try:
         name = json.loads(envelope)["id"]
     except (ValueError, KeyError, TypeError, RecursionError):
-        return None  # the daemon answers to that, without an id
+        return None  # the daemon's answer, without an ID
     return name if isinstance(name, str) else None
 
 
 class Proxy:
-    """All lanes of one address. One thread, which is that of the caller."""
+    """All lanes of one address, in the calling thread."""
 
     def __init__(self, address: str, daemons: list[str], idle_seconds: float = 3600.0) -> None:
         self._context: zmq.Context[zmq.Socket[bytes]] = zmq.Context()
@@ -85,12 +85,12 @@ class Proxy:
         self.address = self._front.getsockopt_string(zmq.LAST_ENDPOINT)
         self._daemons, self._idle_seconds = daemons, idle_seconds
         self._lanes: dict[bytes, Lane] = {}
-        self._down: dict[str, float] = {}  #: when a daemon that went away may be tried again
+        self._down: dict[str, float] = {}  #: Time at which a stopped daemon may be tried again.
         self._poller = zmq.Poller()
         self._poller.register(self._front, zmq.POLLIN)
 
     def turn(self, timeout: float) -> None:
-        """Passes on what is there, waiting `timeout` seconds at most for something to come."""
+        """Passes on pending messages; waits up to `timeout` seconds for new ones."""
         ready = dict(self._poller.poll(round(timeout * 1000)))
         for lane in list(self._lanes.values()):
             if lane.socket in ready:
@@ -135,7 +135,7 @@ class Proxy:
         self._close(lane)
 
     def _close(self, lane: Lane) -> None:
-        while lane.socket.poll(0):  # a daemon that ends answers first and hangs up then
+        while lane.socket.poll(0):  # a stopping daemon answers before it closes the connection
             self._to_client(lane.client, lane.answer())
         for name, delimited in lane.owed.items():
             envelope = json.dumps({"contactd": 1, "id": name, "status": LOST}).encode()
@@ -149,7 +149,7 @@ class Proxy:
         try:
             self._front.send_multipart([client, *frames], zmq.DONTWAIT)
         except zmq.ZMQError:
-            pass  # the client has gone, or does not read
+            pass  # the client is lost, or does not read
 
 
 def main() -> None:

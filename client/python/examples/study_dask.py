@@ -1,11 +1,11 @@
-"""A parameter study on several workers: Dask spreads the cases, each worker asks the daemon of its machine.
+"""A parameter study on several workers: Dask distributes the cases, and each worker uses the daemon of its machine.
 
     python3 study_dask.py --bin build/production/bin
 
-starts two daemons that share one store and two local Dask workers, and computes the normal force for a field of approaches
-and Poisson's ratios, with coefficients by finite elements: whichever daemon is first builds a table, the other one waits
-for it and reads it. On a cluster, give Client() the address of its scheduler, and start a daemon on each machine with
-`store.folder` on the shared file system (docs/scaling.md).
+starts two daemons that share one store and two local Dask workers. It computes the normal force for a grid of
+approaches and Poisson's ratios, with finite-element coefficients: the first daemon builds a table, the other one waits
+for it and reads it. On a cluster, pass the address of its scheduler to Client(), and start a daemon on each machine
+with `store.folder` on the shared file system (docs/scaling.md).
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ import contactd
 
 
 def daemon_of_this_worker(endpoints: list[str]) -> contactd.Client:
-    """The client of this worker, made when it is first needed; each worker stays with one daemon."""
+    """Returns the client of this worker, created on first use; each worker uses one daemon."""
     worker = get_worker()
     if not hasattr(worker, "contactd_client"):
         worker.contactd_client = contactd.Client(endpoints[int(worker.name) % len(endpoints)])
@@ -30,7 +30,7 @@ def daemon_of_this_worker(endpoints: list[str]) -> contactd.Client:
 
 
 def normal_force(case: tuple[float, float], endpoints: list[str]) -> tuple[float, float, float, str]:
-    """Poisson's ratio and approach -> both of them, the normal force (N), and where the coefficients came from."""
+    """Returns Poisson's ratio, approach, the normal force (N), and the origin of the coefficients."""
     nu, approach = case
     solution = daemon_of_this_worker(endpoints).solve(
         grid=contactd.Grid.centred(20, 20, 2.4, 2.4),

@@ -1,7 +1,7 @@
-"""Draws the picture of docs/viscoelastic.md from the example that stands there.
+"""Draws the picture of docs/viscoelastic.md from its example.
 
-Run: viscoelastic_picture.py FILE [ENDPOINT]; without an endpoint it starts a daemon of its own (`contactd` on PATH).
-Needs matplotlib.
+Run: viscoelastic_picture.py FILE [ENDPOINT]. Without an endpoint it starts its own daemon (`contactd` on PATH). Needs
+matplotlib.
 """
 
 import re
@@ -19,7 +19,7 @@ PAGE = Path(__file__).parents[3] / "docs" / "viscoelastic.md"
 
 
 def results_of_page(client: Client) -> dict[str, Any]:
-    """The names that the example leaves behind."""
+    """Returns the variables of the example."""
     names: dict[str, Any] = {"client": client}
     for example in re.findall(r"^```python\n(.*?)^```", PAGE.read_text(), re.MULTILINE | re.DOTALL):
         exec(compile(example, str(PAGE), "exec"), names)

@@ -35,8 +35,8 @@ class StudyPlace:
     """New profiles, and the positions of their origins.
 
     Attributes:
-        points: (y, z) of the new wheel and rail (mm). wheel_origin, rail_origin: Origins of the profiles, from the
-            middle of the axle and in the track (mm).
+        points: (y, z) of the new wheel and rail (mm).
+        wheel_origin, rail_origin: Origins of the profiles, from the middle of the axle and in the track (mm).
     """
 
     def __init__(self, profiles: ProfilesOfSides, setup: Mapping[str, Any]) -> None:

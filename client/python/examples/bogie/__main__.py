@@ -1,11 +1,12 @@
-"""A bogie on a track: two wheelsets, four wheels on rails by contactd, in a multibody simulation. docs/bogie.md tells of it.
+"""A bogie on a track: a multibody simulation of two wheelsets, with four wheels on rails by contactd. See
+docs/bogie.md.
 
 Run: python3 client/python/examples/bogie [--daemon] [--integrator runge-kutta] [--output FOLDER] [--curve] [--search 60 100]
      python3 client/python/examples/bogie --fmu build/fmu/contactd_wheel_fmi3.fmu
 
-It solves in its own process where the extension contactd_local is installed, and otherwise starts a daemon. It needs Exudyn
-and matplotlib: pip install './client/python[wheelset]'. With --integrator runge-kutta it needs no Exudyn, without --output
-no matplotlib.
+It solves in its own process if the extension contactd_local is installed, and otherwise starts a daemon. It needs
+Exudyn and matplotlib: pip install './client/python[wheelset]'. --integrator runge-kutta does not need Exudyn. Without
+--output it does not need matplotlib.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).parents[1]))  # railway, which the examples share
+sys.path.append(str(Path(__file__).parents[1]))  # for railway, which the examples share
 
 from railway.track import IrregularTrack
 from railway.wheels import SETUPS, SessionWheels

@@ -1,4 +1,4 @@
-"""The bogie from above, in motion: a GIF. Needs matplotlib and Pillow."""
+"""Draws the moving bogie from above as a GIF. Needs matplotlib and Pillow."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ FRAME = np.array([(1300, -500), (1300, 500), (-1300, 500), (-1300, -500), (1300,
 
 
 def animate(run: Run, path: Path) -> None:
-    """Seen from above, forwards is to the right; what is across is drawn STRETCH times as large."""
+    """Draws the bogie from above, with forwards to the right; lateral motions are magnified by STRETCH."""
     every = max(1, round(1 / (SLOWER * PICTURES * float(run.times[1] - run.times[0]))))
     frames = range(0, len(run.times), every)
     figure, (above, over_time) = plt.subplots(2, 1, figsize=(6.4, 5.2), height_ratios=[3, 2], layout="constrained")
@@ -40,7 +40,7 @@ def animate(run: Run, path: Path) -> None:
     now = over_time.axvline(0, color="black")
 
     figure.draw_without_rendering()
-    figure.set_layout_engine("none")  # once is enough, and takes most of a picture's time
+    figure.set_layout_engine("none")  # done once, because it takes most of the time
 
     def draw(number: int) -> None:
         middle = run.states[number, 2, PLACE][:2]
@@ -62,6 +62,6 @@ def animate(run: Run, path: Path) -> None:
 
 
 def _place(run: Run, number: int, body: int, middle: Array) -> tuple[float, float, float]:
-    """Ahead of the frame, across the track (mm), and yaw (rad), on straight track."""
+    """Returns the position in front of the frame, across the track (mm), and the yaw (rad), on straight track."""
     x, y, _ = run.states[number, body, PLACE]
     return x - middle[0], y, run.states[number, body, YAW]

@@ -1,4 +1,4 @@
-"""Where the energy of a run goes: the balance of a simulation, which nothing in it was told to keep."""
+"""The energy balance of a run, which checks the simulation independently."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from rolling import PITCH, PLACE, RATES, ROLL, VELOCITY, YAW
 
 @dataclass(frozen=True)
 class Balance:
-    """Energies (N mm) over the time, shape [n] each.
+    """Energies (N mm) against time, shape [n] each.
 
     Attributes:
-        stored: Of motion, height and springs.
-        damped: What the dampers have taken.
-        to_rails: What the wheels have given to their rails: friction, deformation, and the work on rails that rise and sway.
-        friction: What contactd says that friction has dissipated, by slip and tractions: another way to the same, but for
-            what contacts store, and what finite elements leave.
+        stored: Kinetic energy, and potential energy of height and springs.
+        damped: Energy dissipated in the dampers.
+        to_rails: Energy transferred from wheels to rails: friction, deformation, and work on irregular rails.
+        friction: Frictional dissipation computed by contactd from slip and tractions. It equals to_rails except for the
+            energy stored in contacts, and discretisation errors.
     """
 
     stored: Array
@@ -29,14 +29,15 @@ class Balance:
 
     @property
     def error(self) -> Array:
-        """Energy that is missing (N mm): only steps of a finite size leave something."""
+        """Missing energy (N mm), due to the finite step size only."""
         return self.stored + self.damped + self.to_rails - self.stored[0]
 
 
 def balance(equations: Equations, times: Array, states: Array) -> Balance:
-    """Balances the energy of a run with equal steps, states of shape [n, bodies, 12]. Asks for the contacts of each state once more.
+    """Returns the balance of a run with equal steps, states of shape [n, bodies, 12]. Solves the contacts of each state
+    again.
 
-    Powers are summed by cubics, so that the balance closes to the fourth order of the step, as the motion does.
+    Powers are integrated with cubics, so that the balance is accurate to fourth order in the step, like the motion.
     """
     stored = np.array([energy(equations, bodies) for bodies in states])
     powers = np.array([_powers(equations, bodies) for bodies in states])
@@ -57,7 +58,7 @@ def energy(equations: Equations, bodies: Array) -> float:
 
 
 def _powers(equations: Equations, bodies: Array) -> tuple[float, float, float]:
-    """Power that goes to dampers, to rails, and of this to friction (N mm/s)."""
+    """Returns the power into dampers, into rails, and its frictional part (N mm/s)."""
     pull, _, _ = equations.springs(bodies)
     rails = equations.rolling(bodies)
     given = 0.0
@@ -67,7 +68,7 @@ def _powers(equations: Equations, bodies: Array) -> tuple[float, float, float]:
 
 
 def summed(values: Array, step: float) -> Array:
-    """The integral from the first value on, to each: of cubics through four neighbours, exact to the fourth order."""
+    """Returns the integral from the first value to each, by cubics through four neighbours, to fourth order."""
     cubic = np.empty(len(values) - 1)
     cubic[1:-1] = (-values[:-3] + 13 * values[1:-2] + 13 * values[2:-1] - values[3:]) / 24
     cubic[0] = (9 * values[0] + 19 * values[1] - 5 * values[2] + values[3]) / 24

@@ -1,4 +1,4 @@
-"""The equations of motion of rigid bodies with springs between them, in numpy: what Exudyn does, a second time."""
+"""The equations of motion of rigid bodies with springs, in numpy; an alternative to Exudyn."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from vehicle import Vehicle
 
 
 class Pull(NamedTuple):
-    """Pull of all springs: tension (N), what they are longer than at rest (mm), and how they lengthen (mm/s)."""
+    """Forces of all springs: tension (N), elongation (mm), and its rate (mm/s)."""
 
     tension: Array
     extension: Array
@@ -31,7 +31,9 @@ class Springs:
         self.preload = np.array([spring.preload for spring in springs])
 
     def __call__(self, bodies: Array) -> tuple[Pull, Array, Array]:
-        """The springs, and forces (N) and moments (N mm) about the centres on the bodies, shape [bodies, 3] each."""
+        """Returns the springs' state, and forces (N) and moments (N mm) about the centres of the bodies, shape [bodies,
+        3] each.
+        """
         turned = frames(bodies)
         spins = along(turned, bodies[:, RATES])
         arms = along((turned @ about_y(bodies[:, PITCH]))[self._ends], self._points)
@@ -52,7 +54,7 @@ class Springs:
 
 
 class Equations:
-    """Newton's and Euler's, along axes that do not turn with a body's pitch, so that a wheelset may spin."""
+    """Newton-Euler equations in axes that do not rotate with a body's pitch, so that a wheelset may spin."""
 
     def __init__(self, rolling: Rolling) -> None:
         self.vehicle, self.rolling = rolling.vehicle, rolling
@@ -61,8 +63,9 @@ class Equations:
         self._inertias = np.array([np.diag(body.inertia) for body in self.vehicle.bodies])
 
     def start(self, speed: float, z: float, y: float = 0.0, roll: float = 0.0) -> Array:
-        """Running straight at a speed (mm/s), all bodies y to the right (mm), with the height (mm) and the roll (rad) at which
-        the wheelsets bear their load there; the state of all, shape [12 bodies]."""
+        """Returns the state for straight running at a speed (mm/s), all bodies shifted by y to the right (mm), with the
+        height (mm) and roll (rad) at which the wheelsets carry their load; shape [12 bodies].
+        """
         bodies = np.zeros((len(self.vehicle.bodies), 12))
         bodies[:, PLACE] = self.vehicle.places + np.array([0, y, z])
         bodies[:, VELOCITY] = speed, 0, 0
@@ -71,7 +74,7 @@ class Equations:
         return bodies.ravel()
 
     def rates(self, time: float, state: Array) -> Array:
-        """The time derivative of the state."""
+        """Returns the time derivative of the state."""
         bodies = state.reshape(-1, 12)
         _, forces, moments = self.springs(bodies)
         rails = self.rolling(bodies)
@@ -93,12 +96,12 @@ class Equations:
 
 
 def frames(bodies: Array) -> Array:
-    """The axes of all bodies that do not turn with their pitch, as columns, shape [bodies, 3, 3]."""
+    """Returns the axes of all bodies that do not rotate with their pitch, as columns, shape [bodies, 3, 3]."""
     return axes(bodies[:, ROLL], bodies[:, YAW]).transpose(2, 0, 1)
 
 
 def about_y(angles: Array) -> Array:
-    """Turns by the angles, shape [n, 3, 3]."""
+    """Returns rotations by the angles, shape [n, 3, 3]."""
     found = np.zeros((len(angles), 3, 3))
     found[:, 0, 0] = found[:, 2, 2] = np.cos(angles)
     found[:, 0, 2] = np.sin(angles)
@@ -108,5 +111,5 @@ def about_y(angles: Array) -> Array:
 
 
 def along(matrices: Array, vectors: Array) -> Array:
-    """Each matrix by its vector."""
+    """Multiplies each matrix by its vector."""
     return (matrices @ vectors[..., None])[..., 0]

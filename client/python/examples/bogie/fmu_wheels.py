@@ -1,5 +1,6 @@
-"""The wheels of a vehicle as FMUs: the seam of railway/wheels.py once more, by FMPy's co-simulation. docs/fmu.md has the
-variables. Needs FMPy (`pip install fmpy`)."""
+"""The wheels of a vehicle as FMUs, with FMPy: the same interface as railway/wheels.py. docs/fmu.md lists the variables.
+Needs FMPy (`pip install fmpy`).
+"""
 
 from __future__ import annotations
 
@@ -20,16 +21,16 @@ from runs import STEP
 from contactd import InvalidArgument
 from contactd.wheel_rail import WheelRailSetup, WheelRailState
 
-MODELS = ("full", "hertz", "fastsim")  # as the FMU's enumeration has them
+MODELS = ("full", "hertz", "fastsim")  # in the order of the FMU's enumeration
 WRENCH = ("Fx", "Fy", "Fz", "Mx", "My", "Mz")
 ANSWERS = (*WRENCH, "power")
 
 
 class FmuWheels:
-    """An instance of contactd_wheel for each wheel; either version of FMI.
+    """An instance of contactd_wheel for each wheel, for either version of FMI.
 
-    An FMU takes steps of time. A wheel carries nothing from one to the next, so each evaluation of the integrator is one, of
-    whichever size, and none need be taken back.
+    An FMU makes time steps. A wheel has no state between steps, so each evaluation of the integrator is a step of any
+    size, and no step must be undone.
     """
 
     def __init__(self, archive: Path, setups: Sequence[WheelRailSetup]) -> None:
@@ -56,7 +57,7 @@ class FmuWheels:
 
 
 class _Wheel:
-    """One instance, whose variables go by their names."""
+    """One instance, with its variables by name."""
 
     def __init__(self, folder: str, description: Any, parameters: Mapping[str, float]) -> None:
         self._variables = {variable.name: variable for variable in description.modelVariables}
@@ -73,12 +74,12 @@ class _Wheel:
         self._slave.exitInitializationMode()
 
     def _instantiated(self, folder: str, description: Any) -> Any:
-        def tell(*reported: Any) -> None:  # FMI 2 and 3 tell different things before the sentence
+        def tell(*reported: Any) -> None:  # FMI 2 and 3 have different arguments before the message
             sentence = reported[-1].decode()
             self._given.append(sentence % () if self._is_fmi2 else sentence)  # a format, in FMI 2
 
-        # Not by fmpy.instantiate_fmu: what instances of FMI 2 log, it tells to the logger given last, whether that still
-        # lives or not.
+        # Not by fmpy.instantiate_fmu, which passes messages of FMI 2 instances to the last logger, even if that no
+        # longer exists.
         names = {
             "guid": description.guid, "modelIdentifier": description.modelName, "unzipDirectory": folder,
             "instanceName": description.modelName,
@@ -102,7 +103,7 @@ class _Wheel:
             self._slave.doStep(self._time, STEP)
         except fmi1.FMICallException as error:
             sentence = self._given[-1] if self._given else str(error)
-            # Nothing else that can go wrong has part in the motion, such as the limit of a step.
+            # Other errors, such as the limit of a step, do not affect the motion.
             raise (InvalidArgument if "no elastic contact" in sentence else RuntimeError)(sentence) from None
         self._time += STEP
         get = self._slave.getReal if self._is_fmi2 else self._slave.getFloat64
@@ -110,7 +111,7 @@ class _Wheel:
         return answers
 
     def _set(self, names: Sequence[str], values: Sequence[float]) -> None:
-        """Sets all of them that are of one type."""
+        """Sets all variables of one type."""
         references, kind = [self._variables[name].valueReference for name in names], self._variables[names[0]].type
         if kind == "Enumeration":
             kind = "Integer" if self._is_fmi2 else "Int64"
@@ -125,7 +126,7 @@ class _Wheel:
 
 
 def described(archive: Path) -> Any:
-    """Its model description. Raises ValueError where the file is no contactd_wheel."""
+    """Returns its model description. Raises ValueError if the file is not a contactd_wheel."""
     try:
         description = fmpy.read_model_description(str(archive))
     except Exception as error:
@@ -136,7 +137,9 @@ def described(archive: Path) -> Any:
 
 
 def parameters_of(setup: WheelRailSetup) -> dict[str, float]:
-    """Parameters of one of SETUPS; what these leave out is the same by default. Raises ValueError where a set-up says more."""
+    """Returns the parameters of one of SETUPS; others have the same defaults. Raises ValueError for unsupported
+    settings.
+    """
     given = {name for name, value in vars(setup).items() if value is not None}
     if more := given - {"side", "model", "friction", "dx", "dy"}:
         raise ValueError(f"the set-up says {', '.join(sorted(more))}, of which FmuWheels tells its FMUs nothing")
@@ -149,7 +152,7 @@ def parameters_of(setup: WheelRailSetup) -> dict[str, float]:
 
 
 def inputs_of(state: WheelRailState) -> dict[str, float]:
-    """Those that `wheel_state` gives."""
+    """Returns the inputs in `wheel_state`."""
     position, velocity, rail = state.position, state.velocity, state.rail
     return {
         **{f"position.{name}": getattr(position, name) for name in ("y", "z", "roll", "yaw")},
@@ -160,6 +163,6 @@ def inputs_of(state: WheelRailState) -> dict[str, float]:
 
 
 def _on_wheelset(answer: Sequence[float], state: WheelRailState) -> OnWheelset:
-    """Forces on the wheelset by an answer: its forces act on the rail."""
+    """Returns the forces on the wheelset; those of an answer act on the rail."""
     force, moment = -np.array(answer[:3]), -np.array(answer[3:6])
     return OnWheelset(axes(state.position.roll, state.position.yaw) @ force, moment, answer[6])

@@ -1,4 +1,4 @@
-"""The critical speed of the bogie: by eigenvalues of small motions, and by simulations from a disturbance."""
+"""Critical speed of the bogie, from eigenvalues of small motions, and from simulations with a disturbance."""
 
 from __future__ import annotations
 
@@ -18,18 +18,19 @@ from vehicle import bogie
 from contactd import Client
 from contactd.wheel_rail import ProfileFile
 
-DISTURBANCE = 3.0  # mm, where the search for the critical speed starts from
+DISTURBANCE = 3.0  # mm, initial displacement in the search for the critical speed
 
-#: Place in the state of a body of what takes part in motion across the track, and the step of its difference quotient: small
-#: against what friction and the profiles' curvature bend, large against rounding (mm, rad, mm/s, rad/s).
+#: Indices of lateral motion in the state of a body, and steps of difference quotients: small compared with
+#: nonlinearities of friction and profiles, large compared with rounding (mm, rad, mm/s, rad/s).
 ACROSS = {1: 0.05, 3: 1e-5, 5: 2e-5, 7: 2.0, 9: 1e-3, 11: 1e-3}
-FASTER = 12.0  # 1/s: the coach sways more slowly, whatever the speed
-ELEMENT = 0.5  # mm: differences of small motions show when elements come into contact
+FASTER = 12.0  # 1/s: the sway of the coach is slower at any speed
+ELEMENT = 0.5  # mm: differences of small motions would show elements that come into contact
 
 
 def small_motions(client: Client, contact: str, wheel: ProfileFile | None = None) -> Callable[[float], complex]:
-    """A function of the speed (m/s): growth (1/s) and angular frequency (1/s) of what is damped least across the track. All wheels
-    have the profile of the set-ups, or `wheel`."""
+    """Returns a function of the speed (m/s): growth (1/s) and angular frequency (1/s) of the least damped lateral
+    motion. All wheels have the profile of the set-ups, or `wheel`.
+    """
     vehicle = bogie()
     setups = wheel_setups(contact, vehicle, ELEMENT)
     if wheel is not None:
@@ -52,7 +53,8 @@ def simulated(
     client: Client, contact: str, low: float, high: float, seconds: float, integrate: Integrate,
     tell: Callable[[str], None], tolerance: float = 0.5,
 ) -> float:  # fmt: skip
-    """The speed (m/s) from which on the swing of the leading wheelset grows, started at DISTURBANCE on straight track.
+    """Returns the speed (m/s) above which oscillations of the leading wheelset grow, from DISTURBANCE on straight
+    track.
 
     Raises ValueError where it is not between `low` and `high`.
     """

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from railway.motion import Array, axes
 
-NODE = 1000.0  # mm between places from which integrals go on
+NODE = 1000.0  # mm between points where integrals are stored
 _X, _W = np.polynomial.legendre.leggauss(8)
 
 
@@ -15,15 +15,15 @@ _X, _W = np.polynomial.legendre.leggauss(8)
 class Line:
     """Straight ahead, then into a curve to the right. Curvature and cant grow along the transition by 3 u^2 - 2 u^3.
 
-    The middle between the rails stays at z = 0. All is a function of the way s along it.
+    The middle between the rails is at z = 0. All values are functions of the arc length s.
 
     Attributes:
-        curvature: Of the curve (1/mm); < 0 turns to the left.
-        cant: How far the outer rail lies above the inner one in the curve (mm), >= 0.
-        begin: Of the transition (mm).
-        transition: Its length (mm), > 0.
-        length: Of what is known of the line (mm).
-        gauge: Between the rails' middles (mm).
+        curvature: Curvature of the curve (1/mm); < 0 is to the left.
+        cant: Height of the outer rail above the inner one in the curve (mm), >= 0.
+        begin: Start of the transition (mm).
+        transition: Length of the transition (mm), > 0.
+        length: Length of the line (mm).
+        gauge: Distance between the rails' middles (mm).
     """
 
     curvature: float = 0.0
@@ -41,22 +41,24 @@ class Line:
         object.__setattr__(self, "_nodes", nodes - nodes[10])
 
     def share(self, s: float) -> float:
-        """Share of curvature and cant that is reached, 0 to 1."""
+        """Returns the fraction of curvature and cant at s, 0 to 1."""
         u = min(max((s - self.begin) / self.transition, 0.0), 1.0)
         return u * u * (3 - 2 * u)
 
     def heading(self, s: float) -> float:
-        """Heading of the line (rad)."""
+        """Returns the heading of the line (rad)."""
         u = min(max((s - self.begin) / self.transition, 0.0), 1.0)
         beyond = max(s - self.begin - self.transition, 0.0)
         return self.curvature * (self.transition * (u**3 - u**4 / 2) + beyond)
 
     def roll(self, s: float) -> float:
-        """Roll of the track's plane (rad): the outer rail lies higher."""
+        """Returns the roll of the track's plane (rad), positive if the outer rail is higher."""
         return float(np.sign(self.curvature) * self.cant / self.gauge * self.share(s))
 
     def place(self, s: float) -> Array:
-        """Place of the middle between the rails (mm), shape [3]. Raises ValueError beyond the line's end."""
+        """Returns the position of the middle between the rails (mm), shape [3]. Raises ValueError beyond the line's
+        end.
+        """
         node = int(s // NODE)
         if not -10 <= node < len(self._nodes) - 11:
             raise ValueError(f"The way is {s / 1000:g} m; the line is known from -10 m to {self.length / 1000:g} m.")
@@ -64,15 +66,15 @@ class Line:
         return np.array([x, y, 0.0])
 
     def axes(self, s: float) -> Array:
-        """Axes of the track, as columns: along it, to the right, down."""
+        """Returns the axes of the track as columns: along it, to the right, down."""
         return axes(self.roll(s), self.heading(s))
 
     def way_to(self, place: Array, guess: float) -> float:
-        """The s whose cross-section a place is in (mm)."""
+        """Returns s of the cross-section that contains a position (mm)."""
         if self.curvature == 0:
             return float(place[0])
         s = guess
-        for _ in range(3):  # Newton's steps: the first one is exact where the line is straight
+        for _ in range(3):  # Newton's method; the first step is exact on straight track
             heading = self.heading(s)
             forwards, across = np.array([np.cos(heading), np.sin(heading)]), np.array([-np.sin(heading), np.cos(heading)])
             away = np.asarray(place)[:2] - self.place(s)[:2]
@@ -80,7 +82,7 @@ class Line:
         return s
 
     def _piece(self, start: float, length: float) -> Array:
-        """The way in x and y from s = start on, by Gauss' quadrature."""
+        """Returns the way in x and y from s = start on, by Gauss quadrature."""
         if self.curvature == 0:
             return np.array([length, 0.0])
         angles = np.array([self.heading(start + length * (1 + x) / 2) for x in _X])

@@ -1,8 +1,8 @@
-"""The bogie in Exudyn: rigid bodies, springs of its library, and the contacts as a force on the wheelsets' coordinates.
+"""The bogie in Exudyn: rigid bodies, Exudyn's springs, and the contacts as forces on the wheelsets' coordinates.
 
-Exudyn's node RigidBodyRxyz turns about its first axis, then the second, then the third. With z, x and y of the track as its
-first, second and third axis these are yaw, roll and pitch, in contactd's order. Needs Exudyn 1.13 or newer
-(`pip install exudyn`).
+Exudyn's node RigidBodyRxyz rotates about its first axis, then the second, then the third. With z, x and y of the track
+as these axes, the rotations are yaw, roll and pitch, in contactd's order. Needs Exudyn 1.13 or newer (`pip install
+exudyn`).
 """
 
 from __future__ import annotations
@@ -28,7 +28,9 @@ TO_TRACK = np.array([1, 2, 0])
 
 
 def integrate(equations: Equations, state: Array, duration: float, step: float) -> tuple[Array, Array]:
-    """Times (s) and states, shapes [n] and [n, 12 bodies], by Exudyn's explicit Runge-Kutta solver of fourth order."""
+    """Returns times (s) and states, shapes [n] and [n, 12 bodies], by Exudyn's explicit fourth-order Runge-Kutta
+    solver.
+    """
     system = exu.SystemContainer()
     mbs = system.AddSystem()
     bodies = state.reshape(-1, 12)
@@ -91,7 +93,7 @@ def _add_springs(mbs: exu.MainSystem, equations: Equations, objects: list[int]) 
 
 
 def _add_contacts(mbs: exu.MainSystem, equations: Equations, nodes: list[int], bodies: Array) -> None:
-    """One object for all wheelsets, so that all wheels are solved at once, and once for each evaluation."""
+    """Adds one object for all wheelsets, so that all wheels are solved at once, and once per evaluation."""
     count = equations.vehicle.wheelsets
 
     def forces(mbs, time, item, q, q_t):  # type: ignore[no-untyped-def]
@@ -110,7 +112,7 @@ def _add_contacts(mbs: exu.MainSystem, equations: Equations, nodes: list[int], b
 
 
 def _coordinates(body: Array) -> tuple[Array, Array]:
-    """Exudyn's for the state of a body: place and angles, and their rates."""
+    """Returns Exudyn's coordinates of the state of a body: position and angles, and their rates."""
     yaw_rate = body[RATES][2] / np.cos(body[ROLL])
     pitch_rate = body[RATES][1] - yaw_rate * np.sin(body[ROLL])
     angles = body[YAW], body[ROLL], body[PITCH]
@@ -119,7 +121,7 @@ def _coordinates(body: Array) -> tuple[Array, Array]:
 
 
 def _state(q: Array, q_t: Array) -> Array:
-    """That of a body for Exudyn's coordinates."""
+    """Returns the state of a body for Exudyn's coordinates."""
     q, q_t = np.asarray(q), np.asarray(q_t)
     yaw, roll, pitch = q[3:]
     rates = q_t[4], q_t[5] + q_t[3] * np.sin(roll), q_t[3] * np.cos(roll)

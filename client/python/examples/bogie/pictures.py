@@ -1,4 +1,4 @@
-"""The pictures of docs/bogie.md. Needs matplotlib."""
+"""Draws the pictures of docs/bogie.md. Needs matplotlib."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ AXLES = ("leading", "trailing")
 
 
 def draw_motion(runs: Sequence[Run], path: Path) -> None:
-    """y of both wheelsets over time: a row for each speed, a column for each wheelset."""
+    """Plots y of both wheelsets against time: a row for each speed, a column for each wheelset."""
     speeds = sorted({run.speed for run in runs})
     figure, panels = plt.subplots(
         len(speeds), 2, figsize=(10, 2.8 * len(speeds)), squeeze=False, sharex=True, sharey="row", layout="constrained"
@@ -43,8 +43,9 @@ def draw_motion(runs: Sequence[Run], path: Path) -> None:
 
 
 def draw_curve(run: Run, ways: Array, forces: Array, path: Path) -> None:
-    """Into the curve: the line, the wheelsets across the track, and what the wheels press on their rails. `forces` in track
-    coordinates (N), shape [n, 4 wheels, 3], at the ways of the bogie (m), shape [n]."""
+    """Plots curving: the line, the lateral positions of the wheelsets, and the forces of the wheels on their rails.
+    `forces` are in track coordinates (N), shape [n, 4 wheels, 3], at the positions of the bogie (m), shape [n].
+    """
     figure, panels = plt.subplots(3, 1, figsize=(8, 8), sharex=True, layout="constrained")
     line = run.line
     share = [line.share(1000 * way) for way in ways]
@@ -67,7 +68,7 @@ def draw_curve(run: Run, ways: Array, forces: Array, path: Path) -> None:
 
 
 def draw_energy(times: Array, balance: Balance, path: Path) -> None:
-    """Where the energy went, and what is missing in the sum."""
+    """Plots the parts of the energy, and the missing energy."""
     figure, (parts, error) = plt.subplots(2, 1, figsize=(7, 5), sharex=True, height_ratios=[2, 1], layout="constrained")
     for name, values in (
         ("lost by the vehicle", balance.stored[0] - balance.stored), ("taken by dampers", balance.damped),

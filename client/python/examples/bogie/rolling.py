@@ -1,4 +1,4 @@
-"""The wheels of a vehicle that goes along a line: where they are over their rails, and what these do to the wheelsets."""
+"""The wheels of a vehicle on a line: their positions on the rails, and the contact forces on the wheelsets."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from vehicle import Vehicle
 from contactd import InvalidArgument
 from contactd.wheel_rail import WheelRailState
 
-#: Places in the state of a body: place (mm), roll, pitch and yaw (rad), velocity (mm/s), and rates about its own axes, which
-#: do not turn with its pitch (rad/s).
+#: Indices in the state of a body: position (mm), roll, pitch and yaw (rad), velocity (mm/s), and rates about its own
+#: axes, which do not rotate with its pitch (rad/s).
 PLACE, ANGLES, VELOCITY, RATES = slice(0, 3), slice(3, 6), slice(6, 9), slice(9, 12)
 ROLL, PITCH, YAW = 3, 4, 5
 
@@ -25,8 +25,8 @@ class OnBodies(NamedTuple):
 
     Attributes:
         forces: Shape [wheelsets, 3] (N).
-        moments: About the centres, shape [wheelsets, 3] (N mm).
-        power: What friction dissipates in all contacts (N mm/s).
+        moments: Moments about the centres, shape [wheelsets, 3] (N mm).
+        power: Frictional dissipation in all contacts (N mm/s).
     """
 
     forces: Array
@@ -35,14 +35,14 @@ class OnBodies(NamedTuple):
 
 
 class Rolling:
-    """Asks for the contacts of all wheels at once."""
+    """Solves the contacts of all wheels at once."""
 
     def __init__(self, vehicle: Vehicle, wheels: Wheels, line: Line, track: Track) -> None:
         self.vehicle, self.line = vehicle, line
         self._wheels, self._track = wheels, track
-        self._ways = vehicle.places[: vehicle.wheelsets, 0]  # where the search along the line begins
+        self._ways = vehicle.places[: vehicle.wheelsets, 0]  # start of the search along the line
         self.solves = 0  # of wheels
-        self.derailed = False  # a wheel went where no elastic contact is
+        self.derailed = False  # a wheel is outside the range of elastic contact
 
     def __call__(self, bodies: Array) -> OnBodies:
         """`bodies` are the states of all, shape [bodies, 12]."""
@@ -63,7 +63,7 @@ class Rolling:
         return OnBodies(forces, moments, sum(wheel.power for wheel in answers))
 
     def motion(self, number: int, body: Array) -> Motion:
-        """Motion of a wheelset over the track that it is on: the line's axes there."""
+        """Returns the motion of a wheelset relative to the track at its position, in the axes of the line."""
         way = self._ways[number] = self.line.way_to(body[PLACE], float(self._ways[number]))
         track = self.line.axes(way)
         _, y, z = track.T @ (body[PLACE] - self.line.place(way))

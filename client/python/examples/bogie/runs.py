@@ -1,4 +1,4 @@
-"""Simulations of the bogie, with what they cost."""
+"""Simulations of the bogie, and their computing times."""
 
 from __future__ import annotations
 
@@ -23,20 +23,20 @@ from contactd.wheel_rail import WheelRailSetup, WheelsetPosition, WheelsetState,
 #: `by_numpy` or that of multibody: equations, state, duration and step (s) -> times and states
 Integrate = Callable[[Equations, Array, float, float], tuple[Array, Array]]
 
-#: Who solves the wheels of these set-ups; the client may have no part in it.
+#: Creates the solver of the wheels of these set-ups, which need not use the client.
 OpenWheels = Callable[[Client, Sequence[WheelRailSetup]], AbstractContextManager[Wheels]]
 
-STEP = 1e-3  # s: a wheelset bounces on its contacts by 1.3 rad in it, and 2.8 is what the method bears
+STEP = 1e-3  # s: a wheelset bounces on its contacts by 1.3 rad per step; the method is stable up to 2.8
 PIECE = 0.1  # s
-OFF_TRACK = 15.0  # mm: a flange runs on top of its rail
+OFF_TRACK = 15.0  # mm: a flange is on top of its rail
 
 
-#: By whom the equations of motion are integrated.
+#: Integrators of the equations of motion.
 INTEGRATORS = ("exudyn", "runge-kutta")
 
 
 def integrator(name: str) -> Integrate:
-    """One of INTEGRATORS; SystemExit where Exudyn is not installed."""
+    """Returns one of INTEGRATORS; raises SystemExit if Exudyn is not installed."""
     if name == "runge-kutta":
         return by_numpy
     try:
@@ -60,16 +60,16 @@ class Run:
     """One simulation.
 
     Attributes:
-        contact: Which kind.
-        speed: At the start (m/s).
-        line: That it went along.
-        times: (s), shape [n].
-        states: Of all bodies, shape [n, bodies, 12].
+        contact: Kind of contact.
+        speed: Initial speed (m/s).
+        line: The line.
+        times: Times (s), shape [n].
+        states: States of all bodies, shape [n, bodies, 12].
         places: y of the wheelsets from the middle of the track (mm), shape [n, wheelsets].
-        solves: Of wheels.
-        seconds: What it took, by the clock.
-        processor_seconds: What it took of this process' processors: all of it in process, the client's part with a daemon.
-        derailed: Whether it ended as a wheelset left the track.
+        solves: Number of solved wheels.
+        seconds: Wall-clock time (s).
+        processor_seconds: Processor time of this process: everything in process, only the client's part with a daemon.
+        derailed: Whether it ended with a derailment.
     """
 
     contact: str
@@ -85,13 +85,15 @@ class Run:
 
     @property
     def cost(self) -> tuple[float, float]:
-        """Seconds, and processor seconds, by simulated second."""
+        """Seconds, and processor seconds, per simulated second."""
         duration = max(float(self.times[-1]), STEP)
         return self.seconds / duration, self.processor_seconds / duration
 
 
 def wheel_setups(contact: str, vehicle: Vehicle, element: float | None = None) -> list[WheelRailSetup]:
-    """Set-ups of all wheels in their order: those of the leading wheelset first, left before right. `element` is another size (mm)."""
+    """Returns the set-ups of all wheels: the leading wheelset first, left before right. `element` is another element
+    size (mm).
+    """
     setup = SETUPS[contact] if element is None else SETUPS[contact].replace(dx=element, dy=element)
     return [setup.replace(side=side) for _ in range(vehicle.wheelsets) for side in SIDES]
 
@@ -111,9 +113,10 @@ def simulate(
     element: float | None = None,
     open_wheels: OpenWheels = SessionWheels,
 ) -> Run:
-    """The bogie at a speed (m/s), from y (mm) on; nothing pulls it. contact is one of SETUPS. A derailment ends it.
+    """Simulates the bogie at a speed (m/s) from y (mm), without traction. contact is one of SETUPS. A derailment ends
+    the run.
 
-    The client finds the height to start at, and solves the wheels unless `open_wheels` has others do that.
+    The client computes the initial height, and solves the wheels unless `open_wheels` returns another solver.
     """
     vehicle, line = vehicle or bogie(), line or Line()
     setups = wheel_setups(contact, vehicle, element)
@@ -125,11 +128,11 @@ def simulate(
         states: Array = start(client, equations, setups[0], speed, y)[np.newaxis]
         places = places_of(rolling, states)
         while times[-1] < duration - step / 2 and not rolling.derailed:
-            # Piece by piece, so that what was before a derailment is kept.
+            # in parts, so that the time before a derailment is kept
             piece = min(PIECE, duration - float(times[-1]))
             try:
                 later, more = integrate(equations, states[-1], piece, step)
-            except Exception:  # Exudyn has its own for what went wrong in a user function
+            except Exception:  # Exudyn raises its own exception for errors in a user function
                 if not rolling.derailed:
                     raise
             else:
@@ -143,7 +146,9 @@ def simulate(
 
 
 def start(client: Client, equations: Equations, setup: WheelRailSetup, speed: float, y: float = 0.0) -> Array:
-    """The state of a bogie that runs straight at a speed (m/s), y to the right (mm), on wheels that bear their load."""
+    """Returns the state of a bogie running straight at a speed (m/s), shifted by y to the right (mm), on loaded
+    wheels.
+    """
     vehicle = equations.vehicle
     rolling = WheelsetVelocity(x=1000 * speed, pitch=-1000 * speed / vehicle.radius)
     load = vehicle.axle_load / 2
@@ -155,6 +160,6 @@ def start(client: Client, equations: Equations, setup: WheelRailSetup, speed: fl
 
 
 def places_of(rolling: Rolling, states: Array) -> Array:
-    """y of the wheelsets from the middle of the track (mm), shape [n, wheelsets]."""
+    """Returns y of the wheelsets from the middle of the track (mm), shape [n, wheelsets]."""
     bodies = states.reshape(len(states), -1, 12)[:, : rolling.vehicle.wheelsets]
     return np.array([[rolling.motion(i, body).y for i, body in enumerate(row)] for row in bodies])

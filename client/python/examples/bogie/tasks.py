@@ -1,4 +1,4 @@
-"""Tasks beside running straight: a curve, the balance of energy, and the search for the critical speed."""
+"""Further tasks: a curve, the energy balance, and the search for the critical speed."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from contactd import Client
 from contactd.wheel_rail import WheelRailState
 
 CURVE = Line(curvature=1 / 600e3, cant=100.0, begin=10e3, transition=40e3, length=400e3)
-CURVE_SPEED, CURVE_SECONDS = 30.0, 5.0  # m/s: 0.85 m/s^2 across are left by the cant
+CURVE_SPEED, CURVE_SECONDS = 30.0, 5.0  # m/s: lateral acceleration of 0.85 m/s^2 after cant
 
 
 def run_curve(client: Client, contact: str, integrate: Integrate, output: Path | None) -> Run:
-    """Into a curve of 600 m, on rails without irregularities; tells and draws the forces on them."""
+    """Runs into a curve of 600 m without irregularities; prints and draws the forces on the rails."""
     run = simulate(client, contact, CURVE_SPEED, CURVE_SECONDS, integrate=integrate, line=CURVE)
     ways, forces = forces_on_rails(client, run, 300)
     for name, (left, right) in zip(("leading", "trailing"), forces[-30:].mean(axis=0).reshape(2, 2, 3) / 1000):
@@ -41,8 +41,9 @@ def run_curve(client: Client, contact: str, integrate: Integrate, output: Path |
 
 
 def forces_on_rails(client: Client, run: Run, count: int) -> tuple[Array, Array]:
-    """Forces of a run without irregularities: ways of the frame (m), and the forces of its wheels in track coordinates (N), shape
-    [count, 4, 3]."""
+    """Returns the forces of a run without irregularities: positions of the frame (m), and the forces of its wheels in
+    track coordinates (N), shape [count, 4, 3].
+    """
     found: list[list[Array]] = []
     with SessionWheels(client, wheel_setups(run.contact, bogie())) as wheels:
 
@@ -60,7 +61,7 @@ def forces_on_rails(client: Client, run: Run, count: int) -> tuple[Array, Array]
 
 
 def tell_energy(client: Client, contact: str, speed: float, integrate: Integrate, output: Path | None) -> None:
-    """Tells the energy of a second from 3 mm out of the middle on, on straight track."""
+    """Prints the energy balance of a second of straight running, from 3 mm off the middle."""
     run = simulate(client, contact, speed, 1.0, integrate=integrate, y=3.0)
     with SessionWheels(client, wheel_setups(contact, bogie())) as wheels:
         found = balance(Equations(Rolling(bogie(), wheels, run.line, Track())), run.times, run.states)
@@ -81,7 +82,9 @@ def search(
     client: Client, contacts: Sequence[str], between: tuple[float, float], seconds: float, integrate: Integrate,
     output: Path | None,
 ) -> None:  # fmt: skip
-    """Critical speeds by simulations and by eigenvalues. Raises ValueError where they are not between both speeds."""
+    """Prints critical speeds from simulations and eigenvalues. Raises ValueError if they are not between both
+    speeds.
+    """
     critical, curves = {}, {}
     for contact in contacts:
         critical[contact] = simulated(client, contact, *between, seconds, integrate, lambda text: print(text, flush=True))

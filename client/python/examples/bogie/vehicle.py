@@ -1,8 +1,8 @@
-"""A bogie of two wheelsets under the end of a coach: rigid bodies, and springs along lines between them.
+"""A bogie of two wheelsets under one end of a coach: rigid bodies, and springs along lines between them.
 
-Coordinates are those of a track at the start: x forwards, y to the right, z down, the origin on the plane of the rails' tops,
-below the middle of the bogie. Units: mm, s, N, and t for masses. Angles are those of contactd: a body is turned by yaw about
-z, then by roll about its own x, then by pitch about its own y.
+Coordinates are those of the track at the start: x forwards, y to the right, z down, with the origin on the plane of the
+rail tops, below the middle of the bogie. Units: mm, s, N, and t for masses. Angles are those of contactd: a body is
+rotated by yaw about z, then by roll about its own x, then by pitch about its own y.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ class Body:
     """A rigid body.
 
     Attributes:
-        name: What pictures call it.
-        mass: (t).
-        inertia: About its own axes x, y, z through its centre (t mm^2).
-        place: Of the centre at rest (mm).
+        name: Its name in pictures.
+        mass: Mass (t).
+        inertia: Moments of inertia about its own axes x, y, z through its centre (t mm^2).
+        place: Position of the centre at rest (mm).
     """
 
     name: str
@@ -36,15 +36,15 @@ class Body:
 class Spring:
     """A spring and a damper along the line between two points, each fixed to a body.
 
-    A line keeps what every spring keeps, momentum and energy, however the bodies turn. Its pull has a part across, by its
-    length: what hangs is stiffer across, what stands is softer.
+    Such a spring conserves momentum and energy for any rotation of the bodies. Its force has a lateral part that
+    depends on its length: a hanging spring is laterally stiffer, a standing one softer.
 
     Attributes:
-        ends: Numbers of the bodies.
-        points: Where it is fixed, along the axes of each body from its centre (mm).
-        stiffness: (N/mm).
-        damping: (N s/mm).
-        preload: What it pulls at rest (N); < 0 where it presses.
+        ends: Indices of the bodies.
+        points: Attachment points along the axes of each body from its centre (mm).
+        stiffness: Stiffness (N/mm).
+        damping: Damping (N s/mm).
+        preload: Tension at rest (N); < 0 for compression.
     """
 
     ends: tuple[int, int]
@@ -60,10 +60,10 @@ class Vehicle:
 
     Attributes:
         bodies: All of them.
-        springs: Between them.
-        wheelsets: How many of the bodies are wheelsets.
-        radius: Of the wheels (mm).
-        axle_load: Of both wheels of a wheelset on the rails (N).
+        springs: Springs between them.
+        wheelsets: Number of wheelsets among the bodies.
+        radius: Radius of the wheels (mm).
+        axle_load: Force of both wheels of a wheelset on the rails (N).
     """
 
     bodies: tuple[Body, ...]
@@ -74,7 +74,7 @@ class Vehicle:
 
     @property
     def places(self) -> Array:
-        """Places of the centres at rest (mm), shape [bodies, 3]."""
+        """Returns the positions of the centres at rest (mm), shape [bodies, 3]."""
         return np.array([body.place for body in self.bodies])
 
     def length_at_rest(self, spring: Spring) -> float:
@@ -84,8 +84,8 @@ class Vehicle:
 
 FRAME, COACH = 2, 3
 
-#: Masses, wheel base and springs of vehicle 1 of the Manchester benchmarks (Iwnicki 1998: a passenger coach). The coach is
-#: its half, as compact as it is wide, since the other bogie is not there to hold the other end.
+#: Masses, wheel base and springs of vehicle 1 of the Manchester benchmarks (Iwnicki 1998: a passenger coach). The coach
+#: is half of it, as compact as it is wide, because there is no second bogie at the other end.
 WHEELSET_MASS, FRAME_MASS, COACH_MASS = 1.813, 2.615, 16.0  # t
 RADIUS, WHEEL_BASE, HALF_BASE = 460.0, 2560.0, 1000.0  # mm
 PRIMARY = (31391.0, 3884.0, 1220.0)  # N/mm, of an axle box along x, y, z
@@ -94,7 +94,7 @@ ARM, COLUMN, HANGER = 500.0, 500.0, 600.0  # mm: lengths of springs that lie, st
 
 
 def bogie(primary: Point = PRIMARY) -> Vehicle:
-    """On its wheels, at rest. `primary` is the stiffness of an axle box along x, y, z (N/mm)."""
+    """Returns the bogie on its wheels at rest. `primary` is the stiffness of an axle box along x, y, z (N/mm)."""
     bodies = (
         Body("leading wheelset", WHEELSET_MASS, (1120e3, 112e3, 1120e3), (WHEEL_BASE / 2, 0, -RADIUS)),
         Body("trailing wheelset", WHEELSET_MASS, (1120e3, 112e3, 1120e3), (-WHEEL_BASE / 2, 0, -RADIUS)),
@@ -107,7 +107,7 @@ def bogie(primary: Point = PRIMARY) -> Vehicle:
     def add(
         ends: tuple[int, int], start: Point, end: Point, stiffness: float, damping: float, preload: float = 0.0
     ) -> None:
-        """Between two places at rest."""
+        """Adds a spring between two points at rest."""
         points = [tuple(np.subtract(place, bodies[body].place)) for body, place in zip(ends, (start, end))]
         springs.append(Spring(ends, (points[0], points[1]), stiffness, damping, preload))
 
@@ -121,8 +121,8 @@ def bogie(primary: Point = PRIMARY) -> Vehicle:
             add((wheelset, FRAME), box, inwards, primary[0], PRIMARY_DAMPING[0])
             add((wheelset, FRAME), box, across, primary[1], PRIMARY_DAMPING[1])
             add((wheelset, FRAME), box, above, primary[2], PRIMARY_DAMPING[2], -on_box)
-    # The coach hangs on the frame by four springs, as stiff as the benchmark's with its roll bar. They bring most of the
-    # stiffness across, too: 65 N/mm each.
+    # The coach hangs on the frame by four springs with the stiffness of the benchmark, including its roll bar. They
+    # provide most of the lateral stiffness, too: 65 N/mm each.
     for x in (-800, 800):
         for side in (-1, 1):
             top, foot = (x, side * HALF_BASE, -1000), (x, side * HALF_BASE, -1000 + HANGER)
@@ -130,5 +130,5 @@ def bogie(primary: Point = PRIMARY) -> Vehicle:
     for side in (-1, 1):
         add((FRAME, COACH), (0, side * 500, -600), (0, 0, -600), 30.0, 25.0)
         add((FRAME, COACH), (0, side * HALF_BASE, -600), (ARM, side * HALF_BASE, -600), 0.0, 20.0)  # against its yaw
-    add((FRAME, COACH), (0, 0, -600), (ARM, 0, -600), 5000.0, 25.0)  # what pulls the coach
+    add((FRAME, COACH), (0, 0, -600), (ARM, 0, -600), 5000.0, 25.0)  # traction of the coach
     return Vehicle(bodies, tuple(springs), 2, RADIUS, axle_load)

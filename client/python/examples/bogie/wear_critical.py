@@ -1,11 +1,11 @@
-"""Critical speed of the bogie over the distance that its wheels have worn. docs/damage.md tells of it.
+"""Computes the critical speed of the bogie against the distance run by its worn wheels. See docs/damage.md.
 
 Run: python3 client/python/examples/bogie/wear_critical.py [--contact fastsim] [--between 40 120] FOLDER
 
-FOLDER has stage-000 and so on, each with wheel.prw and distance.txt, as a loop of dynamics and wear leaves them
-(contactd.wear.dynamics). Every wheel of the bogie has the profile of the stage. critical.csv is written there: distance (km),
-and the speed from which on small motions grow (m/s), empty where they do so nowhere between both speeds, or from the lower one
-on; `growth_low` and `growth_high` (1/s) say which. With --picture FILE it is drawn.
+FOLDER contains stage-000 and so on, each with wheel.prw and distance.txt, from a loop of dynamics and wear
+(contactd.wear.dynamics). Every wheel of the bogie has the profile of the stage. The program writes critical.csv there:
+distance (km), and the speed above which small motions grow (m/s). The speed is empty if they do not grow between both
+speeds, or already at the lower one, which `growth_low` and `growth_high` (1/s) show. --picture FILE plots it.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).parents[1]))  # railway, which the examples share
+sys.path.append(str(Path(__file__).parents[1]))  # for railway, which the examples share
 
 from hunting import small_motions
 from railway.stability import critical_speed
@@ -30,7 +30,7 @@ from contactd.wheel_rail import ProfileFile
 
 @dataclass(frozen=True)
 class Stage:
-    """A worn profile and what the bogie does on it."""
+    """A worn profile, and the motion of the bogie on it."""
 
     distance: float
     critical: float | None
@@ -39,7 +39,7 @@ class Stage:
 
 
 def stages_of(client: Client, folder: Path, contact: str, low: float, high: float, tolerance: float) -> list[Stage]:
-    """Raises SystemExit where the folder has no stages."""
+    """Returns the stages. Raises SystemExit if the folder has none."""
     places = sorted(place for place in folder.glob("stage-*") if (place / "wheel.prw").is_file())
     if not places:
         raise SystemExit(f"{folder} has no stage-000 with a wheel.prw, as contactctl wear leaves it with dynamics.")

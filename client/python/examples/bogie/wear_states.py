@@ -1,9 +1,10 @@
-"""States of a wheel of the bogie on worn profiles, for contactctl wear: straight track and two curves. docs/damage.md tells of it.
+"""Computes states of a wheel of the bogie on worn profiles for contactctl wear: straight track and two curves. See
+docs/damage.md.
 
 Run: python3 client/python/examples/bogie/wear_states.py [--seconds 2] [--speed 50] [--integrator exudyn] FOLDER
 
-FOLDER has wheel.prw, as contactctl wear leaves it; states.csv of the leading right wheel is written there. It solves with the
-contactd_local or the daemon that the example of the bogie takes.
+FOLDER contains wheel.prw, written by contactctl wear. The program writes states.csv of the leading right wheel there.
+It solves with contactd_local or a daemon, like the bogie example.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).parents[1]))  # railway, which the examples share
+sys.path.append(str(Path(__file__).parents[1]))  # for railway, which the examples share
 
 from line import Line
 from railway.track import IrregularTrack, Track
@@ -27,12 +28,12 @@ from contactd.wear import WeightedState
 from contactd.wear.dynamics import write_states
 from contactd.wheel_rail import ProfileFile, WheelRailSetup, WheelRailState
 
-RIGHT = 1  #: of the wheels: the leading wheelset's right one
-SETTLED = 0.4  #: of the time, from which on states are taken
+RIGHT = 1  #: Index of the leading wheelset's right wheel.
+SETTLED = 0.4  #: Fraction of the time from which states are used.
 
 
 class HeardWheels:
-    """Wheels of a worn profile; the states of one of them and the forces on it are kept."""
+    """Wheels with a worn profile; records the states and forces of one of them."""
 
     def __init__(self, client: Client, setups: Sequence[WheelRailSetup], wheel: ProfileFile) -> None:
         self._wheels = SessionWheels(client, [setup.replace(wheel=wheel) for setup in setups])
@@ -55,7 +56,7 @@ class HeardWheels:
 def run(
     client: Client, wheel: ProfileFile, line: Line, track: Track, speed: float, seconds: float, integrate: Integrate
 ) -> list[WheelRailState]:
-    """The states of the leading right wheel, in the order that they were asked for."""
+    """Returns the states of the leading right wheel, in the order of evaluation."""
     kept: list[WheelRailState] = []
 
     def open_wheels(client: Client, setups: Sequence[WheelRailSetup]) -> HeardWheels:
@@ -74,7 +75,7 @@ def run(
 def states_of(
     client: Client, wheel: ProfileFile, speed: float, seconds: float, count: int, radius: float, integrate: Integrate
 ) -> list[WeightedState]:
-    """States on straight track, four fifths of the distance, and in a curve to each side (m)."""
+    """Returns states on straight track, four fifths of the distance, and in a curve to each side (m)."""
     parts = [
         ("straight", 0.8, Line(), IrregularTrack(), speed),
         ("right curve", 0.1, _curve(radius), Track(), 30.0),
@@ -90,7 +91,7 @@ def states_of(
 
 
 def _curve(radius: float) -> Line:
-    """Begins at once, so that a short run is in it."""
+    """Returns a curve that begins immediately, so that a short run reaches it."""
     return Line(curvature=1e-3 / radius, cant=100.0, begin=1e3, transition=20e3, length=400e3)
 
 

@@ -1,11 +1,11 @@
-"""contactd shows what it does: a finite-element table, the cache, and the Cattaneo problem beside its closed form; or a
-wheelset across the track beside a published benchmark; or profiles, their contacts and conicity; or what cross-sections
-change where contacts bend, and near edges.
+"""Demonstrates contactd: a finite-element table, the cache, and the Cattaneo problem compared with its closed form; or
+a wheelset compared with a published benchmark; or profiles, their contacts and conicity; or effects of cross-sections
+in conformal contacts and near edges.
 
 Run: python3 client/python/examples/demo [cattaneo | wheelrail | profiles | conformal] --bin build/production/bin [--output PICTURE]
 
-Starts a daemon in a temporary folder and stops it again. Ends with 0 when the numbers have the paper's accuracy, 1 when
-one has not, 2 when the daemon failed.
+Starts a daemon in a temporary folder and stops it again. Exit status: 0 if the numbers have the paper's accuracy, 1 if
+one does not, 2 if the daemon failed.
 """
 
 from __future__ import annotations
@@ -134,7 +134,7 @@ def show_cattaneo(client: Client, output: Path) -> list[Check]:
 
 
 def timed_solve(client: Client, problem: ContactProblem) -> tuple[ContactSolution, float]:
-    """The solution, and the milliseconds from request to answer with the coefficients at hand."""
+    """Returns the solution, and the milliseconds from request to answer with available coefficients."""
     client.solve(problem)
     start = time.perf_counter()
     solution = client.solve(problem)
@@ -208,7 +208,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def main() -> int:
-    warnings.simplefilter("ignore", ContactWarning)  # grids are as coarse as those of what is compared with
+    warnings.simplefilter("ignore", ContactWarning)  # Grids are as coarse as those of the reference values.
     parser = argparse.ArgumentParser(prog="demo", description=(__doc__ or "").split("\n\n")[0])
     parser.add_argument(
         "what", nargs="?", choices=["cattaneo", "wheelrail", "profiles", "conformal"], default="cattaneo", help="what to show (cattaneo)"
@@ -218,7 +218,7 @@ def main() -> int:
     )
     parser.add_argument("--output", type=Path, default=Path("contactd-demo.png"), help="where the picture goes (PNG); of profiles, its folder gets four")
     options = parser.parse_args()
-    # So that the daemon is stopped whatever ends the demo.
+    # Stops the daemon however the demo ends.
     signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(128 + number))
     signal.signal(signal.SIGHUP, lambda number, frame: sys.exit(128 + number))
     try:

@@ -1,4 +1,4 @@
-"""Bounds that the demo must reach to end with status 0, and where each comes from."""
+"""Bounds that the demo must meet to end with status 0, and their sources."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from contactd.demo.closed_form import Sphere
 # An established half-space code with the same discretisation, 40 x 40 elements, to six digits.
 ESTABLISHED = {"Fz": 9.19731113, "|Fx|": 3.22211266, "pmax": 4.38757728}
 ESTABLISHED_DIVISION = (216, 664)
-# Section 4.2 of the paper: TangCG with analytic ICs as h -> 0. Cattaneo's own 3.2178 leaves the lateral tractions out.
+# Section 4.2 of the paper: TangCG with analytic ICs as h -> 0. Cattaneo's own value 3.2178 neglects lateral tractions.
 LIMIT_FX = 3.2216
 
 Check = tuple[bool, str]

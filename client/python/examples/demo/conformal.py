@@ -54,7 +54,7 @@ DISTANCES = {3.0: (0.003, 0.09), 0.5: (-0.22, 0.43), 0.0: (-0.45, 0.50)}  # of p
 
 @dataclass(frozen=True)
 class Throat:
-    """One contact in each way, and the tables of a rail's head: by finite elements, and by rotated half-spaces."""
+    """One contact with each method, and the tables of a rail's head: by finite elements, and by rotated half-spaces."""
 
     state: WheelRailState
     solutions: dict[str, WheelRailSolution]
@@ -65,7 +65,7 @@ class Throat:
 
 @dataclass(frozen=True)
 class Edge:
-    """A ball over an edge: on the half-space that is cut off there, and on the block."""
+    """A ball over an edge: on the truncated half-space, and on the block."""
 
     grid: Grid
     half_space: ContactSolution
@@ -82,7 +82,7 @@ def show_conformal(client: Client, binaries: Path, output: Path) -> list[Check]:
 
 
 def meshes(client: Client, binaries: Path) -> dict[str, SectionMesh]:
-    """Meshes of the sections, of columns like those above."""
+    """Returns meshes of the sections, with columns like those above."""
     found = {}
     for name, shape, columns, size in (
         ("head of 60E1", CORNER, 64, SIZE),

@@ -1,4 +1,4 @@
-"""The picture of the demo of cross-sections: bodies and columns, meshes, what a table knows of them, and pressures."""
+"""Draws the picture of the demo of cross-sections: bodies and columns, meshes, tables, and pressures."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def draw_conformal(path: Path, throat: Throat, edges: dict[float, Edge], meshes:
 
 
 def draw_bodies(axes: Any, throat: Throat) -> None:
-    """Wheel and rail with the pressure, and the rows of elements with their normals."""
+    """Draws wheel and rail with the pressure, and the rows of elements with their normals."""
     solution = throat.solutions["fem"]
     draw_patches(axes, throat.profiles, throat.state, solution)
     rows = solution.patches[0].place.rows
@@ -63,7 +63,7 @@ def draw_bodies(axes: Any, throat: Throat) -> None:
 
 
 def draw_along(axes: Any, throat: Throat) -> None:
-    """The largest pressure of each row."""
+    """Plots the largest pressure of each row."""
     for way, solution in throat.solutions.items():
         name, color, style = WAYS[way]
         patch = solution.patches[0]
@@ -77,7 +77,7 @@ def draw_along(axes: Any, throat: Throat) -> None:
 
 
 def draw_table(figure: Any, axes: Any, throat: Throat) -> None:
-    """Draws what finite elements change of the rotated half-space: zz between the columns of the head."""
+    """Plots the change by finite elements relative to the rotated half-space: zz between the columns of the head."""
     change = throat.rail["zz"][:, :, 0] - throat.rotated_rail["zz"][:, :, 0]
     change = 100 * change / throat.rotated_rail["zz"][0, 0, 0]
     bound = np.abs(change).max()
@@ -88,7 +88,7 @@ def draw_table(figure: Any, axes: Any, throat: Throat) -> None:
 
 
 def draw_mesh(axes: Any, name: str, mesh: SectionMesh) -> None:
-    """The whole section, and its columns larger."""
+    """Draws the whole section, and its columns magnified."""
     for part in (axes, axes.inset_axes((0.62, 0.02, 0.4, 0.36))):
         part.triplot(*mesh.points.T, mesh.triangles, color="0.45", lw=0.3)
         part.plot(*mesh.columns.T, color="#c8401d", lw=1.6)
@@ -114,7 +114,7 @@ def draw_pressure(axes: Any, edge: Edge, solution: ContactSolution, largest: flo
 
 
 def draw_cuts(axes: Any, edges: dict[float, Edge]) -> None:
-    """Pressures across the middle, from the edge on."""
+    """Plots pressures across the middle, from the edge on."""
     for color, (distance, edge) in zip(("C0", "C1", "#c8401d"), edges.items(), strict=True):
         grid = edge.grid
         from_edge = grid.y0 + grid.ny * grid.dy - grid.y

@@ -1,4 +1,4 @@
-"""Profiles as railway engineers judge them: equivalent conicity in a table, and pictures of contacts and forces."""
+"""Evaluates profiles like railway engineers: a table of equivalent conicity, and pictures of contacts and forces."""
 
 from __future__ import annotations
 

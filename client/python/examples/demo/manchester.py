@@ -1,5 +1,5 @@
-"""The Manchester contact benchmark, case A-2.2: a wheelset with S1002 wheels on 60E1 rails at 1/40 that moves 10 mm to the
-right and yaws by 2.4 mrad/mm, as an established program solves it (to the digits that it prints).
+"""The Manchester contact benchmark, case A-2.2: a wheelset with S1002 wheels on 60E1 rails at 1/40 that moves 10 mm to
+the right and yaws by 2.4 mrad/mm, with results printed by an established program.
 
 Fz = 10 kN a wheel, G = 82000 N/mm^2, nu = 0.28, mu = 0.3, 2000 mm/s, elements of 0.2 x 0.2 mm.
 """
@@ -24,8 +24,9 @@ YAW = 0.0024  # rad for each mm
 
 @dataclass(frozen=True)
 class Known:
-    """Figures that the program prints: height of the wheelset (mm), forces on the rail in track coordinates (N), place of the
-    contact (mm), its angle (rad), normal force (N), largest pressure (N/mm^2)."""
+    """Printed results: height of the wheelset (mm), forces on the rail in track coordinates (N), position of the
+    contact (mm), its angle (rad), normal force (N), largest pressure (N/mm^2).
+    """
 
     z: float
     Fx: float
@@ -51,7 +52,7 @@ POSITIONS = [
     (10.0, -0.01126431, -4.2436375),
 ]
 
-#: Figures of each wheel, for each position.
+#: Results of each wheel, for each position.
 KNOWN = {
     "left": [
         Known(0.1981, 0.2783, -36.24, -751.8726, 0.029, 9997.0, 338.3),

@@ -1,4 +1,4 @@
-"""The curves of S1002 and 60E1, to be drawn, in track coordinates: y to the right, z down (mm)."""
+"""Curves of S1002 and 60E1 for drawings, in track coordinates: y to the right, z down (mm)."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ THROAT = [-4.320221063e3, -1.038384026e3, -1.065501873e2, -6.051367875, -2.05433
 
 
 def s1002() -> Curve:
-    """From the back of the flange to the field side."""
+    """Returns the profile from the back of the flange to the field side."""
 
     def arc(y: Curve, centre_y: float, centre_z: float, radius: float) -> Curve:
         return centre_z + math.copysign(1, radius) * np.sqrt(radius**2 - (y - centre_y) ** 2)
@@ -35,7 +35,7 @@ def s1002() -> Curve:
 
 
 def rail_60e1(slope: float) -> Curve:
-    """The head, inclined towards y < 0, its top at z = 0."""
+    """Returns the head, inclined towards y < 0, with its top at z = 0."""
     y, z, angle = 0.0, 0.0, 0.0
     half = [(y, z)]
     for radius, end in ((300, math.asin(10.5 / 300)), (80, math.asin(0.035 + (25.988 - 10.5) / 80)), (13, math.atan(20))):
@@ -51,14 +51,14 @@ def rail_60e1(slope: float) -> Curve:
 
 
 def placed_rail(side: str) -> Curve:
-    """Its gauge face at half of the gauge."""
+    """Returns the rail with its gauge face at half of the gauge."""
     rail = rail_60e1(1 / 40)
     rail[:, 0] += GAUGE / 2 - rail[rail[:, 1] <= GAUGE_HEIGHT, 0].min()
     return rail if side == "right" else rail * (-1, 1)
 
 
 def placed_wheel(side: str, y: float, z: float, roll: float) -> Curve:
-    """With the wheelset at `y`, `z` and `roll`."""
+    """Returns the wheel with the wheelset at `y`, `z` and `roll`."""
     wheel = s1002() + np.array([WHEEL_ORIGIN, NOMINAL_RADIUS])
     if side == "left":
         wheel = wheel * (-1, 1)

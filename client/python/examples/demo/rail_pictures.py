@@ -1,4 +1,6 @@
-"""Four pictures that railway engineers know: contact locus, equivalent conicity, patches on their profiles, creep forces."""
+"""Draws four pictures familiar to railway engineers: contact locus, equivalent conicity, patches on their profiles,
+creep forces.
+"""
 
 from __future__ import annotations
 
@@ -55,7 +57,7 @@ def draw_conicities(conicities: dict[str, list[EquivalentConicity]], path: Path)
 
 
 def draw_contacts(client: Client, path: Path) -> None:
-    """A wheelset that is free to roll, at three shifts."""
+    """Draws a wheelset with free roll at three lateral shifts."""
     setup = WheelRailSetup(rail=Rail60E1(INCLINATIONS["1/20"]), dx=0.4, dy=0.4)
     profiles = client.placed_profiles(setup).right
     shifts = (0.0, 6.0, 7.0)
@@ -71,7 +73,7 @@ def draw_contacts(client: Client, path: Path) -> None:
 
 
 def draw_creep_forces(client: Client, path: Path) -> None:
-    """Draws creep forces of the centred wheel by its pitch rate and yaw."""
+    """Draws creep forces of the centred wheel against its pitch rate and yaw."""
     setup = WheelRailSetup(model="fastsim", dx=0.4, dy=0.4)
     slips, yaws = np.linspace(-5e-3, 5e-3, 17), np.linspace(-5e-3, 5e-3, 17)
     forces = np.array([[_creep_force(client, setup, slip, yaw) for slip in slips] for yaw in yaws]) / (MU * FZ)

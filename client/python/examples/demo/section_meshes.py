@@ -1,4 +1,4 @@
-"""The meshes that tables of cross-sections are built on, by contactd-ic."""
+"""Meshes for tables of cross-sections, created by contactd-ic."""
 
 from __future__ import annotations
 

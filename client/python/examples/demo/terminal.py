@@ -1,4 +1,4 @@
-"""Plain words for a terminal: sections, aligned rows, a progress bar. Colours and redrawing on a terminal only."""
+"""Terminal output: sections, aligned rows, a progress bar. Colours and redrawing are used in a terminal only."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def rows(pairs: Sequence[tuple[str, str]]) -> None:
 
 
 def table(head: Sequence[str], body: Sequence[Sequence[str]]) -> None:
-    """The first column aligned left, the others right, under a ruled head."""
+    """Prints a table with the first column left-aligned and the others right-aligned, below a ruled head."""
     widths = [max(len(row[i]) for row in [head, *body]) for i in range(len(head))]
 
     def line(cells: Sequence[str]) -> str:
@@ -61,7 +61,7 @@ def verdict(passed: bool, text: str) -> None:
 
 
 class ProgressBar:
-    """A callback for the client: one line that is redrawn; where nothing can be redrawn, a line for each new stage."""
+    """A callback for the client: one line that is redrawn; without a terminal, a line for each new stage."""
 
     def __init__(self) -> None:
         self._stage = ""

@@ -1,4 +1,4 @@
-"""A wheelset on its way across the track: both wheels, beside the Manchester contact benchmark."""
+"""A wheelset moving across the track: both wheels, compared with the Manchester contact benchmark."""
 
 from __future__ import annotations
 
@@ -58,14 +58,14 @@ DIGITS = [("z", 3), ("Fx", 0), ("Fy", 0), ("y_contact", 2), ("angle", 4), ("pmax
 
 
 def figures_of(solution: WheelRailSolution) -> Known:
-    """Figures that the program prints, of the first patch; there is one in all of these positions."""
+    """Returns the printed quantities for the first patch, which is the only one in these positions."""
     patch, track = solution.patches[0], solution.forces.track
     at = patch.place.reference
     return Known(solution.z, track.Fx, track.Fy, at.y, at.angle, patch.solution.forces.Fn, patch.solution.pmax)
 
 
 def comparison(sweep: Sweep) -> list[Check]:
-    """The largest differences, against what exact surfaces and the digits of the program allow."""
+    """Returns the largest differences, and the bounds due to exact surfaces and printed digits."""
     pairs = [
         (figures_of(solution), known)
         for side, solutions in sweep.items()

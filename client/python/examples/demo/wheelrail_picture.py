@@ -1,4 +1,4 @@
-"""A wheelset across the track as one picture: profiles with the contacts, forces and pressures, and one patch."""
+"""Draws a wheelset across the track: profiles with contacts, forces and pressures, and one patch."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ SHOWN_PATCH = 5  # of the right wheel: two regions of overlap with a weighted in
 
 
 def draw_wheelset(path: Path, sweep: Sweep) -> None:
-    """Writes the picture as PNG; missing folders are made."""
+    """Writes the picture as PNG; creates missing folders."""
     style = {"font.size": 10, "axes.edgecolor": INK, "text.color": INK, "axes.labelcolor": INK, "figure.dpi": 140}
     with plt.rc_context(style):
         figure = plt.figure(figsize=(13.6, 8.4), layout="constrained")
@@ -69,7 +69,7 @@ def _draw_profiles(axes: Any, side: str, solutions: list[WheelRailSolution]) -> 
 
 
 def _across(patch: WheelRailPatch) -> list[tuple[float, float]]:
-    """The ends of each part of the contact, in the track's y."""
+    """Returns the ends of each part of the contact in y of the track."""
     assert patch.solution.element_division is not None
     grid, at = patch.place.grid, patch.place.reference
     touches = (patch.solution.element_division != 0).any(axis=1)

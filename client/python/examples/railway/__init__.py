@@ -1,1 +1,1 @@
-"""Parts that the examples with wheels on rails share: motion, track, who solves the wheels, stability."""
+"""Common parts of the wheel-rail examples: motion, track, solvers of the wheels, stability."""

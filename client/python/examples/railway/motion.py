@@ -1,4 +1,4 @@
-"""Where a wheelset is and how it moves, in contactd's words. Units: mm, s, N, and t for masses, so that forces are in N."""
+"""Position and motion of a wheelset in contactd's terms. Units: mm, s, N, and t for masses, so that forces are in N."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ _NEXT = np.array([1, 2, 0])
 
 
 class Motion(NamedTuple):
-    """Motion of the wheelset, in the words and signs of `contactd.wheel_rail`.
+    """Motion of the wheelset, with the names and signs of `contactd.wheel_rail`.
 
     Attributes:
-        distance: That the centre has gone along the track (mm).
-        y, z, roll, yaw: Its place (mm, rad).
-        vx, vy, vz: Velocity of the centre over the track (mm/s).
-        roll_rate, pitch_rate, yaw_rate: About its own axes, which do not turn with its pitch (rad/s).
+        distance: Distance of the centre along the track (mm).
+        y, z, roll, yaw: Its position (mm, rad).
+        vx, vy, vz: Velocity of the centre relative to the track (mm/s).
+        roll_rate, pitch_rate, yaw_rate: Rates about its own axes, which do not rotate with its pitch (rad/s).
     """
 
     distance: float
@@ -37,12 +37,12 @@ class Motion(NamedTuple):
 
 
 def axes(roll: float | Array, yaw: float | Array) -> Array:
-    """The wheelset's axes as columns, in track coordinates, shape [3, 3]; of many [3, 3, n]."""
-    its = np if isinstance(roll, np.ndarray) else math  # numpy takes several times as long for one angle
+    """Returns the wheelset's axes as columns, in track coordinates, shape [3, 3]; for many [3, 3, n]."""
+    its = np if isinstance(roll, np.ndarray) else math  # numpy is several times slower for one angle
     cr, sr, cy, sy = its.cos(roll), its.sin(roll), its.cos(yaw), its.sin(yaw)
     return np.array([[cy, -sy * cr, sy * sr], [sy, cy * cr, -cy * sr], [0 * sr, sr, cr]])
 
 
 def cross(first: Array, second: Array) -> Array:
-    """Does as numpy.cross of vectors in the last dimension, which takes several times as long for a few of them."""
+    """Returns numpy.cross of vectors in the last dimension, but is several times faster for a few of them."""
     return (first * second[..., _NEXT] - first[..., _NEXT] * second)[..., _NEXT]

@@ -1,4 +1,4 @@
-"""Pictures that the examples with wheels on rails share. Needs matplotlib."""
+"""Common pictures of the wheel-rail examples. Needs matplotlib."""
 
 from __future__ import annotations
 
@@ -17,8 +17,9 @@ WIDTHS = {"linear": 1.0, "fastsim": 2.2, "full": 1.0}
 
 
 def draw_growth(curves: Mapping[str, Sequence[tuple[float, float]]], critical: Mapping[str, float], path: Path) -> None:
-    """Growth (1/s) of small motions over the speed (m/s) by eigenvalues, and where simulations have the critical speed, of those
-    that were simulated."""
+    """Plots the growth (1/s) of small motions against the speed (m/s) from eigenvalues, and critical speeds from
+    simulations.
+    """
     figure, panel = plt.subplots(figsize=(6.5, 3.8), layout="constrained")
     for contact, curve in curves.items():
         style: dict[str, Any] = {"color": COLOURS[contact], "lw": WIDTHS[contact]}

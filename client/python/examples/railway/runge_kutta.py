@@ -1,4 +1,4 @@
-"""The classical Runge-Kutta method of fourth order: what the integrator of a multibody program does, in numpy."""
+"""The classical fourth-order Runge-Kutta method, in numpy, like the integrator of a multibody program."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ from .motion import Array
 
 
 def integrate(rates: Callable[[float, Array], Array], state: Array, duration: float, step: float) -> tuple[Array, Array]:
-    """Times (s), shape [n], and states, shape [n, ...], from `state` on; `rates` of time and state are its derivative, which
-    are asked for four times a step."""
+    """Returns times (s), shape [n], and states, shape [n, ...], from `state` on. `rates` returns the derivative for
+    time and state; it is called four times per step.
+    """
     count = round(duration / step)
     states = np.empty((count + 1, len(state)))
     states[0] = state

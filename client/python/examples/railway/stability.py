@@ -1,4 +1,4 @@
-"""Below which speed hunting dies down: by eigenvalues, and by simulations from a disturbance."""
+"""Speed below which hunting decays: from eigenvalues, and from simulations with a disturbance."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from .motion import Array
 def least_damped(
     rates: Callable[[Array], Array], state: Array, steps: Mapping[int, float], above: float = 0.0
 ) -> complex:
-    """The eigenvalue that is damped least of small motions around a state: growth (1/s), and angular frequency (1/s), which is
-    `above` a bound.
+    """Returns the least damped eigenvalue of small motions around a state: growth (1/s), and angular frequency (1/s),
+    which is `above` a bound.
 
-    `steps` are the places in the state that take part, with the steps of their difference quotients.
+    `steps` are the indices of the varied parts of the state, with the steps of their difference quotients.
     """
     columns = []
     for place, step in steps.items():
@@ -27,7 +27,9 @@ def least_damped(
 
 
 def critical_speed(growth: Callable[[float], float], low: float, high: float, tolerance: float) -> float:
-    """Where `growth` of a speed (m/s) changes its sign, by bisection. Raises ValueError where it does not between both."""
+    """Returns the zero of `growth` as a function of the speed (m/s), by bisection. Raises ValueError without a change
+    of sign.
+    """
     if not growth(low) <= 0 < growth(high):
         raise ValueError(f"Hunting does not begin between {low:g} and {high:g} m/s; give speeds further apart.")
     while high - low > 2 * tolerance:
@@ -37,8 +39,9 @@ def critical_speed(growth: Callable[[float], float], low: float, high: float, to
 
 
 def growth_of_swing(times: Array, y: Array) -> float:
-    """How the swing of y changes from the second to the last third of the time: the logarithm of the ratio, by the time
-    between (1/s). The first third is left to the start."""
+    """Returns the growth of the oscillation of y from the second to the last third of the time: the logarithm of the
+    ratio over the time between (1/s). The first third is a transient.
+    """
     end = times[-1]
     swings = [float(np.ptp(y[(times >= begin) & (times <= begin + end / 3)])) for begin in (end / 3, 2 * end / 3)]
     return float(np.log(swings[1] / swings[0]) / (end / 3))

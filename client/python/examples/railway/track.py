@@ -1,4 +1,4 @@
-"""Rails that are not where they should be, as a smooth function of the way: the same one for the same seed."""
+"""Track irregularities as a smooth function of the distance, reproducible by a seed."""
 
 from __future__ import annotations
 
@@ -10,26 +10,27 @@ Side = Literal["left", "right"]
 
 
 class Track:
-    """Both rails stand where they should."""
+    """Track without irregularities."""
 
     def deviation(self, side: Side, distance: float) -> tuple[float, float, float, float]:
-        """y and z of a rail (mm), and what they change per mm of the way."""
+        """Returns y and z of a rail (mm), and their changes per mm of distance."""
         return 0.0, 0.0, 0.0, 0.0
 
 
 class IrregularTrack(Track):
-    """Alignment, level and cross level by the spectra of ERRI B 176, which Claus and Schiehlen use (1998):
+    """Alignment, level and cross level with the spectra of ERRI B 176, as used by Claus and Schiehlen (1998):
 
         S(w) = A wc^2/((w^2 + wr^2)(w^2 + wc^2)),  A = 2.119e-7 rad m across, 4.032e-7 up and down (good track),
 
-    the cross level's with w^2/(b^2 (w^2 + ws^2)) more; wr = 0.0206, wc = 0.8246, ws = 0.438 rad/m, b = 0.75 m. Each is a
-    sum of cosines sqrt(2 S dw) cos(w s + phase), wavelengths from 4 to 80 m, and grows from nothing over the first metres.
+    with an additional factor w^2/(b^2 (w^2 + ws^2)) for the cross level; wr = 0.0206, wc = 0.8246, ws = 0.438 rad/m, b
+    = 0.75 m. Each is a sum of cosines sqrt(2 S dw) cos(w s + phase), with wavelengths from 4 to 80 m, and grows from
+    zero over the first metres.
     """
 
     lead_in = 20e3  # mm
 
     def __init__(self, seed: int = 1, waves: int = 120, scale: float = 1.0) -> None:
-        """`scale` multiplies all deviations: about 1.7 makes poor track of it."""
+        """Multiplies all deviations by `scale`; about 1.7 gives poor track."""
         random = np.random.default_rng(seed)
         edges = np.geomspace(2 * np.pi / 80, 2 * np.pi / 4, waves + 1)  # rad/m
         w, dw = np.sqrt(edges[1:] * edges[:-1]), np.diff(edges)
@@ -41,7 +42,7 @@ class IrregularTrack(Track):
         self._wave_numbers = w / 1000  # rad/mm
 
     def deviation(self, side: Side, distance: float) -> tuple[float, float, float, float]:
-        """y and z of a rail (mm), and what they change per mm of the way."""
+        """Returns y and z of a rail (mm), and their changes per mm of distance."""
         angle = self._wave_numbers * distance + self._phases
         value = (self._amplitudes * np.cos(angle)).sum(axis=1)
         slope = -(self._amplitudes * self._wave_numbers * np.sin(angle)).sum(axis=1)

@@ -1,5 +1,6 @@
-"""Who solves the wheels of a vehicle on their rails: all of them at one instant, by contactd in process or by a daemon, or
-by whatever else has this face."""
+"""Solves the wheels of a vehicle on their rails at one instant: with contactd in process or with a daemon, or with
+another implementation of this interface.
+"""
 
 from __future__ import annotations
 
@@ -28,8 +29,8 @@ from .track import Track
 SIDES: tuple[Side, Side] = ("left", "right")
 ELEMENT = 1.0  # mm: some 200 elements in contact
 
-#: The kinds of contact, from the simplest on. "linear" is Kalker's simplified theory with friction that knows no bound:
-#: without slip it is his linear theory, on the true profiles.
+#: The kinds of contact, the simplest first. "linear" is Kalker's simplified theory with unlimited friction: without
+#: slip it is his linear theory, on the true profiles.
 SETUPS = {
     "linear": WheelRailSetup(model="fastsim", friction=WheelRailFriction(1000.0), dx=ELEMENT, dy=ELEMENT),
     "fastsim": WheelRailSetup(model="fastsim", friction=WheelRailFriction(0.3), dx=ELEMENT, dy=ELEMENT),
@@ -41,9 +42,9 @@ class OnWheelset(NamedTuple):
     """Force and moment of one wheel's rail on its wheelset.
 
     Attributes:
-        force: In track coordinates (N).
-        moment: About the wheelset's centre, along its own axes, which do not turn with its pitch (N mm).
-        power: What friction dissipates in the contact (N mm/s).
+        force: Force in track coordinates (N).
+        moment: Moment about the wheelset's centre, along its own axes, which do not rotate with its pitch (N mm).
+        power: Frictional dissipation in the contact (N mm/s).
     """
 
     force: Array
@@ -52,18 +53,18 @@ class OnWheelset(NamedTuple):
 
 
 class Wheels(Protocol):
-    """The seam between a vehicle and its contacts: states of all wheels in, in an order that does not change, and forces out.
+    """The interface between a vehicle and its contacts: returns forces for the states of all wheels, in a fixed order.
 
-    Steady rolling has no history. So an integrator may ask for any state at any time, and as often as it likes. Raises
-    InvalidArgument where a wheel is told to be where no elastic contact is: it is off its rail.
+    Steady rolling has no history, so an integrator may evaluate any state at any time, any number of times. Raises
+    InvalidArgument if a wheel is outside the range of elastic contact, off its rail.
     """
 
     def __call__(self, states: Sequence[WheelRailState]) -> list[OnWheelset]: ...
 
 
 class SessionWheels:
-    """A session for each wheel, stepped together in one message. The client is contactd.local()'s or one of a daemon: it is
-    all the same here.
+    """A session for each wheel; all are stepped in one message. The client may be that of contactd.local() or of a
+    daemon.
     """
 
     def __init__(self, client: Client, setups: Sequence[WheelRailSetup]) -> None:
@@ -92,14 +93,14 @@ class SessionWheels:
 
 
 def on_wheelset(answer: WheelRailSolution) -> OnWheelset:
-    """Forces on the wheelset by an answer: its forces act on the rail."""
+    """Returns the forces on the wheelset; those of an answer act on the rail."""
     track, wheelset = answer.forces.track, answer.forces.wheelset
     force, moment = -np.array([track.Fx, track.Fy, track.Fz]), -np.array([wheelset.Mx, wheelset.My, wheelset.Mz])
     return OnWheelset(force, moment, answer.frictional_power or 0.0)
 
 
 def wheel_state(side: Side, motion: Motion, track: Track) -> WheelRailState:
-    """State of a wheel whose height is given, on a rail that is where the track has it."""
+    """Returns the state of a wheel with a given height, on a rail without deviation."""
     y, z, y_slope, z_slope = track.deviation(side, motion.distance)
     return WheelRailState(
         position=WheelsetPosition(y=motion.y, z=motion.z, roll=motion.roll, yaw=motion.yaw),
@@ -112,6 +113,6 @@ def wheel_state(side: Side, motion: Motion, track: Track) -> WheelRailState:
 
 
 def height_under(client: Client, setups: Sequence[WheelRailSetup], load: float) -> float:
-    """The z at which a wheelset in the middle of the track bears a load (mm): the mean of its wheels."""
+    """Returns z of a centred wheelset under a load (mm): the mean of its wheels."""
     state = WheelRailState(velocity=WheelsetVelocity(x=1000, pitch=-1000 / 460), Fz=load / len(setups))
     return float(np.mean([client.wheel_rail(setup, state, fields=[]).z for setup in setups]))

@@ -1,9 +1,11 @@
-"""A railway wheelset hunts: S1002 wheels on 60E1 rails by contactd, in a multibody simulation. docs/wheelset.md tells of it.
+"""Hunting of a railway wheelset: a multibody simulation with S1002 wheels on 60E1 rails by contactd. See
+docs/wheelset.md.
 
 Run: python3 client/python/examples/wheelset [--endpoint ENDPOINT] [--integrator runge-kutta] [--output FOLDER] ...
 
-Without an endpoint it starts a daemon of its own (`contactd` on PATH). It needs Exudyn and matplotlib:
-pip install './client/python[wheelset]'. With --integrator runge-kutta it needs no Exudyn, without --output no matplotlib.
+Without an endpoint it starts its own daemon (`contactd` on PATH). It needs Exudyn and matplotlib: pip install
+'./client/python[wheelset]'. --integrator runge-kutta does not need Exudyn. Without --output it does not need
+matplotlib.
 """
 
 from __future__ import annotations
@@ -14,7 +16,7 @@ import sys
 from contextlib import ExitStack
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).parents[1]))  # railway, which the examples share
+sys.path.append(str(Path(__file__).parents[1]))  # for railway, which the examples share
 
 from contact import WheelRailContact
 from railway.stability import critical_speed, growth_of_swing
@@ -27,7 +29,7 @@ from vehicle import Vehicle
 
 from contactd import Client, LocalDaemon
 
-DISTURBANCE = 3.0  # mm, where the search for the critical speed starts from
+DISTURBANCE = 3.0  # mm, initial displacement in the search for the critical speed
 
 
 def main() -> None:
@@ -58,7 +60,7 @@ def main() -> None:
 
 
 def _search(client: Client, options: argparse.Namespace, integrate: Integrate) -> None:
-    """The critical speed of each contact by simulations, and how small motions grow by eigenvalues."""
+    """Prints the critical speed of each contact from simulations, and the growth of small motions from eigenvalues."""
     low, high = options.search
     critical = {}
     for contact in options.contacts:
@@ -74,7 +76,7 @@ def _search(client: Client, options: argparse.Namespace, integrate: Integrate) -
 
     curves: dict[str, list[tuple[float, float]]] = {}
     for contact in options.contacts:
-        # Differences of small motions show when elements come into contact: finer ones.
+        # Differences of small motions would show elements that come into contact; use finer ones.
         law, vehicle = WheelRailContact(client, SETUPS[contact].replace(dx=0.5, dy=0.5)), Vehicle()
         rest = law.rest(vehicle.axle_load)
         speeds = [low + (high - low) * i / 8 for i in range(9)]
@@ -98,7 +100,7 @@ def _tell(run: Run) -> None:
 
 
 def _compare(runs: list[Run]) -> None:
-    """Compares what each contact costs on average, and as a ratio to the first one."""
+    """Prints the mean computing time of each contact, and its ratio to the first one."""
     costs: dict[str, list[float]] = {}
     for run in runs:
         costs.setdefault(run.contact, []).append(run.cost)

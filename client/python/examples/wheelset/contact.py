@@ -1,4 +1,4 @@
-"""Forces of the rails on the wheelset: by contactd, or by the linear theory of the textbooks."""
+"""Forces of the rails on the wheelset: by contactd, or by the linear theory of textbooks."""
 
 from __future__ import annotations
 
@@ -14,16 +14,18 @@ from contactd.wheel_rail import WheelRailSetup
 
 
 class WheelRailContact:
-    """Both wheels, solved by contactd where the wheelset is: z is given, forces come."""
+    """Both wheels, solved by contactd at the given height of the wheelset."""
 
     def __init__(self, client: Client, setup: WheelRailSetup, track: Track | None = None) -> None:
         self._client, self._track = client, track or Track()
         self._setups = {side: setup.replace(side=side) for side in SIDES}
         self.solves = 0
-        self.derailed = False  # a wheel went where no elastic contact is
+        self.derailed = False  # a wheel is outside the range of elastic contact
 
     def __call__(self, motion: Motion) -> tuple[Array, Array]:
-        """Force on the wheelset in track coordinates (N), moment about its centre along its own axes (N mm)."""
+        """Returns the force on the wheelset in track coordinates (N), and the moment about its centre along its own
+        axes (N mm).
+        """
         force, moment = np.zeros(3), np.zeros(3)
         for side, setup in self._setups.items():
             try:
@@ -38,25 +40,25 @@ class WheelRailContact:
         return force, moment
 
     def rest(self, axle_load: float) -> float:
-        """The z at which the wheelset in the middle bears its load (mm)."""
+        """Returns z of the centred wheelset under its load (mm)."""
         return height_under(self._client, list(self._setups.values()), axle_load)
 
 
 @dataclass(frozen=True)
 class LinearContact:
-    """Wheels whose radius and normal force are linear in the position, and creep forces in the creepages, as in the
-    textbooks: no flanges, no slip. The ellipse grows with the normal force by Hertz's theory.
+    """Wheels whose radius and normal force are linear in the position, and whose creep forces are linear in the
+    creepages, as in textbooks: no flanges, no slip. The ellipse grows with the normal force by Hertz's theory.
 
     Attributes:
-        load: Of one wheel at rest (N).
+        load: Load of one wheel at rest (N).
         normal_stiffness: dFn/dz (N/mm).
-        half_distance: Of the contact points at rest (mm).
-        radius: Of rolling at rest (mm).
-        conicity: What the right wheel's rolling radius grows per mm to the right.
-        angle: Of the right contact's plane to the horizontal (rad), > 0 where it rises to the field side.
-        creep: Forces (N) and moment (N mm) about the normal on a rail, by xi, eta and phi (1/mm) of the contact:
-            -G ab times Kalker's coefficients under `load`, shape [3, 3].
-        rest: z of the wheelset where both wheels bear their load (mm).
+        half_distance: Half the distance of the contact points at rest (mm).
+        radius: Rolling radius at rest (mm).
+        conicity: Increase of the right wheel's rolling radius per mm to the right.
+        angle: Angle of the right contact's plane to the horizontal (rad), > 0 if it rises to the field side.
+        creep: Forces (N) and moment (N mm) about the normal on a rail for xi, eta and phi (1/mm) of the contact: -G ab
+            times Kalker's coefficients under `load`, shape [3, 3].
+        rest: z of the wheelset with both wheels under their load (mm).
     """
 
     load: float
@@ -70,7 +72,9 @@ class LinearContact:
     track: Track = field(default_factory=Track)
 
     def __call__(self, motion: Motion) -> tuple[Array, Array]:
-        """Force on the wheelset in track coordinates (N), moment about its centre along its own axes (N mm)."""
+        """Returns the force on the wheelset in track coordinates (N), and the moment about its centre along its own
+        axes (N mm).
+        """
         force, moment = np.zeros(3), np.zeros(3)
         turned = axes(motion.roll, motion.yaw)
         rates = turned @ (motion.roll_rate, motion.pitch_rate, motion.yaw_rate)
@@ -88,7 +92,7 @@ class LinearContact:
             rail = motion.vx * np.array([0.0, y_slope, z_slope])
             rolling = abs(motion.vx)
             creepages = np.array([(rail - wheel) @ forwards, (rail - wheel) @ across, -rates @ normal]) / rolling
-            length = (fn / self.load) ** (1 / 3)  # of the ellipse's axes: forces of spin grow with their cube
+            length = (fn / self.load) ** (1 / 3)  # of the ellipse's axes: spin forces are proportional to their cube
             fx, fy, mz = (length, length, length**2) * (self.creep @ ((length, length, length**2) * creepages))
             on_rail = fx * forwards + fy * across + fn * normal
             force -= on_rail

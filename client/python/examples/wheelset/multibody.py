@@ -1,8 +1,8 @@
-"""The wheelset in Exudyn: a rigid body, springs and dampers of its library, and the contact as a user function.
+"""The wheelset in Exudyn: a rigid body, Exudyn's springs and dampers, and the contact as a user function.
 
-Exudyn's node RigidBodyRxyz turns about its first axis, then the second, then the third. With z, x and y of the track as its
-first, second and third axis these are yaw, roll and pitch, in contactd's order. Needs Exudyn 1.13 or newer
-(`pip install exudyn`).
+Exudyn's node RigidBodyRxyz rotates about its first axis, then the second, then the third. With z, x and y of the track
+as these axes, the rotations are yaw, roll and pitch, in contactd's order. Needs Exudyn 1.13 or newer (`pip install
+exudyn`).
 """
 
 from __future__ import annotations
@@ -29,10 +29,10 @@ TO_TRACK = np.array([1, 2, 0])
 
 
 def integrate(wheelset: Wheelset, state: Array, duration: float, step: float) -> tuple[Array, Array]:
-    """Integrates as runge_kutta.integrate does, by Exudyn's explicit Runge-Kutta solver of fourth order.
+    """Integrates like runge_kutta.integrate, with Exudyn's explicit fourth-order Runge-Kutta solver.
 
-    Contact is stiff, not singular: at steps of a millisecond nothing has to be solved implicitly. An implicit method would
-    ask for the contact at every column of its Jacobian.
+    Contact is stiff, but not singular: steps of a millisecond need no implicit method, which would solve the contact
+    for every column of its Jacobian.
     """
     system = exu.SystemContainer()
     mbs = system.AddSystem()
@@ -98,7 +98,7 @@ def _add_contact(mbs: exu.MainSystem, wheelset: Wheelset, body: int) -> None:
         motion = _motion(wheelset, time, displacement, rotation, velocity, angular_velocity)
         force, moment = wheelset.contact(motion)
         moment = axes(motion.roll, motion.yaw) @ moment
-        # Exudyn takes what stretches a spring: the force on the frame's end.
+        # Exudyn expects the tension of a spring: the force on its end at the frame.
         return -np.concatenate([force[TO_EXUDYN], moment[TO_EXUDYN]])
 
     ends = [mbs.AddMarker(MarkerBodyRigid(bodyNumber=number)) for number in (mbs.AddObject(ObjectGround()), body)]
@@ -106,7 +106,7 @@ def _add_contact(mbs: exu.MainSystem, wheelset: Wheelset, body: int) -> None:
 
 
 def _motion(wheelset: Wheelset, time: float, place: Array, angles: Array, velocity: Array, rates: Array) -> Motion:
-    """All in Exudyn's axes; rates about fixed ones."""
+    """Returns the motion in Exudyn's axes, with rates about fixed axes."""
     x, y, z = (float(value) for value in np.asarray(place)[TO_TRACK])
     vx, vy, vz = (float(value) for value in np.asarray(velocity)[TO_TRACK])
     yaw, roll = float(angles[0]), float(angles[1])

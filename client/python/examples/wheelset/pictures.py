@@ -1,4 +1,4 @@
-"""The pictures of docs/wheelset.md. Needs matplotlib."""
+"""Draws the pictures of docs/wheelset.md. Needs matplotlib."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from runs import Run
 
 
 def draw_motion(runs: Sequence[Run], track: Track, path: Path) -> None:
-    """y of the wheelset over time, a panel for each speed."""
+    """Plots y of the wheelset against time, with a panel for each speed."""
     speeds = sorted({run.speed for run in runs})
     figure, panels = plt.subplots(len(speeds), 1, figsize=(8, 3.0 * len(speeds)), squeeze=False, layout="constrained")
     for panel, speed in zip(panels[:, 0], speeds):

@@ -1,7 +1,7 @@
-"""The wheelset's equations of motion and the classical Runge-Kutta method: what Exudyn does, a second time, in numpy.
+"""The wheelset's equations of motion and the classical Runge-Kutta method in numpy; an alternative to Exudyn.
 
-The state is (x, y, z, roll, yaw, vx, vy, vz, roll rate, pitch rate, yaw rate): x ahead of the frame, vx over that of the
-frame, and the pitch rate over that of pure rolling, so that a wheelset that runs straight has zeros.
+The state is (x, y, z, roll, yaw, vx, vy, vz, roll rate, pitch rate, yaw rate). x and vx are relative to the frame, and
+the pitch rate is relative to that of pure rolling, so they are zero in straight running.
 """
 
 from __future__ import annotations
@@ -18,15 +18,15 @@ Contact = Callable[[Motion], tuple[Array, Array]]
 
 
 class Wheelset:
-    """Newton's and Euler's equations of a body of revolution, written along axes that do not turn with its pitch."""
+    """Newton-Euler equations of a body of revolution, in axes that do not rotate with its pitch."""
 
     def __init__(self, vehicle: Vehicle, contact: Contact, speed: float, rest: float) -> None:
-        """speed is the frame's (mm/s), rest the z of the wheelset under the axle load (mm)."""
+        """Takes the speed of the frame (mm/s), and z of the wheelset under the axle load, `rest` (mm)."""
         self.vehicle, self.contact, self.speed, self.rest = vehicle, contact, speed, rest
-        self.gone = 0.0  # mm, by the frame when the time is 0: where an integration goes on
+        self.gone = 0.0  # mm, position of the frame at time 0, where an integration continues
 
     def start(self, y: float = 0.0, yaw: float = 0.0) -> Array:
-        """At rest but for rolling; y to the right (mm)."""
+        """Returns the state of pure rolling, shifted by y to the right (mm)."""
         state = np.zeros(11)
         state[[1, 2, 4]] = y, self.rest, yaw
         return state
@@ -38,7 +38,7 @@ class Wheelset:
         return Motion(distance, y, z, roll, yaw, vx + self.speed, vy, vz, roll_rate, pitch_rate, yaw_rate)
 
     def rates(self, time: float, state: Array) -> Array:
-        """The time derivative of the state."""
+        """Returns the time derivative of the state."""
         motion = self.motion(time, state)
         on_rails, moment_on_rails = self.contact(motion)
         force_of_springs, moment_of_springs = suspension(self.vehicle, state[0], self.rest, motion, self.speed)
@@ -54,5 +54,7 @@ class Wheelset:
 
 
 def integrate(wheelset: Wheelset, state: Array, duration: float, step: float) -> tuple[Array, Array]:
-    """Times (s), shape [n], and states, shape [n, 11], from `state` on. The contact is asked four times a step."""
+    """Returns times (s), shape [n], and states, shape [n, 11], from `state` on. The contact is evaluated four times per
+    step.
+    """
     return runge_kutta.integrate(wheelset.rates, state, duration, step)

@@ -1,4 +1,4 @@
-"""Simulations of the wheelset, with what they cost."""
+"""Simulations of the wheelset, and their computing times."""
 
 from __future__ import annotations
 
@@ -19,16 +19,18 @@ from contactd import Client
 #: `integrate` of runge_kutta or of multibody: wheelset, state, duration and step (s) -> times and states
 Integrate = Callable[[Wheelset, Array, float, float], tuple[Array, Array]]
 
-#: s. The wheelset bounces on its contacts by 1.3 rad in it, its pitch decays by 67/speed: 2.8 is what the method bears.
+#: s. The wheelset bounces on its contacts by 1.3 rad per step, and its pitch decays by 67/speed; the method is stable
+#: up to 2.8.
 STEP = 1e-3
 PIECE = 0.1  # s
-OFF_TRACK = 15.0  # mm: a flange runs on top of its rail
+OFF_TRACK = 15.0  # mm: a flange is on top of its rail
 
 
 @dataclass(frozen=True)
 class Run:
-    """One simulation: y of the wheelset (mm) over the time (s), the speed (m/s), solves, the seconds that it took, and whether
-    it ended as the wheelset left the track."""
+    """One simulation: y of the wheelset (mm) against time (s), the speed (m/s), the number of solves, the computing
+    time (s), and whether it ended with a derailment.
+    """
 
     contact: str
     speed: float
@@ -40,7 +42,7 @@ class Run:
 
     @property
     def cost(self) -> float:
-        """Seconds by simulated second."""
+        """Seconds per simulated second."""
         return self.seconds / max(float(self.times[-1]), PIECE)
 
 
@@ -56,7 +58,7 @@ def simulate(
     vehicle: Vehicle | None = None,
     step: float = STEP,
 ) -> Run:
-    """The wheelset at a speed (m/s), from y (mm) on. contact is one of SETUPS. A derailment ends it."""
+    """Simulates the wheelset at a speed (m/s), from y (mm). contact is one of SETUPS. A derailment ends the run."""
     vehicle = vehicle or Vehicle()
     law = WheelRailContact(client, SETUPS[contact], track)
     wheelset = Wheelset(vehicle, law, 1000 * speed, law.rest(vehicle.axle_load))
@@ -64,12 +66,12 @@ def simulate(
     times: Array = np.zeros(1)
     states: Array = wheelset.start(y=y)[np.newaxis]
     while times[-1] < duration - step / 2 and not law.derailed:
-        # Piece by piece, so that what was before a derailment is kept.
+        # in parts, so that the time before a derailment is kept
         piece = min(PIECE, duration - float(times[-1]))
         wheelset.gone = wheelset.speed * float(times[-1])
         try:
             later, more = integrate(wheelset, states[-1], piece, step)
-        except Exception:  # Exudyn has its own for what went wrong in a user function
+        except Exception:  # Exudyn raises its own exception for errors in a user function
             if not law.derailed:
                 raise
         else:

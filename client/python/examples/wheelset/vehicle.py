@@ -1,7 +1,7 @@
-"""A wheelset on its primary suspension, under a frame that keeps its speed.
+"""A wheelset on its primary suspension, below a frame with constant speed.
 
-Track coordinates, seen from the frame: x forwards, y to the right, z down; docs/wheel-rail.md draws them. The wheelset is
-turned by its yaw about z, then by its roll about its own x; its pitch turns it about its axle. Units: mm, s, N, and t for
+Track coordinates relative to the frame: x forwards, y to the right, z down (docs/wheel-rail.md). The wheelset is
+rotated by its yaw about z, then by its roll about its own x; its pitch is about its axle. Units: mm, s, N, and t for
 masses, so that forces are in N.
 """
 
@@ -15,19 +15,19 @@ from railway.motion import GRAVITY, Array, Motion, axes, cross
 
 @dataclass(frozen=True)
 class Vehicle:
-    """Mass and inertia are those of vehicle 1 of the Manchester benchmarks (Iwnicki 1998: a passenger coach; axle load of the
-    whole coach by four). The springs are softer along and across than there, so that it hunts at speeds of trains: a single
-    wheelset has no bogie whose inertia helps.
+    """Mass and inertia are those of vehicle 1 of the Manchester benchmarks (Iwnicki 1998: a passenger coach; axle load
+    of the whole coach by four). The longitudinal and lateral springs are softer, so that it hunts at speeds of trains:
+    a single wheelset does not have the inertia of a bogie.
 
     Attributes:
-        mass: Of the wheelset (t).
-        inertia: About x and z (t mm^2).
-        inertia_axle: About the axle (t mm^2).
-        radius: Nominal (mm).
-        axle_load: Both wheels on the rails (N).
-        half_base: From the centre to an axle box (mm).
-        stiffness: Of one axle box's springs along x, y, z (N/mm).
-        damping: Of one axle box's dampers along x, y, z (N s/mm).
+        mass: Mass of the wheelset (t).
+        inertia: Moment of inertia about x and z (t mm^2).
+        inertia_axle: Moment of inertia about the axle (t mm^2).
+        radius: Nominal radius (mm).
+        axle_load: Force of both wheels on the rails (N).
+        half_base: Distance from the centre to an axle box (mm).
+        stiffness: Stiffness of one axle box's springs along x, y, z (N/mm).
+        damping: Damping of one axle box's dampers along x, y, z (N s/mm).
     """
 
     mass: float = 1.813
@@ -41,15 +41,16 @@ class Vehicle:
 
 
 def frame_load(vehicle: Vehicle) -> float:
-    """Load that the frame adds to the wheelset's own weight, on one axle box (N)."""
+    """Returns the load of the frame on one axle box (N), without the wheelset's own weight."""
     return (vehicle.axle_load - vehicle.mass * GRAVITY) / 2
 
 
 def suspension(vehicle: Vehicle, x: float, rest: float, motion: Motion, speed: float) -> tuple[Array, Array]:
-    """Force of springs and dampers on the wheelset in track coordinates (N), and their moment about its centre along its own
-    axes (N mm).
+    """Returns the force of springs and dampers on the wheelset in track coordinates (N), and their moment about its
+    centre along its own axes (N mm).
 
-    x is the centre's place ahead of the frame (mm), rest the z at which the springs bear the frame's load (mm).
+    x is the position of the centre relative to the frame (mm), rest the z at which the springs carry the frame's load
+    (mm).
     """
     turned = axes(motion.roll, motion.yaw)
     rates = turned @ (motion.roll_rate, motion.pitch_rate, motion.yaw_rate)
