@@ -67,7 +67,7 @@ def _options() -> list[click.Parameter]:
     seconds = click.FloatRange(min=0, min_open=True, max=86400)
     return [
         option("--endpoint", "-e", metavar="ENDPOINT",
-               help="Address of the daemon, such as tcp://host:5555 or ipc:///path. Default: CONTACTD_ENDPOINT. Without both, commands "
+               help="Address of the daemon, such as tcp://host:5555 or ipc:///path. Default: CONTACTD_ENDPOINT. Without either, commands "
                f"that solve need no daemon; all others use {DEFAULT_ENDPOINT}."),
         option("--local", is_flag=True, help="Ignore CONTACTD_ENDPOINT: solve in this process, or with a private daemon."),
         option("--folder", metavar="FOLDER", help="Without a daemon: folder for tables. By default they are deleted at the end."),
