@@ -29,7 +29,7 @@ HelpingThreads::~HelpingThreads() {
     for (std::thread& thread : threads_) thread.join();
 }
 
-// A fork copies what is known of threads and their work, but not the threads.
+// A fork copies the records of threads and their work, but not the threads.
 void HelpingThreads::leave_to_parent() {
     if (generation_ == generation()) return;
     for (std::thread& thread : threads_) thread.detach();
@@ -42,7 +42,7 @@ void HelpingThreads::make(std::size_t count) {
     leave_to_parent();
     try {
         while (threads_.size() < count) threads_.emplace_back([this] { help(); });
-    } catch (const std::system_error&) {  // there are no more
+    } catch (const std::system_error&) {  // no more threads are available
     }
 }
 

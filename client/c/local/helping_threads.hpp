@@ -1,4 +1,4 @@
-// Threads that help callers with many pieces of work, and wait in between.
+// Threads that help callers with many tasks, and wait in between.
 #pragma once
 
 #include <condition_variable>
@@ -11,7 +11,7 @@
 
 namespace contactd::c {
 
-/// They keep their memory from call to call, and need not be made for each. Any number of callers at a time.
+/// Threads and their memory persist between calls. Any number of callers may use them at a time.
 class HelpingThreads {
    public:
     HelpingThreads() = default;
@@ -19,8 +19,8 @@ class HelpingThreads {
     HelpingThreads& operator=(const HelpingThreads&) = delete;
     ~HelpingThreads();
 
-    /// Calls `act` for 0 to count - 1, begun in this order, in this thread and in up to `threads` - 1 others. `act`
-    /// must not throw. Where there are no more threads, those that are here do all of it.
+    /// Calls `act` for 0 to count - 1, started in this order, in this thread and up to `threads` - 1 others. `act` must
+    /// not throw. If no more threads can be created, the existing ones do all the work.
     void share(std::size_t count, std::size_t threads, const std::function<void(std::size_t)>& act);
 
    private:
@@ -29,12 +29,12 @@ class HelpingThreads {
     void help();
     void leave_to_parent();
 
-    std::mutex mutex_;  // guards what follows
+    std::mutex mutex_;  // guards the members below
     std::condition_variable called_, left_;
     std::list<Work*> works_;  // that take more helpers
     std::vector<std::thread> threads_;
     bool ends_ = false;
-    int generation_ = 0;  // of the process that the threads are in
+    int generation_ = 0;  // of the process of the threads
 };
 
 }  // namespace contactd::c

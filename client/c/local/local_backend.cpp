@@ -1,4 +1,4 @@
-// Contacts in process: the engine that the daemon has, without the daemon.
+// Contacts in process, with the engine of the daemon.
 #include <algorithm>
 #include <chrono>
 #include <functional>
@@ -26,7 +26,7 @@ using engine::Engine;
 using engine::StepState;
 using StepStatePtr = std::shared_ptr<const StepState>;
 
-/// Reports a call, and ends it at its deadline or when a stop is requested.
+/// Reports the progress of a call, and ends it at its deadline or on a stop request.
 class LocalObserver final : public Observer {
    public:
     LocalObserver(const Control& control, std::chrono::milliseconds timeout)
@@ -51,7 +51,7 @@ class LocalObserver final : public Observer {
     const Clock::time_point deadline_;
 };
 
-/// Returns the result of `act`; a failure says why it was ended.
+/// Returns the result of `act`; a failure states the reason of its end.
 template <class Act>
 auto observed(const Control& control, std::chrono::milliseconds timeout, const Act& act) {
     LocalObserver observer(control, control.timeout.value_or(timeout));
@@ -81,12 +81,12 @@ void keep_requested(const SolutionFields& fields, ContactSolution& solution) {
     if (unwanted(SolutionField::lower_temperature)) solution.lower_temperature.clear();
 }
 
-/// Where a contact or a wheel is, and where it has been.
+/// The current and the previous state of a contact or a wheel.
 class LocalHistory {
    public:
     explicit LocalHistory(StepState start = {}) : here_{std::make_shared<const StepState>(std::move(start)), nullptr} {}
 
-    /// The state that a step starts from. One that is asked for anew, and was solved, is taken back.
+    /// Returns the initial state of a step. A repeated step that was solved is undone.
     StepStatePtr start_of(bool again) {
         const StepStatePtr from = again && here_.before && asked_ == here_.last->step ? here_.before : here_.last;
         asked_ = from->step + 1;
@@ -109,12 +109,12 @@ class LocalHistory {
     void forget(const std::string& state) { saved_.erase(state); }
 
    private:
-    /// Where it is, and where the step that led there started.
+    /// The current state, and the initial state of the step that led to it.
     struct Place {
         StepStatePtr last, before;
     };
     Place here_;
-    long long asked_ = 0;  // the number of the step that was asked for last
+    long long asked_ = 0;  // the number of the last step requested
     std::map<std::string, Place> saved_;
     long long serial_ = 0;
 };
@@ -176,7 +176,7 @@ class LocalWheel final : public OpenWheel {
         seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return solution;
     }
-    /// Returns how long the last step took.
+    /// Returns the duration of the last step.
     double seconds() const { return seconds_; }
     std::string save(const WheelRailSetup& setup, const Control&) override {
         if (!goes_on_with(setup)) open(setup);
@@ -185,7 +185,7 @@ class LocalWheel final : public OpenWheel {
     void restore(const std::string& state, const Control&) override { history_.restore(state); }
     void forget(const std::string& state, const Control&) override { history_.forget(state); }
     WheelsetSolution solve_wheelset(const WheelsetInput& input, const Control& control) override {
-        // Estimates mean nothing after a failure.
+        // Estimates are invalid after a failure.
         const bool goes_on = wheelset_ && *wheelset_ == input.setup;
         wheelset_.reset();
         if (!goes_on) wheelset_estimates_ = {};
@@ -216,7 +216,7 @@ class LocalWheel final : public OpenWheel {
     std::unique_ptr<engine::WheelRailSteps> steps_;
     LocalHistory history_;
     double seconds_ = 0;
-    std::optional<WheelsetSetup> wheelset_;  // that the estimates are of
+    std::optional<WheelsetSetup> wheelset_;  // of the estimates
     WheelsetEstimates wheelset_estimates_;
 };
 
@@ -247,7 +247,7 @@ class LocalBackend final : public Backend {
     }
     std::vector<WheelResult> solve_many(std::span<const WheelCall> calls, int threads) const override {
         std::vector<WheelResult> results(calls.size());
-        // The wheel that took longest begins first, so that no thread is left with it in the end.
+        // The slowest wheel starts first, so that it does not run alone at the end.
         std::vector<std::size_t> order(calls.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
         const auto expected = [&](std::size_t i) { return static_cast<const LocalWheel&>(calls[i].wheel).seconds(); };

@@ -1,4 +1,4 @@
-// contactd.h: what comes as a whole: tables of coefficients, and frames of columns.
+// contactd.h: tables of coefficients, and frames of columns.
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,7 +12,7 @@ using contactd::StripFrame;
 
 namespace {
 
-/// Where the coefficients stand that the path names.
+/// Returns the coefficients at the path.
 std::optional<contactd::Coefficients>& coefficients_at(ContactInputs& inputs, const std::string& path) {
     if (path == "ics") return inputs.ics;
     if (path == "bodies.upper.ics") return inputs.upper.ics;

@@ -1,4 +1,4 @@
-// The edge of the interface: no exception leaves, whatever comes in.
+// The boundary of the interface, which no exception leaves.
 #pragma once
 
 #include <cstdint>
@@ -19,19 +19,19 @@ namespace contactd::c {
 using Connections = Handles<Connection, contactd_connection>;
 using Contacts = Handles<Contact, contactd_contact>;
 using Wheels = Handles<Wheel, contactd_wheel>;
-/// Those of the process. They stay at its end: what is not given back then ends with it.
+/// The objects of the process. They are not destroyed at its end.
 Connections& connections();
 Contacts& contacts();
 Wheels& wheels();
 
-/// Keeps the exception that is being handled as the failure of a handle, and of `object`, which may be null; its code.
+/// Stores the current exception as the failure of a handle, and of `object`, which may be null; returns its code.
 template <class Object>
 std::int32_t failed(const void* handle, Object* object) noexcept {
     Failure failure = current_failure();
     const std::int32_t code = failure.code;
     try {
         if (object != nullptr) object->keep(failure);
-    } catch (...) {  // no memory for the sentence; the code is the answer all the same
+    } catch (...) {  // no memory for the message; only the code is returned
     }
     keep_failure(handle, std::move(failure));
     return code;
@@ -50,18 +50,18 @@ std::int32_t with(contactd_connection* handle, const Body& body) noexcept {
     }
 }
 
-/// Tells the object's log as well, where it was this thread's turn when the exception was thrown.
+/// Also reports to the object's log, for exceptions thrown while this thread used the object.
 template <class Object>
 std::int32_t failed_under_guard(const void* handle, Object& object) noexcept {
     try {
         if (object.log()) object.log()(CONTACTD_LOG_ERROR, current_failure().sentence);
-    } catch (...) {  // what the log has thrown
+    } catch (...) {  // thrown by the log
         return failed(handle, &object);
     }
     return failed(handle, &object);
 }
 
-/// Calls `body` with one of the objects, for which it is this thread's turn.
+/// Calls `body` with one of the objects, which this thread then uses.
 template <class Object, class Handle, class Body>
 std::int32_t with_guard(const Handles<Object, Handle>& all, Handle* handle, const Body& body) noexcept {
     std::shared_ptr<Object> object;
@@ -87,7 +87,7 @@ std::int32_t with(contactd_wheel* handle, const Body& body) noexcept {
     return with_guard(wheels(), handle, body);
 }
 
-/// Ends what runs with one of the objects, from any thread.
+/// Cancels the running call of one of the objects, from any thread.
 template <class Object, class Handle>
 std::int32_t cancel(const Handles<Object, Handle>& all, Handle* handle) noexcept {
     std::shared_ptr<Object> object;
@@ -100,7 +100,7 @@ std::int32_t cancel(const Handles<Object, Handle>& all, Handle* handle) noexcept
     }
 }
 
-/// Calls `body` with the contact or the wheel that the handle stands for.
+/// Calls `body` with the contact or the wheel of the handle.
 template <class Body>
 std::int32_t with_any(void* handle, const Body& body) noexcept {
     if (contacts().find_any(handle)) return with(static_cast<contactd_contact*>(handle), body);

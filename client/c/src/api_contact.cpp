@@ -1,4 +1,4 @@
-// contactd.h: contacts from their making to their end.
+// contactd.h: creation, steps and end of contacts.
 #include <memory>
 
 #include "api_boundary.hpp"

@@ -28,7 +28,7 @@ namespace {
 
 // --- arrays over the grid --------------------------------------------------------------------------------------------
 
-/// In the order of SolutionField, and the one of wheels beside these.
+/// In the order of SolutionField, followed by the array of wheels only.
 constexpr std::array<std::string_view, 16> arrays{
     "element_division",     "pressure",          "traction_x",        "traction_y", "slip_x", "slip_y",
     "displacement_x",       "displacement_y",    "displacement_z",    "flow_x",     "flow_y", "yield_stress",
@@ -39,7 +39,7 @@ std::size_t array_named(std::string_view name) {
     return static_cast<std::size_t>(std::ranges::find(arrays, name) - arrays.begin());
 }
 
-/// How many values an array of that path has: slip is empty without friction, and stands for zeros.
+/// Returns the number of values in the array at the path. Without friction, slip is empty and represents zeros.
 std::size_t elements_of(Contact& contact, const FieldPath&, const void*) {
     return contact.inputs.problem.grid.size();
 }
@@ -56,7 +56,7 @@ void require_gap(const Wheel& wheel) {
     wheel.require_gap();
 }
 
-/// The numbers that the path leads to. Throws StatusError (NO_RESULT) where there are none, or an array was not
+/// Returns the numbers at the path. Throws StatusError (NO_RESULT) if there are none, or the array was not
 /// requested.
 template <class Object>
 std::vector<double> read_numbers(Object& object, const FieldPath& path, const void* root) {
@@ -75,7 +75,7 @@ std::vector<double> read_numbers(Object& object, const FieldPath& path, const vo
 
 // --- reading and changing --------------------------------------------------------------------------------------------
 
-/// Calls `read` with the object, the path, and the struct that holds its result.
+/// Calls `read` with the object, the path, and the struct with its result.
 template <class Read>
 std::int32_t read(void* handle, const PathName& name, const Read& read) {
     return with_any(handle, [&](auto& object) {
@@ -101,7 +101,7 @@ void change_input(Contact& contact, const PathName& name, Change change, const A
     change == Change::set ? contact.inputs.was_set(path) : contact.inputs.was_cleared(path);
 }
 
-/// Calls `apply` with the path and the struct that holds its input. Whatever it refuses leaves the inputs as they were.
+/// Calls `apply` with the path and the struct with its input. A refusal leaves the inputs unchanged.
 template <class Apply>
 std::int32_t change(void* handle, const PathName& name, Change change, const Apply& apply) {
     return with_any(handle, [&](auto& object) { change_input(object, name, change, apply); });
@@ -112,7 +112,7 @@ std::int32_t set(void* handle, const PathName& name, double value) {
         if (is_one_or_array(field.type())) return set_numbers(field, root, std::array{value});
         if (&field.type() != &contactd::type_of<std::vector<contactd::FrictionAtAngle>>())
             return contactd::set_number(field, root, value);
-        // One coefficient is the same at every angle, and refused by the name of the whole, as on the wire.
+        // One coefficient applies to every angle; errors name the whole field, as on the wire.
         const contactd::Field& mu = contactd::type_of<contactd::FrictionAtAngle>().fields.back();
         check_number(mu, value, field.text());
         set_numbers(field, root, std::array{0.0, value});
@@ -179,7 +179,7 @@ constexpr std::size_t arrays_of(const Wheel&) {
     return arrays.size();
 }
 
-/// One of the first `count` arrays.
+/// Returns one of the first `count` arrays.
 std::size_t requested_array(const char* name, std::size_t count) {
     const std::size_t array = array_named(given(name, "array"));
     if (array < count) return array;

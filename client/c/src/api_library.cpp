@@ -1,4 +1,4 @@
-// contactd.h: the library itself, and what went wrong.
+// contactd.h: the library, and its last failures.
 #include <exception>
 #include <string>
 
@@ -16,7 +16,7 @@ Failure last_failure_of(const void* handle) {
     return contact ? contact->last_failure() : wheel ? wheel->last_failure() : connection->last_failure();
 }
 
-/// A text that holds until the next call with this `place`, which is the thread's own.
+/// Returns a text that is valid until the next call with this `place`, which belongs to the thread.
 const char* held(std::string& place, const void* handle, std::string Failure::* text) noexcept {
     try {
         place = last_failure_of(handle).*text;

@@ -1,4 +1,4 @@
-// contactd.h: what contacts and wheels have in common as they go from step to step.
+// contactd.h: steps and states of contacts and wheels.
 #include "api_boundary.hpp"
 
 using namespace contactd::c;

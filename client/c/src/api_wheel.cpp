@@ -1,4 +1,4 @@
-// contactd.h: wheels on rails from their making to their end.
+// contactd.h: creation, solves and end of wheels on rails.
 #include <algorithm>
 #include <exception>
 #include <memory>
@@ -29,8 +29,8 @@ std::int32_t contactd_wheel_solve(contactd_wheel* wheel) {
 
 namespace {
 
-/// Throws InvalidArgument or StatusError where these are not so many wheels, each of them once; `at_fault` is then the
-/// one that it is about.
+/// Throws InvalidArgument or StatusError unless these are `count` different wheels; `at_fault` is then the invalid
+/// handle.
 void check_wheels(contactd_wheel* const* handles, std::int32_t count, std::int32_t threads,
                   const contactd_wheel*& at_fault) {
     at_least_zero(count, "count");
@@ -47,7 +47,7 @@ void check_wheels(contactd_wheel* const* handles, std::int32_t count, std::int32
     at_fault = nullptr;
 }
 
-/// Returns the code of the first that fails; each keeps its own failure.
+/// Returns the code of the first failure; each wheel stores its own failure.
 std::int32_t solve_together(std::span<contactd_wheel* const> handles, std::int32_t threads) {
     struct Part {
         contactd_wheel* handle;

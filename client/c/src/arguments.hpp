@@ -1,4 +1,4 @@
-// Checks of arguments, each of which throws InvalidArgument naming `field`.
+// Checks of arguments, which throw InvalidArgument naming `field`.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Contacts and wheels have one user at a time, a log, the last failure, and calls that another thread can cancel.
+// Common base of contacts and wheels: one user at a time, a log, the last failure, and calls that can be cancelled.
 #pragma once
 
 #include <atomic>
@@ -16,10 +16,10 @@ namespace contactd::c {
 
 class CancellableHandle {
    public:
-    std::atomic<int> user;  ///< of HandleGuard
-    PathCache paths;        ///< of who has its turn
+    std::atomic<int> user;  ///< for HandleGuard
+    PathCache paths;        ///< for the current user
 
-    /// From any thread: ends what runs, and what has its turn but does not run yet.
+    /// Cancels the running call, or one that is about to run, from any thread.
     void cancel() {
         HandleGuard::cancel(user);
         const std::scoped_lock lock(mutex_);
@@ -27,7 +27,7 @@ class CancellableHandle {
     }
 
     const Log& log() const { return log_; }
-    /// Tells the log; where none was set, standard error, and each sentence once.
+    /// Reports to the log; without one to standard error, each sentence once.
     void warn(const std::string& sentence) {
         constexpr std::size_t most = 1000;
         if (log_.is_set) return log_(CONTACTD_LOG_WARNING, sentence);
@@ -52,7 +52,7 @@ class CancellableHandle {
           log_(connection.snapshot().second) {}
     ~CancellableHandle() = default;
 
-    /// A Control that cancel() reaches while this lives.
+    /// A Control that cancel() can stop during the lifetime of this object.
     class Controlled {
        public:
         explicit Controlled(CancellableHandle& called) : called_(called) {
@@ -85,7 +85,7 @@ class CancellableHandle {
 
    private:
     std::set<std::string> warned_;
-    mutable std::mutex mutex_;  // guards what follows
+    mutable std::mutex mutex_;  // guards the members below
     std::stop_source stop_{std::nostopstate};
     Failure last_;
 };

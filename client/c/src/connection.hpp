@@ -1,4 +1,4 @@
-// A connection: where its contacts are solved, and what they are made with. Any number of threads at a time.
+// A connection: the solver of its contacts, and their settings. Thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace contactd::c {
 
-/// The log of the user. While none was set (`is_set`), warnings go to standard error.
+/// The log of the user. Until it is set (`is_set`), warnings go to standard error.
 struct Log {
     contactd_log function = nullptr;
     void* user = nullptr;

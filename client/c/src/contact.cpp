@@ -43,12 +43,12 @@ void Contact::start() {
             };
         open_ = backend_->open(spec, settings_, control);
     });
-    std::set<std::string> of_tables;  // both bodies may have the same one
+    std::set<std::string> of_tables;  // both bodies may have the same warning
     for (const auto* use : {&open_->ics().upper, &open_->ics().lower, &open_->ics().pair})
         if (*use) of_tables.insert((*use)->evidence.warnings.begin(), (*use)->evidence.warnings.end());
     for (const std::string& warning : of_tables) warn(warning);
     inputs.problem.grid = spec.setup.grid;
-    inputs.problem.previous = {};  // the contact has it now, and steps need not check it
+    inputs.problem.previous = {};  // stored in the contact, so steps need not check it
     inputs.changed = {};
 }
 
@@ -73,7 +73,7 @@ void Contact::close() {
     try {
         controlled([&](Control& control) { ended->close(control); });
     } catch (const StatusError& error) {
-        if (error.status().code != StatusCode::not_found) throw;  // else it had ended before
+        if (error.status().code != StatusCode::not_found) throw;  // otherwise it had already ended
     }
 }
 

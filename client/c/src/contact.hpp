@@ -1,4 +1,4 @@
-// A contact: its inputs, the place where it is solved, and the results of its last step.
+// A contact: its inputs, its solver, and the results of its last step.
 #pragma once
 
 #include <cstdint>
@@ -18,21 +18,21 @@ struct Result {
     std::vector<SolutionField> fields;
 };
 
-/// One thread at a time (HandleGuard), but for cancel and the failures.
+/// For one thread at a time (HandleGuard), except cancel and the failures.
 class Contact : public CancellableHandle {
    public:
     explicit Contact(const Connection& connection);
 
-    ContactInputs inputs;  ///< functions that set fields write here
+    ContactInputs inputs;  ///< written by functions that set fields
 
     bool started() const { return open_ != nullptr; }
-    /// Throws StatusError (WRONG_ORDER) when the contact was started.
+    /// Throws StatusError (WRONG_ORDER) if the contact was started.
     void require_set_up(const char* what) const;
-    /// Throws StatusError (WRONG_ORDER) when the contact was not started.
+    /// Throws StatusError (WRONG_ORDER) if the contact was not started.
     void require_started() const;
 
     void start();
-    /// The next step, or the one that was asked for last.
+    /// Solves the next step, or repeats the last one requested.
     enum class Which { next, again };
     void step(Which which = Which::next);
     void close();
@@ -40,12 +40,12 @@ class Contact : public CancellableHandle {
     void restore(std::int32_t state);
     void forget(std::int32_t state);
 
-    /// Returns the result of the last step. Throws StatusError (NO_RESULT) when there is none.
+    /// Returns the result of the last step. Throws StatusError (NO_RESULT) if there is none.
     const Result& result() const;
-    /// Throws StatusError (NO_RESULT) when the last step was not asked for the array.
+    /// Throws StatusError (NO_RESULT) if the array was not requested in the last step.
     void require(SolutionField field) const;
     const IcUses& ics() const;
-    /// Where the columns of a section lie that are the rows of the grid.
+    /// Returns the frames of the columns of a section, which are the rows of the grid.
     std::vector<StripFrame> frames(const Section& section);
     /// Returns the number of the last step, 0 before the first.
     std::int32_t step_number() const;
@@ -54,7 +54,7 @@ class Contact : public CancellableHandle {
     struct Saved {
         std::string name;  // in the session
         std::shared_ptr<const Result> result;
-        Motion motion;  // with the estimates that the next step would have started from
+        Motion motion;  // with the initial estimates of the next step
     };
 
     std::unique_ptr<OpenContact> open_;

@@ -48,7 +48,7 @@ const FieldType& grid_type() {
     return type;
 }
 
-/// Components that are not prescribed are null in the wire's list.
+/// Components that are not prescribed are null in the list on the wire.
 const FieldType& force_type() {
     static const std::vector<Field> list = fields_with<Force>({{"Fx", &type_of<double>}, {"Fy", &type_of<double>}});
     static const FieldType type = object_type(list);
@@ -110,7 +110,7 @@ const FieldType& ics_type() {
     return type;
 }
 
-/// Coefficients are asked for with an accuracy unless it is cleared: then the fields of mesh and solver count.
+/// Coefficients have a requested accuracy, unless it is cleared: then the fields of mesh and solver apply.
 template <class Owner>
 Field ics_field() {
     Field field = field_as<Owner, &Owner::ics, alternative<Ics>>("ics", &ics_type);
@@ -146,7 +146,7 @@ const FieldType& bodies_type() {
     return type;
 }
 
-// --- the motion that was found ---------------------------------------------------------------------------------------
+// --- the computed motion ---------------------------------------------------------------------------------------------
 
 template <class Kind, auto member>
 Field field_of_motion(std::string_view name) {

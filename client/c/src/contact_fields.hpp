@@ -1,4 +1,4 @@
-// The inputs and the results of a contact as their paths name them.
+// Fields of the inputs and results of a contact by their paths.
 #pragma once
 
 #include "contactd/fields.hpp"
@@ -6,14 +6,14 @@
 
 namespace contactd::c {
 
-/// The fields of ContactProblem without its bodies, as those of contact.solve. "friction.mu" is an array of one number
-/// or of one for each element; "gap", "friction" and lists are made by naming a field of them.
+/// The fields of ContactProblem without its bodies, as in contact.solve. "friction.mu" is an array of one number or of
+/// one per element; setting a field creates "gap", "friction" and lists.
 const FieldType& type_of_problem();
-/// The fields of ContactInputs beside these: "bodies.upper", "bodies.lower", "ics", "lease_seconds",
-/// "accept_unconverged". An elastic body has G and nu, a rigid one rigid; naming a field of "ics" replaces a table.
+/// Other fields of ContactInputs: "bodies.upper", "bodies.lower", "ics", "lease_seconds", "accept_unconverged". An
+/// elastic body has G and nu, a rigid one rigid; setting a field of "ics" replaces a table.
 const FieldType& type_of_bodies_and_session();
 
-/// The fields of ContactSolution, of which "motion" has the fields of a shift or of rolling.
+/// The fields of ContactSolution; "motion" has the fields of a shift or of rolling.
 const FieldType& type_of_solution();
 
 }  // namespace contactd::c

@@ -1,4 +1,4 @@
-// Failures as the C interface tells them: exceptions become a code, a sentence, a field and a reason.
+// Failures of the C interface: exceptions become a code, a message, a field and a reason.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +14,16 @@ struct Failure {
     std::string sentence, field, reason;
 };
 
-/// Reasons of the library itself, beside the daemon's.
+/// Reasons of the library, in addition to those of the daemon.
 inline constexpr std::string_view concurrent_use = "CONCURRENT_USE", wrong_order = "WRONG_ORDER",
                                   no_handle = "NO_HANDLE", no_connection = "NO_CONNECTION", no_result = "NO_RESULT";
 
-/// Returns the failure that the exception is which is being handled.
+/// Returns the failure for the current exception.
 Failure current_failure() noexcept;
 
-/// Keeps a failure as the last one of this thread, of the handle that it happened with (null: of none).
+/// Stores a failure as the last one of this thread, with its handle (null: none).
 void keep_failure(const void* handle, Failure failure) noexcept;
-/// The last failure of this thread if it happened with `handle`, or with any when that is null; else null.
+/// Returns the last failure of this thread if it concerns `handle`, or any handle if that is null; otherwise null.
 const Failure* kept_failure(const void* handle) noexcept;
 
 }  // namespace contactd::c

@@ -17,7 +17,7 @@ bool is_number(const FieldType& type) {
     throw InvalidArgument(path.text(), "is no array: it is not made of numbers alone");
 }
 
-/// How many numbers an object is made of, or one of a list.
+/// Returns the count of numbers in an object, or in an entry of a list.
 std::size_t width_of(const FieldType& type, const FieldPath& path) {
     if (is_number(type)) return 1;
     if (type.kind != FieldKind::object) refuse(path);
@@ -26,7 +26,7 @@ std::size_t width_of(const FieldType& type, const FieldPath& path) {
     return width;
 }
 
-/// False where an optional is absent.
+/// Returns false if an optional value is absent.
 bool append(const FieldType& type, const void* value, std::vector<double>& numbers) {
     if (value == nullptr) return false;
     if (type.kind == FieldKind::number)

@@ -1,4 +1,4 @@
-// Many numbers of a field at once.
+// Access to all numbers of a field at once.
 #pragma once
 
 #include <optional>
@@ -9,19 +9,19 @@
 
 namespace contactd::c {
 
-/// Returns whether it is an array over the grid, of numbers or of the elements' words.
+/// Returns whether it is an array over the grid, of numbers or of element states.
 bool is_grid_array(const FieldType& type);
 
-/// Returns whether it is such an array, or one number for all elements, as a coefficient of friction.
+/// Returns whether it is such an array, or one number for all elements, like a coefficient of friction.
 bool is_one_or_array(const FieldType& type);
 
-/// The numbers of an object in the order of its fields, of a list entry by entry, or of an array; absent where the path
-/// leads to nothing. Throws InvalidArgument with the path for its field where there are no numbers alone.
+/// Returns the numbers of an object in the order of its fields, of a list entry by entry, or of an array; absent if the
+/// path has no value. Throws InvalidArgument naming the path if it has other values than numbers.
 std::optional<std::vector<double>> numbers_at(const FieldPath& path, const void* root);
 
-/// The reverse: an object gets all its fields, a list as many entries as there are, an array over the grid all values.
-/// Throws InvalidArgument, before
-/// anything was changed, for another number of values than that, and for values out of bounds.
+/// The inverse: sets all fields of an object, all entries of a list, or all values of an array over the
+/// grid. Throws InvalidArgument, before any change, for a wrong number of values, and for values out of
+/// bounds.
 void set_numbers(const FieldPath& path, void* root, std::span<const double> values);
 
 }  // namespace contactd::c

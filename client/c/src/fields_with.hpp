@@ -1,4 +1,4 @@
-// Lists of fields of which some are of other types than the declared ones.
+// Lists of fields, some of which have other types than declared.
 #pragma once
 
 #include <initializer_list>
@@ -13,7 +13,7 @@ namespace contactd::c {
 
 using TypeOf = const FieldType& (*)();
 
-/// The fields of T, of which those that are named are of other types: where the wire has a form of its own.
+/// The fields of T, with other types for the named ones, whose form on the wire differs.
 template <class T>
 std::vector<Field> fields_with(std::initializer_list<std::pair<std::string_view, TypeOf>> others) {
     const std::span<const Field> all = type_of<T>().fields;

@@ -8,7 +8,7 @@ namespace contactd::c {
 namespace {
 
 std::atomic<int> forks = 1;
-#ifndef _WIN32  // where no process is forked
+#ifndef _WIN32  // which has no fork
 [[maybe_unused]] const int counted = ::pthread_atfork(nullptr, nullptr, [] { ++forks; });
 #endif
 

@@ -1,4 +1,4 @@
-// One user of a contact or a wheel at a time.
+// Ensures one user of a contact or a wheel at a time.
 #pragma once
 
 #include <atomic>
@@ -7,13 +7,13 @@
 
 namespace contactd::c {
 
-/// How many forks this process is away from the one that loaded the library, and one: what a call of getpid tells, too,
-/// and costs more than all the rest of a setter.
+/// Returns the number of forks between this process and the one that loaded the library, plus one. It replaces getpid,
+/// which costs more than all other parts of a setter.
 int generation() noexcept;
 
-/// Holds `user` while it lives: a generation, negative once the turn is cancelled, 0 for nobody. Throws StatusError
-/// (CONCURRENT_USE) when somebody of this process does already; what a fork copied of a holder in the parent holds
-/// nothing.
+/// Holds `user` during its lifetime: a generation, negative after a cancellation, 0 without a user. Throws
+/// StatusError (CONCURRENT_USE) if another thread of this process holds it. A copy by a fork of the parent's user
+/// holds nothing.
 class HandleGuard {
    public:
     explicit HandleGuard(std::atomic<int>& user) : user_(user) {
@@ -31,7 +31,7 @@ class HandleGuard {
     HandleGuard(const HandleGuard&) = delete;
     HandleGuard& operator=(const HandleGuard&) = delete;
 
-    /// From any thread: the turn that is held, if there is one, until its end.
+    /// Cancels the current use, if any, until its end, from any thread.
     static void cancel(std::atomic<int>& user) noexcept {
         int holder = generation();
         user.compare_exchange_strong(holder, -holder);

@@ -1,5 +1,5 @@
-// Handles are names, not addresses: numbers that are given once, so that one that was freed, or never was one, is found
-// out and nothing is read through it.
+// Handles are numbers, not addresses. Each number is used once, so that freed and invalid handles are detected and
+// never dereferenced.
 #pragma once
 
 #include <cstdint>
@@ -22,11 +22,11 @@ inline StatusError not_a_handle(const char* field, const void* handle) {
                               0});
 }
 
-/// The live objects of one kind. `Handle` is the type of the interface, which has no definition.
+/// The live objects of one kind. `Handle` is the incomplete type of the interface.
 template <class Object, class Handle>
 class Handles {
    public:
-    /// `field` is what a parameter of this kind is called. Numbers of kind k are k modulo 8, and odd, as no address is.
+    /// `field` is the name of parameters of this kind. Numbers of kind k are k modulo 8, and odd, unlike addresses.
     Handles(const char* field, std::uintptr_t kind) : field_(field), kind_(kind) {}
 
     Handle* add(std::shared_ptr<Object> object) {
@@ -36,13 +36,13 @@ class Handles {
         return reinterpret_cast<Handle*>(number);
     }
 
-    /// Throws StatusError when it is none.
+    /// Returns the object. Throws StatusError for an invalid handle.
     std::shared_ptr<Object> find(const Handle* handle) const {
         if (auto found = find_any(handle)) return found;
         throw not_a_handle(field_, handle);
     }
 
-    /// Null when it is none.
+    /// Returns the object; null for an invalid handle.
     std::shared_ptr<Object> find_any(const void* handle) const {
         const std::shared_lock lock(mutex_);
         const auto at = objects_.find(reinterpret_cast<std::uintptr_t>(handle));

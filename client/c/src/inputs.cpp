@@ -13,7 +13,7 @@
 namespace contactd::c {
 namespace {
 
-/// Returns whether the path is the field of that name, or below it.
+/// Returns whether the path is that field, or below it.
 bool is_below(const FieldPath& path, std::string_view name) {
     const std::string_view text = path.text();
     return text.starts_with(name) && (text.size() == name.size() || text[name.size()] == '.');
@@ -26,7 +26,7 @@ std::optional<MotionKind> motion_of(const FieldPath& path) {
     return {};
 }
 
-/// The coefficients as a message with these fields states them: what means nothing to their source is left out.
+/// Returns the coefficients as in a message with these fields, without those that do not apply to their source.
 Ics stated(const Ics& given, const std::string& name) {
     Ics ics = given;
     ics.fem = {};
@@ -70,7 +70,7 @@ Body stated(const BodyInput& given, const std::optional<Coefficients>& of_both, 
     return body;
 }
 
-/// Throws InvalidArgument for coefficients that cannot be made, naming the body's material as in a problem.
+/// Throws InvalidArgument for invalid coefficients, naming the body's material as in a problem.
 void validate_coefficients(const ContactSetup& setup, const Body& body, const std::string& name) {
     const Ics* ics = body.computed();
     if (ics == nullptr) return;
@@ -165,7 +165,7 @@ Grid ContactInputs::grid() const {
     return grid;
 }
 
-/// Throws InvalidArgument where something means nothing without friction; no coefficient is none.
+/// Throws InvalidArgument for a field that requires friction; without a coefficient there is no friction.
 void ContactInputs::require_friction() {
     if (problem.friction && !problem.friction->mu.empty()) return;
     if (motion || (problem.friction && (problem.friction->kinetic || problem.friction->temperature)) ||

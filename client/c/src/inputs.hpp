@@ -1,4 +1,4 @@
-// The inputs of a contact, pending until a call needs the problem that they make.
+// The inputs of a contact, collected until a call needs the problem.
 #pragma once
 
 #include <chrono>
@@ -15,28 +15,28 @@
 
 namespace contactd::c {
 
-/// A body as it was described so far.
+/// The description of a body so far.
 struct BodyInput {
     Material material = no_material;
-    std::optional<Coefficients> ics{};  ///< absent: those of both bodies
+    std::optional<Coefficients> ics{};  ///< absent: the common ones
     std::optional<Viscoelasticity> viscoelastic{};
 };
 
-/// In whatever order they are named: bodies, friction and motion are put together when a call needs the problem.
+/// Inputs in any order: a call that needs the problem combines bodies, friction and motion.
 struct ContactInputs {
-    /// But for its bodies. Its friction has no coefficient where only other fields of friction were named, and its grid
-    /// is centred along an axis where x0 or y0 is `centred`.
+    /// The problem without its bodies. Its friction has no coefficient if only other fields were set, and its grid is
+    /// centred along an axis if x0 or y0 is `centred`.
     ContactProblem problem = centred_problem();
     BodyInput upper;
-    std::optional<BodyInput> lower{};    ///< absent: as the upper one
-    std::optional<Coefficients> ics{};   ///< of bodies that have none of their own; a table is that of the pair
-    std::optional<MotionKind> motion{};  ///< the kind whose fields were named
+    std::optional<BodyInput> lower{};    ///< absent: equal to the upper one
+    std::optional<Coefficients> ics{};   ///< for bodies without their own; a table is that of the pair
+    std::optional<MotionKind> motion{};  ///< the kind whose fields were set
     bool accept_unconverged = false;
     std::optional<double> lease_seconds{};
     SolutionFields fields{};
     std::optional<std::chrono::milliseconds> step_timeout{};
 
-    /// Inputs that differ from what the contact was opened with: steps have to name them.
+    /// Inputs that differ from those of the opening; steps must contain them.
     struct Changed {
         bool gap = false, friction = false, motion = false, rigid_slip = false;
     } changed{};
@@ -44,31 +44,31 @@ struct ContactInputs {
     static constexpr double centred = std::numeric_limits<double>::infinity();
 
     static Roots roots();
-    /// The struct below which the path leads to its field.
+    /// Returns the struct that contains the field of the path.
     void* at(const RootedPath& path);
-    /// Throws InvalidArgument for a field of the other kind of motion than the one that was named.
+    /// Throws InvalidArgument for a field of the other kind of motion.
     void require_motion_of(const FieldPath& path) const;
-    /// Throws InvalidArgument for a field that a step of a contact which was started cannot leave out: it is as at the
-    /// start then.
+    /// Throws InvalidArgument for a field that cannot be removed after the start, because steps use its initial
+    /// value.
     static void require_clearable_between_steps(const FieldPath& path);
-    /// Takes notice of a field that was set or cleared.
+    /// Records that a field was set or cleared.
     void was_set(const FieldPath& path);
     void was_cleared(const FieldPath& path);
 
-    /// Both bodies with their coefficients. Throws InvalidArgument ("bodies.upper.G") for what is missing.
+    /// Returns both bodies with their coefficients. Throws InvalidArgument ("bodies.upper.G") for missing values.
     Bodies bodies() const;
-    /// The section of the upper or the lower body, or null.
+    /// Returns the section of the upper or the lower body, or null.
     const Section* section_of(bool upper) const;
     Grid grid() const;  ///< with its corner
-    /// Puts together what opens the contact. Throws InvalidArgument for what cannot be solved.
+    /// Returns the parameters that open the contact. Throws InvalidArgument for invalid inputs.
     SessionSpec opening();
-    /// Puts together what a step is asked. Throws InvalidArgument for what no step can solve.
+    /// Returns the parameters of a step. Throws InvalidArgument for invalid inputs.
     StepInput step();
 
-    /// Takes over what a step has found under forces, as the estimate of the next: a session does so for steps that
-    /// name no motion.
+    /// Uses the motion computed for prescribed forces as the estimate of the next step, like a session for steps
+    /// without a motion.
     void take_estimates(const std::optional<Motion>& found);
-    /// Takes over the creepages that `from` has where forces are prescribed.
+    /// Copies the creepages of `from` for prescribed forces.
     void restore_estimates(const Motion& from);
 
    private:
@@ -76,7 +76,7 @@ struct ContactInputs {
     void require_friction();
 };
 
-/// Returns whether a field can be set at any time, and not before contactd_start only.
+/// Returns whether a field can be set at any time, not only before contactd_start.
 bool is_load(const FieldPath& path);
 
 }  // namespace contactd::c

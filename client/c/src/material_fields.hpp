@@ -12,7 +12,7 @@
 
 namespace contactd::c {
 
-/// An elastic body of which neither number was given yet.
+/// An elastic body without either number.
 inline constexpr Material no_material{std::numeric_limits<double>::quiet_NaN(),
                                       std::numeric_limits<double>::quiet_NaN()};
 

@@ -1,4 +1,4 @@
-// libcontactd: solves nothing itself, and so is free of the licences of what does.
+// libcontactd has no solver, and so does not depend on the licences of solvers.
 #include "backend.hpp"
 #include "contactd/status.hpp"
 

@@ -1,4 +1,4 @@
-// The paths by which fields of a contact or a wheel are named.
+// Paths of fields of a contact or a wheel.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 
 namespace contactd::c {
 
-/// Where a path may begin: the structs whose fields are named at first.
+/// The structs whose fields may be the first part of a path.
 using Roots = std::span<const FieldType* const>;
 
 /// A path below one of the roots.
@@ -29,18 +29,18 @@ struct RootedPath {
     FieldPath path;
 };
 
-/// How a call names a path: by its text, or by its number.
+/// The name of a path in a call: its text, or its number.
 using PathName = std::variant<const char*, std::int32_t>;
 
-/// The paths that were used with one object, each of which is read once: a call in a loop looks its text up, or only
-/// its number. A text may be the path of an input, of a result, or of both.
+/// The paths used with one object. Each is parsed once: a call in a loop only looks up its text or its number. A text
+/// may be the path of an input, of a result, or of both.
 class PathCache {
    public:
     enum Use : std::size_t { input, result };
 
     PathCache(Roots inputs, Roots results) : roots_{inputs, results} {}
 
-    /// Throws InvalidArgument naming the text where no field has that path, or "id" for a number that is none.
+    /// Returns the path. Throws InvalidArgument naming the text for an unknown path, or "id" for an invalid number.
     const RootedPath& find(Use use, const PathName& name) {
         if (const auto* number = std::get_if<std::int32_t>(&name)) return at(use, *number);
         const std::string_view text = given(std::get<const char*>(name), "path");
@@ -54,7 +54,7 @@ class PathCache {
         return found->emplace(std::move(path));
     }
 
-    /// The number of the path `text`, for find(); it stays. Throws as find.
+    /// Returns the permanent number of the path `text`, for find(). Throws as find.
     std::int32_t number(const char* text) {
         const std::string path = given(text, "path");
         if (const auto at = known_.find(path); at != known_.end()) return static_cast<std::int32_t>(at->second);

@@ -1,5 +1,5 @@
-// Contacts that a daemon keeps, as sessions. Each has a connection of its own, so that threads with a contact each do
-// not wait for one another.
+// Contacts as sessions of a daemon. Each has its own connection, so that threads with different contacts do not wait
+// for each other.
 #include <algorithm>
 #include <deque>
 #include <memory>
@@ -23,7 +23,7 @@ client::ClientOptions options_of(const Settings& settings) {
     options.build_timeout = settings.build_timeout;
     options.server_key = settings.server_key;
     options.own_key = settings.own_key;
-    options.on_warnings = [](const auto&) {};  // contacts and wheels tell their logs
+    options.on_warnings = [](const auto&) {};  // contacts and wheels report them to their logs
     return options;
 }
 
@@ -62,7 +62,7 @@ class RemoteContact final : public OpenContact {
     client::Session session_;
 };
 
-/// Returns the result of `ask`; refusals name fields as the caller does, who has opened no session.
+/// Returns the result of `ask`; errors name fields as in the caller's inputs, which are not those of a session.
 template <class Ask>
 auto named_as_set(const Ask& ask) {
     constexpr std::string_view prefix = "wheelrail.";
@@ -90,13 +90,13 @@ class RemoteWheel final : public OpenWheel {
         const WheelRailStepInput request = named_as_set([&] { return request_of(input, control); });
         return end(input, control, is_new, [&] { return session_->step(request, options_of(control)).solution; });
     }
-    /// Returns what a step of several wheels asks of this one, whose session is open then.
+    /// Returns the part of this wheel in a step of several, after opening its session.
     client::WheelRailSessionStep begin(const WheelInput& input, const Control& control) {
         WheelRailStepInput request = named_as_set([&] { return request_of(input, control); });
         return {*session_, std::move(request)};
     }
-    /// Returns the answer of `ask`, a step of this wheel. Where its lease has ended, or its daemon, steady rolling
-    /// starts anew; not what has been opened just now.
+    /// Returns the answer of `ask`, a step of this wheel. If its lease or its daemon has ended, steady rolling opens a
+    /// new session, unless it was just opened.
     template <class Ask>
     WheelRailSolution end(const WheelInput& input, const Control& control, bool is_new, const Ask& ask) {
         try {
@@ -133,7 +133,7 @@ class RemoteWheel final : public OpenWheel {
     }
 
    private:
-    /// Opens a session where there is none of this set-up.
+    /// Opens a session if there is none for this set-up.
     WheelRailStepInput request_of(const WheelInput& input, const Control& control) {
         const bool goes_on = goes_on_with(input.setup);
         WheelRailStepInput request =
@@ -142,7 +142,7 @@ class RemoteWheel final : public OpenWheel {
         request.again = input.again;
         return request;
     }
-    /// The session before ends when the next one is open, so that a wheel that was open once always has one.
+    /// The previous session ends after the next one is open, so that an opened wheel always has one.
     void open(const WheelRailSetup& setup, const Control& control) {
         session_ = std::make_unique<client::WheelRailSession>(client_, WheelRailSessionSpec{setup, {}, true},
                                                               options_of(control));
@@ -152,8 +152,8 @@ class RemoteWheel final : public OpenWheel {
     const std::chrono::milliseconds timeout_;
     client::Client client_;  // outlives the session
     std::unique_ptr<client::WheelRailSession> session_;
-    WheelRailSetup opened_;  // with which it was
-    /// Where the last search for height and roll ended, and the next one starts.
+    WheelRailSetup opened_;  // the set-up of the session
+    /// Height and roll at the end of the last search, where the next one starts.
     struct LastWheelset {
         WheelsetSetup setup;
         double z, roll;
@@ -210,7 +210,7 @@ class RemoteWheels {
             results_[number] = std::current_exception();
         }
     }
-    /// The first that ends or is stopped ends them all.
+    /// The first deadline or stop request ends all.
     client::CallOptions shared_options(std::span<const Part> parts) {
         client::CallOptions options;
         for (const Part& part : parts) {

@@ -12,7 +12,7 @@ namespace {
 
 using fields::field;
 
-/// These are known from the start of a contact on.
+/// These are available from the start of a contact.
 struct ContactFacts {
     const IcUses* ics;
     int step = 0;

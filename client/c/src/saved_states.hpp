@@ -1,4 +1,4 @@
-// The states that a handle has saved, by the numbers that contactd_save gives them.
+// The saved states of a handle, by their numbers from contactd_save.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ class SavedStates {
         states_.emplace(++given_, std::move(saved));
         return given_;
     }
-    /// Throws StatusError (NOT_FOUND) where there is none of that number.
+    /// Throws StatusError (NOT_FOUND) for an unknown number.
     const Saved& at(std::int32_t state) const {
         const auto found = states_.find(state);
         if (found != states_.end()) return found->second;
@@ -29,7 +29,7 @@ class SavedStates {
                                  0});
     }
     void forget(std::int32_t state) { states_.erase(state); }
-    /// None is left; their numbers are not given again.
+    /// Removes all states; their numbers are not used again.
     void clear() { states_.clear(); }
 
    private:

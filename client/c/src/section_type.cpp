@@ -14,7 +14,7 @@
 
 namespace contactd {
 
-// Lists are made of these, and of points.
+// Lists consist of these, and of points.
 template <>
 const FieldType& type_of<Outline>();
 template <>
@@ -35,11 +35,11 @@ const FieldType& value_type() {
         return object_of<T>();
 }
 
-/// A section is known by points, which contactd_read_profile takes from a file.
+/// A section has points, which contactd_read_profile reads from a file.
 template <class Alternative>
 constexpr bool is_field = !std::is_same_v<Alternative, ProfileFile>;
 
-/// An alternative of a variant stands under its own name beside the other members.
+/// An alternative of a variant has its own name, like other members.
 template <class Owner, auto member, class... Alternatives>
 void add(std::vector<Field>& list, const char*, std::type_identity<std::variant<Alternatives...>>) {
     std::size_t index = 0;

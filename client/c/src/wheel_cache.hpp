@@ -1,14 +1,14 @@
-// Wheels whose set-up stays from solve to solve, so that a solve states only where they are.
+// Wheels with an unchanged set-up, so that a solve only contains their state.
 #pragma once
 
 #include "backend.hpp"
 
 namespace contactd::c {
 
-/// Whether steps of a wheel that was opened with `opened` can say what is asked; they can name another friction.
+/// Returns whether steps of a wheel opened with `opened` support the request; they can change the friction.
 bool serves(const WheelRailSetup& opened, const WheelRailSetup& requested);
 
-/// Returns the inputs of a step of it. Throws InvalidArgument ("state.position.roll", "setup.friction.mu", ...).
+/// Returns the inputs of such a step. Throws InvalidArgument ("state.position.roll", "setup.friction.mu", ...).
 WheelRailStepInput step_of(const WheelRailSetup& opened, const WheelInput& requested);
 
 }  // namespace contactd::c

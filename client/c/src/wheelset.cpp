@@ -1,4 +1,4 @@
-// Both wheels of a wheelset at once: the inputs of either are put together, and each gets its part of the answer.
+// Both wheels of a wheelset at once: combines their inputs, and gives each its part of the answer.
 #include "wheel.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
     throw InvalidArgument(field, "is another one for each wheel; a wheelset has one: say the same of both");
 }
 
-/// z and roll, which are found, only tell where to start.
+/// z and roll are computed; their inputs are only initial values.
 void check_same_motion(const WheelRailState& right, const WheelRailState& left) {
     WheelsetPosition position = left.position;
     position.z = right.position.z;

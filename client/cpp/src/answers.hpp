@@ -1,4 +1,4 @@
-// Reports of the daemon on itself, read from replies that have passed their schemas.
+// Reads status reports of the daemon from replies that have passed their schemas.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -51,7 +51,7 @@ inline void from_json(const nlohmann::json& source, RecentSolve& solve) {
     source["has_pressures"].get_to(solve.has_pressures);
 }
 
-/// Throws StatusError for arrays that do not fit their grids.
+/// Throws StatusError for arrays that do not match their grids.
 inline std::vector<RecentPatch> read_patches(const nlohmann::json& source, const proto::Frames& frames) {
     std::vector<RecentPatch> patches;
     for (const nlohmann::json& patch : source) {

@@ -14,7 +14,7 @@ namespace contactd::client {
 
 namespace {
 
-/// A table that does not fit one message, put together from parts that do.
+/// Returns a table that is too large for one message, assembled from parts.
 template <class Ask>
 IcReply in_pieces(const IcSpec& spec, const json& params, const MessageLimits& limits, const Ask& ask) {
     IcReply whole;
@@ -123,7 +123,7 @@ int Client::delete_ic(const std::string& key, const CallOptions& options) {
 
 namespace {
 
-/// All arrays of an answer have the size of one, which is that of the grid; only slip and displacements may be missing.
+/// All arrays of an answer have the size of the grid; only slip and displacements may be missing.
 void check_size(const SolveReply& reply, const ContactProblem& problem, const SolutionFields& fields) {
     const ContactSolution& solution = reply.solution;
     const auto check = [&](SolutionField field, const char* what, std::size_t size) {

@@ -1,4 +1,4 @@
-// The part that the client's other parts share.
+// The common part of the client.
 #pragma once
 
 #include <iostream>
@@ -16,10 +16,10 @@ namespace contactd::client {
 
 using nlohmann::json;
 
-/// The event that a call waits for, which decides its timeout.
+/// The event that a call waits for, which determines its timeout.
 enum class Wait { for_answer, for_build };
 
-/// Waits for a build where solving may need tables by finite elements.
+/// Returns a wait for a build if the solve may need finite-element tables.
 inline Wait wait_of(const ContactSetup& setup) {
     if (setup.model != Model::full || setup.bodies.pair) return Wait::for_answer;
     for (const Body* body : {&setup.bodies.upper, &setup.bodies.lower})
@@ -39,7 +39,7 @@ inline Wait wait_of(const WheelsetSetup& setup) {
     return setup.left && wait_of(*setup.left) == Wait::for_build ? Wait::for_build : wait_of(setup.setup);
 }
 
-/// The result of a call, with the frames its arrays refer to.
+/// The result of a call, with the frames of its arrays.
 struct Reply {
     json result;
     proto::Frames frames;
@@ -58,7 +58,7 @@ class Client::Impl {
         Answer answer = answer_to(method, std::move(params), std::move(frames), options, wait);
         return {answer.result.json(), std::move(answer.frames)};
     }
-    /// Returns the answer as it came, without a document of nlohmann-json.
+    /// Returns the unparsed answer, without a nlohmann-json document.
     Answer answer_to(const std::string& method, json params, proto::Frames frames, const CallOptions& options,
                      Wait wait = Wait::for_answer) {
         const bool builds = wait == Wait::for_build;
@@ -91,7 +91,7 @@ class Client::Impl {
     }
 
     const ClientOptions& options() const { return options_; }
-    /// Tells whether both are of one daemon and one user.
+    /// Returns whether both have the same daemon and user.
     bool speaks_for(const Impl& other) const {
         return endpoint_ == other.endpoint_ && options_.own_key == other.options_.own_key;
     }
@@ -106,7 +106,7 @@ class Client::Impl {
         return report;
     }
 
-    /// A sentence on the build, `job` (empty: none is known), that a call has waited for.
+    /// Returns a sentence about the build `job` (empty: unknown) that a call has waited for.
     static std::string build_goes_on(const std::string& job) {
         const std::string what = job.empty() ? " A build that it waited for goes on in the daemon"
                                              : " The build goes on in the daemon as job " + job;
@@ -129,10 +129,10 @@ class Client::Impl {
     std::set<std::string> warned_;
 };
 
-/// Throws ProtocolError where pressures were asked for and did not come.
+/// Throws ProtocolError if requested pressures are missing.
 void check_pressures(const WheelRailSolution& solution, const SolutionFields& fields);
 
-/// An array of the answer that does not fit is the daemon's fault, not the caller's.
+/// A wrong array in the answer is an error of the daemon, not of the caller.
 template <class Decode>
 auto decoded(const Decode& decode) {
     try {

@@ -1,4 +1,4 @@
-// The client's wheels on rails.
+// The client's calls for wheels on rails.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -24,7 +24,7 @@ const json& part_of(const json& result, const char* name) {
 
 }  // namespace
 
-// Refuses an answer that lacks pressures. Those that are there have the size of their grid: read_array checks it.
+// Refuses an answer without pressures. read_array checks that the others have the size of their grid.
 void check_pressures(const WheelRailSolution& solution, const SolutionFields& fields) {
     if (std::find(fields.begin(), fields.end(), SolutionField::pressure) == fields.end()) return;
     for (const WheelRailPatch& patch : solution.patches)

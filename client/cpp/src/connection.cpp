@@ -21,14 +21,14 @@ namespace {
 using nlohmann::json;
 using std::chrono::milliseconds;
 
-/// How much longer than the daemon the client waits, so that the daemon's own DEADLINE_EXCEEDED arrives.
+/// Additional wait of the client after the deadline, so that the daemon's DEADLINE_EXCEEDED arrives.
 constexpr milliseconds grace{500};
 constexpr milliseconds longest_timeout{86'400'000};
-/// How often a call that can be stopped looks whether it was.
+/// Interval of checks for a stop request.
 constexpr milliseconds stop_interval{20};
 constexpr int cancel_linger_ms = 200;
 
-/// Tells the replies to this object's calls from those to anybody else's.
+/// Distinguishes replies to this object's calls from others.
 std::string random_prefix() {
     std::random_device device;
     const std::uint64_t number = (std::uint64_t{device()} << 32u) | device();
@@ -116,7 +116,7 @@ void Connection::start_over() {
 }
 
 void Connection::check_process() const {
-    if (process_ != ::getpid())  // on_progress has forked, and has returned here, too
+    if (process_ != ::getpid())  // on_progress has forked; this is the child process
         throw ConnectionError("This process was forked from the one that gets the answer.");
 }
 
@@ -127,11 +127,11 @@ void Connection::connect() {
                                                               "inproc://handshakes-" + std::to_string(++made_),
                                                               endpoint_, keys_.has_value());
     sockets_->socket.set(zmq::sockopt::linger, 0);
-    // Sending waits for somebody who listens, instead of queueing for nobody.
+    // Sending waits for a listener instead of queueing.
     sockets_->socket.set(zmq::sockopt::immediate, true);
     sockets_->socket.set(zmq::sockopt::sndtimeo,
                          static_cast<int>(std::clamp(connect_timeout_, milliseconds{0}, longest_timeout).count()));
-    // Not for names: what they stand for would be looked for among IPv6 addresses first.
+    // Not for host names, which would be resolved to IPv6 addresses first.
     sockets_->socket.set(zmq::sockopt::ipv6, endpoint_.starts_with("tcp://["));
     try {
         if (keys_) keys_->apply(sockets_->socket);
@@ -162,7 +162,7 @@ Answer Connection::call(const std::string& method, json params, proto::Frames fr
     } catch (const StatusError&) {
         if (stop.stop_requested()) cancel(id);
         throw;
-    } catch (...) {  // the time is over, or on_progress has thrown
+    } catch (...) {  // timeout, or an exception of on_progress
         cancel(id);
         throw;
     }
@@ -205,10 +205,10 @@ void Connection::cancel(const std::string& id) noexcept {
                            {"id", id + "-cancel"},
                            {"method", "request.cancel"},
                            {"params", {{"id", id}}}};
-        // A caller that gives up may end the connection at once; the request must still go out.
+        // A caller that abandons the call may end the connection immediately; the request must still be sent.
         sockets_->socket.set(zmq::sockopt::linger, cancel_linger_ms);
         sockets_->socket.send(zmq::buffer(proto::dump(request)), zmq::send_flags::dontwait);
-    } catch (const std::exception&) {  // the daemon has gone, and the request with it
+    } catch (const std::exception&) {  // the daemon has stopped, and the request has ended with it
     }
 }
 
@@ -224,7 +224,7 @@ void Connection::wait_until_connected() {
         } catch (const zmq::error_t& error) {
             if (error.num() != EINTR) throw;
         } catch (const Error&) {
-            connect();  // a socket whose handshake was refused does not try again
+            connect();  // a socket does not retry after its handshake was refused
             throw;
         }
     }
@@ -273,7 +273,7 @@ proto::Frames Connection::receive(Clock::time_point deadline) {
     }
 }
 
-/// Looks again and again for the time of spin_ from when the request was sent.
+/// Polls for the time spin_ after the request was sent.
 bool Connection::look_for(zmq::message_t& part, Clock::time_point deadline) {
     for (const auto end = std::min(sent_ + spin_, deadline); Clock::now() < end; std::this_thread::yield())
         if (sockets_->socket.recv(part, zmq::recv_flags::dontwait)) return true;
@@ -295,7 +295,7 @@ std::shared_ptr<const proto::AnswerText> Connection::envelope_for(const std::str
         throw ProtocolError("What " + endpoint_ + " sent is no JSON object; is a contactd daemon listening there?");
     const proto::AnswerValue answer = document->root();
     const auto answered = answer.find("id");
-    // An error whose id is null answers a request that the daemon could not read: ours, as the last one sent.
+    // An error with the id null answers an unreadable request, which is the last one sent.
     const bool is_ours = !answered || answered->is_null() || (answered->is_string() && answered->text() == id);
     if (!is_ours) return nullptr;
     check_version(answer);

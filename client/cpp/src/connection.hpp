@@ -21,7 +21,7 @@
 
 namespace contactd::client {
 
-/// The result of a call, as it came, with the frames its arrays refer to.
+/// The unparsed result of a call, with the frames of its arrays.
 struct Answer {
     proto::Frame text;
     std::shared_ptr<const proto::AnswerText> document;  ///< of the text
@@ -40,9 +40,9 @@ class Connection {
     Connection(const Connection&) = delete;
     Connection& operator=(const Connection&) = delete;
 
-    /// Sends a request and waits for its reply, which has passed the schemas. Answers to earlier calls that were given
-    /// up are discarded. Throws ConnectionError, TimeoutError, ProtocolError, StatusError, and ConcurrencyError while
-    /// another call runs.
+    /// Sends a request and waits for its reply, which has passed the schemas. Answers to abandoned calls are
+    /// discarded. Throws ConnectionError, TimeoutError, ProtocolError, StatusError, and ConcurrencyError while another
+    /// call runs.
     Answer call(const std::string& method, nlohmann::json params, proto::Frames frames,
                 std::chrono::milliseconds timeout, const ProgressHandler& on_progress, const std::stop_token& stop);
 
@@ -55,23 +55,23 @@ class Connection {
         std::unique_ptr<HandshakeMonitor> handshakes;  // of socket
     };
 
-    /// Leaves the sockets of the parent alone, for good: the threads that serve them are there, and freeing them would
-    /// wait for those.
+    /// Abandons the sockets of the parent permanently: their threads are in the parent, and freeing the sockets would
+    /// wait for them.
     void start_over();
     void check_process() const;
     Answer await(const std::string& id, const std::string& method, std::chrono::milliseconds timeout,
                  const ProgressHandler& on_progress, const std::stop_token& stop);
-    /// Tells the daemon that the request is abandoned; its answers are dropped as they come.
+    /// Tells the daemon that the request is abandoned. Later answers to it are dropped.
     void cancel(const std::string& id) noexcept;
     void connect();
     void wait_until_connected();
     void send(const std::string& envelope, const proto::Frames& frames);
-    /// The frames of the next message, or none when `deadline` passes first.
+    /// Returns the frames of the next message, or none at the `deadline`.
     proto::Frames receive(Clock::time_point deadline);
     bool look_for(zmq::message_t& part, Clock::time_point deadline);
-    /// False when the time is over or a signal came in between.
+    /// Returns false after the timeout or a signal.
     bool receive_part(zmq::message_t& part);
-    /// The envelope, when the message belongs to request `id`, else null.
+    /// Returns the envelope if the message belongs to request `id`, otherwise null.
     std::shared_ptr<const proto::AnswerText> envelope_for(const std::string& id, std::string_view text) const;
 
     std::string endpoint_;
@@ -79,12 +79,12 @@ class Connection {
     MessageLimits limits_;
     std::string id_prefix_;
     std::uint64_t calls_ = 0;
-    int made_ = 0;  // sockets so far
+    int made_ = 0;  // number of sockets up to now
     std::optional<CurveKeys> keys_;
     const std::chrono::microseconds spin_;
     Clock::time_point sent_{};  // when the last request went out
     std::unique_ptr<Sockets> sockets_;
-    int process_;  // that sockets_ belong to
+    int process_;  // to which sockets_ belong
     std::atomic<int> user_ = 0;
 };
 

@@ -10,7 +10,7 @@
 namespace contactd::client {
 namespace {
 
-/// A daemon that cannot read what a client says hangs up without a word, and so does one that is ending, once.
+/// A daemon that cannot decrypt a client's messages closes the connection silently. A stopping one does so once.
 constexpr int silent_ends_allowed = 2;
 
 [[noreturn]] void refuse(const std::string& endpoint, const std::string& why) {

@@ -1,4 +1,4 @@
-// Encrypted connections: the key files of CURVE, and what a handshake that failed says.
+// Encrypted connections: CURVE key files, and the reasons of failed handshakes.
 #pragma once
 
 #include <filesystem>
@@ -13,15 +13,15 @@ namespace contactd::client {
 struct CurveKeys {
     std::string server, own_public, own_secret;
 
-    /// Makes the socket encrypt what it sends; before it connects.
+    /// Makes the socket encrypt its messages; call it before the socket connects.
     void apply(zmq::socket_t& socket) const;
 };
 
-/// Reads the daemon's public file and the client's own secret one; none when neither is given. Throws contactd::Error
-/// naming the file that cannot be used or the option that is missing.
+/// Reads the daemon's public key file and the client's secret key file; none if neither is given. Throws
+/// contactd::Error naming the invalid file or the missing option.
 std::optional<CurveKeys> load_curve_keys(const std::filesystem::path& server_key, const std::filesystem::path& own_key);
 
-/// Listens to what happens to the handshakes of a socket, from before it connects.
+/// Monitors the handshakes of a socket, from before it connects.
 class HandshakeMonitor {
    public:
     /// `channel` is an inproc address that this context has not used yet.
@@ -31,11 +31,11 @@ class HandshakeMonitor {
     HandshakeMonitor(const HandshakeMonitor&) = delete;
     HandshakeMonitor& operator=(const HandshakeMonitor&) = delete;
 
-    /// Readable when something happened.
+    /// Readable after an event.
     void* handle() { return events_.handle(); }
-    /// Throws StatusError (UNAUTHENTICATED) or ConnectionError when there is no hope of a connection.
+    /// Throws StatusError (UNAUTHENTICATED) or ConnectionError if a connection is impossible.
     void check();
-    /// Forgets what happened, once there is a connection.
+    /// Clears earlier events after a connection is made.
     void forget();
 
    private:

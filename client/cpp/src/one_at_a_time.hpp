@@ -1,4 +1,4 @@
-// One user at a time, by the process that it runs in.
+// Ensures one user at a time within a process.
 #pragma once
 
 #include <unistd.h>
@@ -10,8 +10,8 @@
 
 namespace contactd::client {
 
-/// Holds `user` (a process id, 0 for nobody) while it lives. Throws ConcurrencyError with `why` when somebody of this
-/// process does already; what a fork copied of a holder in the parent holds nothing.
+/// Holds `user` (a process ID, 0 without a user) during its lifetime. Throws ConcurrencyError with `why` if this
+/// process already holds it. A copy by a fork of the parent's user holds nothing.
 class OneAtATime {
    public:
     OneAtATime(std::atomic<int>& user, const std::string& why) : user_(user) {

@@ -26,18 +26,18 @@ class AnySession::Impl {
     static std::unique_ptr<Impl> joined(Client& client, const std::string& name, Kind kind, const CallOptions& options);
 
     bool has_to_end() const;
-    /// Ends it no more.
+    /// Does not end it any more.
     void leave();
 
     json ask(const char* method, const CallOptions& options, json more = json::object());
 
-    /// A step of the session's kind. Throws StatusError where it has failed.
+    /// Solves a step of the session's kind. Throws StatusError if it fails.
     AnyStepOrStatus step(std::variant<const StepInput*, const WheelRailStepInput*> input, const CallOptions& options);
     struct Step {
         Impl& session;
         std::variant<const StepInput*, const WheelRailStepInput*> input;
     };
-    /// Takes at least one step, by the client of the first; all are of one daemon and one user.
+    /// Solves at least one step, with the client of the first; all have one daemon and one user.
     static std::vector<AnyStepOrStatus> step_many(std::span<const Step> steps, const CallOptions& options);
     void go_to(long long step) { step_ = asked_ = step; }
 
@@ -46,10 +46,10 @@ class AnySession::Impl {
 
    private:
     proto::StepAsked asked(const Step& step);
-    /// The number of what is asked for.
+    /// Returns the number of the requested step.
     long long number_of(bool again);
     void check_process() const;
-    /// The session has gone where the answer to what was asked says.
+    /// Sets the state of the session from the answer.
     void note(const proto::StepAsked& asked, const AnyStepOrStatus& answer);
 
     Client& client_;
@@ -57,13 +57,13 @@ class AnySession::Impl {
     const SessionReply reply_;
     const Wait wait_;  // of its steps
     long long step_;
-    long long asked_ = step_;  // the number that was asked for last
+    long long asked_ = step_;  // the last number requested
     bool open_ = true;
     const int process_;
     std::atomic<int> user_ = 0;
 };
 
-/// Once more when no answer came; the daemon knows a request that it has answered.
+/// Repeats a request without an answer; the daemon recognises one that it has answered.
 template <class Ask>
 auto insist(const Ask& ask) {
     try {

@@ -8,8 +8,8 @@
 
 namespace contactd::client {
 
-/// All sentences that the answer to a method warns of, each once; of a part of the request, as one of many problems,
-/// with that part before it: "problems[3]: ...".
+/// Returns all warnings of the answer to a method, each once. Warnings of a part of the request, such as one of many
+/// problems, begin with that part: "problems[3]: ...".
 std::vector<std::string> warnings_in(const std::string& method, const proto::AnswerValue& answer);
 
 }  // namespace contactd::client

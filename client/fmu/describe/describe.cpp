@@ -1,5 +1,5 @@
-// contactd-fmu-description: what the FMUs are, as JSON on standard output. Model descriptions, archives and the page
-// docs/fmu.md are made of it (packaging/fmu).
+// contactd-fmu-description: prints the FMUs as JSON on standard output. Model descriptions, archives and the page
+// docs/fmu.md are generated from it (packaging/fmu).
 #include <iostream>
 #include <nlohmann/json.hpp>
 

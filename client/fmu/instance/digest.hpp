@@ -1,4 +1,4 @@
-// FNV-1a of 64 bits: tells lists of variables, and damaged states, apart.
+// 64-bit FNV-1a, which identifies lists of variables, and damaged states.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ class Digest {
    public:
     void add(std::string_view text) {
         for (const char letter : text) value_ = (value_ ^ static_cast<unsigned char>(letter)) * prime;
-        value_ = (value_ ^ 0xff) * prime;  // an end that no text in UTF-8 has
+        value_ = (value_ ^ 0xff) * prime;  // a terminator that UTF-8 text does not contain
     }
     std::uint64_t value() const { return value_; }
 

@@ -15,7 +15,7 @@ std::string quoted(double value) {
     return text;
 }
 
-/// Throws Failure naming the variable where the number is none of its values.
+/// Throws Failure naming the variable if the number is not one of its values.
 void validate(const Variable& of, double value) {
     if (!std::isfinite(value))
         throw Failure(std::string(of.name) + " is " + quoted(value) + "; it must be a finite number.");
@@ -27,8 +27,8 @@ void validate(const Variable& of, double value) {
     throw Failure(std::string(of.name) + " is " + quoted(value) + "; it must be one of " + keywords + ".");
 }
 
-/// Numbers that were set in the place of enumerations are what these are, whichever of them was set last: importers set
-/// all parameters in an order of their own. From then on both are the same.
+/// Integers that represent enumerations take precedence, whichever was set last, because importers set all parameters
+/// in any order. Both are equal from then on.
 void choose_keywords(std::span<const Variable> list, Values& values) {
     for (std::size_t at = 0; at < list.size(); ++at) {
         if (list[at].same_as.empty()) continue;

@@ -1,4 +1,4 @@
-// One instance of an FMU, in words of neither version of FMI: its values, its model, and where it is in its life.
+// One instance of an FMU, independent of the version of FMI: its values, its model, and its phase.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@
 
 namespace contactd::fmu {
 
-/// Those phases of FMI that decide which functions may be called.
+/// Phases of FMI, which determine the allowed functions.
 enum class Phase { instantiated, initialization, stepping, terminated };
 
-/// An instance as it was: FMI's FMU state.
+/// A saved instance: FMI's FMU state.
 struct State {
     Phase phase;
     Values values;
@@ -31,7 +31,7 @@ constexpr std::string_view name_of(Category category) {
     return names[static_cast<std::size_t>(category)];
 }
 
-/// For one thread at a time, but for cancel. What cannot be done throws Failure with a sentence.
+/// For one thread at a time, except cancel. Invalid calls throw Failure with a sentence.
 class Instance {
    public:
     using Log = std::function<void(Status status, Category category, const std::string& sentence)>;
@@ -39,7 +39,7 @@ class Instance {
     Instance(const Kind& kind, const std::filesystem::path& resources, Log log);
 
     const Kind& kind() const { return kind_; }
-    /// Errors are always told; warnings and events when they are asked for. No names: all.
+    /// Errors are always reported, warnings and events on request. No names: all.
     void set_log(bool on, std::span<const std::string> categories);
     void tell(Status status, Category category, const std::string& sentence) const;
 
@@ -52,8 +52,8 @@ class Instance {
     void reset();
     void cancel();
 
-    /// Numbers of any type but texts. Throws for a reference of another type, and on setting for what is not finite,
-    /// no word of its enumeration, or not to be set now.
+    /// Numbers of any type except texts. Throws for a reference of another type and, on setting, for values that are
+    /// not finite, not in the enumeration, or cannot be set now.
     double number(std::uint32_t reference, std::initializer_list<Type> types) const;
     const std::string& text(std::uint32_t reference) const;
     void set_number(std::uint32_t reference, std::initializer_list<Type> types, double value);
@@ -70,10 +70,10 @@ class Instance {
     const Variable& variable(std::uint32_t reference, std::initializer_list<Type> types) const;
     const Variable& settable(std::uint32_t reference, std::initializer_list<Type> types) const;
     void require(Phase phase, const char* what) const;
-    /// Where a step may start: where the last one ended, but for rounding, or anywhere after a state was set. Throws
-    /// Failure for the past.
+    /// Checks the start of a step: the end of the last one, apart from rounding, or any time after a state was set.
+    /// Throws Failure for the past.
     void check_time(double time, double size) const;
-    /// With a model of its own, or with the one that runs, whose parameters are the same.
+    /// Uses a new model, or the running one if its parameters are the same.
     void start(const Values& values, const Carried& from, bool anew);
 
     const Kind& kind_;
@@ -81,7 +81,7 @@ class Instance {
     const Log log_;
     bool tells_[3] = {true, false, false};  // by category
     Phase phase_ = Phase::instantiated;
-    bool set_back_ = false;  // to a state, by which no step was made yet
+    bool set_back_ = false;  // to a state, without a step since
     Values values_;
     std::unique_ptr<Model> model_;
 };

@@ -20,10 +20,10 @@ struct Kind {
 
 std::span<const Kind> kinds();
 
-/// Returns a digest of the list, in which a model description and the shared object must agree.
+/// Returns a digest of the list, which must be equal in the model description and the shared object.
 std::string token_of(const Kind& kind);
 
-/// By its token; null when there is none.
+/// Returns the kind with this token, or null.
 const Kind* kind_with(std::string_view token);
 
 }  // namespace contactd::fmu

@@ -1,4 +1,4 @@
-// States as bytes, which another instance of the same kind can go on from, also in another process.
+// States as bytes, from which another instance of the same kind can continue, also in another process.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@
 namespace contactd::fmu {
 
 std::vector<std::byte> serialized(const Kind& kind, const State& state);
-/// Writes these bytes into memory of the caller's. Throws Failure where it is too little.
+/// Writes these bytes into the caller's memory. Throws Failure if it is too small.
 void put_serialized(const Kind& kind, const State& state, void* bytes, std::size_t size);
 
-/// Throws Failure for bytes that are no state of this kind, or are damaged.
+/// Throws Failure for bytes that are not a state of this kind, or are damaged.
 std::unique_ptr<State> deserialized(const Kind& kind, std::span<const std::byte> bytes);
 
 }  // namespace contactd::fmu

@@ -1,4 +1,4 @@
-// Between FMI's functions in C and an instance: no exception leaves, and each becomes a status and a sentence in the
+// Between FMI's C functions and an instance: converts exceptions to a status and a sentence in the
 // log.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace contactd::fmu {
 
-/// Returns the texts of an array of C; NULL among them is left out.
+/// Returns the texts of a C array without NULL entries.
 inline std::vector<std::string> texts_of(const char* const* texts, std::size_t count) {
     std::vector<std::string> all;
     for (std::size_t k = 0; texts != nullptr && k < count; ++k)
@@ -17,7 +17,7 @@ inline std::vector<std::string> texts_of(const char* const* texts, std::size_t c
     return all;
 }
 
-/// Returns an array that a function is given. Throws Failure for NULL unless it is empty.
+/// Returns an array argument. Throws Failure for NULL unless it is empty.
 template <class Value>
 std::span<Value> given(Value* values, std::size_t count, const char* name) {
     if (values == nullptr && count > 0) throw Failure(std::string(name) + " is NULL.");
@@ -39,7 +39,7 @@ inline State& state_of(void* state) {
     return *found;
 }
 
-/// In place of what `*place` holds, which may be a state of before, or nothing.
+/// Replaces the contents of `*place`, which may be an earlier state, or null.
 inline void hand_over(std::unique_ptr<State> state, void** place) {
     if (place == nullptr) throw Failure("The place of the FMU state is NULL.");
     Live<State>::all().take(*place);
@@ -53,13 +53,13 @@ inline void free_state(void** place) {
     *place = nullptr;
 }
 
-/// The status of what `body` does with the instance that `handle` is.
+/// Returns the status of `body` with the instance of `handle`.
 template <class Body>
 Status guarded(void* handle, const Body& body) noexcept {
     Instance* instance = nullptr;
     try {
         instance = Live<Instance>::all().find(handle);
-        if (instance == nullptr) return Status::error;  // and nobody to tell: it is freed, or was never made
+        if (instance == nullptr) return Status::error;  // invalid handle: freed, or never created
         try {
             body(*instance);
             return Status::ok;

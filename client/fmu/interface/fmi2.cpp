@@ -1,4 +1,4 @@
-// FMI 2.0 for co-simulation: the life of an instance, and its values.
+// FMI 2.0 for co-simulation: creation, phases and values of an instance.
 #include "fmi2.hpp"
 
 #include "models/place.hpp"
@@ -7,7 +7,7 @@ using namespace contactd::fmu;
 
 namespace {
 
-/// FMI 2 reads its messages as printf does.
+/// FMI 2 treats messages as printf formats.
 std::string escaped(const std::string& sentence) {
     std::string text;
     for (const char letter : sentence) text.append(letter == '%' ? 2 : 1, letter);

@@ -1,4 +1,4 @@
-// The functions of FMI 2 share these.
+// Common parts of the functions of FMI 2.
 #pragma once
 
 #include <fmi2Functions.h>

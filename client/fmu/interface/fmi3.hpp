@@ -1,4 +1,4 @@
-// The functions of FMI 3 share these.
+// Common parts of the functions of FMI 3.
 #pragma once
 
 #include <fmi3Functions.h>

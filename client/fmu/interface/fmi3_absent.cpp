@@ -1,4 +1,4 @@
-// FMI 3.0: what importers look for and this FMU, as its model description says, does not have.
+// FMI 3.0: functions that importers look up, but this FMU does not support, according to its model description.
 #include "fmi3.hpp"
 
 using namespace contactd::fmu;
@@ -90,7 +90,7 @@ fmi3Status fmi3SetShiftFraction(fmi3Instance handle, References, std::size_t, co
     return absent(handle, "clocks");
 }
 
-// Model exchange and scheduled execution, which importers look for all the same.
+// Model exchange and scheduled execution, which importers also look up.
 fmi3Status fmi3EnterContinuousTimeMode(fmi3Instance handle) {
     return absent(handle, "continuous time");
 }

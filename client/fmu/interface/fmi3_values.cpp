@@ -32,7 +32,7 @@ fmi3Status set(fmi3Instance handle, References references, std::size_t count, co
     });
 }
 
-/// Answers a call of a type that no variable has.
+/// Answers a call for a type without variables.
 fmi3Status nothing_of_this_type(fmi3Instance handle, std::size_t references) {
     return with(handle, [&](Instance&) {
         if (references > 0)

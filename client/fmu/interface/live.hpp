@@ -1,5 +1,5 @@
-// Importers hold pointers to these. One that was given back, or never came from here, is told apart from those that
-// live, so that freeing it twice, or using it afterwards, is refused instead of ending the importer.
+// Records the valid pointers of importers. Freed and foreign pointers are detected, so that a second free, or a later
+// use, is refused instead of crashing the importer.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace contactd::fmu {
 
-/// Thread-safe. What is never given back stays, as importers that end without it expect.
+/// Thread-safe. Objects that are never freed remain, as importers expect that end without freeing them.
 template <class Object>
 class Live {
    public:
@@ -22,7 +22,7 @@ class Live {
         objects_.insert(object.get());
         return object.release();
     }
-    /// Null for a pointer that is none of these.
+    /// Returns null for an invalid pointer.
     Object* find(void* pointer) {
         const std::lock_guard lock(mutex_);
         auto* const object = static_cast<Object*>(pointer);

@@ -1,4 +1,4 @@
-// How the forces of a contact follow its inputs.
+// Derivatives of the forces of a contact with respect to its inputs.
 #include <limits>
 #include <string>
 
@@ -12,7 +12,7 @@ consteval std::size_t at(std::string_view name) {
     return reference_of(contact_variables, name);
 }
 
-/// The answers, and the inputs that `rolling`, `sliding`, `load` and "mu" below name.
+/// The answers, and the inputs named in `rolling`, `sliding`, `load` and "mu" below.
 const DerivativePlaces places{
     {at("Fx"), at("Fy"), at("Mz"), at("Fn"), at("approach")},
     {at("motion.xi"), at("motion.eta"), at("motion.phi"), at("motion.shift_x"), at("motion.shift_y"),
@@ -38,12 +38,12 @@ std::vector<double> ContactModel::derivatives() {
         try {
             step_again("derivatives");
         } catch (...) {
-            contactd_set(c, "derivatives", 0);  // steps go on without
+            contactd_set(c, "derivatives", 0);  // steps continue without
             throw;
         }
         requests_derivatives_ = true;
     }
-    // A prescribed quantity is the answer to itself, and follows nothing else.
+    // A prescribed quantity depends only on itself.
     const std::string prescribed = by_force_ ? "Fn" : "approach";
     const auto value = [&](const std::string& of, const std::string& by) -> double {
         if (of == prescribed) return by == prescribed ? 1 : 0;

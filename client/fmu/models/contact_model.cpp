@@ -19,7 +19,7 @@ consteval std::size_t at(std::string_view name) {
 enum { steady, transient, shift };  // motion_keywords
 enum { full };                      // model_keywords
 
-/// These a step may leave to the next.
+/// Arrays that a step may pass on to the next.
 constexpr struct {
     const char* name;
     std::vector<double> Carried::* values;
@@ -72,8 +72,8 @@ ContactHandle ContactModel::made(const Values& values) const {
     return contact;
 }
 
-/// By a contact of its own, which leaves nothing to the first step: rolling in its steady state as it is, and what goes
-/// on from step to step pressed together and not moved yet. A model without history knows the former only.
+/// Uses a separate contact, which does not affect the first step: steady rolling unchanged, and motions with history
+/// pressed together without motion. A model without history only has the former.
 void ContactModel::solve_start(Values& values) {
     const ContactHandle contact = made(values);
     contactd_contact* c = contact.get();
@@ -140,7 +140,7 @@ void ContactModel::set_rolling(contactd_contact* c, const Values& values, bool i
     set_field(c, "friction.rolling.velocity", velocity);
     double dq = 0;
     if (!is_steady && size) {
-        // The bodies roll as far as the step goes, in steps of rolling that are no longer than an element.
+        // The bodies roll for the duration of the step, in rolling steps of at most one element.
         constexpr double most = 10'000, nearly = 1e-9;
         const double distance = velocity * *size, steps = std::ceil(distance / values[at("grid.dx")] - nearly);
         if (!(distance > 0) || steps > most)

@@ -20,17 +20,17 @@ class ContactModel final : public Model {
     void cancel() override;
 
    private:
-    /// Sets what differs from step to step: the inputs, and the parameters that may change. Without a size nothing has
-    /// moved yet; transient rolling takes steps of an element then. `motion` is one of motion_keywords.
+    /// Sets the inputs, and the parameters that may change between steps. Without a size there is no motion yet;
+    /// transient rolling then uses steps of one element. `motion` is one of motion_keywords.
     static void set_load(contactd_contact* c, const Values& values, int motion, std::optional<double> size);
     static void set_shift(contactd_contact* c, const Values& values, std::optional<double> size);
     static void set_rolling(contactd_contact* c, const Values& values, bool is_steady, std::optional<double> size);
     static void read(contactd_contact* c, Values& values);
     ContactHandle made(const Values& values) const;
     std::vector<double> array(const char* which);
-    /// The arrays that a step leaves to the next.
+    /// The arrays that a step passes on to the next.
     bool carries(std::size_t array) const;
-    /// The last step, solved anew for what it has to bring along. `what` for the sentence when that cannot be.
+    /// Solves the last step again to obtain further results; `what` names them in error messages.
     void step_again(const char* what);
 
     Tell tell_;  // outlives the handles
@@ -38,7 +38,7 @@ class ContactModel final : public Model {
     ContactHandle contact_;
     std::size_t elements_ = 0;
     bool has_history_ = false;                  // simplified models have none
-    bool hardens_ = false, remembers_ = false;  // what particles carry beside tractions, but in steady rolling
+    bool hardens_ = false, remembers_ = false;  // state of particles other than tractions, except in steady rolling
     bool requests_arrays_ = false, requests_derivatives_ = false;
     bool by_force_ = true, shifts_ = false, force_is_prescribed_ = false;
     double step_size_ = 0;

@@ -5,7 +5,7 @@
 
 namespace contactd::fmu {
 
-/// All parameters but those that hold for a step. Throws Failure.
+/// Sets all parameters except those of a step. Throws Failure.
 void set_up(contactd_contact* contact, const Values& values);
 
 }  // namespace contactd::fmu

@@ -1,4 +1,4 @@
-// Failures of an instance, in the terms of neither version of FMI.
+// Failures of an instance, independent of the version of FMI.
 #pragma once
 
 #include <stdexcept>
@@ -6,10 +6,10 @@
 
 namespace contactd::fmu {
 
-/// discard: the step was not made, and the instance stays where it was; a smaller one, or another input, may do.
+/// discard: the step failed, and the instance is unchanged; a smaller step or another input may succeed.
 enum class Status { ok, warning, discard, error };
 
-/// what() is a sentence, or more.
+/// what() is one or more sentences.
 struct Failure : std::runtime_error {
     Failure(Status how, const std::string& sentence) : std::runtime_error(sentence), status(how) {}
     explicit Failure(const std::string& sentence) : Failure(Status::error, sentence) {}

@@ -1,4 +1,4 @@
-// The laws of friction beside the coefficient, and what bodies have to do with heat, of both models alike.
+// Friction laws other than the coefficient, and thermal properties of bodies, for both models.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace contactd::fmu {
 
-/// Numbers by their variables, of which the names are paths of fields below a prefix, too.
+/// Numbers by their variables, whose names are also paths of fields below a prefix.
 class NamedValues {
    public:
     NamedValues(void* handle, std::string prefix, std::span<const Variable> variables, const Values& values)
@@ -21,7 +21,7 @@ class NamedValues {
     void set(std::string_view name) const {
         set_field(handle_, prefix_ + std::string(name), values_[reference_in(variables_, name)]);
     }
-    /// Sets all that is no output and has a name that begins so.
+    /// Sets all variables with this prefix that are not outputs.
     void set_below(std::string_view group) const {
         for (const Variable& variable : variables_)
             if (variable.role != Role::output && variable.name.starts_with(group)) set(variable.name);
@@ -34,7 +34,7 @@ class NamedValues {
     const Values& values_;
 };
 
-/// Sets what of a second term, of memory, of a layer and of temperature the variables ask for.
+/// Sets the second term, memory, layer and temperature according to the variables.
 inline void set_friction_laws(const NamedValues& values, bool falls) {
     if (falls && values.is_there("friction.kinetic.second.fall")) values.set_below("friction.kinetic.second.");
     if (falls && values.is_there("friction.kinetic.memory.distance")) values.set_below("friction.kinetic.memory.");
@@ -45,7 +45,7 @@ inline void set_friction_laws(const NamedValues& values, bool falls) {
         values.set("friction.layer.flexibility");
 }
 
-/// Sets what both bodies have to do with heat, where temperatures are asked for.
+/// Sets the thermal properties of both bodies if temperatures are requested.
 inline void set_temperature(const NamedValues& values) {
     if (!values.is_there("temperature.computed")) return;
     for (const char* body : {"temperature.upper.", "temperature.lower."}) values.set_below(body);

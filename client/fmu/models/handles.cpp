@@ -11,7 +11,7 @@ consteval std::size_t at(std::string_view name) {
     return reference_of(common_variables, name);
 }
 
-/// Reports what goes on beside a call; who called reports its failure.
+/// Reports events during a call; the caller reports its failure.
 void hear(void* user, std::int32_t level, const char* text) {
     const Tell& tell = *static_cast<const Tell*>(user);
     if (level == CONTACTD_LOG_WARNING) tell(Status::warning, text);

@@ -1,4 +1,4 @@
-// Handles of contactd.h that give themselves back, and its codes as failures.
+// Handles of contactd.h that free themselves, and its codes as failures.
 #pragma once
 
 #include <contactd.h>
@@ -11,15 +11,15 @@
 
 namespace contactd::fmu {
 
-/// Throws Failure with the sentence of the library unless `code` is CONTACTD_OK. What did not converge is discarded.
+/// Throws Failure with the library's message unless `code` is CONTACTD_OK. Steps that did not converge are discarded.
 void check(std::int32_t code, const void* handle);
-/// The same, and whether there is something: false for CONTACTD_NOT_FOUND.
+/// The same, but returns false for CONTACTD_NOT_FOUND, otherwise true.
 bool found(std::int32_t code, const void* handle);
 
 /// Sets a field of a contact or a wheel by its path. Throws Failure.
 void set_field(void* handle, const std::string& path, double value);
 void set_keyword(void* handle, const std::string& path, std::string_view keyword);
-/// Returns a result, or 0 where the solution does not have it.
+/// Returns a result, or 0 if the solution does not have it.
 double read_field(void* handle, const std::string& path);
 
 struct Closes {
@@ -31,8 +31,8 @@ using ConnectionHandle = std::unique_ptr<contactd_connection, Closes>;
 using ContactHandle = std::unique_ptr<contactd_contact, Closes>;
 using WheelHandle = std::unique_ptr<contactd_wheel, Closes>;
 
-/// Where `endpoint` says, or in process; with the limits and keys of the values. `tell` must outlive what is made with
-/// it.
+/// Connects to `endpoint`, or in process, with the limits and keys in the values. `tell` must outlive its
+/// handles.
 ConnectionHandle opened(const Values& values, Tell& tell);
 
 }  // namespace contactd::fmu

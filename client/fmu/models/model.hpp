@@ -1,4 +1,4 @@
-// An instance solves one of these: a plain contact, or a wheel on its rail. Both by contactd.h alone.
+// The model of an instance: a plain contact, or a wheel on its rail. Both only use contactd.h.
 #pragma once
 
 #include <filesystem>
@@ -13,39 +13,39 @@
 
 namespace contactd::fmu {
 
-/// Tells what happens, in the thread of the call: warnings of a step, how far a build is.
+/// Reports warnings of a step and the progress of builds, in the thread of the call.
 using Tell = std::function<void(Status status, const std::string& sentence)>;
 
-/// A step leaves these behind, beside the values: the numbers that it was solved with; and of a contact the tractions
-/// of each element, in the order of contactd.h, and what its particles carry beside these. Empty before the first step.
+/// The result of a step other than the values: the numbers of its inputs, and for a contact the tractions of each
+/// element, in the order of contactd.h, and the other state of its particles. Empty before the first step.
 struct Carried {
     std::vector<double> solved{}, pressure{}, traction_x{}, traction_y{}, yield_stress{}, friction_coefficient{};
 };
 
-/// Which derivatives a model has: rows are outputs, columns inputs, by their value references.
+/// Available derivatives of a model: rows are outputs, columns inputs, by their value references.
 struct DerivativePlaces {
     std::vector<std::size_t> of, by;
 };
 
-/// For one thread at a time, but for cancel. All may throw Failure; what fails leaves the model as it was.
+/// For one thread at a time, except cancel. All may throw Failure; a failure leaves the model unchanged.
 class Model {
    public:
     virtual ~Model() = default;
-    /// Opens it with the parameters, to go on from where `from` was left, which may be empty. A model that is open goes
-    /// there; its parameters are those that it was opened with.
+    /// Opens it with the parameters, to continue from `from`, which may be empty. An open model returns to that state;
+    /// its parameters are those of its opening.
     virtual void start(const Values& values, const Carried& from) = 0;
-    /// Solves the state before the first step with the inputs of `values`, into which its outputs come. Called once,
-    /// after the start; a solution that did not converge is reported, and is no failure.
+    /// Solves the state before the first step with the inputs in `values`, and writes the outputs there. Called once,
+    /// after the start. A solution that did not converge is reported, but is not a failure.
     virtual void solve_start(Values& values) = 0;
-    /// A step of `size` seconds with the inputs of `values`; its outputs come into these.
+    /// Solves a step of `size` seconds with the inputs in `values`, and writes the outputs there.
     virtual void step(Values& values, double size) = 0;
-    /// Returns what the steps made so far leave behind; asked for the first time it solves the last step once more.
+    /// Returns the state after the last step; the first call solves that step again.
     virtual Carried carried() = 0;
     virtual const DerivativePlaces& derivative_places() const = 0;
-    /// Returns those of the last step, row by row of `derivative_places`; NaN where there is none. May solve that step
-    /// once more.
+    /// Returns those of the last step, row by row of `derivative_places`; NaN if unavailable. May solve that step
+    /// again.
     virtual std::vector<double> derivatives() = 0;
-    /// From any thread: a step that runs ends.
+    /// Ends the running step, from any thread.
     virtual void cancel() = 0;
 };
 

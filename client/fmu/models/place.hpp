@@ -1,4 +1,4 @@
-// Where files lie that importers and users name: by paths, by URIs, or by names in the FMU's resources.
+// Locations of files given by importers and users: by paths, by URIs, or by names in the FMU's resources.
 #pragma once
 
 #include <filesystem>
@@ -8,13 +8,13 @@
 
 namespace contactd::fmu {
 
-/// Returns the path of a URI, file:///... with its %20, or a path as it is.
+/// Returns the path of a URI, file:///... with %20 decoded, or an unchanged path.
 std::filesystem::path path_of(std::string_view name);
 
-/// The file that `name` means: a URI, a path from the root on, or one from `resources` on; where there is none of this
-/// name, without the spaces around it, and with \ as /. Nothing where there is no such file. Throws Failure for one
-/// that leads out of `top`, once links are followed, without being a path from the root on: it is not for the FMU of a
-/// stranger to say which files of its user are read.
+/// Returns the file `name`: a URI, an absolute path, or one relative to `resources`. If there is no file of this name,
+/// spaces around it are removed, and \ is replaced by /. Returns none if there is no file. Throws Failure for a
+/// relative path outside `top` after links are resolved: an untrusted FMU must not choose which files of its user are
+/// read.
 std::optional<std::filesystem::path> file_named(const std::string& name, const std::filesystem::path& resources,
                                                 const std::filesystem::path& top);
 inline std::optional<std::filesystem::path> file_named(const std::string& name,
@@ -22,10 +22,10 @@ inline std::optional<std::filesystem::path> file_named(const std::string& name,
     return file_named(name, resources, resources);
 }
 
-/// Returns whether the path lies in the folder or below it, once links are followed.
+/// Returns whether the path is in the folder or below it, after links are resolved.
 bool lies_within(const std::filesystem::path& path, const std::filesystem::path& folder);
 
-/// In small letters and without spaces: s1002 of "S 1002".
+/// Returns the text in lower case without spaces: s1002 for "S 1002".
 std::string lowercase_name(std::string_view name);
 
 }  // namespace contactd::fmu

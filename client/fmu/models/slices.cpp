@@ -39,7 +39,7 @@ void set_slices(contactd_wheel* w, const Slices& slices, const std::string& vari
         if (!(entry >> place) || !std::getline(entry, profile))
             throw Failure(variable + ": line " + std::to_string(number) + " of " + list->string() +
                           " must have a number and the file of a profile.");
-        // A list that the FMU brings names files of the FMU, also beside its own folder.
+        // A list in the FMU may name other files of the FMU, also outside its folder.
         const bool is_of_fmu = lies_within(*list, resources);
         std::optional<std::filesystem::path> found =
             file_named(profile, list->parent_path(), is_of_fmu ? resources : list->parent_path());

@@ -9,12 +9,12 @@
 
 namespace contactd::fmu {
 
-/// Where contactd.h has a list of slices, and what stands in the first column of its file.
+/// The path of a list of slices in contactd.h, and the first column of its file.
 struct Slices {
     std::string path, column;
 };
 
-/// How a file of a profile is read, beside what it says itself; a unit of 0 leaves that to the file.
+/// Options for reading a profile file, in addition to those in the file; a unit of 0 is that of the file.
 struct FileReading {
     double unit = 0;
     bool mirror_y = false;
@@ -22,12 +22,12 @@ struct FileReading {
     double shift_y = 0, shift_z = 0, smoothing_length = 0;
 };
 
-/// Makes the profile at this path that of a file. Throws Failure for one that cannot be read.
+/// Sets the profile at this path from a file. Throws Failure if it cannot be read.
 void set_profile_file(contactd_wheel* wheel, const std::string& profile, const std::filesystem::path& path,
                       const FileReading& reading);
 
-/// Sets the slices of the file `name`. Throws Failure naming `variable` for what is no such file, and for a line that
-/// has no number and file.
+/// Sets the slices of the file `name`. Throws Failure naming `variable` for an invalid file, and for a line without
+/// number and file.
 void set_slices(contactd_wheel* wheel, const Slices& slices, const std::string& variable, const std::string& name,
                 const FileReading& reading, const std::filesystem::path& resources);
 

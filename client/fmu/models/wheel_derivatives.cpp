@@ -1,4 +1,4 @@
-// How the forces on the rail follow the inputs of a wheel.
+// Derivatives of the forces on the rail with respect to the inputs of a wheel.
 #include <iterator>
 #include <limits>
 #include <string>
@@ -24,8 +24,8 @@ constexpr std::string_view motions[] = {"position.y", "position.z", "position.ro
                                         "velocity.y", "velocity.z", "velocity.roll", "velocity.yaw", "velocity.pitch"};
 constexpr std::size_t by_height = 1, by_force = std::size(motions), columns = by_force + 1, Fz = 2;
 
-/// contactd.h holds the height. Where the force is held in its place the height follows, by dz = (dFz - Fz_q dq)/Fz_z,
-/// and an estimate of it is of no influence.
+/// contactd.h keeps the height constant. For a prescribed force the height follows, by dz = (dFz - Fz_q dq)/Fz_z, and
+/// its estimate has no effect.
 void hold_force(std::vector<double>& all) {
     const std::vector<double> held(all.begin() + Fz * columns, all.begin() + (Fz + 1) * columns);
     const double stiffness = held[by_height];
@@ -58,7 +58,7 @@ std::vector<double> WheelModel::derivatives() {
             say(values);
             check(contactd_step_again(w), w);
         } catch (...) {
-            if (!requests_derivatives_) contactd_set(w, "state.derivatives", 0);  // steps go on without
+            if (!requests_derivatives_) contactd_set(w, "state.derivatives", 0);  // steps continue without
             throw;
         }
         has_derivatives_ = requests_derivatives_ = true;

@@ -24,7 +24,7 @@ void WheelModel::start(const Values& values, const Carried& from) {
         check(contactd_wheel_new(connection.get(), &made), connection.get());
         WheelHandle wheel(made);
         set_up(made, values, resources_);
-        // A wheel has nothing to start, and so nobody has been asked yet.
+        // A wheel has no start, so there was no request yet.
         check(contactd_ping(connection.get()), connection.get());
         connection_ = std::move(connection);
         wheel_ = std::move(wheel);
@@ -33,7 +33,7 @@ void WheelModel::start(const Values& values, const Carried& from) {
     has_derivatives_ = false;
 }
 
-/// In the position of the start, which the initialization has time for.
+/// At the initial position, because the initialization has enough time.
 void WheelModel::solve_start(Values& values) {
     contactd_wheel* w = wheel_.get();
     check(contactd_wheel_set_timeout(w, values[at("limits.start")]), w);
@@ -45,7 +45,7 @@ void WheelModel::solve_start(Values& values) {
 }
 
 void WheelModel::step(Values& values, double) {
-    has_derivatives_ = false;  // those that the handle has are of a solve that may be discarded
+    has_derivatives_ = false;  // those of the handle may be from a discarded solve
     const std::vector<double> asked = values.numbers;
     if (!solved(values) && !values.is(at("accept_unconverged")))
         throw Failure(Status::discard, "The step did not converge, and is discarded. " + quality_flags(values) +
@@ -56,7 +56,7 @@ void WheelModel::step(Values& values, double) {
 
 bool WheelModel::solved(Values& values) {
     say(values);
-    check(contactd_step_again(wheel_.get()), wheel_.get());  // from nothing, so that states of masters go back exactly
+    check(contactd_step_again(wheel_.get()), wheel_.get());  // without estimates, so that restored states are exact
     read(values);
     return values.is(at("converged"));
 }

@@ -1,4 +1,4 @@
-// A wheel on its rail, in one position after the other: nothing is carried from step to step.
+// A wheel on its rail in a sequence of positions, without state between steps.
 #pragma once
 
 #include "handles.hpp"
@@ -7,7 +7,7 @@ namespace contactd::fmu {
 
 class WheelModel final : public Model {
    public:
-    /// `resources`: where files of profiles are looked for that are named without a folder.
+    /// `resources` is the folder of profile files named without a folder.
     WheelModel(Tell tell, std::filesystem::path resources) : tell_(std::move(tell)), resources_(std::move(resources)) {}
 
     void start(const Values& values, const Carried& from) override;
@@ -22,7 +22,7 @@ class WheelModel final : public Model {
     void say(const Values& values);
     /// With outputs in `values`, and whether it converged.
     bool solved(Values& values);
-    /// Why the step just made is discarded.
+    /// Returns the reason why the last step is discarded.
     std::string quality_flags(const Values& values) const;
     void read(Values& values);
     void read_patches(Values& values);

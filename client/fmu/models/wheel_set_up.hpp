@@ -7,12 +7,12 @@
 
 namespace contactd::fmu {
 
-/// All parameters. Throws Failure, also for a file that cannot be read, naming the variable.
+/// Sets all parameters. Throws Failure, also for a file that cannot be read, naming the variable.
 void set_up(contactd_wheel* wheel, const Values& values, const std::filesystem::path& resources);
 
-/// The variables of this role that are fields by their paths.
+/// Returns the variables of this role that are fields, by their paths.
 void set_fields(contactd_wheel* wheel, const Values& values, Role role);
-/// Those that are outputs.
+/// Returns the outputs.
 void read_fields(contactd_wheel* wheel, Values& values);
 
 }  // namespace contactd::fmu

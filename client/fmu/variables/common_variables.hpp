@@ -1,4 +1,4 @@
-// Contacts and wheels have these in common: where they are solved, how long that may take, friction and accuracy.
+// Common variables of contacts and wheels: endpoint, timeouts, friction and accuracy.
 #pragma once
 
 #include <array>
@@ -88,7 +88,7 @@ inline constexpr auto common_variables = std::to_array<Variable>({
             "A step that missed a tolerance counts; otherwise it is discarded."),
 });
 
-/// One list behind the other.
+/// Concatenates lists.
 template <std::size_t n, std::size_t m>
 consteval std::array<Variable, n + m> joined(const std::array<Variable, n>& first,
                                              const std::array<Variable, m>& then) {

@@ -10,7 +10,7 @@
 
 namespace contactd::fmu {
 
-/// By value reference: numbers of all that are no texts (booleans 0 or 1, enumerations the place of their word).
+/// By value reference: numbers of all variables except texts (booleans 0 or 1, enumerations the index of their word).
 struct Values {
     explicit Values(std::span<const Variable> list) : numbers(list.size()), texts(list.size()) {
         for (std::size_t at = 0; at < list.size(); ++at) {

@@ -13,21 +13,21 @@ enum class Type { real, integer, boolean, enumeration, text };
 /// parameter: set before the simulation, and fixed in it. tunable: a parameter that may change between steps.
 enum class Role { time, parameter, tunable, input, output };
 
-/// Words, the first of which stands for 0: the order is that of contactd.h where it has them.
+/// Words; the first one is 0. The order is that of contactd.h if it has them.
 struct Enumeration {
     std::string_view name;
     std::span<const std::string_view> keywords;
 };
 
-/// A variable's value reference is its place in its list.
+/// A variable's value reference is its index in its list.
 struct Variable {
     std::string_view name;
     Role role = Role::parameter;
     Type type = Type::real;
     std::string_view unit{};                   ///< of reals; one of `units`, or none
-    double start = 0;                          ///< but of texts, which start empty unless `text` says otherwise
+    double start = 0;                          ///< except texts, which start empty or with `text`
     std::string_view text{};                   ///< what a text starts with
-    const Enumeration* enumeration = nullptr;  ///< of enumerations, of integers in the place of one, of keyword_at
+    const Enumeration* enumeration = nullptr;  ///< of enumerations, of integers for them, of keyword_at
     std::string_view same_as{};                ///< of such an integer: the enumeration's name
     std::string_view says{};                   ///< a sentence or two
     std::string_view path{};                   ///< of a field that contactd.h sets or reads; its words are keywords
@@ -87,21 +87,21 @@ constexpr Variable at_path(std::string_view path, Variable variable) {
     variable.path = path;
     return variable;
 }
-/// A number that may be left out, and is left out where it is 0.
+/// An optional number, which is omitted if it is 0.
 constexpr Variable absent_at_zero(std::string_view path, Variable variable) {
     variable.zero_is_absent = true;
     return at_path(path, variable);
 }
-/// A boolean that stands for one of two keywords.
+/// A boolean that represents one of two keywords.
 constexpr Variable keyword_at(std::string_view path, const Enumeration& keywords, Variable variable) {
     variable.enumeration = &keywords;
     return at_path(path, variable);
 }
 
-/// The value of an integer in the place of an enumeration that leaves it to that.
+/// Value of an integer that leaves the choice to its enumeration.
 inline constexpr int as_the_enumeration = -1;
 
-/// An integer in the place of the enumeration `as`, for importers that know none.
+/// An integer for the enumeration `as`, for importers without enumerations.
 constexpr Variable number(std::string_view name, std::string_view as, const Enumeration& of, std::string_view says) {
     return {.name = name,
             .type = Type::integer,
@@ -111,19 +111,19 @@ constexpr Variable number(std::string_view name, std::string_view as, const Enum
             .says = says};
 }
 
-/// The keyword that a value of such a variable stands for.
+/// Returns the keyword for a value of such a variable.
 constexpr std::string_view keyword_of(const Variable& variable, double value) {
     return variable.enumeration->keywords[static_cast<std::size_t>(value)];
 }
 
-/// The value reference of a name. Throws for one that is not in the list.
+/// Returns the value reference of a name. Throws for an unknown name.
 constexpr std::size_t reference_in(std::span<const Variable> list, std::string_view name) {
     for (std::size_t at = 0; at < list.size(); ++at)
         if (list[at].name == name) return at;
     throw "the list has no variable of this name";
 }
 
-/// Returns that while compiling: a name that is in no list is a mistake of ours.
+/// Returns it at compile time; an unknown name is a compile error.
 consteval std::size_t reference_of(std::span<const Variable> list, std::string_view name) {
     return reference_in(list, name);
 }

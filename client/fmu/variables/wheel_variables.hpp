@@ -1,4 +1,4 @@
-// The variables of a wheel on its rail: docs/wheel-rail.md has the coordinates and signs.
+// The variables of a wheel on its rail. docs/wheel-rail.md defines coordinates and signs.
 #pragma once
 
 #include "common_variables.hpp"
@@ -22,7 +22,7 @@ inline constexpr Enumeration orientations{"Orientation", orientation_keywords};
 inline constexpr std::string_view vertical_keywords[] = {"force", "position"};
 inline constexpr Enumeration verticals{"Vertical", vertical_keywords};
 
-/// How many patches have variables of their own.
+/// Number of patches with their own variables.
 inline constexpr int patches_reported = 3;
 
 namespace detail {
@@ -207,7 +207,7 @@ inline constexpr std::string_view patch_names[][patches_reported] = {
     {"patch[1].xi", "patch[2].xi", "patch[3].xi"},       {"patch[1].eta", "patch[2].eta", "patch[3].eta"},
     {"patch[1].phi", "patch[2].phi", "patch[3].phi"},    {"patch[1].power", "patch[2].power", "patch[3].power"},
 };
-/// The outputs of a patch, each by its path below the patch; 0 where it does not have it.
+/// The outputs of a patch, each by its path below the patch; 0 if it does not exist.
 inline constexpr struct {
     std::string_view unit, path, says;
 } patch_parts[] = {
@@ -242,7 +242,7 @@ inline constexpr auto wheel_variables = joined(
     joined(joined(joined(common_variables, detail::wheel_alone), detail::friction_variables()), detail::wheel_fields),
     detail::patch_variables());
 
-/// How many angles have a coefficient of friction of their own.
+/// Number of angles with their own coefficient of friction.
 inline constexpr int most_angles = static_cast<int>(std::size(detail::friction_names));
 
 }  // namespace contactd::fmu

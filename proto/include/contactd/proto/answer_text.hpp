@@ -1,4 +1,4 @@
-// Clients parse the JSON of an answer once, into one flat list of values that refer to the text.
+// Parses the JSON of an answer for clients, once, into one flat list of values that refer to the text.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,11 @@ enum class JsonKind : std::uint8_t { null, boolean, integer, number, text, list,
 
 class AnswerValue;
 
-/// A document of JSON. Values refer to the text that it was parsed from, which must live longer.
+/// A JSON document. Values refer to its text, which must outlive it.
 class AnswerText {
    public:
-    /// Returns null where `text` is not JSON: bad syntax, bad UTF-8, a number beyond double, nested more than 256
-    /// levels deep.
+    /// Returns null if `text` is not JSON: invalid syntax or UTF-8, a number beyond double, more than 256 nested
+    /// levels.
     static std::shared_ptr<const AnswerText> parsed(std::string_view text);
 
     AnswerValue root() const;
@@ -30,7 +30,7 @@ class AnswerText {
     struct Node {
         JsonKind kind = JsonKind::null;
         std::uint32_t size = 0;  ///< of a text its bytes, of a list its elements, of an object its members
-        std::uint32_t end = 0;   ///< the node behind this one and all below it
+        std::uint32_t end = 0;   ///< the node after this one and its descendants
         union {
             bool flag;
             std::int64_t integer;
@@ -43,11 +43,11 @@ class AnswerText {
     friend class AnswerParser;
     friend class AnswerValue;
 
-    std::vector<Node> nodes_;  ///< a value before those below it; a member is its name, a text, and its value
+    std::vector<Node> nodes_;  ///< a value precedes its descendants; a member is its name, a text, and its value
     std::vector<std::unique_ptr<std::string>> unescaped_;
 };
 
-/// A value of a document, which must live longer.
+/// A value of a document, which must outlive it.
 class AnswerValue {
    public:
     explicit AnswerValue(const AnswerText::Node* node, const AnswerText::Node* first) : node_(node), first_(first) {}
@@ -66,17 +66,17 @@ class AnswerValue {
     std::string_view text() const { return {node_->text, node_->size}; }
     std::size_t size() const { return node_->size; }
 
-    /// Returns the member of an object by its name; nothing where there is none, or no object.
+    /// Returns the member of an object by its name; none if it or the object does not exist.
     std::optional<AnswerValue> find(std::string_view name) const;
     bool contains(std::string_view name) const { return find(name).has_value(); }
-    /// Returns the member; throws Error where there is none.
+    /// Returns the member; throws Error if there is none.
     AnswerValue operator[](std::string_view name) const;
 
     /// Iterates over the elements of a list, or over the names of an object's members.
     class Iterator;
     Iterator begin() const;
     Iterator end() const;
-    /// Returns the value of the member whose name this is.
+    /// Returns the value of the member with this name.
     AnswerValue value_of_name() const { return AnswerValue(node_ + 1, first_); }
 
     nlohmann::json json() const;

@@ -1,5 +1,5 @@
-// JSON <-> plain values. Used by the server, by contactd-ic and by the C++ client, so that each message is
-// written and read in one place.
+// Converts JSON to plain values and back, for the server, contactd-ic and the C++ client. Each message is written and
+// read in one place.
 #pragma once
 
 #include <memory>
@@ -24,10 +24,10 @@ namespace contactd::proto {
 
 // --- ic.get; contactd-ic reads the same object from a file ---------------------------------------------------------
 nlohmann::json encode_ic_spec(const IcSpec& spec);
-/// `params` has passed its schema. Applies preset and defaults; ranges are checked by contactd::validate.
+/// `params` has passed its schema. Applies preset and defaults; contactd::validate checks bounds.
 IcSpec decode_ic_spec(const nlohmann::json& params);
 
-/// The table is finite, as table_for makes it.
+/// The table must be finite, like those of table_for.
 nlohmann::json encode_ic_reply(IcReply reply, ArrayWriter& arrays);
 IcReply decode_ic_reply(const nlohmann::json& result, const Frames& frames);
 
@@ -36,14 +36,14 @@ IcEvidence decode_evidence(const nlohmann::json& json);
 
 // --- contact.solve ---------------------------------------------------------------------------------------------------
 nlohmann::json encode_problem(const ContactProblem& problem, ArrayWriter& arrays);
-/// The same, of whose solution only these are wanted.
+/// The same, with only these arrays of the solution.
 nlohmann::json encode_problem(const ContactProblem& problem, ArrayWriter& arrays, const SolutionFields& fields);
-/// `params` has passed its schema. Throws StatusError naming the field for a grid that is too large (before anything of
-/// its size is allocated) and for arrays that do not fit; the rest is checked by contactd::validate. Of the models
-/// other than full, which do not use it, `ics` is not read.
+/// `params` has passed its schema. Throws StatusError naming the field for a grid that is too large (before memory is
+/// allocated) and for arrays that do not match; contactd::validate checks the rest. `ics` is only read for the model
+/// full, because others do not use it.
 ContactProblem decode_problem(const nlohmann::json& params, const Frames& frames);
 
-/// The fields wanted back by a request that has passed its schema; `otherwise` where it names none.
+/// Returns the requested fields of a request that has passed its schema; `otherwise` if it has none.
 nlohmann::json encode_fields(const SolutionFields& fields);
 SolutionFields decode_fields(const nlohmann::json& params, const SolutionFields& otherwise);
 
@@ -55,31 +55,31 @@ SolveReply decode_solve_reply(const AnswerValue& result, const Frames& frames);
 // --- contact.solve_many ----------------------------------------------------------------------------------------------
 nlohmann::json encode_problems(std::span<const ContactProblem> problems, ArrayWriter& arrays,
                                const SolutionFields& fields = all_solution_fields);
-/// `problems` have passed their schema, and are decoded one by one by decode_problem. Throws StatusError
-/// (LIMIT_EXCEEDED) when their arrays together, a frame counted as often as it is named, have more than
-/// limits.max_array_elements: each problem gets arrays of its own.
+/// `problems` have passed their schema; decode_problem decodes them one by one. Throws StatusError (LIMIT_EXCEEDED) if
+/// all their arrays together, counting a frame for each reference, have more than limits.max_array_elements, because
+/// each problem gets its own arrays.
 void check_referred_elements(const nlohmann::json& problems, const MessageLimits& limits = {});
 
-/// A result with its frames, or why there is none.
+/// A result with its frames, or the reason why there is none.
 struct Result {
     std::shared_ptr<const std::string> text;  ///< of the result, as JSON
     Frames frames;
 };
 using ResultOrStatus = std::variant<Result, Status>;
-/// A reply that cannot be sent, because a number in it is not finite, becomes INTERNAL.
+/// A reply with a number that is not finite cannot be sent and becomes INTERNAL.
 ResultOrStatus encode_outcome(const SolveReply& reply, const Grid& grid, ArrayEncoding encoding,
                               const SolutionFields& fields = all_solution_fields);
-/// The text of {list: [{status, result}, ...]}, of a method that does several things at once. Takes the frames, which
-/// then stand one behind the other in `frames`.
+/// Returns the text of {list: [{status, result}, ...]} for a method with several parts. Moves the frames to `frames`,
+/// one after the other.
 std::string encode_results(std::string_view list, std::vector<ResultOrStatus> results, Frames& frames);
 std::vector<ReplyOrStatus> decode_solve_replies(const nlohmann::json& result, const Frames& frames);
 
 // --- contact.subsurface ----------------------------------------------------------------------------------------------
 nlohmann::json encode_subsurface_request(const SubsurfaceRequest& request, ArrayWriter& arrays);
-/// `params` has passed its schema. Throws StatusError naming the field for a grid or points that are too many
-/// (LIMIT_EXCEEDED; the arrays of the result have at most limits.max_array_elements together), before anything of their
-/// size is allocated, for arrays that do not fit and a body that is no
-/// half-space; the rest is checked by contactd::subsurface_stress.
+/// `params` has passed its schema. Throws StatusError naming the field for a grid or points that are too large
+/// (LIMIT_EXCEEDED; all arrays of the result together have at most limits.max_array_elements), before memory is
+/// allocated, for arrays that do not match and for a body that is not a half-space; contactd::subsurface_stress checks
+/// the rest.
 SubsurfaceRequest decode_subsurface_request(const nlohmann::json& params, const Frames& frames,
                                             const MessageLimits& limits = {});
 nlohmann::json encode_subsurface_reply(const SubsurfaceReply& reply, ArrayWriter& arrays);
@@ -88,7 +88,7 @@ SubsurfaceReply decode_subsurface_reply(const nlohmann::json& result, const Fram
 // --- contact.temperature ---------------------------------------------------------------------------------------------
 nlohmann::json encode_temperature_request(const TemperatureRequest& request, ArrayWriter& arrays);
 /// `params` has passed its schema. Throws StatusError naming the field for a grid that is too large and for arrays that
-/// do not fit; the rest is checked by contactd::surface_temperature.
+/// do not match; contactd::surface_temperature checks the rest.
 TemperatureRequest decode_temperature_request(const nlohmann::json& params, const Frames& frames);
 nlohmann::json encode_temperature_reply(const SurfaceTemperatures& reply, const Grid& grid, ArrayWriter& arrays);
 SurfaceTemperatures decode_temperature_reply(const nlohmann::json& result, const Grid& grid, const Frames& frames);
@@ -99,7 +99,7 @@ nlohmann::json encode_ic_export(const IcExport& requested);
 IcExport decode_ic_export(const nlohmann::json& params);
 nlohmann::json encode_hdf5_reply(std::span<const unsigned char> file, const IcUse& body, ArrayWriter& arrays);
 nlohmann::json encode_contact_text_reply(std::string text, const IcUse& upper, const IcUse& lower);
-/// The file, in either format. Throws StatusError (ARRAY_INVALID).
+/// Reads the file in either format. Throws StatusError (ARRAY_INVALID).
 std::string decode_ic_file(const nlohmann::json& result, const Frames& frames);
 
 }  // namespace contactd::proto

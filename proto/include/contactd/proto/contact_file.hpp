@@ -11,7 +11,7 @@
 namespace contactd::proto {
 
 nlohmann::json encode_contact_case(const ContactCase& read);
-/// How many numbers the message of a case has.
+/// Returns the count of numbers in the message of a case.
 std::size_t numbers_of(const ContactCase& read);
 
 nlohmann::json encode_contact_slices(const ContactSlices& read);

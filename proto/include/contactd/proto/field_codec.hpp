@@ -1,7 +1,7 @@
-// Structs to JSON and back by their lists of fields (contactd/fields.hpp).
+// Converts structs to JSON and back by their lists of fields (contactd/fields.hpp).
 //
-// Writing takes every field that is there; reading leaves fields alone that are not. A type whose form on
-// the wire is another one than that of its fields has a hook (field_hooks.cpp).
+// Writing includes every present field; reading does not change missing fields. A type whose form on the wire differs
+// from that of its fields has a hook (field_hooks.cpp).
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@
 
 namespace contactd::proto {
 
-/// Where a value stands, as a list from the inside out: its text is made when a refusal needs it.
+/// The path of a value, as a list from the inside out; its text is only created for an error.
 class MemberPath {
    public:
     explicit MemberPath(std::string_view name) : name_(name) {}
@@ -33,9 +33,9 @@ class MemberPath {
     std::size_t index_ = 0;
 };
 
-/// Means by which a message is written: arrays over the grid are left out where there is no grid.
+/// Context for writing a message; arrays over the grid are omitted without a grid.
 struct Writing {
-    ArrayWriter* arrays = nullptr;  ///< null where a message has none
+    ArrayWriter* arrays = nullptr;  ///< null for a message without them
     const Grid* grid = nullptr;
 };
 
@@ -44,16 +44,16 @@ struct Reading {
     const Grid* grid = nullptr;
 };
 
-/// The form on the wire of values of one type. What `write` returns discarded is left out. Without functions a field of
-/// this type is passed over: what the message holds of it depends on more than its value. Without one of them its
-/// fields say all.
+/// The form on the wire of values of one type. Values for which `write` returns discarded are omitted. Without
+/// functions, a field of this type is skipped, because its message depends on more than its value. Without one of them,
+/// its fields are used.
 struct FieldHook {
     const FieldType* type;
     nlohmann::json (*write)(const void* value, const MemberPath& path, const Writing& with);
     void (*read)(const nlohmann::json& source, void* value, const MemberPath& path, const Reading& with);
 };
 
-/// Null where the fields of a type say all.
+/// Returns null if the fields of a type are sufficient.
 const FieldHook* hook_of(const FieldType& type);
 
 /// Throws InvalidArgument naming the path of a number that is not finite.
@@ -79,7 +79,7 @@ void read_fields(const Source& source, T& value, const MemberPath& path, const R
     read_fields(source, type_of<T>(), &value, path, with);
 }
 
-/// The value that `source` holds, with the defaults of its type; `name` is that of its field.
+/// Returns the value in `source`, with the defaults of its type; `name` is the name of its field.
 template <class T>
 T read_value(const nlohmann::json& source, std::string_view name, const Reading& with = {{}}) {
     T value;
@@ -87,7 +87,7 @@ T read_value(const nlohmann::json& source, std::string_view name, const Reading&
     return value;
 }
 
-/// write_fields of what was computed: a number that is not finite is an Error, not a refusal of what was asked.
+/// write_fields for results: a number that is not finite is an Error, not an invalid request.
 template <class T>
 nlohmann::json write_answer(const T& answer, const MemberPath& path) {
     try {

@@ -1,4 +1,4 @@
-// The bytes of an array that travels behind an envelope.
+// The bytes of an array that follows an envelope.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,8 @@
 
 namespace contactd::proto {
 
-/// Holds what its bytes were made of, as it is: neither who makes one of a large array, nor who receives it, copies it.
-/// Copies of a frame share those bytes, which nobody changes any more.
+/// Holds the source of its bytes, so that large arrays are copied neither by the sender nor by the receiver. Copies of
+/// a frame share the bytes, which are immutable.
 class Frame {
    public:
     Frame() = default;
@@ -24,14 +24,14 @@ class Frame {
         const auto held = std::make_shared<const std::vector<Number, Allocator>>(std::move(values));
         *this = Frame(held, {reinterpret_cast<const char*>(held->data()), held->size() * sizeof(Number)});
     }
-    /// Bytes of a message as a socket gave it.
+    /// Bytes of a message received by a socket.
     template <class Message>
         requires requires(const Message& message) { message.to_string_view(); }
     explicit Frame(Message message) {
         const auto held = std::make_shared<const Message>(std::move(message));
         *this = Frame(held, held->to_string_view());
     }
-    /// Bytes within something else, which is kept for as long as they are wanted.
+    /// Bytes within another object, which is kept alive.
     Frame(std::shared_ptr<const void> owner, std::string_view bytes) : owner_(std::move(owner)), bytes_(bytes) {}
 
     std::string_view bytes() const { return bytes_; }

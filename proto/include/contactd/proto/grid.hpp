@@ -1,4 +1,4 @@
-// Grids as JSON: parts of many messages.
+// Grids as JSON, which are part of many messages.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,8 +8,8 @@
 namespace contactd::proto {
 
 nlohmann::json encode_grid(const Grid& grid);
-/// Grid of an object that has passed its schema. Throws StatusError naming the field, before anything of the grid's
-/// size is allocated.
+/// Returns the grid of an object that has passed its schema. Throws StatusError naming the field, before memory is
+/// allocated.
 Grid decode_grid(const nlohmann::json& json);
 
 }  // namespace contactd::proto

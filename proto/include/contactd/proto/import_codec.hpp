@@ -1,4 +1,4 @@
-// JSON <-> plain values: ic.import, and requests for tables whose sections hold arrays.
+// Converts JSON to plain values and back: ic.import, and requests for tables whose sections contain arrays.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,7 +13,7 @@ namespace contactd::proto {
 IcSpec decode_ic_spec(const nlohmann::json& params, const Frames& frames);
 IcExport decode_ic_export(const nlohmann::json& params, const Frames& frames);
 
-/// Attributes and datasets by their paths: the parameters of ic.import, and what ic.export answers as "contents".
+/// Attributes and datasets by their paths: the parameters of ic.import, and the "contents" of ic.export.
 nlohmann::json encode_file_contents(const FileContents& contents, ArrayWriter& arrays);
 /// Throws StatusError (INVALID_FIELD, ARRAY_INVALID) naming "attributes.spec/body", "datasets.transform", ...
 FileContents decode_file_contents(const nlohmann::json& params, const Frames& frames);

@@ -1,4 +1,4 @@
-// Files with CURVE keys, in the form of CZMQ's and pyzmq's certificates:
+// Files with CURVE keys, in the format of CZMQ's and pyzmq's certificates:
 //
 //     metadata
 //         name = "alice"
@@ -6,7 +6,7 @@
 //         public-key = "..."
 //         secret-key = "..."
 //
-// Keys are written in Z85, 40 characters. A file without secret-key is a public one and may be given to anybody.
+// Keys are written in Z85, 40 characters. A file without secret-key is public and may be distributed.
 #pragma once
 
 #include <filesystem>
@@ -20,14 +20,14 @@ struct KeyFile {
     std::string secret_key;  ///< Z85; empty in a public file
 };
 
-/// Reads the content of a key file. Throws contactd::Error saying what is missing or wrong, never quoting the content.
+/// Reads the content of a key file. Throws contactd::Error naming the error, without quoting the content.
 KeyFile parse_key_file(std::string_view text);
 
-/// Reads a key file, as parse_key_file does its content. Errors begin with the path; what is no ordinary file, or
-/// larger than a key file can be, is refused before it is read.
+/// Reads a key file with parse_key_file. Errors begin with the path. A file that is not regular, or too large, is
+/// refused before it is read.
 KeyFile read_key_file(const std::filesystem::path& path);
 
-/// Throws Error, naming the path, when others than the file's owner can read or write it.
+/// Throws Error, naming the path, if users other than the owner can read or write the file.
 void check_private(const std::filesystem::path& path);
 
 }  // namespace contactd::proto

@@ -1,4 +1,4 @@
-// The envelope and the array frames behind it (docs/protocol.md).
+// The envelope and its array frames (docs/protocol.md).
 #pragma once
 
 #include <array>
@@ -21,21 +21,21 @@
 namespace contactd::proto {
 
 inline constexpr int protocol_version = 1;
-/// Those that the daemon serves, oldest first.
+/// Versions supported by the daemon, oldest first.
 inline constexpr std::array<int, 1> protocol_versions{1};
 
 nlohmann::json to_json(const MessageLimits& limits);
 
-/// Frame 0 is the JSON envelope; `frames[n-1]` holds the bytes of frame n.
+/// Frame 0 is the JSON envelope; `frames[n-1]` contains the bytes of frame n.
 struct Message {
     nlohmann::json envelope;
     Frames frames;
 };
 
-/// How the sender of a request wants arrays in the reply.
+/// Requested form of arrays in the reply.
 enum class ArrayEncoding { frame, list };
 
-/// How urgently a request wants its turn; higher ones come first.
+/// Priority of a request; higher ones are first.
 enum class Priority { high, normal, low };
 
 /// A request after its envelope has been checked. `params` is checked against the method's schema separately.
@@ -46,31 +46,31 @@ struct Request {
     nlohmann::json metadata;  ///< an object of plain values
     int timeout_ms = 0;       ///< 0: none
     ArrayEncoding arrays = ArrayEncoding::frame;
-    std::optional<Priority> priority;  ///< left out: the method's own
+    std::optional<Priority> priority;  ///< absent: that of the method
     Frames frames;
-    std::size_t bytes = 0;  ///< of the message as it came
+    std::size_t bytes = 0;  ///< of the received message
 };
 
 /// Parses frame 0 and checks the envelope. Throws StatusError (NOT_JSON, NOT_AN_OBJECT, PROTOCOL_VERSION,
-/// ENVELOPE_INVALID, LIMIT_EXCEEDED); `id_out` receives the id as soon as it is known, so that the error can be
+/// ENVELOPE_INVALID, LIMIT_EXCEEDED); `id_out` receives the ID as soon as it is read, so that the error can be
 /// answered.
 Request parse_request(std::string_view envelope, Frames frames, const MessageLimits& limits, std::string& id_out);
 
-/// Text of an envelope. Never throws for bad UTF-8 (replaced) and never holds NaN.
+/// Returns the text of an envelope. Replaces invalid UTF-8, and never contains NaN.
 std::string dump(const nlohmann::json& json);
 
-/// Whether equal arrays of a message travel once: worth looking for when many problems have a table or a gap in common.
+/// Whether equal arrays of a message are sent once, which is useful if many problems share a table or a gap.
 enum class EqualArrays { repeated, shared };
 
-/// Puts arrays into a message being written: raw little-endian frames, or plain (nested) lists. Throws NotFinite for
-/// what no message can carry.
+/// Adds arrays to a message: as raw little-endian frames, or as plain (nested) lists. Throws NotFinite for numbers that
+/// messages cannot contain.
 class ArrayWriter {
    public:
     explicit ArrayWriter(ArrayEncoding encoding, EqualArrays equal = EqualArrays::repeated)
         : encoding_(encoding), equal_(equal) {}
-    /// The JSON that stands for the array; `shape` is C order, its product the number of values.
+    /// Returns the JSON of the array; `shape` is in C order, and its product is the number of values.
     nlohmann::json write(std::span<const double> values, std::vector<std::size_t> shape);
-    /// A frame is made of the array itself, unread: who has made it knows that it is finite.
+    /// Creates a frame from the array without reading it; the caller guarantees that it is finite.
     nlohmann::json write_finite(UnsetArray&& values, std::vector<std::size_t> shape);
     nlohmann::json write(std::span<const unsigned char> values, std::vector<std::size_t> shape);
     Frames take_frames() { return std::move(frames_); }
@@ -86,8 +86,8 @@ class ArrayWriter {
         frames_by_hash_;  ///< numbers of frames, when equal ones are shared
 };
 
-/// The array that `json` stands for: a (nested) list of numbers or {"$array": {frame, dtype "<f8", shape}}. Checks
-/// shape, frame, bytes and that every value is finite; throws StatusError naming `field` (ARRAY_INVALID).
+/// Returns the array of `json`: a (nested) list of numbers or {"$array": {frame, dtype "<f8", shape}}. Checks shape,
+/// frame, bytes and that every value is finite; throws StatusError naming `field` (ARRAY_INVALID).
 std::vector<double> read_array(const nlohmann::json& json, const Frames& frames, const std::vector<std::size_t>& shape,
                                const std::string& field);
 UnsetArray read_unset_array(const nlohmann::json& json, const Frames& frames, const std::vector<std::size_t>& shape,
@@ -96,14 +96,14 @@ UnsetArray read_unset_array(const nlohmann::json& json, const Frames& frames, co
 std::vector<unsigned char> read_byte_array(const nlohmann::json& json, const Frames& frames,
                                            const std::vector<std::size_t>& shape, const std::string& field);
 
-/// Appends a text that `dump` has made, whose arrays then refer to frames that come `count` places later, behind those
-/// of another message.
+/// Appends a text made by `dump`, with the frame numbers of its arrays increased by `count`, to follow those of another
+/// message.
 void append_moved(std::string& text, std::string_view message, std::size_t count);
 
-/// Which of `count` frames the arrays of `params` refer to.
+/// Returns which of `count` frames the arrays of `params` refer to.
 std::vector<bool> frames_used(const nlohmann::json& params, std::size_t count);
 
-/// Throws StatusError (ARRAY_INVALID) when no {"$array": ...} anywhere in `params` refers to one of the frames.
+/// Throws StatusError (ARRAY_INVALID) if a frame has no reference {"$array": ...} anywhere in `params`.
 void check_frames_used(const nlohmann::json& params, const Frames& frames);
 
 }  // namespace contactd::proto

@@ -1,4 +1,4 @@
-// JSON objects, written down member by member.
+// JSON objects, created member by member.
 #pragma once
 
 #include <initializer_list>
@@ -10,7 +10,7 @@ namespace contactd::proto {
 
 struct Member {
     const char* name;
-    mutable nlohmann::json value;  ///< taken when the object is made
+    mutable nlohmann::json value;  ///< moved into the object
 };
 
 /// object({{"Fn", 1.5}, {"Fx", 0.0}}) is {"Fn": 1.5, "Fx": 0.0}. nlohmann-json's own initialiser list, which makes a

@@ -1,4 +1,4 @@
-// JSON Schemas (draft-07) of every message, kept in proto/schema and compiled in, and the OpenRPC document made of
+// JSON Schemas (draft-07) of all messages, compiled from proto/schema, and the OpenRPC document generated from
 // them.
 #pragma once
 
@@ -14,33 +14,33 @@
 
 namespace contactd::proto {
 
-/// Every method of the wire, which is every file proto/schema/<method>.params.json, in the order of docs/protocol.md.
+/// Returns all methods of the wire, from the files proto/schema/<method>.params.json, in the order of docs/protocol.md.
 const std::vector<std::string>& method_names();
 
-/// The schema kept as proto/schema/<name>.json, e.g. "ic.get.params", "envelope". Throws std::out_of_range.
+/// Returns the schema proto/schema/<name>.json, e.g. "ic.get.params", "envelope". Throws std::out_of_range.
 const nlohmann::json& schema(std::string_view name);
 
-/// Violations of `document`, by path, each description saying what the value is and what would be right; empty
-/// when it conforms. Thread-safe.
+/// Returns the violations of `document` by path, each with the value and the valid values; empty if it conforms.
+/// Thread-safe.
 std::vector<Violation> violations_of(std::string_view schema_name, const nlohmann::json& document);
 std::vector<Violation> violations_of(std::string_view schema_name, const AnswerValue& document);
-/// Violations of a schema that is given, without references.
+/// Returns the violations of a given schema without references.
 std::vector<Violation> violations_against(const nlohmann::json& schema, const nlohmann::json& document);
 
 /// Throws StatusError: UNIMPLEMENTED/UNKNOWN_METHOD, or INVALID_ARGUMENT/FIELD_INVALID with all violations.
 void check_params(const std::string& method, const nlohmann::json& params);
 
-/// The check of params that are one list of another method's, as contact.solve_many's, member by member, so that
-/// threads can share the work. It finds out only whether they conform; check_params says what is wrong. `params` must
-/// live on.
+/// Checks params that are a list of another method's params, such as those of contact.solve_many, member by member, so
+/// that threads can share the work. It only determines whether they conform; check_params reports the errors. `params`
+/// must outlive it.
 class ListCheck {
    public:
-    /// Throws std::out_of_range when the params of this method are no list.
+    /// Throws std::out_of_range if the params of this method are not a list.
     ListCheck(const std::string& method, const nlohmann::json& params);
 
-    /// Apart from the members.
+    /// Checks everything except the members.
     bool conforms() const { return members_ != nullptr; }
-    /// 0 when it does not conform.
+    /// 0 if it does not conform.
     std::size_t size() const { return members_ ? members_->size() : 0; }
     /// Thread-safe.
     bool member_conforms(std::size_t index) const;
@@ -50,7 +50,7 @@ class ListCheck {
     const nlohmann::json* members_ = nullptr;
 };
 
-/// The OpenRPC 1.3 description of the service, which server.describe returns.
+/// Returns the OpenRPC 1.3 description of the service, as server.describe does.
 const nlohmann::json& openrpc();
 
 }  // namespace contactd::proto

@@ -34,13 +34,13 @@ SessionInfo decode_session_info(const nlohmann::json& result);
 nlohmann::json encode_step(const std::string& session, long long step, const StepInput& input, const Grid& grid,
                            ArrayWriter& arrays);
 
-/// Lays what a step says, `params`, which has passed its schema, over `problem`, which is as the session was opened.
-/// `last` is the motion of the step before: the creepage it found for a prescribed force is the estimate now, unless
-/// the step names another. Throws StatusError naming the field.
+/// Applies the fields of a step, `params`, which has passed its schema, to `problem` from the opening of the session.
+/// `last` is the motion of the previous step: its creepage for a prescribed force is the estimate, unless the step has
+/// another. Throws StatusError naming the field.
 void apply_step(const nlohmann::json& params, const Frames& frames, const std::optional<Motion>& last,
                 ContactProblem& problem);
 
-/// A step, or one of several by the schema of session.step_many.
+/// A step, or one of several in session.step_many.
 struct StepAsked {
     std::string session;
     long long step = 0;
@@ -50,7 +50,7 @@ struct StepAsked {
 nlohmann::json encode_step(const StepAsked& asked, ArrayWriter& arrays);
 nlohmann::json encode_steps(std::span<const StepAsked> steps, ArrayWriter& arrays);
 
-/// The answer to a step that was solved.
+/// Returns the answer to a solved step.
 AnyStepOrStatus decode_step_reply(const nlohmann::json& result, const Frames& frames, const StepAsked& asked);
 AnyStepOrStatus decode_step_reply(const AnswerValue& result, const Frames& frames, const StepAsked& asked);
 std::vector<AnyStepOrStatus> decode_step_replies(const nlohmann::json& result, const Frames& frames,
@@ -64,9 +64,9 @@ StepReply decode_step_reply(const nlohmann::json& result, const Frames& frames, 
 StepReply decode_step_reply(const AnswerValue& result, const Frames& frames, const Grid& grid);
 
 // --- of wheels on rails ----------------------------------------------------------------------------------------------
-/// Params of session.open and session.step, and results of steps, where they are of a wheel on its rail.
+/// Params of session.open and session.step, and results of steps, for a wheel on its rail.
 bool is_of_wheel_rail(const nlohmann::json& message);
-/// With the fields that it names as those of wheelrail.solve where such messages have them: "wheelrail.setup.dx".
+/// Returns the error with fields of wheelrail.solve at their place in these messages: "wheelrail.setup.dx".
 Status below_wheel_rail(Status status);
 
 nlohmann::json encode_session_spec(const WheelRailSessionSpec& spec, ArrayWriter& arrays);
@@ -76,7 +76,7 @@ WheelRailSessionSpec decode_wheel_rail_session_spec(const nlohmann::json& params
 nlohmann::json encode_step(const std::string& session, long long step, const WheelRailStepInput& input);
 WheelRailStepInput decode_wheel_rail_step(const nlohmann::json& params);
 
-/// The text of the result as JSON.
+/// Returns the text of the result as JSON.
 std::string write_step_reply(long long step, const WheelRailSolution& solution, const PatchFields& fields,
                              ArrayWriter& arrays);
 WheelRailStepReply decode_wheel_rail_step_reply(const nlohmann::json& result, const Frames& frames);

@@ -10,7 +10,7 @@
 
 namespace contactd::proto {
 
-// Every reply carries one, so that its words are the protocol's, too.
+// Every reply contains a status, so these texts are part of the protocol.
 using contactd::code_named;
 using contactd::invalid_field;
 using contactd::name_of;
@@ -20,10 +20,10 @@ using contactd::StatusError;
 using contactd::Violation;
 namespace reason = contactd::reason;
 
-/// {"code", "name", "message", "details": {"reason", "violations", "retry_delay_ms", "versions"}}, empty details left
-/// out.
+/// {"code", "name", "message", "details": {"reason", "violations", "retry_delay_ms", "versions"}} without empty
+/// details.
 nlohmann::json to_json(const Status& status);
-/// Throws StatusError (UNKNOWN) when `json` is no status.
+/// Throws StatusError (UNKNOWN) if `json` is not a status.
 Status status_from_json(const nlohmann::json& json);
 
 }  // namespace contactd::proto

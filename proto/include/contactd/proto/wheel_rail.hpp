@@ -25,19 +25,19 @@ struct PatchFields {
     bool patches = true;
 };
 
-/// Bodies are told by their materials, as half-spaces. Throws InvalidArgument ("setup.bodies") for others.
+/// Bodies are sent as materials of half-spaces. Throws InvalidArgument ("setup.bodies") for others.
 nlohmann::json encode_wheel_rail_request(const WheelRailSetup& setup, const WheelRailState& state,
                                          const PatchFields& fields, ArrayWriter& arrays);
 nlohmann::json encode_wheel_rail_setup(const WheelRailSetup& setup, ArrayWriter& arrays);
-/// `setup` of params that have passed their schema; defaults where there is none. Throws StatusError naming the field
-/// for points that are too many, before anything of their size is allocated, and for arrays that do not fit; the rest
-/// is checked by contactd::validate and make_profile.
+/// Reads `setup` of params that have passed their schema; defaults if there is none. Throws StatusError naming the
+/// field for too many points, before memory is allocated, and for arrays that do not match; contactd::validate and
+/// make_profile check the rest.
 WheelRailSetup decode_wheel_rail_setup(const nlohmann::json& params, const Frames& frames);
 nlohmann::json encode_wheel_rail_friction(const WheelRailFriction& friction);
 WheelRailFriction decode_wheel_rail_friction(const nlohmann::json& friction);
 PatchFields decode_patch_fields(const nlohmann::json& params);
 
-/// The text of a solution as JSON. Throws Error for numbers that are not finite.
+/// Returns the text of a solution as JSON. Throws Error for numbers that are not finite.
 std::string write_wheel_rail_solution(const WheelRailSolution& solution, const PatchFields& fields,
                                       ArrayWriter& arrays);
 nlohmann::json encode_wheel_rail_solution(const WheelRailSolution& solution, const PatchFields& fields,
@@ -65,7 +65,7 @@ nlohmann::json encode_conicity_request(const WheelsetSetup& setup, const Conicit
 nlohmann::json encode_contacts_request(const WheelsetSetup& setup, const ContactsRequest& requested,
                                        ArrayWriter& arrays);
 nlohmann::json encode_profiles_request(const WheelsetSetup& setup, ArrayWriter& arrays);
-/// `conicities` of a result. What is not finite is left out, and not a number on the other side.
+/// `conicities` of a result. Numbers that are not finite are omitted, and become NaN in the client.
 nlohmann::json encode_conicities(std::span<const EquivalentConicity> conicities);
 std::vector<EquivalentConicity> decode_conicities(const nlohmann::json& conicities);
 /// `contacts` of a result.
