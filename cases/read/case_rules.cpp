@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "case_digits.hpp"
+#include "contactd/friction_along_track.hpp"
+#include "steps.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd::contact_files {
 namespace {
@@ -139,6 +144,29 @@ void check_values_alone(Reading& reading) {
         reading.fail_case("ends a case with B = 4, which needs IPOTCN = -6 and N = 1");
 }
 
+/// The numbers of each set by SVF.
+std::vector<ContactFrictionAtPlace> track_of(const ContactFrictionSets& sets, int law) {
+    std::vector<ContactFrictionAtPlace> track;
+    for (const ByName<double>& set : sets) {
+        std::vector<double>& values = track.emplace_back(set.at("SVF")).values;
+        for (const std::string_view name : names_of_friction(law)) values.push_back(set.find(name)->second);
+    }
+    return track;
+}
+
+void warn_of_thin_friction(Reading& reading) {
+    constexpr int along_track = 2;
+    if (reading.integer("VARFRC") != along_track || !reading.result.friction || reading.digit("T") == 0) return;
+    const char* place = reading.digit("C1") >= 4 ? "X_WS" : "S_WS";
+    const int law = reading.integer("FRCLAW");
+    const auto thin = thin_friction(law, track_of(*reading.result.friction, law), reading.real(place));
+    if (thin)
+        reading.warn("ends a case with " + std::string(place) + " = " + short_text(reading.real(place)) +
+                     ", between friction at SVF = " + short_text(thin->from) + " and " + short_text(thin->to) +
+                     " mm, whose coefficients differ by " + short_text(thin->difference) +
+                     "; a straight line between these is a guess. Give friction at more places");
+}
+
 }  // namespace
 
 History new_history(int module) {
@@ -176,7 +204,10 @@ void apply_values(Reading& reading) {
     check_needs(reading);
     const bool turn = reading.integer("INFLCF") == 4;  // half-spaces, which couples both problems
     if (reading.has("POISS1") && are_bodies_alike(reading) && !turn) reading.set("MAXOUT", 1);
-    if (reading.result.module_number == 1) return check_needs_on_rails(reading);
+    if (reading.result.module_number == 1) {
+        check_needs_on_rails(reading);
+        return warn_of_thin_friction(reading);
+    }
     if (reading.digit("T") == 1 || (reading.digit("T") == 0 && reading.digit("C") >= 2))
         for (const auto& [name, value] : {std::pair("CHI", 0.0), std::pair("DQ", 1.0), std::pair("VELOC", 1.0)})
             reading.set(name, value);

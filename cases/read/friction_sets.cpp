@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "steps.hpp"
 
@@ -10,15 +13,14 @@ namespace {
 constexpr int most_sets = 10;  // of V = 1 and 2
 constexpr double least_share = 1e-8, least_slip_velocity = 1e-4;
 
-std::string values_of_law(int law) {
-    switch (law) {
-        case 0:
-            return "FSTAT FKIN";
-        case 6:
-            return "FREF TREF DFHEAT DTHEAT";
-        default:
-            return "FKIN F1 SABSH1 F2 SABSH2";
-    }
+constexpr std::array<std::string_view, 2> of_coulomb{"FSTAT", "FKIN"};
+constexpr std::array<std::string_view, 4> by_temperature{"FREF", "TREF", "DFHEAT", "DTHEAT"};
+constexpr std::array<std::string_view, 5> of_falling{"FKIN", "F1", "SABSH1", "F2", "SABSH2"};
+
+std::string group_of_law(int law) {
+    std::string group;
+    for (const std::string_view name : names_of_friction(law)) group += (group.empty() ? "" : " ") + std::string(name);
+    return group;
 }
 
 /// A set of numbers, as the program takes them.
@@ -49,10 +51,16 @@ int number_of_sets(Reading& reading) {
 
 }  // namespace
 
+std::span<const std::string_view> names_of_friction(int law) {
+    if (law == 0) return of_coulomb;
+    if (law == 6) return by_temperature;
+    return of_falling;
+}
+
 void read_friction(Reading& reading) {
     const int law = reading.digit("L"), varies = reading.digit("V");
     if (law == 1) return;
-    const std::string values = values_of_law(law);
+    const std::string values = group_of_law(law);
     const std::string place = varies == 1 ? "ALPHVF" : "SVF";
     ContactFrictionSets sets;
     if (varies == 0) {

@@ -38,6 +38,8 @@ std::string heat_of_second(const Reading& reading);
 std::string plastic_heat(const Reading& reading);
 /// One set, sets by angle or place, or a set a row of elements, and the memory of friction behind them.
 void read_friction(Reading& reading);
+/// Returns the names of a law's numbers in the order of a set.
+std::span<const std::string_view> names_of_friction(int law);
 /// Output digits and blocks of points below the surface.
 void read_subsurface(Reading& reading);
 

@@ -60,6 +60,14 @@ OWN: dict[str, tuple[str, set[str]]] = {
     "a longitudinal force": (rails(digits="1203110", velocity="2000. 0. 0. 0. 0. -500."), set()),
     "kinks without a width": (rails(wheel=_KINKS.format("0.")), set()),
     "kinks with a width": (rails(wheel=_KINKS.format("3.")), set()),
+    "friction along the track, between laws of which one does not fall": (
+        rails(second="2422033", friction="2\n-500. 0.3 0. 0. 0. 0.\n500. 0.15 0.15 300. 0.02 2000.\n0. 1.", position="100. 1. 10000. 0. 0.001 0."),
+        set(),
+    ),
+    "friction along the track, by two terms with a memory": (
+        rails(second="2322033", friction="2\n-500. 0.2 0.1 500. 0. 0.\n500. 0.15 0. 0. 0.15 300.\n0.002 1.", position="-300. 1. 10000. 0. 0.001 0."),
+        set(),
+    ),
     "friction by the angle of each row": (
         rails(second="1042033", friction="2\n-10d 0.1 0.1\n10d 0.4 0.4"), set()
     ),

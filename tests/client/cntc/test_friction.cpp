@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <utility>
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -27,6 +29,14 @@ Values friction_back(Case& contact) {
     Values values(7);
     cntc_getparameters(contact.ire(), contact.icp(), &task, &length, values.data());
     return values;
+}
+
+/// Wheel and rail of steel at 20 degrees, with the share of a layer's plastic work, which the program takes, too.
+void heat(RailCase& rail) {
+    int given = 3, count = 9, all = -1;
+    Values bodies{20, 450, 0.05, 7.85e-6, 20, 450, 0.05, 7.85e-6, 1};
+    cntc_settemperaturedata(rail.ire(), &all, &given, &count, bodies.data());
+    CHECK(last_code() == 0);
 }
 
 /// mu 0.4, A 0.4, B 0.0006 s/mm as the exponential law.
@@ -143,14 +153,7 @@ TEST_CASE("friction by temperature that varies over a rail without a change is t
         if (is_curved) rail.whole.flag(1977, 4);
         rail.whole.friction(method, friction);
         CHECK(last_sentence().empty());
-        int heat = 3;
-        const Values steel{20, 450, 0.05, 7.85e-6};
-        Values bodies = steel;
-        bodies.insert(bodies.end(), steel.begin(), steel.end());
-        bodies.push_back(1);  // the share of a layer's plastic work, which the program takes, too
-        int count = static_cast<int>(bodies.size()), all = -1;
-        cntc_settemperaturedata(rail.ire(), &all, &heat, &count, bodies.data());
-        CHECK(last_code() == 0);
+        heat(rail);
         REQUIRE(rail.whole.calculate() == 0);
         Case patch = rail.patch(1);
         return std::pair(patch.forces(), patch.field(2));
@@ -171,6 +174,69 @@ TEST_CASE("friction by temperature that varies over a rail without a change is t
         least = std::min(least, mu[i]);
     }
     CHECK(least < 0.39);  // somewhere it is warm
+}
+
+TEST_CASE("between two places along the track each number of a law is interpolated, and constant beyond", "[heat]") {
+    struct Laws {
+        int law;
+        Values one, other, mean;
+    };
+    const Laws laws = GENERATE(
+        Laws{0, {0.2, 0.2}, {0.4, 0.4}, {0.3, 0.3}},
+        Laws{4,
+             {0.1, 0.2, 100, 0.1, 3000, 0.002, 1},
+             {0.2, 0.1, 300, 0.05, 1000, 0.004, 3},
+             {0.15, 0.15, 200, 0.075, 2000, 0.003, 2}},
+        // A law that does not fall, without slip velocities, beside one with two terms.
+        Laws{2,
+             {0.3, 0, 0, 0, 0, 0, 1},
+             {0.1, 0.2, 400, 0.1, 2000, 0, 1},
+             {0.2, 0.1, 200.00005, 0.05, 1000.00005, 0, 1}},
+        // Different terms that fall.
+        Laws{3, {0.2, 0.1, 200, 0, 1, 0, 1}, {0.2, 0, 1, 0.1, 200, 0, 1}, {0.2, 0.05, 100.5, 0.05, 100.5, 0, 1}},
+        Laws{6, {0.4, 20, -0.2, 100, 0.002, 1}, {0.3, 40, -0.1, 300, 0.004, 3}, {0.35, 30, -0.15, 200, 0.003, 2}});
+    CAPTURE(laws.law);
+    const auto& known = contactd::test::manchester_cases[0];
+    const auto solved = [&](int ire, int method, const Values& friction, double along) {
+        RailCase rail = manchester_wheel(ire, known.side);
+        place(rail, known);
+        rail.position(2, {along, known.y, 0, known.roll, known.yaw, 0});
+        rail.velocity(2, {20000, 0, 0, 0, 0, 10 * known.pitch_rate * 1.01});
+        rail.whole.friction(method, friction);
+        CHECK(last_sentence().empty());
+        if (laws.law == 6) heat(rail);
+        REQUIRE(rail.whole.calculate() == 0);
+        CHECK(last_sentence().empty());
+        return rail.patch(1).forces().fx;
+    };
+    Values both{2};
+    for (const auto& [at, law] : {std::pair(-1000.0, laws.one), std::pair(1000.0, laws.other)}) {
+        both.push_back(at);
+        both.insert(both.end(), law.begin(), law.end());
+    }
+    const int varies = 20 + laws.law;
+    CHECK_THAT(solved(5, varies, both, 0), WithinRel(solved(6, laws.law, laws.mean, 0), 1e-6));
+    for (const double at : {-2000.0, -1000.0}) CHECK(solved(5, varies, both, at) == solved(6, laws.law, laws.one, at));
+    for (const double at : {1000.0, 5000.0}) CHECK(solved(5, varies, both, at) == solved(6, laws.law, laws.other, at));
+}
+
+TEST_CASE("friction along the track that is given too far apart is warned of once a solve needs it") {
+    const auto& known = contactd::test::manchester_cases[0];
+    RailCase rail = manchester_wheel(5, known.side);
+    const auto sentence_at = [&](double along) {
+        place(rail, known);
+        rail.position(2, {along, known.y, 0, known.roll, known.yaw, 0});
+        REQUIRE(rail.whole.calculate() == 0);
+        CHECK(last_code() == 0);
+        return last_sentence();
+    };
+    rail.whole.friction(20, {3, 0, 0.2, 0.2, 20000, 0.5, 0.5, 21000, 0.2, 0.2});
+    CHECK_THAT(sentence_at(5000), ContainsSubstring("Warning:") &&
+                                      ContainsSubstring("0 and 20000 mm along the track") &&
+                                      ContainsSubstring("differ by 0.3"));
+    CHECK(sentence_at(20500).empty());
+    CHECK(sentence_at(0).empty());
+    CHECK(sentence_at(-5000).empty());
 }
 
 TEST_CASE("simplified theories go on without the memory of friction, and say so") {

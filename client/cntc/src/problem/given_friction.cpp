@@ -1,5 +1,6 @@
 #include "given_friction.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <numbers>
 #include <string>
@@ -7,13 +8,14 @@
 
 #include "edge/arguments.hpp"
 #include "edge/codes.hpp"
+#include "edge/last_error.hpp"
 #include "types/number_text.hpp"
 
 namespace contactd::cntc {
 namespace {
 
 enum Law { coulomb = 0, linear = 2, rational = 3, exponential = 4, polach = 5, by_temperature = 6 };
-enum Varies { nowhere = 0, by_angle = 1, along_track = 2 };
+enum Varies { nowhere = 0, with_angle = 1, along_track = 2 };
 
 [[noreturn]] void refuse(const std::string& sentence) {
     throw Refused(error_code::friction, sentence);
@@ -98,14 +100,27 @@ std::vector<double> in_mm(int law, std::vector<double> parameters, double length
     return parameters;
 }
 
+FrictionLaw law_of(int law, const std::vector<double>& given) {
+    if (law == coulomb) return coulomb_of(given);
+    return law == by_temperature ? heated_of(given) : falling_of(law, given);
+}
+
 GivenFriction same_friction(int method, const std::vector<double>& parameters, const Units& units) {
     auto given = in_mm(method, parameters, units.length);
-    if (method == by_temperature) return {method, given, heated_of(given)};
     if (method == polach) {
         given = exponential_of(given);
         method = exponential;
     }
-    return {method, given, method == coulomb ? coulomb_of(given) : falling_of(method, given)};
+    return {method, given, law_of(method, given)};
+}
+
+/// A term without a share has any slip velocity, and one that can be interpolated, as input files have it.
+std::vector<double> interpolable(int law, std::vector<double> given) {
+    constexpr double least_share = 1e-8, least_slip_velocity = 1e-4;  // mm/s
+    if (law == coulomb || law == by_temperature) return given;
+    for (const std::size_t share : {1, 3})
+        if (given[share] < least_share) given[share + 1] = std::max(given[share + 1], least_slip_velocity);
+    return given;
 }
 
 /// [number, and of each its angle or place, and the parameters of the law there].
@@ -116,17 +131,21 @@ GivenFriction varying_friction(int method, const std::vector<double>& given, con
         refuse("Friction that varies has " + std::to_string(given.size()) + " values, which " + std::to_string(count) +
                " places with " + std::to_string(size) + " values each are not.");
     GivenFriction friction;
+    double last = 0;
     for (int k = 0; k < count; ++k) {
         const auto first = given.begin() + 1 + k * size;
         const GivenFriction here = same_friction(law, {first + 1, first + size}, units);
         const double place = *first * (varies == along_track ? units.length : 1);
-        if (!friction.varying.empty() && place <= friction.varying.back().place)
-            refuse("Angles or places of friction must ascend.");
-        if (varies == by_angle && here.law.temperature && here.law.temperature->memory)
+        if (k > 0 && place <= last) refuse("Angles or places of friction must ascend.");
+        last = place;
+        if (varies == with_angle && here.law.temperature && here.law.temperature->memory)
             refuse("memdst = " + number_text(here.law.temperature->memory->distance) +
                    " mm: friction by temperature that varies with the angle has no memory here. Set memdst to 0.");
         if (k == 0) friction = here;
-        friction.varying.push_back({place, here.law});
+        if (varies == with_angle)
+            friction.by_angle.push_back({place, here.law});
+        else
+            friction.along_track.push_back({place, interpolable(here.method, here.parameters)});
     }
     friction.method += 10 * varies;
     return friction;
@@ -144,6 +163,15 @@ GivenFriction read_friction(int method, const double* params, const int* nparam,
                          : ": friction of basic contact does not vary."));
     if (varies != nowhere) return varying_friction(method, numbers(params, nparam, 1, "params"), settings.units);
     return same_friction(method, list(params, nparam, parameters_of(law), "params"), settings.units);
+}
+
+FrictionLaw friction_at(const GivenFriction& friction, double place) {
+    const int law = friction.method % 10;
+    if (const auto thin = thin_friction(law, friction.along_track, place))
+        warn("Coefficients of friction at the places " + number_text(thin->from) + " and " + number_text(thin->to) +
+             " mm along the track differ by " + short_text(thin->difference) +
+             "; a straight line between these is a guess. Give friction at more places.");
+    return law_of(law, friction_along_track(friction.along_track, place));
 }
 
 std::vector<double> numbers_of(const GivenFriction& friction, const Units& units) {

@@ -14,6 +14,10 @@ inline constexpr int keeps_friction = 1;
 /// Refused where core has no such friction.
 GivenFriction read_friction(int method, const double* params, const int* nparam, const Settings& settings);
 
+/// Returns the law at a place (mm) along the track, with each of its numbers interpolated. Warns where a straight line
+/// between two places is a guess.
+FrictionLaw friction_at(const GivenFriction& friction, double place);
+
 /// Returns the numbers of the law in these units; Polach's law has those of the exponential law that it is.
 std::vector<double> numbers_of(const GivenFriction& friction, const Units& units);
 

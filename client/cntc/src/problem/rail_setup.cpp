@@ -6,6 +6,7 @@
 
 #include "edge/codes.hpp"
 #include "problem/case_models.hpp"
+#include "problem/given_friction.hpp"
 
 namespace contactd::cntc {
 namespace {
@@ -111,36 +112,9 @@ Conformal conformal_of(const Settings& settings) {
     return Conformal::off;
 }
 
-/// Between laws along the track, on straight lines; constant beyond.
-FrictionLaw law_at(const std::vector<GivenFriction::At>& laws, double place) {
-    const auto next = std::ranges::find_if(laws, [&](const GivenFriction::At& law) { return law.place >= place; });
-    if (next == laws.begin()) return next->law;
-    if (next == laws.end()) return laws.back().law;
-    const auto last = next - 1;
-    const double share = (place - last->place) / (next->place - last->place);
-    FrictionLaw law = last->law;
-    law.mu[0] += share * (next->law.mu[0] - law.mu[0]);
-    if (law.kinetic && next->law.kinetic) {
-        law.kinetic->mu += share * (next->law.kinetic->mu - law.kinetic->mu);
-        law.kinetic->slip_velocity += share * (next->law.kinetic->slip_velocity - law.kinetic->slip_velocity);
-        auto& second = law.kinetic->second;
-        if (const auto& other = next->law.kinetic->second; second && other) {
-            second->fall += share * (other->fall - second->fall);
-            second->slip_velocity += share * (other->slip_velocity - second->slip_velocity);
-        }
-    }
-    if (law.temperature && next->law.temperature) {
-        const TemperatureFriction& beyond = *next->law.temperature;
-        law.temperature->change += share * (beyond.change - law.temperature->change);
-        law.temperature->reference += share * (beyond.reference - law.temperature->reference);
-        law.temperature->range += share * (beyond.range - law.temperature->range);
-    }
-    return law;
-}
-
 /// Angles are those against the wheel's profile where the contact is a plane, and else against the track; contactd's
 /// are against the track, and of left wheels those of the mirror image.
-WheelRailFriction by_angle(const Settings& settings, const std::vector<GivenFriction::At>& laws, double roll) {
+WheelRailFriction by_angle(const Settings& settings, const std::vector<GivenFriction::AtAngle>& laws, double roll) {
     const bool is_curved = settings.digits(flag::discretisation) == curved;
     const double offset = is_curved ? 0 : outwards(settings) * roll;
     WheelRailFriction friction;
@@ -163,11 +137,8 @@ WheelRailFriction friction_of(const Settings& settings, const RailSettings& rail
     const GivenFriction& given = *settings.friction;
     if (settings.digits(flag::friction_law) != given.method % 10)
         throw Refused(error_code::friction, "Flag 1976 and cntc_setfrictionmethod name different laws.");
-    constexpr int along_track = 2;
-    if (given.varying.empty())
-        return {{{0, given.law.mu[0]}}, false, given.law.kinetic, layer_of(settings), given.law.temperature};
-    if (given.method / 10 != along_track) return by_angle(settings, given.varying, rail.position.roll);
-    const FrictionLaw law = law_at(given.varying, rail.position.x);
+    if (!given.by_angle.empty()) return by_angle(settings, given.by_angle, rail.position.roll);
+    const FrictionLaw law = given.along_track.empty() ? given.law : friction_at(given, rail.position.x);
     return {{{0, law.mu[0]}}, false, law.kinetic, layer_of(settings), law.temperature};
 }
 

@@ -10,6 +10,7 @@
 
 #include "contactd/contact_setup.hpp"
 #include "contactd/friction.hpp"
+#include "contactd/friction_along_track.hpp"
 #include "contactd/grid.hpp"
 #include "contactd/material.hpp"
 #include "edge/refused.hpp"
@@ -69,12 +70,14 @@ struct GivenFriction {
     int method = 0;  ///< the law, and ten times how it varies: 1 with the rail's angle, 2 along the track
     std::vector<double> parameters;
     FrictionLaw law;
-    /// Friction that varies: the law at each angle (rad) or place (mm), in ascending order.
-    struct At {
-        double place = 0;
+    /// Friction that varies with the rail's angle: the law at each angle (rad), in ascending order.
+    struct AtAngle {
+        double angle = 0;
         FrictionLaw law;
     };
-    std::vector<At> varying{};
+    std::vector<AtAngle> by_angle{};
+    /// Friction that varies along the track: the numbers of the law at each place, in ascending order.
+    std::vector<ContactFrictionAtPlace> along_track{};
 };
 
 /// Points of a block for stresses: numbers of elements or coordinates (mm), as `kind` says.

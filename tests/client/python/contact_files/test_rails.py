@@ -15,6 +15,7 @@ def made(case: Any) -> RailContact:
     return RailContact.of(case, lambda _, which: Rail60E1(0.025) if which == "RAIL" else S1002(), "exact")
 
 
+_STEEL = {"BKTEMP": 20.0, "HEATCP": 450.0, "LAMBDA": 0.05, "DENS": 7.85e-6}
 _ROLLER: dict[str, Any] = {"C1": 5, "NOMRADR": 500.0, "RPITCH": 4.0, "X_WS": 0.0}
 
 
@@ -23,6 +24,36 @@ def test_a_roller_has_its_cant_and_leans_with_it(cant: float) -> None:
     track = made(rail_case(CANT=cant, **_ROLLER)).setup.track
     assert track is not None
     assert (track.cant, track.roller_radius, bool(track.roller_leans)) == (cant, 500, cant != 0)
+
+
+def _along(law: int, *sets: tuple[float, dict[str, float]], **changes: Any) -> Any:
+    friction = [{"SVF": place, **numbers} for place, numbers in sets]
+    memory = {"MEMDST": 0.0, "MEM_S0": 1.0} if law else {}
+    return made(rail_case(friction=friction, V=2, VARFRC=2, L=law, FRCLAW=law, **memory, **changes)).setup.friction
+
+
+def test_friction_along_the_track_has_the_mean_numbers_half_way_and_equal_laws_are_one() -> None:
+    def law(fkin: float, f1: float, s1: float, f2: float, s2: float) -> dict[str, float]:
+        return {"FKIN": fkin, "F1": f1, "SABSH1": s1, "F2": f2, "SABSH2": s2}
+
+    one, other, mean = law(0.3, 0, 1e-4, 0, 1e-4), law(0.1, 0.2, 400, 0.1, 2000), law(0.2, 0.1, 200.00005, 0.05, 1000.00005)
+    same = made(rail_case(friction=[mean], L=4, FRCLAW=4, MEMDST=0.0, MEM_S0=1.0)).setup.friction
+    assert _along(4, (-10, one), (10, other)) == same
+    assert _along(4, (-10, mean), (20, mean)) == same
+    assert _along(4, (0, mean), (20, other)) == same
+    assert _along(4, (-20, other), (-10, mean)) == same
+    hot = {"FREF": 0.4, "TREF": 20.0, "DFHEAT": -0.2, "DTHEAT": 100.0}
+    cold = {"FREF": 0.2, "TREF": 40.0, "DFHEAT": -0.1, "DTHEAT": 300.0}
+    steel = {f"{name}{body}": value for body in "12" for name, value in _STEEL.items()}
+    friction = _along(6, (-10, hot), (10, cold), H=3, **steel)
+    assert friction.temperature.change == pytest.approx(-0.15)
+    assert (friction.temperature.reference, friction.temperature.range) == (30, 200)
+
+
+def test_friction_along_the_track_of_a_wheel_on_a_roller_is_that_at_its_own_place() -> None:
+    friction = _along(0, (0, {"FSTAT": 0.2, "FKIN": 0.2}), (10, {"FSTAT": 0.4, "FKIN": 0.4}), **{**_ROLLER, "X_WS": 5.0, "S_WS": 0.0})
+    (mu,) = friction.mu if isinstance(friction.mu, list) else [friction.mu]
+    assert mu == pytest.approx(0.3)
 
 
 def test_forces_do_not_follow_slopes_along_the_track() -> None:

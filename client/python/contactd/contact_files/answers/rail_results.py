@@ -125,6 +125,9 @@ class RailResult:
         return [self._mu_at(row.angle) for row in patch.place.rows]
 
     def _coefficients(self, patch: WheelRailPatch) -> Floats:
+        """Those of friction that falls at the slip that was found, of others at rest."""
+        if patch.solution.friction_coefficient is not None:
+            return patch.solution.friction_coefficient
         rows = self.mu_of_rows(patch)
         return np.array(rows)[:, None] if rows else np.array(self.mu_of(patch))
 

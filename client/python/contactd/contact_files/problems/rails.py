@@ -187,7 +187,8 @@ def _settings(values: Any) -> dict[str, Any]:
 def _friction(case: Case) -> WheelRailFriction:
     values = case.values
     if values["VARFRC"] != 1:
-        sets = [_at_place(case.friction, values["S_WS"])] if values["VARFRC"] == 2 else case.friction[:1]
+        place = "X_WS" if case.digits["C1"] >= _ROLLER else "S_WS"
+        sets = [_at_place(case.friction, values[place])] if values["VARFRC"] == 2 else case.friction[:1]
         (mu,), kinetic = coefficients_of_sets(values, sets)
         by_temperature = temperature_friction(values, sets)
         return WheelRailFriction(
