@@ -20,6 +20,10 @@ FilePoints read_columns(std::string_view text, const std::string& name) {
     ProfileLines lines(text, name, "#%!");
     FilePoints found;
     std::vector<ProfilePoint>& points = found.points.points;
+    if (const auto unit = unit_in_heading(text, name)) {
+        found.points.unit = *unit;
+        found.heading_says_unit = true;
+    }
     NumberStyle style;
     while (lines.next()) {
         std::string line(lines.line());

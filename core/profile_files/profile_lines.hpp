@@ -62,10 +62,15 @@ std::string_view trimmed(std::string_view text);
 /// Throws when a file has more points than a profile may have.
 void add_point(std::vector<ProfilePoint>& points, const ProfilePoint& point, const ProfileLines& lines);
 
+/// Returns the unit in mm that headings and comments above the points state, in brackets or behind "unit" or "in";
+/// nothing where they state none. Throws InvalidArgument for two different ones.
+std::optional<double> unit_in_heading(std::string_view text, const std::string& name);
+
 /// The points of a file, in its unit and with its own mirroring, and what it leaves open.
 struct FilePoints {
     ProfilePoints points;
     bool says_unit = false, says_mirror_z = false;
+    bool heading_says_unit = false;  ///< which is believed where it makes a profile of a usual width
     std::size_t lines_left_out = 0;  ///< as of ProfileReading
 };
 

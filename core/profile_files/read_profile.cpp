@@ -71,15 +71,16 @@ std::string shown_name(const std::string& name) {
 }
 
 /// A wheel in inches is as narrow as no wheel in mm is, and so on; a file that says its unit is believed.
-void check_width(const std::vector<ProfilePoint>& points, double unit, ProfileKind kind) {
+void check_width(const std::vector<ProfilePoint>& points, double unit, ProfileKind kind, bool heading_says_unit) {
     const auto [left, right] = std::ranges::minmax(points, {}, &ProfilePoint::y);
     const double width = (right.y - left.y) * unit;
     const bool is_wheel = kind == ProfileKind::wheel;
     if (!(width < (is_wheel ? narrowest_wheel : narrowest_rail) || width > widest)) return;
-    throw InvalidArgument("points", "span " + short_text(width) + " from side to side, where " +
-                                        (is_wheel ? "130 mm are usual for a wheel" : "70 mm are usual for a rail") +
-                                        ", and nothing says their unit: give unit, 25.4 for inches, 1000 for metres, "
-                                        "1 where this is right");
+    throw InvalidArgument(
+        "points", "span " + short_text(width) + " from side to side, where " +
+                      (is_wheel ? "130 mm are usual for a wheel" : "70 mm are usual for a rail") +
+                      (heading_says_unit ? ", by the unit of their heading: " : ", and nothing says their unit: ") +
+                      "give unit, 25.4 for inches, 1000 for metres, 1 where this is right");
 }
 
 /// Refuses points in no order, which turning z would not mend. Profiles that double back, such as the face of a flange,
@@ -123,7 +124,7 @@ PointsOfFile points_of_content(const ProfileFile& file, const std::string& name,
     if (points.size() < 2)
         throw InvalidArgument(
             "points", "are " + std::to_string(points.size()) + "; a profile needs two at least, and a real one fifty");
-    if (!file.unit && !found.says_unit) check_width(points, reading.unit, kind);
+    if (!file.unit && !found.says_unit) check_width(points, reading.unit, kind, found.heading_says_unit);
     if (file.mirror_z || found.says_mirror_z) {
         reading.mirror_z = found.points.mirror_z != file.mirror_z.value_or(false);
         reading.oriented_by = file.mirror_z ? OrientedBy::request : OrientedBy::file;

@@ -250,3 +250,32 @@ TEST_CASE("evidence tells how dense and how rounded points are, and where they a
     CHECK_THAT(found.spacing, WithinAbs((20 * std::sqrt(2) + 20) / 22, 1e-12));
     CHECK(std::ranges::count(found.kinks, 0.0) == 1);
 }
+
+TEST_CASE("a heading states the unit of the points below it", "[profile]") {
+    const auto kind = GENERATE(ProfileKind::wheel, ProfileKind::rail);
+    const auto& [heading, unit] =
+        GENERATE(table<std::string, double>({{"# unit: m", 1e3},
+                                             {"y [m]; z [m]", 1e3},
+                                             {"Units are inches", 25.4},
+                                             {"\"Y (inch)\",\"Z (inch)\"", 25.4},
+                                             {"% points in metres", 1e3},
+                                             {"! unit of length = um", 1e-3},
+                                             {"# y [\xc2\xb5m]", 1e-3},
+                                             {"y [cm] z [cm]", 10},
+                                             {"# y [mm], z in mm", 1},
+                                             {"# measured on (M) street, in the morning", 1}}));
+    CAPTURE(heading);
+    ProfileFile file{"points.csv", heading + "\n" + rows(kind, 1 / unit, 1 / unit)};
+    is_exact(file, kind);
+    CHECK(reading_of(file, kind).unit == unit);
+    file.text = heading + "\n" + rows(kind);
+    file.unit = 1;  // whatever it says
+    is_exact(file, kind);
+}
+
+TEST_CASE("headings with two units, or with one that makes no profile, are refused", "[profile]") {
+    refused({"rail.csv", "y [mm]; z [um]\n" + rows(ProfileKind::rail, 1, 1000)}, ProfileKind::rail, "profile.file",
+            "states two units above its points, \"mm\" and \"um\"");
+    refused({"rail.csv", "# unit: m\n" + rows(ProfileKind::rail)}, ProfileKind::rail, "profile.file",
+            "by the unit of their heading: give unit");
+}
