@@ -9,7 +9,7 @@
 #include "case_digits.hpp"
 #include "contactd/friction_along_track.hpp"
 #include "steps.hpp"
-#include "types/number_text.hpp"
+#include "types/units/plain_text.hpp"
 
 namespace contactd::contact_files {
 namespace {
@@ -161,9 +161,9 @@ void warn_of_thin_friction(Reading& reading) {
     const int law = reading.integer("FRCLAW");
     const auto thin = thin_friction(law, track_of(*reading.result.friction, law), reading.real(place));
     if (thin)
-        reading.warn("ends a case with " + std::string(place) + " = " + short_text(reading.real(place)) +
-                     ", between friction at SVF = " + short_text(thin->from) + " and " + short_text(thin->to) +
-                     " mm, whose coefficients differ by " + short_text(thin->difference) +
+        reading.warn("ends a case with " + std::string(place) + " = " + plain_text(reading.real(place)) +
+                     ", between friction at SVF = " + plain_text(thin->from) + " and " + plain_text(thin->to) +
+                     " mm, whose coefficients differ by " + plain_text(thin->difference) +
                      "; a straight line between these is a guess. Give friction at more places");
 }
 

@@ -155,7 +155,7 @@ WheelRailGeometry RightWheel::locate() {
     warn(geometry, warnings_of(position_.passed_over(geometry.z), setup_.side));
     for (const CandidatePatch& found : position_.candidates(geometry.z)) {
         geometry.places.push_back(found.place);
-        warn(geometry, warnings_of(found, setup_, false));
+        warn(geometry, warnings_of(found, setup_, state_, false));
         const geometry::WheelSurface wheel = position_.wheel(geometry.z);
         warn(geometry, plausibility_warnings(found.place.reference, setup_.side, wheel, position_.rail()));
         warn(geometry, thin_data_warnings(found, setup_, state_, wheel, position_.rail()));
@@ -253,7 +253,7 @@ Placement RightWheel::placed(double z, std::vector<CandidatePatch> candidates, O
         }
         ContactProblem problem = problem_of(found);
         problem.previous = history.on(i, problem);
-        warn(placement, warnings_of(found, setup_, setup_.friction && state_.motion != WheelRailMotion::shift));
+        warn(placement, warnings_of(found, setup_, state_, setup_.friction && state_.motion != WheelRailMotion::shift));
         const geometry::WheelSurface wheel = position_.wheel(z);
         warn(placement, plausibility_warnings(found.place.reference, setup_.side, wheel, position_.rail()));
         warn(placement, thin_data_warnings(found, setup_, state_, wheel, position_.rail()));

@@ -12,7 +12,6 @@
 #include "wheel_rail/plausibility.hpp"
 #include "wheel_rail/right_wheel.hpp"
 #include "wheel_rail/units.hpp"
-#include "wheel_rail/warnings.hpp"
 
 namespace contactd {
 namespace {
@@ -30,7 +29,6 @@ template <class Answer>
 Answer warned(Answer answer, const std::vector<std::string>& of_setup, const WheelRailSetup& setup,
               const WheelRailState& state) {
     answer.warnings.insert(answer.warnings.begin(), of_setup.begin(), of_setup.end());
-    for (std::string& warning : warnings_of(state)) answer.warnings.push_back(std::move(warning));
     for (std::string& warning : unit_warnings(setup, state)) answer.warnings.push_back(std::move(warning));
     return answer;
 }
@@ -94,7 +92,8 @@ WheelRailSolution WheelRailContact::solve(const WheelRailState& state, Observer&
     WheelRailSolution solution =
         warned(parts_->of_right_wheel(state, observer, [&](RightWheel&& wheel) { return wheel.solve(observer); }),
                parts_->warnings, parts_->setup, state);
-    for (std::string& warning : position_warnings(state)) solution.warnings.push_back(std::move(warning));
+    for (std::string& warning : unit_warnings_of_one(parts_->setup, state))
+        solution.warnings.push_back(std::move(warning));
     return solution;
 }
 

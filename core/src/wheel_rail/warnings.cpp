@@ -1,8 +1,6 @@
 #include "wheel_rail/warnings.hpp"
 
 #include <cmath>
-#include <numbers>
-#include <utility>
 
 #include "types/number_text.hpp"
 #include "wheel_rail/units.hpp"
@@ -11,7 +9,6 @@ namespace contactd {
 namespace {
 
 constexpr double largest_slide = 0.5;       // longitudinal creepage of a wheel that is meant to roll
-constexpr double usual_angle = 0.1;         // rad: of wheelsets and rails, beyond which it may be in degrees
 constexpr double largest_curvature = 0.05;  // of the rail along the track over the wheel's, from where on it matters
 
 }  // namespace
@@ -28,7 +25,7 @@ std::string apart_along_normal(const ContactReference& reference, Side side) {
 }
 
 std::vector<std::string> warnings_of(const geometry::CandidatePatch& found, const WheelRailSetup& setup,
-                                     bool has_friction) {
+                                     const WheelRailState& state, bool has_friction) {
     std::vector<std::string> warnings;
     const std::string name = name_of(found.place.reference, setup.side);
     if (found.quality.bend > most_bend)
@@ -56,7 +53,8 @@ std::vector<std::string> warnings_of(const geometry::CandidatePatch& found, cons
     if (has_friction && std::abs(found.place.creepages.xi) > largest_slide)
         warnings.push_back(name + " slides along the rail by " + short_text(std::abs(found.place.creepages.xi)) +
                            " of the rolling velocity: where the wheel is meant to roll, velocity.pitch is near "
-                           "-velocity.x/nominal_radius, in rad/s, mm/s and mm.");
+                           "-velocity.x/nominal_radius, in rad/s, mm/s and mm." +
+                           unit_of_speed(setup, state));
     return warnings;
 }
 
@@ -66,19 +64,6 @@ std::vector<std::string> warnings_of(const std::optional<geometry::PassedOver>& 
             " mm the rail reaches " + short_text(place->depth) +
             " mm into the wheel, at an edge or a step that the search along the locus passes over: choose "
             "patches.search mesh."};
-}
-
-std::vector<std::string> warnings_of(const WheelRailState& state) {
-    std::vector<std::string> warnings;
-    for (const auto& [name, angle] :
-         {std::pair("position.roll", state.position.roll), std::pair("position.yaw", state.position.yaw),
-          std::pair("wheel.roll", state.wheel.roll), std::pair("wheel.yaw", state.wheel.yaw),
-          std::pair("rail.roll", state.rail.roll)})
-        if (std::abs(angle) > usual_angle)
-            warnings.push_back(std::string(name) + " is " + short_text(angle) + " rad, " +
-                               short_text(angle * 180 / std::numbers::pi) +
-                               " degrees: wheelsets on rails turn by hundredths of a radian. Angles are in rad.");
-    return warnings;
 }
 
 std::vector<std::string> warnings_of(const ContactReference& reference, Side side, const ContactSolution& solution) {

@@ -17,11 +17,9 @@ std::string apart_along_normal(const ContactReference& reference, Side side);
 
 /// Warns of a candidate patch of a right wheel, named by where it is on its own side.
 std::vector<std::string> warnings_of(const geometry::CandidatePatch& found, const WheelRailSetup& setup,
-                                     bool has_friction);
+                                     const WheelRailState& state, bool has_friction);
 /// Warns of a place that the search has passed over.
 std::vector<std::string> warnings_of(const std::optional<geometry::PassedOver>& place, Side side);
-/// Warns of angles that look as if they were in degrees.
-std::vector<std::string> warnings_of(const WheelRailState& state);
 /// Those of its solution, under the same name.
 std::vector<std::string> warnings_of(const ContactReference& reference, Side side, const ContactSolution& solution);
 

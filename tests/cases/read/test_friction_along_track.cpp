@@ -72,7 +72,7 @@ TEST_CASE("a case between places that are too far apart is warned of", "[contact
         for (const std::string& warning : last_of(rail.text()).warnings) all += warning;
         return all;
     };
-    CHECK_THAT(warnings_at("6000."), ContainsSubstring("S_WS = 6e+03, between friction at SVF = 0 and 1e+04 mm") &&
+    CHECK_THAT(warnings_at("6000."), ContainsSubstring("S_WS = 6000, between friction at SVF = 0 and 10000 mm") &&
                                          ContainsSubstring("differ by 0.2"));
     CHECK(warnings_at("10000.").empty());
     CHECK(warnings_at("11000.").empty());

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
+#include <cmath>
 #include <string>
+#include <vector>
 
 #include "contact_cases.hpp"
 
@@ -126,4 +128,52 @@ TEST_CASE("A coefficient of friction at speed in percent is warned of", "[contac
     problem.motion = Rolling{.xi = 0.02, .velocity = 20e3};
     CHECK(warns_of(solve(problem), "friction.mu is up to 33"));
     CHECK(warns_of(solve(problem), "friction.kinetic.mu is up to 13"));
+}
+
+TEST_CASE("Heights in micrometres or in metres are warned of, and those in mm are not", "[contact]") {
+    ContactProblem problem = wheels();
+    problem.friction.reset();
+    const Grid& grid = problem.grid;
+    std::vector<double> heights;
+    SECTION("of a ball") {
+        heights = sampled(Paraboloid{460, 300}, grid);
+    }
+    SECTION("of a rough surface, with waves of 2.4 mm and 20 micrometres") {
+        for (int i = 0; i < grid.nx * grid.ny; ++i)
+            heights.push_back(0.01 * (2 + std::sin(1.5 * (i % grid.nx)) + std::cos(1.7 * (i / grid.nx))));
+    }
+    SECTION("of a flat punch with edges") {
+        problem.Fn = 8e3;
+        for (int i = 0; i < grid.nx * grid.ny; ++i)
+            heights.push_back(std::abs(i % grid.nx - 20) < 8 && std::abs(i / grid.nx - 20) < 8 ? 0 : 1e5);
+        problem.gap = heights;
+        CHECK_FALSE(warns_of(solve(problem), "gap rises"));
+        return;
+    }
+    const auto warned = [&](double unit, const std::string& sentence) {
+        std::vector<double> given = heights;
+        for (double& height : given) height *= unit;
+        problem.gap = given;
+        return warns_of(solve(problem), sentence);
+    };
+    CHECK_FALSE(warned(1, "gap rises"));
+    CHECK(warned(1000, "Give heights in mm, not in micrometres."));
+    CHECK(warned(1e-3, "all elements are in contact. Give heights in mm, not in m."));
+}
+
+TEST_CASE("A gap that is flat is warned of nothing", "[contact]") {
+    ContactProblem problem = wheels();
+    problem.gap = std::vector<double>(problem.grid.size(), 0);
+    CHECK_FALSE(warns_of(solve(problem), "gap rises"));
+}
+
+TEST_CASE("Rolling in m/s leaves friction that falls at speed as it is at rest, which is said", "[contact]") {
+    ContactProblem problem = wheels();
+    problem.friction->kinetic = KineticFriction{SlipLaw::exponential, 0.132, 300.0};
+    problem.motion = Rolling{.xi = 0.01, .velocity = 20};
+    CHECK(warns_of(solve(problem), "Friction hardly falls"));
+    for (const double xi : {1e-4, 0.01}) {
+        problem.motion = Rolling{.xi = xi, .velocity = 20e3};
+        CHECK_FALSE(warns_of(solve(problem), "Friction hardly falls"));
+    }
 }

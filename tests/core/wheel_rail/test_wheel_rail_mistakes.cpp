@@ -1,5 +1,7 @@
 // Mistakes of users.
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>
 #include <functional>
@@ -119,7 +121,10 @@ TEST_CASE("A state in other units says so in a warning") {
     CHECK(solve(setup, state).warnings.empty());
     SECTION("a yaw in degrees") {
         state.position.yaw = 0.3;
-        warned("position.yaw is 0.3 rad, 17.2 degrees");
+        warned(
+            "position.yaw is 0.3 rad, and wheelsets on rails turn by hundredths of a radian. Give angles in rad, not "
+            "in "
+            "degrees. If it is in degrees, it is 0.005236 rad.");
     }
     SECTION("a rail's roll in degrees") {
         state.rail.roll = -0.2;
@@ -128,6 +133,27 @@ TEST_CASE("A state in other units says so in a warning") {
     SECTION("a speed in metres") {
         state.velocity.x = 20;
         warned("velocity.pitch is near -velocity.x/nominal_radius");
+        warned("velocity.x = 20 mm/s fits that rate if it is in m/s: 20 m/s is 2e+04 mm/s.");
+    }
+    SECTION("a speed in kilometres per hour") {
+        state.velocity.x = 72;
+        warned("velocity.x = 72 mm/s fits that rate if it is in km/h: 72 km/h is 2e+04 mm/s.");
+    }
+    SECTION("a pitch rate by a radius in metres") {
+        state.velocity.pitch *= 1000;
+        warned("velocity.pitch = -43400 rad/s fits a nominal_radius in m.");
+    }
+    SECTION("a speed and a pitch rate of a speed in metres") {
+        state.velocity = {20, 0, 0, 0, 0, -0.0434};
+        warned(
+            "velocity.x is 20 mm/s, slower than vehicles run. Give velocities in mm/s, not in m/s or km/h. If it is in "
+            "m/s, it is 20000 mm/s; if in km/h, 5556 mm/s.");
+    }
+    SECTION("a speed backwards in kilometres per hour, of a wheel that rolls freely") {
+        setup.dx = setup.dy = 1;
+        state.velocity.x = -200;
+        state.Fx = 0;
+        warned("velocity.x is -200 mm/s, slower than vehicles run");
     }
     SECTION("a pitch rate with the other sign") {
         state.velocity.pitch = 43.4;
@@ -146,6 +172,98 @@ TEST_CASE("A state in other units says so in a warning") {
         setup.wheelset.flange_back_position = -0.07;
         warned("check position.y, track.gauge, flange_back_distance");
     }
+}
+
+TEST_CASE("Slow wheels that are no vehicle's mistake are not warned of") {
+    WheelRailSetup setup;
+    setup.dx = setup.dy = 0.5;
+    WheelRailState state;
+    state.Fz = 60000;
+    const auto rolls_at = [&](double speed) {
+        const double pitch = -speed / setup.wheelset.nominal_radius;
+        state.velocity = {setup.track.roller_radius ? 0 : speed, 0, 0, 0, 0, pitch};
+        if (setup.track.roller_radius) state.roller_pitch = speed / *setup.track.roller_radius;
+    };
+    SECTION("that shunt") {
+        rolls_at(GENERATE(400.0, 500.0, 1000.0, 3000.0));
+    }
+    SECTION("at unit speed") {
+        rolls_at(1);
+    }
+    SECTION("on a roller") {
+        setup.track.roller_radius = 460;
+        rolls_at(GENERATE(10.0, 100.0));
+    }
+    SECTION("of a model") {
+        setup.wheelset.nominal_radius = 100;
+        rolls_at(100);
+    }
+    SECTION("in a shift") {
+        rolls_at(100);
+        state.motion = WheelRailMotion::shift;
+        state.time_step = 1e-3;
+    }
+    SECTION("that spin where they start") {
+        state.velocity = {50, 0, 0, 0, 0, -10};
+    }
+    SECTION("of a run") {
+        rolls_at(20);
+        WheelRailEstimates estimates;
+        Observer observer;
+        CHECK(WheelRailContact(setup).solve(state, estimates, observer).warnings.empty());
+        return;
+    }
+    for (const std::string& warning : solve(setup, state).warnings) {
+        CHECK(warning.find("m/s") == warning.find("mm/s") + 1);
+        CHECK(warning.find("km/h") == std::string::npos);
+        CHECK(warning.find("slower than") == std::string::npos);
+    }
+}
+
+TEST_CASE("Slices that lie in metres along the track are warned of") {
+    WheelRailSetup setup;
+    setup.model = Model::hertz;
+    setup.friction.reset();
+    setup.track.rail_origin = ProfilePoint{760.5, 0};
+    WheelRailState state;
+    state.Fz = 60000;
+    const auto warnings_of = [&](double length, int count, double x) {
+        setup.rail_slices.clear();
+        for (int i = 0; i < count; ++i) setup.rail_slices.push_back({length * i / (count - 1), setup.rail});
+        state.position.x = x;
+        std::string all;
+        for (const std::string& warning : solve(setup, state).warnings) all += warning + "\n";
+        return all;
+    };
+    CHECK_THAT(warnings_of(0.06, 60, 0.03),
+               ContainsSubstring("The distance from rail_slices[0] to the last one is 0.06 mm, less than a contact is "
+                                 "long. Give places along the track in mm, not in m. If it is in m, it is 60 mm."));
+    CHECK_THAT(
+        warnings_of(60, 61, 30000),
+        ContainsSubstring("position.x is 30000 mm, beyond rail_slices, which lie from x = 0 to 60 mm and hold 30."));
+    CHECK(warnings_of(60, 61, 30) == "");
+    CHECK(warnings_of(60, 61, 120000) == "");
+    CHECK(warnings_of(60000, 61, 30000) == "");
+    CHECK(warnings_of(10000, 101, 20000) == "");  // behind a crossing
+    CHECK(warnings_of(60, 2, 0) == "");
+}
+
+TEST_CASE("Coefficients of friction in percent are warned of once") {
+    WheelRailSetup setup;
+    setup.dx = setup.dy = 0.5;
+    setup.friction->mu = {{-0.5, 20}, {0.5, 30}};
+    WheelRailState state;
+    state.velocity = {20000, 0, 0, 0, 0, -43.4};
+    state.Fz = 60000;
+    const WheelRailSolution solution = solve(setup, state);
+    CHECK(std::ranges::count_if(solution.warnings, [](const std::string& warning) {
+              return warning.find(
+                         "friction.mu is up to 30, and coefficients of friction are below 2. Give it as a ratio, "
+                         "not in percent. If it is in percent, it is 0.3.") != std::string::npos;
+          }) == 1);
+    CHECK(std::ranges::count_if(solution.warnings, [](const std::string& warning) {
+              return warning.find("percent") != std::string::npos;
+          }) == 1);
 }
 
 TEST_CASE("Moduli that no wheel has are warned of once, not for each contact") {

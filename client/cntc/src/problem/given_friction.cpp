@@ -10,6 +10,7 @@
 #include "edge/codes.hpp"
 #include "edge/last_error.hpp"
 #include "types/number_text.hpp"
+#include "types/units/plain_text.hpp"
 
 namespace contactd::cntc {
 namespace {
@@ -168,8 +169,8 @@ GivenFriction read_friction(int method, const double* params, const int* nparam,
 FrictionLaw friction_at(const GivenFriction& friction, double place) {
     const int law = friction.method % 10;
     if (const auto thin = thin_friction(law, friction.along_track, place))
-        warn("Coefficients of friction at the places " + number_text(thin->from) + " and " + number_text(thin->to) +
-             " mm along the track differ by " + short_text(thin->difference) +
+        warn("Coefficients of friction at the places " + plain_text(thin->from) + " and " + plain_text(thin->to) +
+             " mm along the track differ by " + plain_text(thin->difference) +
              "; a straight line between these is a guess. Give friction at more places.");
     return law_of(law, friction_along_track(friction.along_track, place));
 }

@@ -2,46 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <string_view>
 #include <utility>
 #include <variant>
 
+#include "contact/warnings/height_warnings.hpp"
+#include "contact/warnings/slow_rolling.hpp"
 #include "types/number_text.hpp"
+#include "types/plausibility.hpp"
 
 namespace contactd {
 namespace {
 
 using Sentences = std::vector<std::string>;
-
-/// Returns the slip velocity of the last step (mm/s); its slip is relative already where it rolls. Models without slip
-/// in the elements take friction at the velocity of the creepage.
-double largest_slip_velocity(const Motion& motion, const ContactSolution& solution) {
-    double slip = 0;
-    for (std::size_t i = 0; i < solution.slip_x.size(); ++i)
-        slip = std::max(slip, std::hypot(solution.slip_x[i], solution.slip_y[i]));
-    const auto* rolling = std::get_if<Rolling>(&motion);
-    if (rolling == nullptr) return slip / std::get<Shift>(motion).duration;
-    if (solution.slip_x.empty()) slip = std::hypot(rolling->xi, rolling->eta);
-    return slip * rolling->velocity;
-}
-
-void warn_of_friction_that_never_falls(const ContactProblem& problem, const ContactSolution& solution,
-                                       Sentences& warnings) {
-    constexpr double hardly_any = 1e-3;  // of the slip velocity in the law
-    if (!problem.friction || !problem.friction->kinetic || solution.elements.slip == 0) return;
-    const double largest = largest_slip_velocity(solution.motion.value_or(problem.motion), solution);
-    const double in_law = problem.friction->kinetic->slip_velocity;
-    if (largest >= hardly_any * in_law) return;
-    const bool rolls = std::holds_alternative<Rolling>(problem.motion);
-    const bool of_creepage = rolls && solution.slip_x.empty();
-    warnings.push_back(
-        std::string("Friction hardly falls: the ") +
-        (of_creepage ? "velocity of the creepage (xi, eta)" : "largest slip velocity") + " is " + short_text(largest) +
-        " mm/s, and friction.kinetic.slip_velocity is " + number_text(in_law) + " mm/s. Slip velocities follow from " +
-        (rolls ? "friction.rolling.velocity (mm/s)" : "friction.duration (s)") + ", which is 1 where it is left out.");
-}
 
 /// Somebody who has slip over a time step, in mm, gets a number that is far from small.
 void warn_of_rigid_slip_that_is_no_creepage(const ContactProblem& problem, Sentences& warnings) {
@@ -91,15 +67,12 @@ void warn_of_strengths_beyond_elasticity(const ContactProblem& problem, Sentence
 }
 
 void warn_of_friction_in_percent(const ContactProblem& problem, Sentences& warnings) {
-    constexpr double most = 2;
     if (!problem.friction || problem.friction->mu.empty()) return;
-    const auto warn_of = [&](const char* field, double mu) {
-        if (mu > most)
-            warnings.push_back(std::string(field) + " is up to " + short_text(mu) +
-                               "; coefficients of friction are below 2: it is not in percent.");
+    const auto warn_of = [&](const char* says, double mu) {
+        if (auto sentence = doubt(Quantity::friction_coefficient, says, mu)) warnings.push_back(std::move(*sentence));
     };
-    warn_of("friction.mu", *std::ranges::max_element(problem.friction->mu));
-    if (problem.friction->kinetic) warn_of("friction.kinetic.mu", problem.friction->kinetic->mu);
+    warn_of("friction.mu is up to", *std::ranges::max_element(problem.friction->mu));
+    if (problem.friction->kinetic) warn_of("friction.kinetic.mu is up to", problem.friction->kinetic->mu);
 }
 
 constexpr double largest_of_vehicles = 0.05;
@@ -178,7 +151,8 @@ std::vector<std::string> unit_warnings(const ContactProblem& problem, const Cont
     warn_of_friction_in_percent(problem, warnings);
     warn_of_rigid_slip_that_is_no_creepage(problem, warnings);
     warn_of_large_creepages(problem, solution, warnings);
-    warn_of_friction_that_never_falls(problem, solution, warnings);
+    for (const auto& others : {height_warnings, slow_rolling_warnings})
+        for (std::string& sentence : others(problem, solution)) warnings.push_back(std::move(sentence));
     return warnings;
 }
 

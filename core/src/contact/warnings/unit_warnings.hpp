@@ -8,8 +8,8 @@
 
 namespace contactd {
 
-/// Sentences about moduli, loads, strengths, coefficients and creepages that are out of every proportion, and about a
-/// slip law at velocities that it does not feel.
+/// Sentences about moduli, loads, strengths, heights, coefficients and creepages that are out of every proportion, and
+/// about a slip law at velocities that hardly affect it.
 std::vector<std::string> unit_warnings(const ContactProblem& problem, const ContactSolution& solution);
 
 }  // namespace contactd

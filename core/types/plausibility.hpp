@@ -1,0 +1,31 @@
+// One table of values that are legal and that are probably meant in another unit.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace contactd {
+
+/// What a field measures.
+enum class Quantity {
+    angle,                 ///< of wheelsets and rails (rad)
+    friction_coefficient,  ///< as a ratio
+    lateral_position,      ///< of a wheelset (mm)
+    track_length,          ///< from the first slice of a rail to the last (mm)
+    vehicle_speed,         ///< of a wheel on its rail (mm/s)
+    vertical_force,        ///< on the wheel of a vehicle (N)
+    shear_modulus,         ///< of wheels and rails (N/mm^2)
+};
+
+/// Trains run at 5 to 100 m/s, and at 20 to 400 km/h (mm/s). Tests at such speeds in mm/s run on rollers.
+inline constexpr double slowest_vehicle = 400;
+
+/// Returns whether a value lies where it is probably meant in another unit.
+bool is_doubtful(Quantity quantity, double value);
+
+/// Returns a sentence about a value that is doubtful, with what it is in the units that it may be mistaken for; nothing
+/// about others. `says` is the field with its verb, such as "position.y is"; `more` is added to the reason for doubt.
+std::optional<std::string> doubt(Quantity quantity, std::string_view says, double value, std::string_view more = {});
+
+}  // namespace contactd
