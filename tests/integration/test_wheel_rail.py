@@ -257,7 +257,8 @@ def test_a_refusal_names_field_and_place_and_says_what_to_do(shared_daemon, setu
 @pytest.mark.parametrize(
     ("state", "sentence"),
     [
-        ({"position": WheelsetPosition(yaw=0.2)}, "position.yaw is 0.2 rad, 11.5 degrees"),
+        ({"position": WheelsetPosition(yaw=0.2)}, "Give angles in rad, not in degrees. If it is in degrees, it is 0.003491 rad."),
+        ({"velocity": WheelsetVelocity(x=72, pitch=-0.1565)}, "Give velocities in mm/s, not in m/s or km/h."),
         ({"velocity": WheelsetVelocity(x=20, pitch=-43.4)}, "velocity.pitch is near -velocity.x/nominal_radius, in rad/s"),
         ({"position": WheelsetPosition(y=300)}, "check position.y, track.gauge"),
     ],

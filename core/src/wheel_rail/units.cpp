@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "types/number_text.hpp"
-#include "types/plausibility.hpp"
+#include "types/units/plain_text.hpp"
+#include "types/units/plausibility.hpp"
 
 namespace contactd {
 namespace {
@@ -62,9 +63,9 @@ void warn_of_place(const WheelRailSetup& setup, const WheelRailState& state, Sen
     const double x = state.position.x, first = slices.front().x, last = slices.back().x;
     const auto has = [&](double place) { return place >= first && place <= last; };
     if (last - first > closest * static_cast<double>(slices.size() - 1) || has(x) || !has(x / metre)) return;
-    warnings.push_back("position.x is " + number_text(x) + " mm, beyond rail_slices, which lie from x = " +
-                       number_text(first) + " to " + number_text(last) + " mm and hold " + number_text(x / metre) +
-                       ". Give places along the track in mm, not in m.");
+    warnings.push_back("position.x is " + plain_text(x) +
+                       " mm, beyond rail_slices, which lie from x = " + plain_text(first) + " to " + plain_text(last) +
+                       " mm and hold " + plain_text(x / metre) + ". Give places along the track in mm, not in m.");
 }
 
 }  // namespace
@@ -110,13 +111,13 @@ std::string unit_of_speed(const WheelRailSetup& setup, const WheelRailState& sta
     constexpr double metre = 1000, km_per_h = 1e6 / 3600, walking = 1000;  // mm/s
     const double speed = std::abs(state.velocity.x), ratio = rim_speed(setup, state) / speed;
     if (!(speed > 0) || setup.track.roller_radius) return {};
-    const std::string value = number_text(state.velocity.x);
+    const std::string value = plain_text(state.velocity.x);
     if (is_near(ratio, metre) && speed > walking)
-        return " velocity.pitch = " + number_text(state.velocity.pitch) + " rad/s fits a nominal_radius in m.";
+        return " velocity.pitch = " + plain_text(state.velocity.pitch) + " rad/s fits a nominal_radius in m.";
     for (const auto& [unit, size] : {std::pair("m/s", metre), std::pair("km/h", km_per_h)})
         if (is_near(ratio, size))
             return " velocity.x = " + value + " mm/s fits that rate if it is in " + unit + ": " + value + " " + unit +
-                   " is " + short_text(state.velocity.x * size) + " mm/s.";
+                   " is " + plain_text(state.velocity.x * size) + " mm/s.";
     return {};
 }
 

@@ -133,11 +133,11 @@ TEST_CASE("A state in other units says so in a warning") {
     SECTION("a speed in metres") {
         state.velocity.x = 20;
         warned("velocity.pitch is near -velocity.x/nominal_radius");
-        warned("velocity.x = 20 mm/s fits that rate if it is in m/s: 20 m/s is 2e+04 mm/s.");
+        warned("velocity.x = 20 mm/s fits that rate if it is in m/s: 20 m/s is 20000 mm/s.");
     }
     SECTION("a speed in kilometres per hour") {
         state.velocity.x = 72;
-        warned("velocity.x = 72 mm/s fits that rate if it is in km/h: 72 km/h is 2e+04 mm/s.");
+        warned("velocity.x = 72 mm/s fits that rate if it is in km/h: 72 km/h is 20000 mm/s.");
     }
     SECTION("a pitch rate by a radius in metres") {
         state.velocity.pitch *= 1000;

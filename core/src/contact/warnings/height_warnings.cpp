@@ -5,16 +5,18 @@
 #include <cstddef>
 #include <variant>
 
-#include "types/number_text.hpp"
+#include "types/units/plain_text.hpp"
 
 namespace contactd {
 namespace {
 
 /// Rises from element to element of a distance that is given: how many there are, how many are steeper than 45 degrees,
-/// and the largest.
+/// and the sum of their squares.
 struct Rises {
     std::size_t count = 0, steep = 0;
-    double largest = 0;
+    double squares = 0;
+
+    double mean() const { return count == 0 ? 0 : std::sqrt(squares / static_cast<double>(count)); }
 };
 
 /// Elements that are excluded by a large distance do not count.
@@ -27,7 +29,7 @@ Rises rises_of(const Grid& grid, const std::vector<double>& heights) {
         const double rise = std::abs(heights[to] - heights[from]) / size;
         ++rises.count;
         if (rise > 1) ++rises.steep;
-        rises.largest = std::max(rises.largest, rise);
+        rises.squares += rise * rise;
     };
     for (std::size_t i = 0; i < nx * ny; ++i) {
         if (i % nx + 1 < nx) add(i, i + 1, grid.dx);
@@ -39,18 +41,19 @@ Rises rises_of(const Grid& grid, const std::vector<double>& heights) {
 }  // namespace
 
 std::vector<std::string> height_warnings(const ContactProblem& problem, const ContactSolution& solution) {
-    constexpr double flattest = 1e-4, rounding = 1e-12;
+    constexpr double flattest = 5e-4;   // roughness has 0.01 to 0.5, bodies that touch have 1e-3 and more
+    constexpr double rounding = 1e-12;  // of surfaces that are flat
     const auto* heights = problem.gap ? std::get_if<std::vector<double>>(&*problem.gap) : nullptr;
     if (heights == nullptr) return {};
     const Rises rises = rises_of(problem.grid, *heights);
+    const std::string mean = plain_text(rises.mean()) + " mm a mm (root mean square)";
     if (2 * rises.steep > rises.count)
-        return {"gap rises by more than 45 degrees between most of its elements, by up to " +
-                short_text(rises.largest) + " mm a mm. Give heights in mm, not in micrometres."};
-    if (rises.largest > rounding && rises.largest < flattest &&
+        return {"gap rises by more than 45 degrees between most of its elements, by " + mean +
+                ". Give heights in mm, not in micrometres."};
+    if (rises.mean() > rounding && rises.mean() < flattest &&
         static_cast<std::size_t>(solution.elements.contact) == heights->size())
-        return {"gap rises by no more than " + short_text(rises.largest) +
-                " mm a mm, and is pressed flat as a whole: all elements are in contact. Give heights in mm, "
-                "not in m."};
+        return {"gap rises by " + mean +
+                " only, and is pressed flat as a whole: all elements are in contact. Give heights in mm, not in m."};
     return {};
 }
 

@@ -9,7 +9,7 @@
 namespace contactd {
 
 /// A sentence about a gap by elements that is steeper than 45 degrees nearly everywhere, as in micrometres, or that is
-/// flat to a ten-thousandth and pressed flat as a whole, as in metres.
+/// nearly flat and pressed flat as a whole, as in metres.
 std::vector<std::string> height_warnings(const ContactProblem& problem, const ContactSolution& solution);
 
 }  // namespace contactd

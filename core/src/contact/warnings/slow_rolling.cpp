@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "types/number_text.hpp"
-#include "types/plausibility.hpp"
+#include "types/units/plausibility.hpp"
 
 namespace contactd {
 namespace {

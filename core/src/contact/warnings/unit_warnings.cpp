@@ -12,7 +12,7 @@
 #include "contact/warnings/height_warnings.hpp"
 #include "contact/warnings/slow_rolling.hpp"
 #include "types/number_text.hpp"
-#include "types/plausibility.hpp"
+#include "types/units/plausibility.hpp"
 
 namespace contactd {
 namespace {

@@ -1,4 +1,4 @@
-#include "types/plausibility.hpp"
+#include "types/units/plausibility.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "types/number_text.hpp"
+#include "types/units/plain_text.hpp"
 
 namespace contactd {
 namespace {
@@ -86,14 +86,6 @@ const DoubtfulRange& range_of(Quantity quantity) {
     return *std::ranges::find(table, quantity, &DoubtfulRange::quantity);
 }
 
-/// With four digits, and without an exponent where a person would write none.
-std::string plain(double value) {
-    const double digits = std::pow(10, 3 - std::floor(std::log10(std::abs(value))));
-    const double shown = std::round(value * digits) / digits;
-    return std::abs(shown) < 1e6 && shown == std::round(shown) ? std::to_string(std::lround(shown))
-                                                               : number_text(shown);
-}
-
 }  // namespace
 
 bool is_doubtful(Quantity quantity, double value) {
@@ -105,7 +97,7 @@ std::optional<std::string> doubt(Quantity quantity, std::string_view says, doubl
     if (!is_doubtful(quantity, value)) return {};
     const DoubtfulRange& range = range_of(quantity);
     const auto in_unit = [&](double number) {
-        return range.unit.empty() ? plain(number) : plain(number) + " " + std::string(range.unit);
+        return range.unit.empty() ? plain_text(number) : plain_text(number) + " " + std::string(range.unit);
     };
     std::string names, values;
     for (const OtherUnit& other : range.others) {
