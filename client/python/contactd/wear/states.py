@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
+from ..calls.answer_warnings import give
 from ..errors import invalid
 from ..files.number_text import table_of
 from ..files.whole import read_whole
@@ -21,6 +22,7 @@ OnProgress = Callable[[float], None]
 _ROWS_OF_REPORT = 2000
 _LONGEST_NAME = 60  #: Largest length of a column's name in a message.
 _MOST_BYTES = 1 << 30  #: Largest size of a file of states.
+_MICROMETRES = (5e-4, 0.015)  #: largest position.y (mm) of states that are probably in m, as for a single solve
 _ODD = {"y", "roll", "yaw", "y_velocity", "roll_velocity", "yaw_velocity", "Fy"}
 _OWN = ("weight", "distance", "group", "mu")
 
@@ -93,7 +95,18 @@ def states_of_columns(columns: Mapping[str, Iterable[Any]], on_progress: OnProgr
         states.append(WeightedState(state_of(row), numbers[weights[0]][row], "" if group is None else str(group[row]), own))
     if not sum(one.weight for one in states) > 0:
         raise invalid("states", f"have a {weights[0]} of 0 each; give one of them at least a positive {weights[0]}")
+    give(_in_metres(numbers.get("position.y", [])))
     return states
+
+
+def _in_metres(positions: Sequence[float]) -> Iterator[str]:
+    """Returns a sentence about a column of lateral positions that are micrometres throughout."""
+    largest = max(map(abs, positions), default=0.0)
+    if _MICROMETRES[0] <= largest <= _MICROMETRES[1]:
+        yield (
+            f"states: position.y is at most {largest:g} mm, micrometres off the middle of the track, in all of them. Give lengths in mm, not in m. "
+            f"If it is in m, it is up to {1000 * largest:g} mm."
+        )
 
 
 def mirrored(one: WeightedState) -> WeightedState:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import sys
+import warnings
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from contactd import EnergyWear, InvalidArgument, WearLaw
+from contactd import ContactWarning, EnergyWear, InvalidArgument, WearLaw
 from contactd.wear import WearStudy, WeightedState, read_states
 from contactd.wear.states import mirrored, states_of_columns
 from contactd.wheel_rail import RailDeviation, WheelRailSetup, WheelRailState, WheelsetPosition, WheelsetVelocity
@@ -34,6 +35,21 @@ def test_columns_are_paths_of_a_state(tmp_path):
     assert (first.state.position.y, first.state.position.yaw, first.state.velocity.x, first.state.Fz) == (1.5, -1e-3, 3e4, 8e4)
     assert (first.weight, first.group, first.mu) == (0.7, "straight", None)
     assert (second.weight, second.group, second.mu) == (0.3, "curve", 0.2)
+
+
+def test_positions_in_metres_are_warned_of_once_for_the_whole_table(tmp_path):
+    with pytest.warns(ContactWarning) as caught:
+        read_states(write(tmp_path, TEXT.replace("1.5,", "0.0015,").replace("-2,", "-0.002,")))
+    (warning,) = caught
+    assert "position.y is at most 0.002 mm" in str(warning.message)
+    assert "not in m. If it is in m, it is up to 2 mm." in str(warning.message)
+
+
+@pytest.mark.parametrize("y", ["0, 0", "1e-4, -2e-4", "0.003, -2"])
+def test_positions_in_millimetres_that_are_small_are_warned_of_nothing(y):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        states_of_columns({"position.y": y.split(","), "Fz": [1, 1], "weight": [1, 1]})
 
 
 @pytest.mark.parametrize("between", [";", "\t", " ; "])
