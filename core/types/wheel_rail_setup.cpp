@@ -169,6 +169,10 @@ void check_by_angle(const WheelRailFriction& friction) {
 }
 
 void check_temperature(const WheelRailSetup& setup) {
+    if (setup.friction && setup.friction->memory && setup.friction->temperature_by_angle.empty())
+        throw InvalidArgument("friction.memory",
+                              "is given, and friction.temperature_by_angle is not. Give friction.temperature.memory or "
+                              "friction.kinetic.memory, or leave it out.");
     if (setup.friction && setup.friction->follows_temperature()) {
         if (!setup.temperature)
             throw InvalidArgument("friction.temperature",

@@ -157,6 +157,19 @@ def test_wheels_on_rails_have_temperatures_in_each_patch(shared):
     np.testing.assert_array_equal(found.upper_temperature, patch.upper_temperature)
 
 
+def test_friction_by_temperature_and_angle_has_memory(shared):
+    laws = [(-0.2, -0.1, 20, 200), (0.2, -0.25, 20, 200)]
+    friction = WheelRailFriction(0.35, True, temperature_by_angle=laws)
+    at_once, slowly = (
+        shared.wheel_rail(wheels("right").replace(friction=replace(friction, memory=memory)), rolls())
+        for memory in (None, FrictionMemory(0.05, 1))
+    )
+    assert abs(slowly.forces.track.Fx) > 1.001 * abs(at_once.forces.track.Fx)
+    assert slowly.patches[0].solution.friction_coefficient.min() < 0.34
+    with pytest.raises(InvalidArgument, match="friction.memory"):
+        shared.wheel_rail(wheels("right").replace(friction=WheelRailFriction(memory=FrictionMemory(0.05, 1))), rolls())
+
+
 def test_friction_of_wheels_on_rails_falls_with_the_temperature(shared):
     constant, falling = (shared.wheel_rail(wheels("right", law), rolls()) for law in (None, FALLING))
     assert abs(falling.forces.track.Fx) < 0.98 * abs(constant.forces.track.Fx)

@@ -165,6 +165,7 @@ struct WheelRailFriction {
     std::optional<TemperatureFriction> temperature{};
     /// Replaces `temperature` if it varies over the rail, by ascending angles.
     std::vector<TemperatureFrictionAtAngle> temperature_by_angle{};
+    std::optional<FrictionMemory> memory{};  ///< of `temperature_by_angle`, the same at all angles
 
     bool follows_temperature() const { return temperature || !temperature_by_angle.empty(); }
     bool operator==(const WheelRailFriction&) const = default;
@@ -173,6 +174,9 @@ struct WheelRailFriction {
 /// Interpolates linearly between angles, constant beyond them.
 double coefficient_at(const std::vector<FrictionAtAngle>& mu, double angle);
 TemperatureFriction law_at(const std::vector<TemperatureFrictionAtAngle>& laws, double angle);
+
+/// Returns the law of `temperature_by_angle`, which is not empty, at an angle, with its memory.
+TemperatureFriction temperature_friction_at(const WheelRailFriction& friction, double angle);
 
 struct WheelRailSetup {
     Side side = Side::right;

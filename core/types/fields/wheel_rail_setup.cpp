@@ -9,7 +9,8 @@ namespace {
 
 // A member that the schema does not declare makes the number of these names wrong.
 [[maybe_unused]] void all_of(const WheelRailFriction& all) {
-    [[maybe_unused]] const auto& [mu_, along_profile_, kinetic_, layer_, temperature_, temperature_by_angle_] = all;
+    [[maybe_unused]] const auto& [mu_, along_profile_, kinetic_, layer_, temperature_, temperature_by_angle_, memory_] =
+        all;
 }
 [[maybe_unused]] void all_of(const FrictionAtAngle& all) {
     [[maybe_unused]] const auto& [angle_, mu_] = all;
@@ -55,6 +56,7 @@ const FieldType& type_of<WheelRailFriction>() {
         fields::field<&WheelRailFriction::layer>("layer"),
         fields::field<&WheelRailFriction::temperature>("temperature"),
         fields::field<&WheelRailFriction::temperature_by_angle>("temperature_by_angle"),
+        fields::field<&WheelRailFriction::memory>("memory"),
     });
     static const FieldType type = fields::object_type(list);
     return type;

@@ -27,4 +27,10 @@ TemperatureFriction law_at(const std::vector<TemperatureFrictionAtAngle>& laws, 
             value_at(laws, angle, &At::range)};
 }
 
+TemperatureFriction temperature_friction_at(const WheelRailFriction& friction, double angle) {
+    TemperatureFriction law = law_at(friction.temperature_by_angle, angle);
+    law.memory = friction.memory;
+    return law;
+}
+
 }  // namespace contactd

@@ -158,7 +158,9 @@ TEST_CASE("friction by temperature that varies over a rail without a change is t
         Case patch = rail.patch(1);
         return std::pair(patch.forces(), patch.field(2));
     };
-    const Values law{0.4, 20, -0.2, 100, 0, 1};
+    const double memory = GENERATE(0, 0.01);
+    CAPTURE(memory);
+    const Values law{0.4, 20, -0.2, 100, memory, 1};
     Values twice{2};
     for (const double place : {-1.0, 1.0}) {
         twice.push_back(place);
@@ -237,6 +239,20 @@ TEST_CASE("friction along the track that is given too far apart is warned of onc
     CHECK(sentence_at(20500).empty());
     CHECK(sentence_at(0).empty());
     CHECK(sentence_at(-5000).empty());
+}
+
+TEST_CASE("memory of friction by temperature that differs between angles is refused", "[heat]") {
+    RailCase rail = manchester_wheel(9, contactd::Side::right);
+    const auto varying = [](double first, double second) {
+        return Values{2, -1, 0.4, 20, -0.2, 100, first, 1, 1, 0.4, 20, -0.1, 100, second, 1};
+    };
+    rail.whole.friction(16, varying(0.01, 0.01));
+    CHECK(last_code() == 0);
+    for (const double second : {0.0, 0.02}) {
+        rail.whole.friction(16, varying(0.01, second));
+        CHECK(last_code() == -33);
+        CHECK_THAT(last_sentence(), ContainsSubstring("memdst or mem_s0 differs between angles"));
+    }
 }
 
 TEST_CASE("simplified theories go on without the memory of friction, and say so") {

@@ -1,6 +1,7 @@
 // Layers and friction with memory between a wheel and its rail.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
 
@@ -164,6 +165,132 @@ TEST_CASE("Friction by temperature at angles is that of the patch's angle, or of
     CHECK_THAT(solve(setup_of(rows), state).forces.track.Fx, WithinRel(one.forces.track.Fx, 0.05));
 }
 
+namespace {
+
+/// A wheel that slips by 1.6 % under friction by temperature that is at `angles`.
+WheelRailSetup warm_setup(const WheelRailFriction& friction) {
+    WheelRailSetup setup = coarse_setup(friction);
+    setup.temperature = ThermalBodies{};
+    setup.settings.outer.tolerance = 1e-8;
+    return setup;
+}
+
+WheelRailState slipping() {
+    WheelRailState state = creeping();
+    state.velocity.pitch = -44;
+    return state;
+}
+
+WheelRailFriction by_rows(std::vector<TemperatureFrictionAtAngle> laws, std::optional<FrictionMemory> memory) {
+    WheelRailFriction friction{{{-0.5, 0.3}, {0.5, 0.32}}, true};
+    friction.temperature_by_angle = std::move(laws);
+    friction.memory = memory;
+    return friction;
+}
+
+const std::vector<TemperatureFrictionAtAngle> differing{{-0.2, -0.05, 20, 300}, {0.2, -0.25, 10, 200}};
+
+}  // namespace
+
+TEST_CASE("The same law with memory at all angles is that law, of the patch or row by row", "[temperature]") {
+    const bool along = GENERATE(false, true);
+    const FrictionMemory memory{0.02, 5};
+    WheelRailFriction one{{{0, 0.3}}, along}, alike = one;
+    one.temperature = TemperatureFriction{-0.2, 0, 200, memory};
+    alike.temperature_by_angle = {{-1, -0.2, 0, 200}, {-0.1, -0.2, 0, 200}, {1, -0.2, 0, 200}};
+    alike.memory = memory;
+    const WheelRailSolution by_one = solve(warm_setup(one), slipping()), by_all = solve(warm_setup(alike), slipping());
+    CHECK_THAT(by_all.forces.track.Fx, WithinRel(by_one.forces.track.Fx, 1e-9));
+    const auto &expected = by_one.patches.at(0).solution.friction_coefficient,
+               &found = by_all.patches.at(0).solution.friction_coefficient;
+    REQUIRE(!expected.empty());
+    REQUIRE(found.size() == expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) CHECK_THAT(found[i], WithinRel(expected[i], 1e-9));
+    CHECK(*std::ranges::min_element(found) < 0.29);
+    alike.memory.reset();
+    CHECK(std::abs(solve(warm_setup(alike), slipping()).forces.track.Fx) < 0.999 * std::abs(by_one.forces.track.Fx));
+}
+
+TEST_CASE("Each row's coefficients follow the law of its angle with memory", "[temperature]") {
+    const FrictionMemory memory{0.02, 5};
+    WheelRailSetup setup = warm_setup(by_rows(differing, memory));
+    setup.conformal = GENERATE(Conformal::off, Conformal::half_space);
+    const WheelRailSolution solution = solve(setup, slipping());
+    REQUIRE(solution.converged());
+    for (const WheelRailPatch& patch : solution.patches) {
+        const ContactSolution& found = patch.solution;
+        const auto& rolling = std::get<Rolling>(*found.motion);
+        const Grid& grid = patch.place.grid;
+        const double seconds = grid.dx / rolling.velocity;
+        const auto nx = static_cast<std::size_t>(grid.nx);
+        REQUIRE(found.friction_coefficient.size() == grid.size());
+        for (std::size_t row = 0; row < static_cast<std::size_t>(grid.ny); ++row) {
+            const auto begin = found.friction_coefficient.begin() + static_cast<std::ptrdiff_t>(row * nx);
+            const double entering = *(begin + static_cast<std::ptrdiff_t>(nx - 1));  // ahead of the contact
+            double cold = 0, carried = entering;
+            TemperatureFriction law;
+            if (!patch.place.rows.empty()) {
+                const double angle = patch.place.rows[row].angle;
+                cold = coefficient_at(setup.friction->mu, angle);
+                law = law_at(differing, angle);
+                CHECK_THAT(entering, WithinRel(cold, 1e-12));
+            }
+            for (std::size_t k = 0; k < nx; ++k) {
+                const std::size_t i = row * nx + nx - 1 - k;
+                if (!(found.pressure[i] > 0)) continue;
+                const double mu = found.friction_coefficient[i],
+                             traction = std::hypot(found.traction_x[i], found.traction_y[i]);
+                CHECK(traction <= mu * found.pressure[i] * (1 + 1e-5));
+                if (patch.place.rows.empty()) continue;  // whose angles are not told
+                const bool slips = found.element_division[i] == ElementState::slip;
+                const double v = slips ? rolling.velocity * std::hypot(found.slip_x[i], found.slip_y[i]) : 0;
+                const double theta = memory.distance / (memory.distance + seconds * std::max(v, memory.least_velocity));
+                carried = theta * carried + (1 - theta) * friction_coefficient(law, cold, found.upper_temperature[i]);
+                CHECK_THAT(mu, WithinRel(carried, 1e-5));
+            }
+        }
+    }
+}
+
+TEST_CASE("Memory of friction by temperature and angle that is short is none, and that is long keeps coefficients",
+          "[temperature]") {
+    const auto force = [](const WheelRailFriction& friction) {
+        const WheelRailSolution solution = solve(warm_setup(friction), slipping());
+        REQUIRE(solution.converged());
+        return std::abs(solution.forces.track.Fx);
+    };
+    const double at_once = force(by_rows(differing, {}));
+    CHECK_THAT(force(by_rows(differing, FrictionMemory{1e-9, 1})), WithinRel(at_once, 1e-6));
+    const double between = force(by_rows(differing, FrictionMemory{0.02, 1})),
+                 lasting = force(by_rows(differing, FrictionMemory{1e9, 1}));
+    WheelRailFriction cold = by_rows({}, {});
+    CHECK_THAT(lasting, WithinRel(force(cold), 1e-6));
+    CHECK(between > 1.001 * at_once);
+    CHECK(between < 0.999 * lasting);
+}
+
+TEST_CASE("Steps in halves change memory of friction by temperature and angle less and less", "[temperature]") {
+    const auto force = [](double dx) {
+        WheelRailSetup setup = warm_setup(by_rows(differing, FrictionMemory{0.05, 1}));
+        setup.dx = dx;
+        const WheelRailSolution solution = solve(setup, slipping());
+        REQUIRE(solution.converged());
+        return solution.forces.track.Fx;
+    };
+    const double coarse = force(0.4), finer = force(0.2), finest = force(0.1);
+    CHECK(std::abs(finest - finer) < 0.7 * std::abs(finer - coarse));
+    CHECK_THAT(finest, WithinRel(finer, 5e-3));
+}
+
+TEST_CASE("A left wheel has the memory of friction by temperature and angle of a right one", "[temperature]") {
+    WheelRailSetup setup = warm_setup(by_rows(differing, FrictionMemory{0.02, 1}));
+    const WheelRailState state = slipping();
+    const WheelRailSolution right = solve(setup, state);
+    setup.side = Side::left;
+    const WheelRailSolution left = mirrored(solve(setup, mirrored(state)));
+    CHECK(left.patches.at(0).solution.friction_coefficient == right.patches.at(0).solution.friction_coefficient);
+}
+
 TEST_CASE(
     "Friction by temperature at angles is refused beside another one, in disorder, or without friction when hot") {
     const auto refused_field = [&](const WheelRailFriction& friction) {
@@ -179,4 +306,11 @@ TEST_CASE(
     CHECK(refused_field(disorder) == "friction.temperature_by_angle[1].angle");
     none.temperature_by_angle = {{0, -0.1, 0, 300}, {0.5, -0.3, 0, 300}};
     CHECK(refused_field(none) == "friction.temperature.change");
+    WheelRailFriction memory{{{0, 0.3}}};
+    memory.memory = FrictionMemory{0.01, 1};
+    CHECK(refused_field(memory) == "friction.memory");
+    memory.temperature_by_angle = {{0, -0.1, 0, 300}};
+    CHECK(refused_field(memory).empty());
+    memory.memory->distance = 0;
+    CHECK(refused_field(memory) == "friction.memory.distance");
 }

@@ -899,9 +899,12 @@
 #define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE_BY_ANGLE_REFERENCE \
     "setup.friction.temperature_by_angle[%d].reference" /* degC */
 #define CONTACTD_PATH_SETUP_FRICTION_TEMPERATURE_BY_ANGLE_RANGE "setup.friction.temperature_by_angle[%d].range"
-#define CONTACTD_PATH_SETUP_DX "setup.dx" /* mm */
-#define CONTACTD_PATH_SETUP_DY "setup.dy" /* mm */
-#define CONTACTD_PATH_SETUP_DQ "setup.dq" /* mm */
+#define CONTACTD_PATH_SETUP_FRICTION_MEMORY "setup.friction.memory"
+#define CONTACTD_PATH_SETUP_FRICTION_MEMORY_DISTANCE "setup.friction.memory.distance"             /* mm */
+#define CONTACTD_PATH_SETUP_FRICTION_MEMORY_LEAST_VELOCITY "setup.friction.memory.least_velocity" /* mm/s */
+#define CONTACTD_PATH_SETUP_DX "setup.dx"                                                         /* mm */
+#define CONTACTD_PATH_SETUP_DY "setup.dy"                                                         /* mm */
+#define CONTACTD_PATH_SETUP_DQ "setup.dq"                                                         /* mm */
 #define CONTACTD_PATH_SETUP_PATCHES "setup.patches"
 #define CONTACTD_PATH_SETUP_PATCHES_ANGLE_SEPARATE "setup.patches.angle_separate"       /* rad */
 #define CONTACTD_PATH_SETUP_PATCHES_DISTANCE_SEPARATE "setup.patches.distance_separate" /* mm */

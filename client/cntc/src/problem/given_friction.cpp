@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -124,6 +125,11 @@ std::vector<double> interpolable(int law, std::vector<double> given) {
     return given;
 }
 
+/// Of friction by temperature.
+std::optional<FrictionMemory> memory_of(const FrictionLaw& law) {
+    return law.temperature ? law.temperature->memory : std::nullopt;
+}
+
 /// [number, and of each its angle or place, and the parameters of the law there].
 GivenFriction varying_friction(int method, const std::vector<double>& given, const Units& units) {
     const int law = method % 10, varies = method / 10, size = 1 + parameters_of(law);
@@ -139,9 +145,8 @@ GivenFriction varying_friction(int method, const std::vector<double>& given, con
         const double place = *first * (varies == along_track ? units.length : 1);
         if (k > 0 && place <= last) refuse("Angles or places of friction must ascend.");
         last = place;
-        if (varies == with_angle && here.law.temperature && here.law.temperature->memory)
-            refuse("memdst = " + number_text(here.law.temperature->memory->distance) +
-                   " mm: friction by temperature that varies with the angle has no memory here. Set memdst to 0.");
+        if (varies == with_angle && k > 0 && memory_of(here.law) != memory_of(friction.by_angle.front().law))
+            refuse("memdst or mem_s0 differs between angles. Give the same memory for all.");
         if (k == 0) friction = here;
         if (varies == with_angle)
             friction.by_angle.push_back({place, here.law});

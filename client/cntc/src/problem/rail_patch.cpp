@@ -18,12 +18,13 @@ std::optional<FrictionLaw> friction_of(const WheelRailSetup& setup, const Contac
     const auto& heated = setup.friction->temperature_by_angle;
     if (!setup.friction->along_profile || mu.size() == 1 || place.rows.empty()) {
         law.mu = {coefficient_at(mu, side * place.reference.angle)};
-        if (!heated.empty()) law.temperature = law_at(heated, side * place.reference.angle);
+        if (!heated.empty()) law.temperature = temperature_friction_at(*setup.friction, side * place.reference.angle);
         return law;
     }
     for (const ContactRow& row : place.rows) {
         law.mu.insert(law.mu.end(), static_cast<std::size_t>(place.grid.nx), coefficient_at(mu, side * row.angle));
-        if (!heated.empty()) law.temperature_of_rows.push_back(law_at(heated, side * row.angle));
+        if (!heated.empty())
+            law.temperature_of_rows.push_back(temperature_friction_at(*setup.friction, side * row.angle));
     }
     return law;
 }

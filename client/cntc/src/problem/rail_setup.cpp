@@ -126,8 +126,10 @@ WheelRailFriction by_angle(const Settings& settings, const std::vector<GivenFric
         if (law.kinetic != friction.kinetic)
             throw Refused(error_code::friction, "Friction falls otherwise from angle to angle; give one fall for all.");
         friction.mu.push_back({angle + offset, law.mu[0]});
-        if (const auto& heated = law.temperature)
+        if (const auto& heated = law.temperature) {
             friction.temperature_by_angle.push_back({angle + offset, heated->change, heated->reference, heated->range});
+            friction.memory = heated->memory;
+        }
     }
     return friction;
 }

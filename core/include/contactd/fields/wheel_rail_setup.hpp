@@ -6,6 +6,7 @@
 #include "contactd/fields/contact_setup.hpp"
 #include "contactd/fields/fatigue.hpp"
 #include "contactd/fields/friction.hpp"
+#include "contactd/fields/friction_with_memory.hpp"
 #include "contactd/fields/profile_spec.hpp"
 #include "contactd/fields/temperature.hpp"
 #include "contactd/fields/temperature_friction.hpp"

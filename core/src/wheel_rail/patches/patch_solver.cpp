@@ -41,12 +41,12 @@ FrictionLaw friction_law(const WheelRailFriction& friction, const ContactPlace& 
     const auto& by_angle = friction.temperature_by_angle;
     if (!friction.along_profile || (friction.mu.size() == 1 && by_angle.size() <= 1)) {
         law.mu = {coefficient_at(friction.mu, place.reference.angle)};
-        if (!by_angle.empty()) law.temperature = law_at(by_angle, place.reference.angle);
+        if (!by_angle.empty()) law.temperature = temperature_friction_at(friction, place.reference.angle);
         return law;
     }
     for (const double angle : row_angles(place, rail)) {
         law.mu.insert(law.mu.end(), static_cast<std::size_t>(place.grid.nx), coefficient_at(friction.mu, angle));
-        if (!by_angle.empty()) law.temperature_of_rows.push_back(law_at(by_angle, angle));
+        if (!by_angle.empty()) law.temperature_of_rows.push_back(temperature_friction_at(friction, angle));
     }
     return law;
 }

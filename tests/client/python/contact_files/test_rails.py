@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from contactd import FrictionMemory, TemperatureFriction
 from contactd.contact_files.problems.rails import RailContact
 from contactd.wheel_rail import S1002, Rail60E1
 from support.contact_cases import rail_case
@@ -74,3 +75,30 @@ def test_wheels_displaced_along_the_track_turn_about_the_rigid_axle_in_planes_on
     assert wheel.x == 3
     assert wheel.y_velocity == pytest.approx(0 if stays else 0.03)
     assert wheel.z_velocity == pytest.approx(0.5 if stays else 12.5)
+
+
+_HEAT: dict[str, Any] = {"H": 3, "T": 3} | {
+    f"{name}{body}": value
+    for name, value in (("BKTEMP", 20.0), ("HEATCP", 450.0), ("LAMBDA", 0.05), ("DENS", 7.85e-6))
+    for body in (1, 2)
+}
+
+
+def _at(angle: float, change: float) -> dict[str, float]:
+    return {"ALPHVF": angle, "FREF": 0.4, "TREF": 20.0, "DFHEAT": change, "DTHEAT": 400.0}
+
+
+@pytest.mark.parametrize("distance", [0.0, 0.01])
+@pytest.mark.parametrize("alike", [False, True])
+def test_friction_by_temperature_and_angle_has_memory(distance: float, alike: bool) -> None:
+    sets = [_at(-1.0, -0.1), _at(0.5, -0.1 if alike else -0.2)]
+    case = rail_case(V=1, VARFRC=1, L=6, FRCLAW=6, friction=sets, MEMDST=distance, MEM_S0=5.0, **_HEAT)
+    friction = made(case).setup.friction
+    assert friction is not None
+    memory = FrictionMemory(distance, 5) if distance > 0 else None
+    if alike:
+        assert friction.temperature == TemperatureFriction(-0.1, 20, 400, memory)
+        assert (friction.temperature_by_angle, friction.memory) == (None, None)
+    else:
+        assert friction.temperature_by_angle == [(-1.0, -0.1, 20, 400), (0.5, -0.2, 20, 400)]
+        assert (friction.temperature, friction.memory) == (None, memory)

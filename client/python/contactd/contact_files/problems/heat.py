@@ -52,17 +52,15 @@ def temperature_friction(
 def temperature_by_angle(
     values: Mapping[str, Any], angles: Sequence[float], sets: Sequence[Mapping[str, float]]
 ) -> dict[str, Any]:
-    """How friction follows the temperature where the rail has these angles, as keywords of WheelRailFriction. Raises
-    Missing for memory where it differs from angle to angle."""
+    """How friction follows the temperature where the rail has these angles, as keywords of WheelRailFriction."""
     if values["FRCLAW"] != _BY_TEMPERATURE:
         return {}
     memory = _memory(values)
     laws = [_law(one, memory) for one in sets]
     if all(one == laws[0] for one in laws):
         return {"temperature": laws[0]}
-    if memory is not None:
-        raise Missing("memory of friction by temperature that differs from angle to angle (V = 1, L = 6, MEMDST)")
-    return {"temperature_by_angle": [(angle, one.change, one.reference, one.range) for angle, one in zip(angles, laws)]}
+    by_angle = [(angle, one.change, one.reference, one.range) for angle, one in zip(angles, laws)]
+    return {"temperature_by_angle": by_angle, "memory": memory}
 
 
 def _memory(values: Mapping[str, Any]) -> FrictionMemory | None:

@@ -16,7 +16,7 @@ from ..evidence import Model, NormalModel, SimplifiedSettings, SolverSettings
 from ..fatigue import FatigueRequest
 from ..friction import InterfacialLayer
 from ..materials import Material, RigidBody
-from ..motion import KineticFriction, TemperatureFriction
+from ..motion import FrictionMemory, KineticFriction, TemperatureFriction
 from ..profile_shapes import Profile
 from ..thermal import ThermalBodies
 from ..wear_laws import WearRequest
@@ -78,6 +78,10 @@ class WheelRailFriction:
         temperature_by_angle: Replaces temperature if temperature-dependent friction varies over the rail: by the angle
             of the rail's surface like mu, ascending, with linear interpolation; for a patch, or for each row if
             along_profile is set.
+        memory: Friction with memory for temperature_by_angle, the same at all angles. The coefficient of a particle
+            follows the temperature law of its row over a slip distance, d mu/dt = -max(v, v_0) / d (mu - mu(T)), and
+            starts from that of unheated surfaces where the particle enters the contact. If None, it follows at once.
+            The memory of a single law is a part of the law.
     """
 
     mu: float | Sequence[tuple[float, float]] = field(default=0.3, metadata={"keys": ("angle", "mu")})
@@ -88,6 +92,7 @@ class WheelRailFriction:
     temperature_by_angle: Sequence[tuple[float, float, float, float]] | None = field(
         default=None, metadata={"keys": ("angle", "change", "reference", "range")}
     )
+    memory: FrictionMemory | None = None
 
 
 @dataclass(frozen=True)
