@@ -148,7 +148,7 @@ def requests() -> Iterator[bytes]:
         yield request("contact.solve_many", {"problems": [params, params]}, *frames)
     field = {"grid": {"nx": 3, "ny": 2, "dx": 1, "dy": 1}, "nu": 0.3, "pressure": array(1, 2, 3)}
     heat = {name: array(1, 2, 3) for name in ("pressure", "traction_x", "traction_y", "slip_x", "slip_y")}
-    yield request("contact.temperature", {"grid": field["grid"], "velocity": 2e4, "chi": 0, "temperature": {"lower": {"density": 7e3}}, **heat}, bytes(48))
+    yield request("contact.temperature", {"grid": field["grid"], "velocity": 2e4, "upper_speed": 1.9e4, "chi": 0, "temperature": {"lower": {"density": 7e3}}, **heat}, bytes(48))
     yield request("contact.subsurface", {**field, "points": array(2, 2, 3)}, bytes(48), np.full(6, -1.0).tobytes())
 
 

@@ -157,6 +157,19 @@ def test_wheels_on_rails_have_temperatures_in_each_patch(shared):
     np.testing.assert_array_equal(found.upper_temperature, patch.upper_temperature)
 
 
+@pytest.mark.parametrize(
+    "changes", [{"conformal": "half_space"}, {"rigid_slip": "elements"}, {"rigid_slip": "surfaces"}]
+)
+def test_temperatures_of_a_patch_and_of_its_solution_agree_however_slip_is_given(shared, changes):
+    setup = wheels("right").replace(**changes)
+    state = replace(rolls(), velocity=WheelsetVelocity(x=30_000, pitch=-50))
+    patch = shared.wheel_rail(setup, state).patches[0].solution
+    assert patch.upper_speed == pytest.approx(30_000)
+    found = shared.temperature(patch, BODIES)
+    np.testing.assert_array_equal(found.upper_temperature, patch.upper_temperature)
+    assert found.temperature == patch.temperature
+
+
 def test_friction_by_temperature_and_angle_has_memory(shared):
     laws = [(-0.2, -0.1, 20, 200), (0.2, -0.25, 20, 200)]
     friction = WheelRailFriction(0.35, True, temperature_by_angle=laws)

@@ -36,6 +36,7 @@ TEST_CASE("A request of temperatures comes back as it went", "[temperature]") {
         request.temperature.plastic_share = 0.9;
         request.flow_x = {0, 1e-3, 1.0 / 7};
         request.flow_y = {0, -1e-3, 0};
+        request.upper_speed = 1.9e4;
     }
     ArrayWriter arrays(ArrayEncoding::frame);
     const json params = encode_temperature_request(request, arrays);
@@ -45,6 +46,7 @@ TEST_CASE("A request of temperatures comes back as it went", "[temperature]") {
     CHECK(back.grid == request.grid);
     CHECK(back.temperature == request.temperature);
     CHECK((back.velocity == request.velocity && back.chi == request.chi));
+    CHECK(back.upper_speed == request.upper_speed);
     CHECK((back.pressure == request.pressure && back.traction_x == request.traction_x));
     CHECK((back.traction_y == request.traction_y && back.slip_x == request.slip_x && back.slip_y == request.slip_y));
     CHECK((back.flow_x == request.flow_x && back.flow_y == request.flow_y));

@@ -138,6 +138,7 @@ struct ContactSolution {
     std::optional<ContactWear> wear;                      ///< if requested
     std::optional<ContactFatigue> fatigue;                ///< if requested
     std::optional<Motion> motion;                         ///< as requested, or as determined by a prescribed force
+    std::optional<double> upper_speed;                    ///< of wheels on rails, as in the problem (mm/s)
     std::optional<Derivatives> derivatives;               ///< if requested and converged, with contact
     std::vector<std::string> warnings;                    ///< messages for the user of the solution
     ContactEvidence evidence;

@@ -30,6 +30,9 @@ struct ContactLoad {
     /// a shift, in the step (mm); for rolling, per distance rolled, like creepages. Empty, or both of shape [ny,
     /// nx].
     RigidSlip rigid_slip{};
+    /// Speed at which the upper surface passes through the contact (mm/s), for temperatures of wheels on rails; absent:
+    /// as in TemperatureRequest.
+    std::optional<double> upper_speed{};
     SurfaceState previous;       ///< at the end of the previous step, where a shift or a transient step starts
     SurfaceState initial;        ///< initial estimates of the solvers
     bool derivatives = false;    ///< whether the solution includes them

@@ -68,6 +68,10 @@ struct TemperatureRequest {
     std::vector<double> traction_x, traction_y;  ///< on the upper body (N/mm^2)
     std::vector<double> slip_x, slip_y;  ///< relative slip of the upper body over the lower, per distance rolled
     std::vector<double> flow_x, flow_y;  ///< plastic flow of a layer per distance rolled, along the tractions; or empty
+    /// Speed U1 at which the upper surface passes through the contact (mm/s), the same in all rows; the lower one
+    /// passes at U2 = U1 + V w, with w the slip of its row along the rolling direction. Absent: V (1 - w/2) and V (1 +
+    /// w/2).
+    std::optional<double> upper_speed{};
 };
 
 /// Returns whether chi is 0 or pi to 1e-9, so that particles roll along rows.

@@ -272,10 +272,16 @@ CandidatePatch Position::candidate_of(const RegionGroup& group, const WheelSurfa
         place.approach = ellipse.approach;
         cover(place.grid, ellipse.along, ellipse.across);
     }
-    place.creepages = creepages(wheel, rail_, state_, place.reference, place.approach);
+    take_creepages(found, wheel);
     found.quality = search_->quality_flags(z, group);
     if (setup_.conformal != Conformal::off && bend(found, wheel)) found.quality.bend = 0;
     return found;
+}
+
+void Position::take_creepages(CandidatePatch& found, const WheelSurface& wheel) const {
+    ContactPlace& place = found.place;
+    place.creepages = creepages(wheel, rail_, state_, place.reference, place.approach);
+    found.rail_speed = rail_speed(wheel, rail_, state_, place.reference, place.approach);
 }
 
 /// Elements of a transient contact lie at multiples of their sizes along and across the rail, so that they stay where
@@ -355,7 +361,7 @@ bool Position::measure(CandidatePatch& found, double z) const {
     }
     if (rail_.varies() && setup_.slope_forces != SlopeForces::none)
         add_slopes_at_elements(found.slopes, place.grid, heights.rail);
-    place.creepages = creepages(wheel, rail_, state_, place.reference, place.approach);
+    take_creepages(found, wheel);
     const bool by_elements = setup_.rigid_slip == RigidSlipKind::elements;
     if (!place.rows.empty() || by_elements) {
         auto [fitted, rest] =

@@ -50,6 +50,7 @@ struct CandidatePatch {
     int more_below = 0, more_above = 0;  ///< rows of a curved contact beside those that it needs
     std::vector<RowSlip> row_slips;      ///< of rigid slip by surfaces only
     RigidSlip additional_slip;           ///< of curved contacts: beside the creepages, of each element
+    double rail_speed = 0;               ///< at which its surface passes through the contact (mm/s)
     SlopesAlong slopes{};                ///< of the rail, where forces follow them
     QualityFlags quality{};
 };
@@ -84,6 +85,7 @@ class Position {
    private:
     CandidatePatch candidate_of(const RegionGroup& group, const WheelSurface& wheel, double z) const;
     void find_elements(CandidatePatch& found) const;
+    void take_creepages(CandidatePatch& found, const WheelSurface& wheel) const;
     std::vector<RegionGroup> groups(double z, bool blends) const;
     double spin_ahead(const ContactPlace& place) const;
     int most_elements() const;

@@ -6,10 +6,12 @@
 
 namespace contactd {
 
-RowHeat::RowHeat(const ThermalBodies& bodies, double velocity, double dx, std::size_t length)
+RowHeat::RowHeat(const ThermalBodies& bodies, double velocity, std::optional<double> upper_speed, double dx,
+                 std::size_t length)
     : bodies_(bodies),
       velocity_(velocity),
       scale_(2 * std::sqrt(dx) / std::sqrt(std::numbers::pi * velocity)),
+      upper_(upper_speed ? std::optional(*upper_speed / velocity) : std::nullopt),
       weights_(length) {
     for (std::size_t k = 0; k < length; ++k) {
         const auto elements = static_cast<double>(k);
@@ -22,7 +24,7 @@ RowHeat::RowHeat(const ThermalBodies& bodies, double velocity, double dx, std::s
 // speed.
 RowShares RowHeat::shares(double slip) const {
     constexpr double least = 1e-12;  // of the velocity: the heat has to go into one of them
-    const double above = 1 - 0.5 * slip, below = 1 + 0.5 * slip;
+    const double above = upper_ ? *upper_ : 1 - 0.5 * slip, below = upper_ ? *upper_ + slip : 1 + 0.5 * slip;
     const auto root = [least](double part) { return std::sqrt(std::max(std::abs(part), least)); };
     const double upper = bodies_.upper.effusivity() * root(above), lower = bodies_.below().effusivity() * root(below),
                  both = upper + lower;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,13 +22,13 @@ struct RowShares {
 /// How bodies share heat, and how much an element's heat raises what lies behind it.
 class RowHeat {
    public:
-    /// `velocity` is that of rolling (mm/s), the mean of both surfaces; `dx` the size of the elements along it (mm),
-    /// `length` their number.
-    RowHeat(const ThermalBodies& bodies, double velocity, double dx, std::size_t length);
+    /// `velocity` is that of rolling (mm/s), `upper_speed` as in TemperatureRequest; `dx` the size of the elements
+    /// along it (mm), `length` their number.
+    RowHeat(const ThermalBodies& bodies, double velocity, std::optional<double> upper_speed, double dx,
+            std::size_t length);
 
     /// Returns the shares of a row whose upper surface slips by `slip` over the lower one, per distance rolled,
-    /// positive along the rolling direction: surfaces run against it, the upper one at velocity (1 - slip/2), the lower
-    /// one at velocity (1 + slip/2).
+    /// positive along the rolling direction: surfaces run against it, the lower one faster by velocity times slip.
     RowShares shares(double slip) const;
 
     /// The rise at an element by the heat on the one that lies `ahead` elements before it, over the unit of the row's
@@ -37,6 +38,7 @@ class RowHeat {
    private:
     const ThermalBodies bodies_;
     const double velocity_, scale_;
+    const std::optional<double> upper_;  // speed of the upper surface over the velocity
     std::vector<double> weights_;
 };
 

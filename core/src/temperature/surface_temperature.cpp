@@ -22,6 +22,9 @@ void check(const TemperatureRequest& request) {
     validate(request.temperature, "temperature");
     if (!(request.velocity > 0 && request.velocity <= 1e12))
         throw InvalidArgument("velocity", "is " + number_text(request.velocity) + "; it must lie in (0, 1e12] mm/s");
+    if (request.upper_speed && !(*request.upper_speed >= 0 && *request.upper_speed <= 1e12))
+        throw InvalidArgument("upper_speed",
+                              "is " + number_text(*request.upper_speed) + "; it must lie in [0, 1e12] mm/s");
     if (!rolls_along_x(request.chi))
         throw InvalidArgument("chi", "is " + number_text(request.chi) +
                                          "; temperatures are those of rolling along x, 0 or pi, in which heat stays "
@@ -51,7 +54,7 @@ class Surfaces {
         : request_(request),
           nx_(static_cast<std::size_t>(request.grid.nx)),
           ny_(static_cast<std::size_t>(request.grid.ny)),
-          heat_(request.temperature, request.velocity, request.grid.dx, nx_),
+          heat_(request.temperature, request.velocity, request.upper_speed, request.grid.dx, nx_),
           backwards_(std::cos(request.chi) < 0),
           slips_(mean_slip_of_rows(nx_, request.pressure, request.slip_x, request.flow_x)) {}
 
@@ -177,8 +180,8 @@ class Surfaces {
                                        "and whether one of the bodies slides without rolling.");
         if (has_opposite_)
             result_.warnings.push_back(
-                "The slip exceeds twice the rolling velocity: the surfaces pass through the contact in opposite "
-                "directions, and temperatures behind it are those of surfaces that pass in the same direction.");
+                "The surfaces pass through the contact in opposite directions, because the slip exceeds the speed of "
+                "one of them. Temperatures behind it are those of surfaces that pass in the same direction.");
         if (has_gaps_)
             result_.warnings.push_back(
                 "Rows of elements have gaps in their contact, across which temperatures take both bodies for being in "

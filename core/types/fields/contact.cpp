@@ -14,8 +14,8 @@ namespace {
                                   friction_coefficient_, displacement_x_, displacement_y_, displacement_z_,
                                   upper_temperature_, lower_temperature_, temperature_, wear_, fatigue_,
                                   rolling_resistance_, elastic_energy_, frictional_work_, frictional_power_,
-                                  plastic_work_, plastic_power_, largest_flow_, motion_, derivatives_, warnings_,
-                                  evidence_] = all;
+                                  plastic_work_, plastic_power_, largest_flow_, motion_, upper_speed_, derivatives_,
+                                  warnings_, evidence_] = all;
 }
 [[maybe_unused]] void all_of(const Forces& all) {
     [[maybe_unused]] const auto& [Fn_, Fx_, Fy_, Mz_] = all;
@@ -109,6 +109,7 @@ const FieldType& type_of<ContactSolution>() {
         fields::field<&ContactSolution::plastic_power>("plastic_power", {.unit = "N mm/s"}),
         fields::field<&ContactSolution::largest_flow>("largest_flow", {.bounds = {.least = 0}}),
         fields::custom_field<&ContactSolution::motion>("motion"),
+        fields::field<&ContactSolution::upper_speed>("upper_speed", {.bounds = {.least = 0}, .unit = "mm/s"}),
         fields::field<&ContactSolution::derivatives>("derivatives"),
         fields::field<&ContactSolution::warnings>("warnings", {.required = true}),
         fields::field<&ContactSolution::evidence>("evidence", {.required = true}),

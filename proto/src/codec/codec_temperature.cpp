@@ -36,6 +36,7 @@ json encode_temperature_request(const TemperatureRequest& request, ArrayWriter& 
                 {"temperature", write_fields(request.temperature, MemberPath("temperature"))},
                 {"velocity", finite_field(request.velocity, "velocity")},
                 {"chi", finite_field(request.chi, "chi")}};
+    if (request.upper_speed) params["upper_speed"] = finite_field(*request.upper_speed, "upper_speed");
     for (const auto& [name, values] : arrays_of(request))
         params[name] = arrays.write(std::span<const double>(*values), shape_of(request.grid));
     for (const auto& [name, values] : optional_arrays_of(request))
@@ -50,6 +51,7 @@ TemperatureRequest decode_temperature_request(const json& params, const Frames& 
         read_fields(params["temperature"], request.temperature, MemberPath("temperature"));
     request.velocity = params["velocity"].get<double>();
     request.chi = params.value("chi", 0.0);
+    if (params.contains("upper_speed")) request.upper_speed = params["upper_speed"].get<double>();
     for (const auto& [name, values] : arrays_of(request))
         *values = read_array(params[name], frames, shape_of(request.grid), name);
     for (const auto& [name, values] : optional_arrays_of(request))

@@ -51,6 +51,13 @@ def test_tractions_slip_and_motion_come_from_the_solution():
     np.testing.assert_array_equal(sent["traction_x"], -0.3 * ONES)
     assert "temperature" not in temperature_params(solution(), None, None)
     assert temperature_params(solution(), None, 5e3)["velocity"] == 5e3
+    assert "upper_speed" not in sent
+
+
+def test_the_speed_of_a_rail_goes_along_and_follows_another_velocity():
+    of_rail = solution(upper_speed=1.8e4)
+    assert temperature_params(of_rail, None, None)["upper_speed"] == 1.8e4
+    assert temperature_params(of_rail, None, 5e3)["upper_speed"] == pytest.approx(4.5e3)
 
 
 @pytest.mark.parametrize("motion", [Shift(rigid_shift=(1e-3, 0)), Rolling(kind="transient"), None])

@@ -10,6 +10,7 @@
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
+#include "contactd/error.hpp"
 #include "contactd/surface_temperature.hpp"
 
 using namespace contactd;
@@ -120,6 +121,54 @@ TEST_CASE("Spin gives each row speeds of its own", "[temperature]") {
     }
     // The heat of one side into the lower body equals that of the other side into the upper one.
     CHECK_THAT(answer.temperature.heat_upper, WithinRel(answer.temperature.heat_lower, 1e-12));
+}
+
+TEST_CASE("A speed of the upper surface that is given holds in all rows, and the lower one has the slip beside it",
+          "[temperature]") {
+    const Values slips{-0.5, -0.2, 0.2, 3.0};
+    TemperatureRequest request = rows_that_slip(slips);
+    request.chi = GENERATE(0.0, std::numbers::pi);
+    if (request.chi > 0)
+        for (double& slip : request.slip_x) slip *= -1;
+    for (double& traction : request.traction_x) traction *= request.chi > 0 ? -1 : 1;
+    request.upper_speed = 0.7 * velocity;
+    const SurfaceTemperatures answer = found(request);
+    double into_upper = 0;
+    for (std::size_t row = 0; row < slips.size(); ++row) {
+        const double upper = std::sqrt(0.7 * velocity), lower = std::sqrt((0.7 + slips[row]) * velocity);
+        const double right = 2 * heat * std::sqrt(7.75) / (std::sqrt(std::numbers::pi) * steel * (upper + lower));
+        CHECK_THAT(answer.upper_temperature[row * nx + (request.chi > 0 ? 29 : 14)], WithinRel(right, 1e-8));
+        into_upper += heat * 8 * upper / (upper + lower);
+    }
+    CHECK_THAT(answer.temperature.heat_upper, WithinRel(into_upper, 1e-8));
+    CHECK_FALSE(says(answer, "opposite"));
+}
+
+TEST_CASE("The speed of the upper surface that is taken without one gives the same when it is given", "[temperature]") {
+    const double w = GENERATE(0.04, 1.0, -1.5);
+    TemperatureRequest request = rows_that_slip({w});
+    const SurfaceTemperatures without = found(request);
+    request.upper_speed = velocity * (1 - w / 2);
+    const SurfaceTemperatures with = found(request);
+    for (std::size_t i = 0; i < with.upper_temperature.size(); ++i)
+        CHECK_THAT(with.upper_temperature[i], WithinRel(without.upper_temperature[i], 1e-12));
+    CHECK_THAT(with.temperature.heat_upper, WithinRel(without.temperature.heat_upper, 1e-12));
+    CHECK_THAT(with.temperature.peclet, WithinRel(without.temperature.peclet, 1e-12));
+}
+
+TEST_CASE("A speed of the upper surface that is none is refused, and one below the slip is warned of",
+          "[temperature]") {
+    TemperatureRequest request = rows_that_slip({-0.5});
+    request.upper_speed = -1;
+    Observer none;
+    try {
+        surface_temperature(request, none);
+        FAIL();
+    } catch (const InvalidArgument& error) {
+        CHECK(error.field() == "upper_speed");
+    }
+    request.upper_speed = 0.4 * velocity;
+    CHECK(says(found(request), "opposite"));
 }
 
 TEST_CASE("Surfaces that pass in opposite directions are warned of", "[temperature]") {

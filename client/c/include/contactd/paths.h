@@ -434,6 +434,7 @@
 #define CONTACTD_PATH_MOTION_KIND "motion.kind"
 #define CONTACTD_PATH_MOTION_STEPS "motion.steps"
 #define CONTACTD_PATH_MOTION_VELOCITY "motion.velocity" /* mm/s */
+#define CONTACTD_PATH_UPPER_SPEED "upper_speed"         /* mm/s */
 #define CONTACTD_PATH_DISPLACEMENT_X "displacement_x"
 #define CONTACTD_PATH_DISPLACEMENT_Y "displacement_y"
 #define CONTACTD_PATH_DISPLACEMENT_Z "displacement_z"
@@ -1208,6 +1209,7 @@
 #define CONTACTD_PATH_PATCHES_SOLUTION_PLASTIC_WORK "patches[%d].solution.plastic_work"         /* N mm */
 #define CONTACTD_PATH_PATCHES_SOLUTION_PLASTIC_POWER "patches[%d].solution.plastic_power"       /* N mm/s */
 #define CONTACTD_PATH_PATCHES_SOLUTION_LARGEST_FLOW "patches[%d].solution.largest_flow"
+#define CONTACTD_PATH_PATCHES_SOLUTION_UPPER_SPEED "patches[%d].solution.upper_speed" /* mm/s */
 #define CONTACTD_PATH_PATCHES_SOLUTION_DERIVATIVES "patches[%d].solution.derivatives"
 #define CONTACTD_PATH_PATCHES_SOLUTION_DERIVATIVES_FX "patches[%d].solution.derivatives.Fx"
 #define CONTACTD_PATH_PATCHES_SOLUTION_DERIVATIVES_FX_XI "patches[%d].solution.derivatives.Fx.xi"

@@ -451,6 +451,9 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
             rolled.
         motion: Motion as requested, with friction, or as computed for a prescribed force. For a shift, rigid_shift,
             rotation and duration; otherwise the fields of rolling in the request. force as in the request.
+        upper_speed: Speed at which the upper surface, that of the rail, passes through the contact (mm/s): that of the
+            contact along the rail, or of the roller's surface. Only for wheels on rails that roll steadily;
+            temperatures depend on it.
         derivatives: Derivatives of the forces by the inputs, if requested and if the solution has converged and has
             contact: derivatives.Fx.xi is dFx/d(xi). Fixed are the undeformed distance (also if semi-axes and the load
             determined it), the tractions before the step, rigid_slip, and the division of the elements; where that
@@ -495,6 +498,7 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
     plastic_power: float | None = None
     largest_flow: float | None = None
     motion: Shift | Rolling | None = None
+    upper_speed: float | None = None
     derivatives: Derivatives | None = None
     warnings: tuple[str, ...] = ()
     grid: Grid | None = None

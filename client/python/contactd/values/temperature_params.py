@@ -43,4 +43,6 @@ def temperature_params(
         "chi": rolling.chi or 0.0,
         **{name: array_of(getattr(solution, name)) for name in needed},
     }
+    if solution.upper_speed is not None:  # at another velocity in proportion
+        params["upper_speed"] = solution.upper_speed * (1.0 if velocity is None else velocity / (rolling.velocity or 1.0))
     return params if bodies is None else {**params, "temperature": params_of(bodies)}

@@ -6,7 +6,8 @@
 
 namespace contactd {
 
-/// Takes temperatures, where the problem asks for them, into the solution, whose slip is relative; and their warnings.
+/// Takes temperatures, where the problem asks for them, into the solution, whose slip is relative; and their warnings;
+/// and the speed that they depend on.
 void find_temperature(const ContactProblem& problem, ContactSolution& solution, Observer& observer);
 
 }  // namespace contactd

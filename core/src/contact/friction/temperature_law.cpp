@@ -34,7 +34,7 @@ TemperatureLaw::TemperatureLaw(const ContactProblem& problem)
       backwards_(std::cos(std::get<Rolling>(problem.motion).chi) < 0),
       step_(step_length(std::get<Rolling>(problem.motion), problem.grid) / problem.grid.dx),
       seconds_(step_ * problem.grid.dx / velocity_of(problem)),
-      heat_(*problem.temperature, velocity_of(problem), problem.grid.dx, nx_),
+      heat_(*problem.temperature, velocity_of(problem), problem.upper_speed, problem.grid.dx, nx_),
       cold_(problem.grid.size()),
       mu_(problem.grid.size()) {
     const double contact = heat_.shares(0).contact_temperature;

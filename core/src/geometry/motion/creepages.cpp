@@ -22,6 +22,14 @@ struct RollingSpeeds {
     bool forwards() const { return std::abs(over_ground) >= std::abs(of_rim) ? over_ground >= 0 : of_rim <= 0; }
 };
 
+RollingSpeeds rolling_speeds(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state,
+                             const Vector3& on_wheel, const SurfaceMotion& rim, const SurfaceMotion& ground) {
+    if (rail.axle()) return {-ground.velocity.x, rim.velocity.x};
+    const Vector3 pitching = wheel.wheelset().axes * Vector3{0, state.velocity.pitch, 0};
+    const double of_rim = cross(pitching, on_wheel - centre_of_rotation(wheel, state)).x;
+    return {rim.velocity.x - ground.velocity.x - of_rim, of_rim};
+}
+
 }  // namespace
 
 bool is_rolling(const Creepages& creepages) {
@@ -35,10 +43,7 @@ Creepages creepages(const WheelSurface& wheel, const RailSurface& rail, const Wh
     const Frame contact = contact_frame(reference);
     const Vector3 on_wheel = contact.origin + approach * contact.axes.z;
     const SurfaceMotion rim = of_wheel(wheel, state, on_wheel), ground = of_rail(rail, state, contact.origin);
-    const Vector3 pitching = wheel.wheelset().axes * Vector3{0, state.velocity.pitch, 0};
-    const double of_rim = cross(pitching, on_wheel - centre_of_rotation(wheel, state)).x;
-    RollingSpeeds speeds{rim.velocity.x - ground.velocity.x - of_rim, of_rim};
-    if (rail.axle()) speeds = {-ground.velocity.x, rim.velocity.x};
+    const RollingSpeeds speeds = rolling_speeds(wheel, rail, state, on_wheel, rim, ground);
 
     Creepages result;
     result.velocity = rail.axle() ? 0.5 * std::abs(ground.velocity.x + rim.velocity.x) : speeds.mean();
@@ -53,6 +58,14 @@ Creepages creepages(const WheelSurface& wheel, const RailSurface& rail, const Wh
     result.eta = dot(over, contact.axes.y) / result.velocity;
     result.phi = dot(ground.angular_velocity - rim.angular_velocity, contact.axes.z) / result.velocity;
     return is_rolling(result) ? result : Creepages{};
+}
+
+double rail_speed(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state,
+                  const ContactReference& reference, double approach) {
+    const Frame contact = contact_frame(reference);
+    const Vector3 on_wheel = contact.origin + approach * contact.axes.z;
+    const SurfaceMotion rim = of_wheel(wheel, state, on_wheel), ground = of_rail(rail, state, contact.origin);
+    return std::abs(rolling_speeds(wheel, rail, state, on_wheel, rim, ground).over_ground);
 }
 
 namespace {

@@ -23,6 +23,11 @@ bool is_rolling(const Creepages& creepages);
 Creepages creepages(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state,
                     const ContactReference& reference, double approach);
 
+/// Speed (mm/s) at which the surface of the rail passes through the contact at the reference, as above: that of the
+/// wheel over the ground, which the contact goes along with, or of the roller's surface.
+double rail_speed(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state,
+                  const ContactReference& reference, double approach);
+
 /// Slip over the rows of a grid, at x = 0 of the contact: of the rail's surface and the wheel's where they are, seen
 /// along the mean of both. It is zero in rows where one of them is missing.
 struct RowSlip {

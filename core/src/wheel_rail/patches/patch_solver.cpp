@@ -138,6 +138,7 @@ void set_motion(ContactProblem& problem, const WheelRailSetup& setup, const Whee
     if (!found.row_slips.empty()) creepages.xi = creepages.eta = creepages.phi = 0;
     problem.motion = motion_of(creepages, problem.grid.dx, setup, state);
     auto* rolling = std::get_if<Rolling>(&problem.motion);
+    if (rolling != nullptr && rolling->steady()) problem.upper_speed = found.rail_speed;
     if (rolling != nullptr && setup.model == Model::hertz && is_next_to_nothing(rolling->phi, problem.grid))
         rolling->phi = 0;
     if (!found.row_slips.empty())
