@@ -194,10 +194,6 @@ void check_temperature(const WheelRailSetup& setup) {
     if (!setup.friction)
         throw InvalidArgument("temperature",
                               "is given, and friction is not; temperatures are those of rolling contact");
-    if (setup.friction->layer && setup.friction->layer->yields())
-        throw InvalidArgument("friction.layer.yield_stress",
-                              "is given, and temperature, too; the heat of a layer that flows is not known yet: leave "
-                              "one of them out");
     if (setup.model == Model::hertz)
         throw InvalidArgument("model",
                               "is hertz, and temperature is given; heat is that of the slip of each element, which "

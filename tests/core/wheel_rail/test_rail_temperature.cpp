@@ -196,3 +196,18 @@ TEST_CASE("Friction by temperature follows each surface's speed, too", "[tempera
     CHECK_THAT(found.forces.Fx, WithinRel(of_plane.forces.Fx, 2e-3));
     CHECK_THAT(found.temperature->rise, WithinRel(of_plane.temperature->rise, 2e-3));
 }
+
+TEST_CASE("A layer that flows on a rail heats wheel and rail by its share of the plastic work", "[temperature]") {
+    const auto [kind, conformal] = any_slip();
+    CAPTURE(kind, conformal);
+    WheelRailSetup setup = hot(kind, conformal);
+    setup.dx = setup.dy = 0.4;
+    setup.friction->layer = InterfacialLayer{1e-5, 100, 500};
+    setup.temperature->plastic_share = GENERATE(1.0, 0.4);
+    const ContactSolution found = patch_of(setup, sliding(-0.02));
+    CHECK(found.elements.flow > 0);
+    const double plastic = found.plastic_power.value();
+    CHECK(plastic > 0.1 * found.frictional_power.value());
+    CHECK_THAT(found.temperature->heat_upper + found.temperature->heat_lower,
+               WithinRel(*found.frictional_power - (1 - setup.temperature->plastic_share) * plastic, 1e-5));
+}
