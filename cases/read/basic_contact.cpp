@@ -31,7 +31,7 @@ void read_angles(Reading& reading) {
     const int rows = std::get<int>(head.at("NN"));
     if (rows < 1)
         reading.lines.fail(reading.lines.words().front(), "has NN = " + std::to_string(rows) +
-                                                              "; it counts the pairs of y and angle, and is positive");
+                                                              "; the number of pairs of y and angle must be positive");
     for (const char* name : {"IF_METH", "VARIANT"}) reading.take(name, head.at(name));
     const auto pairs = read_array(reading, "y, angle", 2 * static_cast<std::size_t>(rows), " ^");
     reading.take("ANGLE_Y", shared(column_of(pairs, 0, 2)));
@@ -46,9 +46,7 @@ void read_extra_slip(Reading& reading) {
     if (reading.digit("E") != 9) return;
     const auto elements = static_cast<std::size_t>(reading.integer("MX")) * reading.integer("MY");
     if (elements == 0)
-        reading.lines.fail_line(
-            "is where the extra rigid slip of each element should follow (E = 9), and MX, MY are "
-            "not known");
+        reading.lines.fail_line("requires MX and MY before the extra rigid slip of each element (E = 9)");
     const std::vector<double> pairs = read_array(reading, "the extra rigid slip x, y", 2 * elements);
     reading.take("SLIP_X", shared(column_of(pairs, 0, 2)));
     reading.take("SLIP_Y", shared(column_of(pairs, 1, 2)));

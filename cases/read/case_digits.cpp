@@ -32,13 +32,13 @@ bool is_number(std::string_view text) {
 
 /// The line's first word as digits, filled up with zeros on the left.
 std::string digits_here(const InputLines& lines, std::string_view names, std::size_t most, std::size_t count) {
-    const std::string expected = "where the control digits " + std::string(names) + " should stand";
+    const std::string expected = "where the control digits " + std::string(names) + " are expected";
     const Word& word = lines.words().front();
     if (word.is_quoted || !is_number(word.text))
         lines.fail(word, "has " + geometry::quoted(word.text) + " " + expected);
     if (word.text.size() > most)
-        lines.fail(word, "has " + std::to_string(word.text.size()) + " digits " + expected + ", which are " +
-                             std::to_string(most) + " at most");
+        lines.fail(word, "has " + std::to_string(word.text.size()) + " digits " + expected + ", which are at most " +
+                             std::to_string(most));
     const std::size_t length = word.text.size();
     return length < count ? std::string(count - length, '0') + word.text : word.text;
 }
@@ -59,8 +59,8 @@ void take(const InputLines& lines, ContactCase& read, const std::array<DigitRule
             std::string words;
             for (const char c : allowed) words += (words.empty() ? "" : ", ") + std::string(1, c);
             lines.fail(lines.words().front(), "has the digit " + std::string(rule.name) + " = " + digits[i] +
-                                                  "; module " + std::to_string(read.module_number) + " has " + words +
-                                                  " of it");
+                                                  "; in module " + std::to_string(read.module_number) +
+                                                  " it must be one of " + words);
         }
         if (rule.name != "C1" || read.module_number == 1) read.digits[std::string(rule.name)] = digits[i] - '0';
     }
@@ -75,7 +75,7 @@ void take_damping(const InputLines& lines, ContactCase& read) {
             damping = *value % 10, weight = *value / 10;
             if (*value < 0 || damping > 2 || weight > 1)
                 lines.fail(word, "has " + geometry::quoted(word.text) +
-                                     " where M2 (0, 1 or 2) may stand, with W2 (0 or 1) in front of it");
+                                     " where M2 (0, 1 or 2) is expected, optionally preceded by W2 (0 or 1)");
         }
     }
     read.digits["M2"] = damping;

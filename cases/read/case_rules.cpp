@@ -21,36 +21,34 @@ std::string setting(const Reading& reading, const char* name) {
 void begin_history(Reading& reading) {
     for (const auto& [name, right] : {std::pair("P", 2), std::pair("I", 0)}) {
         if (reading.digit(name) == right) continue;
-        reading.warn("has " + setting(reading, name) +
-                     " in the first case of its history, which has none before; it is taken as " +
-                     std::to_string(right));
+        reading.warn("has " + setting(reading, name) + ", but no case precedes the first case of a history; " +
+                     std::to_string(right) + " is used instead");
         reading.result.digits[name] = right;
     }
     if (reading.digit("L") == 1)
-        reading.fail_case("has L = 1, which keeps the friction of a case before, and this is the first one");
+        reading.fail_case("has L = 1, which keeps the friction of the previous case, but this is the first case");
     if (reading.digit("D") == 0)
-        reading.fail_case("has D = 0, which keeps the grid of a case before, and this is the first one");
+        reading.fail_case("has D = 0, which keeps the grid of the previous case, but this is the first case");
     if (reading.digit("S") == 1 || reading.digit("S") == 2)
         reading.fail_case("has " + setting(reading, "S") +
-                          ", which keeps the points of a case before, and this is the first one");
+                          ", which keeps the points of the previous case, but this is the first case");
 }
 
 void go_on(Reading& reading, const History& history) {
     if (history.failed > 0 && reading.digit("P") != 2)
-        reading.fail_case("has " + setting(reading, "P") + ", which goes on from case " +
-                          std::to_string(history.failed) + ", and that has errors");
+        reading.fail_case("has " + setting(reading, "P") + ", which continues case " + std::to_string(history.failed) +
+                          ", but that case has errors");
     const auto before_of = [&](const char* name) { return digit(history.last, name); };
     if (reading.digit("N") != before_of("N") && reading.result.module_number == 1 && reading.digit("E") == 0)
         reading.fail_case("has " + setting(reading, "N") +
-                          " where the case before has another one; E = 1 or more must then give the position anew");
+                          ", different from the previous case; give the position anew with E = 1 or more");
     if (reading.digit("V") != before_of("V") && reading.digit("L") == 1)
-        reading.fail_case(
-            "has " + setting(reading, "V") +
-            " where the case before has another one; L must then not be 1, so that friction is read anew");
+        reading.fail_case("has " + setting(reading, "V") +
+                          ", different from the previous case; give friction anew with L other than 1");
     const bool shifts = reading.digit("T") == 1, shifted = before_of("T") == 1;
     const bool rolls = reading.digit("T") >= 2, rolled = before_of("T") >= 2;
     if (reading.result.module_number == 3 && ((shifts && rolled) || (rolls && shifted)) && reading.digit("C") == 0)
-        reading.fail_case("has C = 0 between a shift and rolling; C must be 1 or more there");
+        reading.fail_case("has C = 0 between a shift and rolling; set C to 1 or more");
 }
 
 /// Digits that do not go with each other.
@@ -58,11 +56,11 @@ void check_digits(Reading& reading) {
     const auto is = [&](const char* name, int value) { return reading.digit(name) == value; };
     if (reading.digit("H") > 0 && !is("T", 3))
         reading.fail_case("has " + setting(reading, "H") + ", temperatures, with " + setting(reading, "T") +
-                          "; they are known in steady rolling, T = 3");
+                          "; temperatures require steady rolling, T = 3");
     if (reading.result.module_number == 3 && reading.digit("B") >= 5 && !is("N", 0))
-        reading.fail_case("has " + setting(reading, "B") + " with N = 1; KPEC and ANALYN need N = 0");
+        reading.fail_case("has " + setting(reading, "B") + " with N = 1; KPEC and ANALYN require N = 0");
     if (reading.result.module_number == 1 && is("F", 1) && !is("N", 1))
-        reading.fail_case("has F = 1 with N = 0; where FX is given, FZ must be, too (N = 1)");
+        reading.fail_case("has F = 1 with N = 0; a given FX requires a given FZ (N = 1)");
 }
 
 /// Digits that keep something have what they keep as values.
@@ -83,8 +81,8 @@ void note_kept(Reading& reading) {
 /// Says which value a digit needs that was never read.
 void need(Reading& reading, bool is_needed, const char* value, const char* by) {
     if (is_needed && !reading.has(value))
-        reading.fail_case("ends a case with " + setting(reading, by) + ", which needs " + value +
-                          ", and neither this case nor one before it has that");
+        reading.fail_case("ends a case with " + setting(reading, by) + ", which requires " + value +
+                          ", but neither this case nor a previous one gives it");
 }
 
 void check_needs(Reading& reading) {
@@ -97,10 +95,10 @@ void check_needs(Reading& reading) {
     need(reading, material == 4, "GG3", "M");
     need(reading, reading.digit("H") > 0, "BKTEMP1", "H");
     if (!reading.result.friction && reading.digit("L") == 1)
-        reading.fail_case("ends a case with L = 1, which keeps friction, and no case before it has any");
+        reading.fail_case("ends a case with L = 1, which keeps friction, but no previous case gives it");
     if (!reading.result.subsurface && reading.digit("S") > 0)
         reading.fail_case("ends a case with " + setting(reading, "S") +
-                          ", which needs points below the surface, and no case before it has any");
+                          ", which requires points below the surface, but no previous case gives them");
 }
 
 void check_needs_alone(Reading& reading) {
@@ -135,13 +133,13 @@ bool are_bodies_alike(const Reading& reading) {
 void check_values_alone(Reading& reading) {
     if (reading.has("FN") && reading.digit("N") == 1 && !(reading.real("FN") > 0))
         reading.fail_case("ends a case with FN = " + std::to_string(reading.real("FN")) +
-                          "; the normal force is positive");
+                          "; the normal force must be positive");
     const int grid = reading.integer("IPOTCN");
     if ((grid == -4 || grid == -5) && reading.digit("N") == 0)
         reading.fail_case("ends a case with IPOTCN = " + std::to_string(grid) +
-                          " and N = 0; a line contact needs its force, N = 1");
+                          " and N = 0; a line contact requires its force, N = 1");
     if (reading.digit("B") == 4 && (grid != -6 || reading.digit("N") != 1))
-        reading.fail_case("ends a case with B = 4, which needs IPOTCN = -6 and N = 1");
+        reading.fail_case("ends a case with B = 4, which requires IPOTCN = -6 and N = 1");
 }
 
 /// The numbers of each set by SVF.
@@ -190,7 +188,7 @@ bool keeps_nothing(const Reading& reading) {
 void apply_digits(Reading& reading, const History& history) {
     if (history.torn > 0 && !keeps_nothing(reading))
         reading.fail_case("begins a case that keeps data of case " + std::to_string(history.torn) +
-                          ", which could not be read as a whole");
+                          ", which could not be read completely");
     else if (history.cases == 0)
         begin_history(reading);
     else

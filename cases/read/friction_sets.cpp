@@ -36,7 +36,7 @@ ByName<double> read_set(Reading& reading, const std::string& group) {
     raise("F2", "SABSH2");
     if (set.contains("FSTAT") && std::abs(set["FSTAT"] - set["FKIN"]) > 1e-3 * std::abs(set["FSTAT"]))
         reading.fail_case(
-            "has FSTAT and FKIN that differ; with L = 0 they must agree, and with L = 2, 3 or 4 friction falls with "
+            "has different FSTAT and FKIN; with L = 0 they must be equal, and with L = 2, 3 or 4 friction falls with "
             "slip");
     return set;
 }
@@ -45,7 +45,7 @@ int number_of_sets(Reading& reading) {
     const int count = std::get<int>(read_values(reading, "NVF#").at("NVF"));
     if (count < 1 || count > most_sets)
         reading.lines.fail(reading.lines.words().front(),
-                           "has NVF = " + std::to_string(count) + "; friction has 1 to 10 sets of values");
+                           "has NVF = " + std::to_string(count) + "; friction must have 1 to 10 sets of values");
     return count;
 }
 
@@ -67,8 +67,7 @@ void read_friction(Reading& reading) {
         sets.push_back(read_set(reading, values));
     } else if (varies == 3) {
         const int rows = reading.integer("MY");
-        if (rows < 1)
-            reading.lines.fail_line("is where friction of each row should follow (V = 3), and MY is not known");
+        if (rows < 1) reading.lines.fail_line("requires MY before the friction of each row (V = 3)");
         for (int row = 1; row <= rows; ++row) {
             sets.push_back(read_set(reading, values));
             sets.back()["IY"] = row;
@@ -78,7 +77,8 @@ void read_friction(Reading& reading) {
         for (int i = 0; i < count; ++i) {
             sets.push_back(read_set(reading, place + (varies == 1 ? "^ " : " ") + values));
             if (i > 0 && sets[i].at(place) <= sets[i - 1].at(place))
-                reading.fail_case("has a " + place + " that is not larger than that of the set before; they must rise");
+                reading.fail_case("has a " + place +
+                                  " that is not larger than that of the previous set; they must increase");
         }
     }
     reading.result.friction = std::make_shared<const ContactFrictionSets>(std::move(sets));

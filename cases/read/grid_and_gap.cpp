@@ -52,7 +52,7 @@ void read_base(Reading& reading, int base) {
             const int heights = std::get<int>(head.at("NN"));
             if (heights < 1)
                 fail_first_word(reading, "has NN = " + std::to_string(heights) +
-                                             "; it counts the heights of the profile that follow, and is positive");
+                                             "; the number of heights of the profile must be positive");
             for (const char* name : {"XM", "RM", "Y1", "DY1"}) reading.take(name, head.at(name));
             return reading.take("HEIGHTS", shared(read_array(reading, "the heights of the profile", heights)));
         }
@@ -62,14 +62,13 @@ void read_base(Reading& reading, int base) {
             const auto elements = static_cast<std::size_t>(reading.integer("MX")) * reading.integer("MY");
             if (elements == 0)
                 reading.lines.fail_line(
-                    "is where the undeformed distance of each element should follow (IBASE = 9), "
-                    "and MX, MY are not known");
+                    "requires MX and MY before the undeformed distance of each element (IBASE = 9)");
             return reading.take("GAP", shared(read_array(reading, "the undeformed distance", elements)));
         }
         default:
             fail_first_word(reading, "has IBASE = " + std::to_string(base) +
-                                         "; the undeformed distance is 1 (quadratic), "
-                                         "2 (a profile), 3 (two sines) or 9 (a value of each element)");
+                                         "; the undeformed distance must be 1 (quadratic), 2 (a profile), 3 (two "
+                                         "sines) or 9 (a value for each element)");
     }
 }
 
@@ -78,7 +77,7 @@ void read_plan_of_patches(Reading& reading) {
     read_group(reading, "NPATCH#");
     const int patches = reading.integer("NPATCH");
     if (patches < 1 || patches > most_plan_patches)
-        fail_first_word(reading, "has NPATCH = " + std::to_string(patches) + "; there are 1 to 100 patches");
+        fail_first_word(reading, "has NPATCH = " + std::to_string(patches) + "; there must be 1 to 100 patches");
     std::vector<double> limits;
     for (int i = 0; i < patches; ++i) {
         const ByName<ContactValue> box = read_values(reading, "XL XH YL YH");
@@ -100,9 +99,9 @@ void read_plan(Reading& reading, int plan) {
         case 4:
             return read_plan_of_patches(reading);
         default:
-            fail_first_word(reading,
-                            "has IPLAN = " + std::to_string(plan) +
-                                "; the planform is 1 (all elements), 2 (a conic), 3 (two rectangles) or 4 (patches)");
+            fail_first_word(
+                reading, "has IPLAN = " + std::to_string(plan) +
+                             "; the planform must be 1 (all elements), 2 (a conic), 3 (two rectangles) or 4 (patches)");
     }
 }
 
@@ -115,8 +114,9 @@ void read_grid(Reading& reading) {
     const int kind = reading.integer("IPOTCN");
     const std::string group = potential_contact(kind);
     if (group.empty())
-        fail_first_word(reading, "has IPOTCN = " + std::to_string(kind) +
-                                     "; the potential contact is -6 to -1 (Hertzian) or 1 to 4 (a rectangle)");
+        fail_first_word(reading,
+                        "has IPOTCN = " + std::to_string(kind) +
+                            "; the potential contact area must be -6 to -1 (Hertzian) or 1 to 4 (a rectangle)");
     reading.forget(rectangle_names);
     if (kept < 0) reading.forget(hertz_names);
     if (kind < 0) {
@@ -125,8 +125,9 @@ void read_grid(Reading& reading) {
     }
     read_group(reading, "MX# MY# " + group);
     if (reading.integer("MX") < 1 || reading.integer("MY") < 1)
-        fail_first_word(reading, "has MX = " + std::to_string(reading.integer("MX")) + ", MY = " +
-                                     std::to_string(reading.integer("MY")) + "; both count elements and are positive");
+        fail_first_word(reading, "has MX = " + std::to_string(reading.integer("MX")) +
+                                     ", MY = " + std::to_string(reading.integer("MY")) +
+                                     "; both numbers of elements must be positive");
 }
 
 void read_gap(Reading& reading) {

@@ -74,14 +74,14 @@ class WordsOfGroup {
         const Word& word = reading_.lines.words()[at_];
         if (!word.is_quoted && real_in(word.text))
             reading_.warn("has the number " + geometry::quoted(word.text) + " in column " +
-                          std::to_string(word.column) + " behind the values that are read; it is not read");
+                          std::to_string(word.column) + " after the last value of its group, which is ignored");
     }
 
    private:
     void warn_of_cut() const {
         if (count_ > 0 && reading_.lines.what_is_cut())
             reading_.warn(std::string(reading_.lines.what_is_cut()) +
-                          "; what is beyond is not read, and the values go on in the next line");
+                          "; the rest is ignored, and the values continue in the next line");
     }
 
     Reading& reading_;
@@ -98,8 +98,8 @@ void read_optional(Reading& reading, WordsOfGroup& words, std::vector<Item> item
         const auto value = value_of(items[taken], *word);
         if (!value) {
             if (real_in(word->text))
-                reading.warn("has " + geometry::quoted(word->text) + " where " + std::string(items[taken].name) +
-                             " may stand, which is an integer; it is taken for a remark");
+                reading.warn("has " + geometry::quoted(word->text) + " where the optional integer " +
+                             std::string(items[taken].name) + " is expected; it is taken as a comment");
             break;
         }
         values[std::string(items[taken].name)] = *value;
@@ -107,7 +107,7 @@ void read_optional(Reading& reading, WordsOfGroup& words, std::vector<Item> item
     if (taken == items.size()) words.end();
     if (together && taken > 0 && taken < items.size()) {
         reading.warn("has " + std::string(items[0].name) + " without " + std::string(items[taken].name) +
-                     "; both stand there or none counts");
+                     "; give both, because a single one is ignored");
         taken = 0;
     }
     for (; taken < items.size(); ++taken) {
@@ -171,7 +171,7 @@ ByName<ContactValue> read_values(Reading& reading, std::string_view group) {
         auto value = value_of(item, word);
         if (!value)
             reading.lines.fail(word, "has " + geometry::quoted(word.text) + " where " + name + kind_of(item) +
-                                         " should stand" + (word.is_open ? "; a quotation mark is missing" : ""));
+                                         " is expected" + (word.is_open ? "; a quotation mark is missing" : ""));
         values[name] = std::move(*value);
     }
     if (brace == group.npos) {
@@ -203,7 +203,7 @@ std::vector<double> read_array(Reading& reading, std::string_view what, std::siz
         const auto value = value_of(item, word);
         if (!value)
             reading.lines.fail(
-                word, "has " + geometry::quoted(word.text) + " where " + which + kind_of(item) + " should stand");
+                word, "has " + geometry::quoted(word.text) + " where " + which + kind_of(item) + " is expected");
         values.push_back(std::holds_alternative<int>(*value) ? std::get<int>(*value) : std::get<double>(*value));
     }
     words.end();

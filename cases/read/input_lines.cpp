@@ -82,10 +82,12 @@ InputLines::InputLines(std::string_view text, const std::string& name, const Obs
     : rest_(text), observer_(observer) {
     if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3);
     if (text.size() > most_contact_file_bytes)
-        throw InvalidArgument(name, "has " + std::to_string(text.size()) + " bytes; an input file of CONTACT has " +
-                                        std::to_string(most_contact_file_bytes) + " at most; divide it");
+        throw InvalidArgument(name, "has " + std::to_string(text.size()) +
+                                        " bytes; an input file of CONTACT may have at most " +
+                                        std::to_string(most_contact_file_bytes) + ": divide it");
     if (rest_.find('\0') != rest_.npos)
-        throw InvalidArgument(name, "is no text: it has bytes that are zero; give an input file of CONTACT (.inp)");
+        throw InvalidArgument(
+            name, "is not a text file, because it contains zero bytes; give an input file of CONTACT (.inp)");
 }
 
 bool InputLines::next() {
@@ -108,7 +110,7 @@ bool InputLines::next() {
 }
 
 void InputLines::advance(const std::string& what) {
-    if (!next()) fail_line("is where the file ends, and " + what + " should follow");
+    if (!next()) fail_line("is the end of the file, but " + what + " must follow");
 }
 
 void InputLines::split(std::string_view line) {

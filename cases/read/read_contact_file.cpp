@@ -7,8 +7,8 @@
 #include "case_digits.hpp"
 #include "case_rules.hpp"
 #include "contactd/error.hpp"
-#include "steps.hpp"
 #include "profile_files/profile_lines.hpp"
+#include "steps.hpp"
 
 namespace contactd {
 namespace contact_files {
@@ -45,16 +45,16 @@ ModuleLine module_line(const InputLines& lines) {
     const auto module = number(0);
     if (!module || (*module != 0 && *module != 1 && *module != 3))
         lines.fail(words[0], "has " + geometry::quoted(words[0].text) +
-                                 " where the number of a MODULE should stand: 1, 3, or 0 at the end of the cases");
+                                 " where the number of a MODULE is expected: 1, 3, or 0 at the end of the cases");
     line.module = *module;
     if (line.module == 0 || !(line.reid = number(1))) return line;
     line.cpid = number(2);
     if (*line.reid < 1 || *line.reid > 999)
         lines.fail(words[1], "has " + geometry::quoted(words[1].text) +
-                                 " where a result element, REID, may stand, from 1 to 999");
+                                 " where a result element, REID, from 1 to 999 is expected");
     if (line.cpid && (*line.cpid < 1 || *line.cpid > 9))
-        lines.fail(words[2],
-                   "has " + geometry::quoted(words[2].text) + " where a contact problem, CPID, may stand, from 1 to 9");
+        lines.fail(words[2], "has " + geometry::quoted(words[2].text) +
+                                 " where a contact problem, CPID, from 1 to 9 is expected");
     if (line.module == 3 && !line.cpid) line.cpid = 1;
     return line;
 }
@@ -88,8 +88,8 @@ bool ContactFileReader::State::take_module() {
     has_ended = true;
     const auto line = lines.number();
     if (lines.next())
-        warnings.push_back("line " + std::to_string(line) + " ends the cases with MODULE 0; what follows from line " +
-                           std::to_string(lines.number()) + " on is not read");
+        warnings.push_back("line " + std::to_string(line) + " ends the cases with MODULE 0; line " +
+                           std::to_string(lines.number()) + " and all that follow are ignored");
     return false;
 }
 
@@ -113,17 +113,17 @@ bool ContactFileReader::State::find_case() {
     if (is_open) {
         if (lines.next()) return true;
         errors.push_back(lines.where() +
-                         " is where the file ends, and R = 0 or 2 of the last case says that another one follows");
+                         " is the end of the file, but R = 0 or 2 of the last case announces another one");
         has_ended = true;
         return false;
     }
     if (std::exchange(is_lost, false)) return find_module(true) && begin_case();
     if (!lines.next()) {
         if (counters.empty() && errors.empty())
-            errors.push_back("there is no case, and nothing but comments and empty lines");
+            errors.push_back("there is no case, only comments and empty lines");
         else
             warnings.push_back(lines.where() +
-                               " is where the file ends, without a line of MODULE 0; it may be cut off");
+                               " is the end of the file, without a line of MODULE 0; the file may be truncated");
         has_ended = true;
         return false;
     }
@@ -138,7 +138,7 @@ bool ContactFileReader::State::find_case() {
 
 bool ContactFileReader::State::begin_case() {
     if (lines.next()) return true;
-    errors.push_back(lines.where() + " begins a case, and the file ends there");
+    errors.push_back(lines.where() + " begins a case but is the end of the file");
     has_ended = true;
     return false;
 }
@@ -170,7 +170,7 @@ ContactCase ContactFileReader::State::read_case() {
     } catch (const InvalidArgument& problem) {
         const bool is_early = std::ranges::any_of(lines.words(), says_module);
         result.errors.push_back(problem.what() +
-                                std::string(is_early ? "; a case before this line may be cut off" : ""));
+                                std::string(is_early ? "; a case before this line may be truncated" : ""));
         history.torn = result.number;
         is_lost = true;
         is_open = false;
@@ -204,7 +204,7 @@ ContactFile read_contact_file(std::string_view text, const std::string& name) {
     while (auto read = reader.next()) {
         if (file.cases.size() == most_contact_cases)
             throw InvalidArgument(name, "has more than " + std::to_string(most_contact_cases) +
-                                            " cases; read them one after the other (ContactFileReader)");
+                                            " cases; read them one by one (ContactFileReader)");
         file.cases.push_back(std::move(*read));
     }
     file.warnings = reader.warnings();

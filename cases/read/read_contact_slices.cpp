@@ -46,8 +46,8 @@ class SlicesReader {
     int bounded(const ByName<ContactValue>& group, const char* name, int least, int most) const {
         const int value = std::get<int>(group.at(name));
         if (value < least || value > most)
-            fail("has " + std::string(name) + " = " + std::to_string(value) + "; here it is " + std::to_string(least) +
-                 " to " + std::to_string(most));
+            fail("has " + std::string(name) + " = " + std::to_string(value) + "; here it must be " +
+                 std::to_string(least) + " to " + std::to_string(most));
         return value;
     }
 
@@ -59,8 +59,8 @@ class SlicesReader {
         const auto slice = read_values(reading_, "U_SLC FNAME'");
         const double place = std::get<double>(slice.at("U_SLC")), u = made_.u_scale * (made_.u_offset + place);
         if (!made_.slices.empty() && !(u - made_.slices.back().u > least_step))
-            fail("has the slice at " + std::to_string(u) + " behind that at " + std::to_string(made_.slices.back().u) +
-                 "; slices lie more than 0.001 apart, and rise");
+            fail("has the slice at " + std::to_string(u) + " after that at " + std::to_string(made_.slices.back().u) +
+                 "; slices must ascend, more than 0.001 apart");
         made_.slices.push_back({u, std::get<std::string>(slice.at("FNAME")), {}});
         places_.push_back(place);
     }
@@ -71,7 +71,7 @@ class SlicesReader {
         for (const double number : read_array(reading_, name, static_cast<std::size_t>(count), "#")) {
             if (number < 1 || number > features_ - 2)
                 fail("has " + std::string(name) + " = " + std::to_string(static_cast<int>(number)) +
-                     "; parts are numbered from 1 to NFEAT - 2, which is " + std::to_string(features_ - 2));
+                     "; parts have the numbers 1 to NFEAT - 2, which is " + std::to_string(features_ - 2));
             parts.push_back(static_cast<int>(number));
         }
         return parts;
@@ -83,7 +83,7 @@ class SlicesReader {
             read_array(reading_, "U_SLC and the features", static_cast<std::size_t>(features_) + 1);
         if (std::abs(row[0] - places_[at]) > same_place * (1 + std::abs(places_[at])))
             fail("has the features at " + std::to_string(row[0]) + " where those of the slice at " +
-                 std::to_string(places_[at]) + " should stand");
+                 std::to_string(places_[at]) + " are expected");
         row.erase(row.begin());
         check_order(row);
         made_.slices[at].features = std::move(row);
@@ -98,11 +98,10 @@ class SlicesReader {
                 has_ended = has_ended || last >= 0;
                 continue;
             }
-            if (has_ended)
-                fail("has a feature behind one that does not exist; those that do not stand at the ends of the list");
+            if (has_ended) fail("has a feature after a missing one; missing features must be at the ends of the list");
             if (feature < last)
-                fail("has the feature at " + std::to_string(feature) + " behind that at " + std::to_string(last) +
-                     "; they rise");
+                fail("has the feature at " + std::to_string(feature) + " after that at " + std::to_string(last) +
+                     "; features must ascend");
             last = feature;
         }
     }

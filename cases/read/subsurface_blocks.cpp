@@ -13,7 +13,7 @@ int count_in(Reading& reading, const ByName<ContactValue>& group, const char* na
     const int count = std::get<int>(group.at(name));
     if (count < 1 || count > most_points)
         reading.lines.fail(reading.lines.words().front(), "has " + std::string(name) + " = " + std::to_string(count) +
-                                                              "; a block has 1 to 10000 points along an axis");
+                                                              "; a block must have 1 to 10000 points along an axis");
     return count;
 }
 
@@ -25,7 +25,7 @@ ContactNumbers range_of(Reading& reading, const std::string& axis) {
     if (step < 1 || last < first || (last - static_cast<long long>(first)) / step >= most_points)
         reading.lines.fail(reading.lines.words().front(),
                            "has elements " + std::to_string(first) + " to " + std::to_string(last) + " in steps of " +
-                               std::to_string(step) + "; they rise, and are 10000 at most");
+                               std::to_string(step) + "; they must ascend and not exceed 10000");
     std::vector<double> numbers;
     for (long long i = first; i <= last; i += step) numbers.push_back(static_cast<double>(i));
     return shared(std::move(numbers));
@@ -88,10 +88,11 @@ void read_subsurface(Reading& reading) {
         if (kind < 0 || kind == 4 || kind == 8 || kind > 9)
             reading.lines.fail(reading.lines.words().front(),
                                "has ISUBS = " + std::to_string(kind) +
-                                   "; a block of points is 1, 2, 3, 5, 6, 7 or 9, and 0 ends them");
+                                   "; a block of points must be 1, 2, 3, 5, 6, 7 or 9, and 0 ends the blocks");
         if (blocks.size() == most_blocks)
-            reading.lines.fail(reading.lines.words().front(),
-                               "begins an eleventh block of points; a case has ten at most, and ISUBS = 0 behind them");
+            reading.lines.fail(
+                reading.lines.words().front(),
+                "begins an eleventh block of points; a case may have at most ten, followed by ISUBS = 0");
         blocks.push_back(read_block(reading, kind));
     }
     reading.result.subsurface = std::make_shared<const ContactBlocks>(std::move(blocks));

@@ -73,7 +73,7 @@ def test_mistakes_are_told_by_case(shared):
 def test_another_programs_file_says_so(shared):
     file = shared.read_contact_file("header.begin\nheader.end\n")
     assert len(file) == 0
-    assert "where the number of a MODULE should stand" in file.errors[0]
+    assert "where the number of a MODULE is expected" in file.errors[0]
 
 
 def test_what_is_no_text_is_refused_by_the_name_of_the_file(shared):

@@ -42,12 +42,13 @@ TEST_CASE("a word that does not fit is told by line, column and name", "[contact
 TEST_CASE("digits that have no meaning are told with those that have one", "[contact_files]") {
     BasicCase text;
     text.digits = "201100\n522020\n000001\n";
-    CHECK_THAT(error_of(text.text()),
-               ContainsSubstring("line 3, column 1, has the digit L = 5; module 3 has 0, 1, 2, 3, 4, 6 of it"));
+    CHECK_THAT(
+        error_of(text.text()),
+        ContainsSubstring("line 3, column 1, has the digit L = 5; in module 3 it must be one of 0, 1, 2, 3, 4, 6"));
     text.digits = "201100\n022020 L\n123456789\n";
     CHECK_THAT(error_of(text.text()), ContainsSubstring("has 9 digits"));
     text.digits = "-201100\n022020\n000001\n";
-    CHECK_THAT(error_of(text.text()), ContainsSubstring("where the control digits P B T N F S should stand"));
+    CHECK_THAT(error_of(text.text()), ContainsSubstring("where the control digits P B T N F S are expected"));
 }
 
 TEST_CASE("a case that is cut off says what is missing", "[contact_files]") {
@@ -59,7 +60,7 @@ TEST_CASE("a case that is cut off says what is missing", "[contact_files]") {
         CHECK_THAT(reported, ContainsSubstring("file ends"));
     }
     text.gap = "";
-    CHECK_THAT(error_of(text.text() + next), ContainsSubstring("a case before this line may be cut off"));
+    CHECK_THAT(error_of(text.text() + next), ContainsSubstring("a case before this line may be truncated"));
 }
 
 TEST_CASE("after a case that was given up the next line of a module begins one", "[contact_files]") {
@@ -79,8 +80,8 @@ TEST_CASE("a case that goes on from one with errors says so", "[contact_files]")
     const ContactFile file = read_all(wrong.text() + next + next + BasicCase{}.text() + next + end);
     REQUIRE(file.cases.size() == 5);
     CHECK_THAT(file.cases[0].errors.at(0), ContainsSubstring("FN = -1000"));
-    CHECK_THAT(file.cases[1].errors.at(0), ContainsSubstring("has P = 0, which goes on from case 1"));
-    CHECK_THAT(file.cases[2].errors.at(0), ContainsSubstring("goes on from case 2"));
+    CHECK_THAT(file.cases[1].errors.at(0), ContainsSubstring("has P = 0, which continues case 1"));
+    CHECK_THAT(file.cases[2].errors.at(0), ContainsSubstring("continues case 2"));
     CHECK(file.cases[4].errors.empty());
 }
 
@@ -114,17 +115,17 @@ TEST_CASE("digits that do not go with each other are told", "[contact_files]") {
     CHECK_THAT(error_of(force.text()), ContainsSubstring("has F = 1 with N = 0"));
     BasicCase both;
     both.friction = "0.3 0.2\n";
-    CHECK_THAT(error_of(both.text()), ContainsSubstring("has FSTAT and FKIN that differ"));
+    CHECK_THAT(error_of(both.text()), ContainsSubstring("has different FSTAT and FKIN"));
     RailCase angles;
     angles.digits = "1203100\n1022033\n0000001\n";
     angles.friction = "2\n-10d .3 .3\n-20d .3 .3\n";
-    CHECK_THAT(error_of(angles.text()), ContainsSubstring("they must rise"));
+    CHECK_THAT(error_of(angles.text()), ContainsSubstring("they must increase"));
 }
 
 TEST_CASE("what a case may not change is told", "[contact_files]") {
     const std::string rail = RailCase{}.text() + "1 MODULE\n1203000\n0101000\n0100001\n" + end;
     CHECK_THAT(read_all(rail).cases.at(1).errors.at(0),
-               ContainsSubstring("has N = 0 where the case before has another one"));
+               ContainsSubstring("has N = 0, different from the previous case"));
     const std::string roll = BasicCase{}.text() + "3 MODULE\n203100\n100000\n100001\n900. 0. 0. 0.\n" + end;
     CHECK_THAT(read_all(roll).cases.at(1).errors.at(0), ContainsSubstring("has C = 0 between a shift and rolling"));
 }
@@ -133,13 +134,13 @@ TEST_CASE("another program's file is refused at its first word", "[contact_files
     const ContactFile file = read_all("header.begin\n version = 1\nheader.end\n");
     CHECK(file.cases.empty());
     CHECK_THAT(file.errors.at(0),
-               ContainsSubstring("line 1, column 1, has \"header.begin\" where the number of a MODULE should stand"));
+               ContainsSubstring("line 1, column 1, has \"header.begin\" where the number of a MODULE is expected"));
 }
 
 TEST_CASE("a file without its end, and one with more behind it, are warned of", "[contact_files]") {
-    CHECK_THAT(read_all(BasicCase{}.text()).warnings.at(0), ContainsSubstring("it may be cut off"));
+    CHECK_THAT(read_all(BasicCase{}.text()).warnings.at(0), ContainsSubstring("the file may be truncated"));
     CHECK_THAT(read_all(BasicCase{}.text() + end + "more\n").warnings.at(0),
-               ContainsSubstring("what follows from line 14 on is not read"));
+               ContainsSubstring("line 14 and all that follow are ignored"));
     BasicCase open;
     open.digits = "201100\n022020\n000000\n";
     CHECK_THAT(read_all(open.text()).errors.at(0), ContainsSubstring("R = 0 or 2"));
@@ -151,7 +152,7 @@ TEST_CASE("a number too many on a line is warned of by its column", "[contact_fi
     text.grid = "1\n4 3 7.5 -1. -.75 .5 .5  MX, MY, XL, YL, DX, DY\n";
     const ContactCase one = read_all(text.text()).cases.at(0);
     CHECK(one.errors.empty());
-    CHECK_THAT(one.warnings.at(0), ContainsSubstring("has the number \".5\" in column 21 behind the values"));
+    CHECK_THAT(one.warnings.at(0), ContainsSubstring("has the number \".5\" in column 21 after the last value"));
     text.grid = "1\n4 3 -1. -.75 .5 .5 (6 values) % 5 6\n";
     CHECK(read_all(text.text()).cases.at(0).warnings.empty());
 }

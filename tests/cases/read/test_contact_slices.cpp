@@ -69,17 +69,17 @@ TEST_CASE("mistakes in a list of slices are told by file, line and column", "[co
     slices.features = "-1. 0. 1. 2. 3.\n1. 0. 1. 2. 3.\n2. 0. 1. 2. 3.\n";
     refused(slices, "line 11, column 1, has the features at 1.0");
     slices.features = "-1. 0. 2. 1. 3.\n0. 0. 1. 2. 3.\n2. 0. 1. 2. 3.\n";
-    refused(slices, "they rise");
+    refused(slices, "features must ascend");
     slices.features = "-1. 0. -1. 1. 3.\n0. 0. 1. 2. 3.\n2. 0. 1. 2. 3.\n";
-    refused(slices, "behind one that does not exist");
+    refused(slices, "after a missing one");
     slices.features = "-1. 0. 1. 2. 3.\n";
-    refused(slices, "is where the file ends");
+    refused(slices, "is the end of the file");
     slices.head = "0. 1000.\n3\n1 1 0\n1\n";
-    refused(slices, "has NKINK = 1; here it is 0 to 0");
+    refused(slices, "has NKINK = 1; here it must be 0 to 0");
     slices.head = "0. 1000.\n5000\n";
     refused(slices, "has NSLC = 5000");
     slices.head = "0. 1000.\n3\n0 0\n1\n";
-    refused(slices, "line 4, column 1, has NACCEL = 1; here it is 0 to 0");
+    refused(slices, "line 4, column 1, has NACCEL = 1; here it must be 0 to 0");
 }
 
 TEST_CASE("the public lists of slices are read, and their profiles are there", "[contact_files]") {
