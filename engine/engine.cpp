@@ -99,7 +99,7 @@ IcService& Engine::tables() {
     const std::scoped_lock lock(mutex_);
     if (!tables_) {
         if (settings_.store_folder.empty())
-            throw StoreError("There is no folder for tables: set CONTACTD_STORE, or HOME.");
+            throw StoreError("There is no folder for tables: set CONTACTD_STORE or HOME.");
         const EngineLog log(settings_.tables.log);
         IcStore store(settings_.store_folder, [this, log](const std::string& sentence) {
             ++counters_.tables_set_aside;

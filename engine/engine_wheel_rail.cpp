@@ -32,8 +32,9 @@ std::string rotated_key(const ContactProblem& problem, const PatchStrips& strips
 void check_patch(const Grid& grid, std::size_t most) {
     if (grid.size() > most)
         throw proto::invalid_field("setup.dx",
-                                   "and dy make a patch of " + std::to_string(grid.size()) + " elements; at most " +
-                                       std::to_string(most) + " are allowed (limits.max_grid_elements)",
+                                   "and dy result in a patch of " + std::to_string(grid.size()) +
+                                       " elements, but at most " + std::to_string(most) +
+                                       " are allowed (limits.max_grid_elements)",
                                    proto::reason::limit_exceeded);
 }
 
@@ -51,10 +52,10 @@ void check_rows(const ContactProblem& problem, const PatchStrips& strips, std::s
     if (bytes > static_cast<double>(most_bytes))
         throw proto::invalid_field(
             "setup.dy",
-            "makes a curved patch of " + std::to_string(grid.ny) + " rows of " + std::to_string(grid.nx) +
-                " elements, which takes about " + std::to_string(static_cast<long long>(bytes)) + " bytes; at most " +
-                std::to_string(most_bytes) +
-                " are allowed (limits.max_work_bytes): take longer elements, or conformal half_space",
+            "results in a curved patch of " + std::to_string(grid.ny) + " rows of " + std::to_string(grid.nx) +
+                " elements, which requires about " + std::to_string(static_cast<long long>(bytes)) +
+                " bytes, but at most " + std::to_string(most_bytes) +
+                " are allowed (limits.max_work_bytes): use longer elements, or conformal half_space",
             proto::reason::limit_exceeded);
 }
 
@@ -64,7 +65,7 @@ void check_half_spaces(const Bodies& bodies) {
         const bool elsewise = !body->material.is_rigid() && (ics == nullptr || *ics != Ics{});
         if (bodies.pair || elsewise)
             throw InvalidArgument(std::string("bodies.") + field,
-                                  "is no half-space in closed form; wheels and rails are solved as such only");
+                                  "is not a half-space in closed form, the only body that wheel-rail contact supports");
     }
 }
 
@@ -75,7 +76,7 @@ void check_section(const IcSpec& spec, const std::string& name) {
         strip_frames(spec);
     } catch (const InvalidArgument& error) {
         throw InvalidArgument("conformal",
-                              "is fem, and the " + name + " has no coefficients by its cross-section: " + error.what());
+                              "is fem, but the cross-section of the " + name + " cannot be used: " + error.what());
     }
 }
 

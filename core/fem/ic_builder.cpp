@@ -58,13 +58,13 @@ std::string section_mesh(const IcSpec& spec) {
     validate(spec);
     if (!spec.section || spec.source != IcSource::fem)
         throw InvalidArgument(
-            "ics.body", "must be longitudinally_uniform, and the source fem: no other table has a mesh of a section");
+            "ics.body", "must be longitudinally_uniform, and the source fem: other tables have no mesh of a section");
     return section_triangles(dimensionless(spec), spec.dy);
 }
 
 IcRecord build_ic_table(const IcSpec& requested, Observer& observer, std::uint64_t max_memory_bytes) {
     if (requested.source != IcSource::fem)
-        throw InvalidArgument("ics.source", "is analytic; only a spec of source fem is built by finite elements");
+        throw InvalidArgument("ics.source", "is analytic; builds by finite elements require fem");
     validate(requested);
     const IcSpec spec = dimensionless(requested);
     require_room(spec, size_of(spec), max_memory_bytes);

@@ -40,8 +40,8 @@ FilePoints read_columns(std::string_view text, const std::string& name) {
         if (!values) lines.numbers(",;");  // which says what is none
         if (!values || values->size() != 2)
             lines.fail("has " + std::to_string(values ? values->size() : 0) +
-                       " numbers; a point has two, y and z; where commas are decimal signs, blanks, tabs or semicolons "
-                       "stand between them");
+                       " numbers, but a point has two, y and z. If commas are decimal signs, separate numbers by "
+                       "blanks, tabs or semicolons");
         add_point(points, {values->at(0), values->at(1)}, lines);
     }
     return found;

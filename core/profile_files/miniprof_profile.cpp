@@ -46,7 +46,7 @@ struct MiniprofHead {
         if (!remark.empty() && values.size() < std::max<std::size_t>(columns, 2)) lines.number(remark);
         if (values.size() < 2 || (columns > 0 && values.size() != columns))
             lines.fail("has " + std::to_string(values.size()) + " numbers; it must have " +
-                       (columns > 0 ? std::to_string(columns) + ", as ColumnDef says" : "two at least, X and Y"));
+                       (columns > 0 ? std::to_string(columns) + ", as ColumnDef states" : "at least two, X and Y"));
         return {values[x] + x_offset, values[y] + y_offset};
     }
 
@@ -86,7 +86,8 @@ FilePoints read_miniprof(std::string_view text, const std::string& name) {
         const auto line = lines.line();
         if (line.find('=') != line.npos) {
             if (!points.empty())
-                lines.fail("is " + quoted(line) + " behind points; a file has one profile, its head above the points");
+                lines.fail("is " + quoted(line) +
+                           " after points; a file has one profile, and its header precedes the points");
             if (!head.read(lines)) ++found.lines_left_out;
         } else if (in_head && (has_keys_alone || !is_number_line(line))) {
             has_keys_alone = true;

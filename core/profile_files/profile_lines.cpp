@@ -31,7 +31,7 @@ ProfileLines::ProfileLines(std::string_view text, std::string name, std::string_
     : rest_(text), comments_(comments), name_(std::move(name)) {
     if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3);
     if (rest_.find('\0') != rest_.npos)
-        fail_file("is no text: it has bytes that are zero; export the profile as plain text");
+        fail_file("is not a text file, because it contains zero bytes; export the profile as plain text");
 }
 
 std::optional<double> number_in(std::string_view text) {
@@ -53,7 +53,8 @@ bool ProfileLines::next() {
         line_ = rest_.substr(0, end);
         rest_.remove_prefix(std::min(end + 1, rest_.size()));
         if (line_.size() > longest_line)
-            fail("has " + std::to_string(line_.size()) + " characters; a point has a line of its own, of 4096 at most");
+            fail("has " + std::to_string(line_.size()) +
+                 " characters; give each point on its own line of at most 4096 characters");
         if (trimmed(line_).empty()) follows_empty_ = true;
         line_ = trimmed(line_.substr(0, line_.find_first_of(comments_)));
         if (!line_.empty()) return true;
@@ -63,7 +64,7 @@ bool ProfileLines::next() {
 
 double ProfileLines::number(std::string_view text) const {
     const auto value = number_in(text);
-    if (!value) fail("has " + quoted(text) + " where a number should stand, such as -12.5 or 1.25e-3");
+    if (!value) fail("has " + quoted(text) + " instead of a number such as -12.5 or 1.25e-3");
     return *value;
 }
 
@@ -121,8 +122,8 @@ void ProfileLines::fail_file(const std::string& problem) const {
 
 void add_point(std::vector<ProfilePoint>& points, const ProfilePoint& point, const ProfileLines& lines) {
     if (points.size() == most_profile_points)
-        lines.fail("is one point more than the " + std::to_string(most_profile_points) +
-                   " that a profile may have; leave some of them out");
+        lines.fail("exceeds the limit of " + std::to_string(most_profile_points) +
+                   " points of a profile; omit some of them");
     points.push_back(point);
 }
 

@@ -34,8 +34,9 @@ std::string ending_of(const std::string& name) {
 
 void check_kind(const std::string& name, ProfileKind of_file, std::optional<ProfileKind> kind) {
     if (kind && *kind != of_file)
-        throw InvalidArgument(name, "is the file of a " + std::string(name_of(of_file)) + ", and a " +
-                                        std::string(name_of(*kind)) + " is asked for; take its file, or its kind");
+        throw InvalidArgument(name, "is the file of a " + std::string(name_of(of_file)) + ", but a " +
+                                        std::string(name_of(*kind)) +
+                                        " is requested; give another file, or change the kind");
 }
 
 struct FileOfKind {
@@ -46,7 +47,8 @@ struct FileOfKind {
 
 FileOfKind read(std::string_view text, const std::string& name, std::optional<ProfileKind> kind) {
     if (text.size() > most_profile_bytes)
-        throw InvalidArgument(name, "has " + std::to_string(text.size()) + " bytes; a profile has 16 MiB at most");
+        throw InvalidArgument(name,
+                              "has " + std::to_string(text.size()) + " bytes; a profile file may have at most 16 MiB");
     const std::string ending = ending_of(name);
     const bool simpack = ending == "prr" || ending == "prw", miniprof = ending == "ban" || ending == "whl";
     if (simpack || miniprof) {
@@ -57,7 +59,7 @@ FileOfKind read(std::string_view text, const std::string& name, std::optional<Pr
     }
     if (!kind)
         throw InvalidArgument(name,
-                              "does not say by its ending whether it is a wheel's or a rail's (.prw, .prr, .whl, "
+                              "has an extension that does not determine the kind, wheel or rail (.prw, .prr, .whl and "
                               ".ban do); give the kind");
     return {*kind, ProfileFormat::columns, geometry::read_columns(text, name)};
 }
@@ -77,10 +79,10 @@ void check_width(const std::vector<ProfilePoint>& points, double unit, ProfileKi
     const bool is_wheel = kind == ProfileKind::wheel;
     if (!(width < (is_wheel ? narrowest_wheel : narrowest_rail) || width > widest)) return;
     throw InvalidArgument(
-        "points", "span " + short_text(width) + " from side to side, where " +
+        "points", "span " + short_text(width) + " laterally, but " +
                       (is_wheel ? "130 mm are usual for a wheel" : "70 mm are usual for a rail") +
-                      (heading_says_unit ? ", by the unit of their heading: " : ", and nothing says their unit: ") +
-                      "give unit, 25.4 for inches, 1000 for metres, 1 where this is right");
+                      (heading_says_unit ? ", by the unit of their heading: " : ", and the unit is not given: ") +
+                      "give unit, 25.4 for inches, 1000 for metres, or 1 if this width is correct");
 }
 
 /// Refuses points in no order, which turning z would not mend. Profiles that double back, such as the face of a flange,
@@ -91,7 +93,7 @@ void check_order(const std::vector<ProfilePoint>& points, double unit) {
     double run = 0;
     for (std::size_t i = 1; i < points.size(); ++i) run += std::abs(points[i].y - points[i - 1].y);
     if (run <= most * (right.y - left.y)) return;
-    throw InvalidArgument("points", "do not lie side by side in the file: the line through them runs to and fro, " +
+    throw InvalidArgument("points", "are out of order in the file: the line through them runs back and forth, " +
                                         short_text(run * unit) + " mm across a profile that is " +
                                         short_text((right.y - left.y) * unit) +
                                         " mm wide; order them along the profile, from one end to the other");
@@ -103,11 +105,11 @@ bool turned_by_shape(const std::vector<ProfilePoint>& points, double unit, Profi
     for (ProfilePoint& point : in_mm) point = {point.y * unit, point.z * unit};
     const std::optional<bool> upwards = geometry::points_upwards(in_mm, kind);
     if (!upwards)
-        throw InvalidArgument("points",
-                              std::string("do not show which way z points: ") +
-                                  (kind == ProfileKind::wheel ? "no flange stands out from them to one side"
-                                                              : "their ends fall off to neither side, or to both") +
-                                  "; give mirror_z, true where z points upwards, false where downwards");
+        throw InvalidArgument(
+            "points", std::string("do not determine the direction of z: ") +
+                          (kind == ProfileKind::wheel ? "there is no flange at one end"
+                                                      : "their ends turn down for neither or both directions of z") +
+                          "; give mirror_z, true if z points upwards, false if it points downwards");
     return *upwards;
 }
 
@@ -122,8 +124,9 @@ PointsOfFile points_of_content(const ProfileFile& file, const std::string& name,
     reading.mirror_y = found.points.mirror_y != file.mirror_y;
     reading.lines_left_out = found.lines_left_out;
     if (points.size() < 2)
-        throw InvalidArgument(
-            "points", "are " + std::to_string(points.size()) + "; a profile needs two at least, and a real one fifty");
+        throw InvalidArgument("points",
+                              "has " + std::to_string(points.size()) +
+                                  " entries; a profile needs at least two points, and a measured one about fifty");
     if (!file.unit && !found.says_unit) check_width(points, reading.unit, kind, found.heading_says_unit);
     if (file.mirror_z || found.says_mirror_z) {
         reading.mirror_z = found.points.mirror_z != file.mirror_z.value_or(false);
@@ -145,9 +148,8 @@ PointsOfFile points_of_content(const ProfileFile& file, const std::string& name,
     if (kind == ProfileKind::rail && reading.oriented_by != OrientedBy::shape &&
         geometry::points_upwards(points, kind).value_or(false))
         result.warnings.push_back(
-            "The points of the rail lie upside down by their shape, as the file or mirror_z has them: an end of them "
-            "lies "
-            "above what is next to it. A groove does so; else change mirror_z.");
+            "The rail seems to be upside down with the mirror_z of the request or the file: an end of its points lies "
+            "above its neighbours. Unless it is a grooved rail, change mirror_z.");
     result.points.points = std::move(points);
     result.points.smoothing_length = file.smoothing_length;
     return result;
@@ -171,13 +173,13 @@ ProfileSpec read_profile(const std::filesystem::path& file, std::optional<Profil
 std::string text_of_profile(const std::filesystem::path& file) {
     std::error_code error;
     const auto bytes = std::filesystem::file_size(file, error);
-    if (error) throw InvalidArgument(file.string(), "cannot be read: " + error.message() + "; check its path");
+    if (error) throw InvalidArgument(file.string(), "cannot be read: " + error.message() + ". Check its path");
     if (bytes > most_profile_bytes)
         throw InvalidArgument(file.filename().string(),
-                              "has " + std::to_string(bytes) + " bytes; a profile has 16 MiB at most");
+                              "has " + std::to_string(bytes) + " bytes; a profile file may have at most 16 MiB");
     std::ifstream stream(file, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(stream), {}};
-    if (!stream) throw InvalidArgument(file.string(), "cannot be read; check its rights");
+    if (!stream) throw InvalidArgument(file.string(), "cannot be read; check its permissions");
     return text;
 }
 
@@ -191,8 +193,8 @@ ProfileSpec with_points(const ProfileSpec& profile) {
     if (file == nullptr) return profile;
     if (file->smoothing_order != 2 || file->smoothing_lambda != 0 || file->kinks != KinkRule{})
         throw InvalidArgument("profile.file",
-                              "has smoothing_order, smoothing_lambda or kinks, which points alone do not have; leave "
-                              "them out and take smoothing_length");
+                              "has smoothing_order, smoothing_lambda or kinks, which profiles by points do not "
+                              "support; remove them and use smoothing_length");
     return {profile.kind, points_of(*file, profile.kind).points};
 }
 

@@ -22,19 +22,19 @@ const Keys defaults{{"shift.y", 0},     {"shift.z", 0},     {"rotate", 0},      
 bool read_key(const ProfileLines& lines, bool in_header, ProfileKind kind, Keys& keys) {
     const auto at = lines.line().find('=');
     if (at == std::string_view::npos)
-        lines.fail("is " + quoted(lines.line()) + "; outside of point.begin and point.end a line reads key = value");
+        lines.fail("is " + quoted(lines.line()) +
+                   "; a line outside point.begin and point.end must have the form key = value");
     const std::string_view key = trimmed(lines.line().substr(0, at)), value = trimmed(lines.line().substr(at + 1));
     if (in_header && key == "type") {
         const bool wheel = kind == ProfileKind::wheel;
         if (lines.number(value) != (wheel ? 1 : 0))
-            lines.fail(
-                "has the type " + quoted(value) + ", but the file's name says " +
-                (wheel ? "wheel, type 1; a rail's file ends in .prr" : "rail, type 0; a wheel's file ends in .prw"));
+            lines.fail("has the type " + quoted(value) + ", but the file's name means " +
+                       (wheel ? "wheel, type 1; name a rail's file .prr" : "rail, type 0; name a wheel's file .prw"));
     } else if (const auto known = keys.find(key); !in_header && known != keys.end()) {
         known->second = lines.number(value);
         if (key.starts_with("units.") && !(known->second > 0))
             lines.fail("has the unit " + quoted(value) +
-                       "; it must be positive, the number of units in a metre or radian");
+                       "; it must be the positive number of units in a metre or radian");
     } else {
         return false;
     }
@@ -48,10 +48,10 @@ std::vector<ProfilePoint> read_points(ProfileLines& lines) {
         const auto values = lines.numbers();
         if (values.size() != 2 && values.size() != 3)
             lines.fail("has " + std::to_string(values.size()) +
-                       " numbers; a point has two, y and z, and maybe its weight");
+                       " numbers; a point has two, y and z, and optionally its weight");
         add_point(points, {values[0], values[1]}, lines);
     }
-    lines.fail_file("ends within its points; it must go on to point.end, it may have been cut off");
+    lines.fail_file("ends within its points; it must end with point.end and may be truncated");
 }
 
 std::vector<ProfilePoint> processed(const std::vector<ProfilePoint>& read, const Keys& keys) {
@@ -84,7 +84,7 @@ FilePoints read_simpack(std::string_view text, const std::string& name, ProfileK
         if (line == "header.begin" || line == "header.end")
             in_header = line == "header.begin";
         else if (line == "point.begin") {
-            if (has_points) lines.fail("begins points a second time; a file has one profile, split it");
+            if (has_points) lines.fail("begins a second list of points; a file must contain one profile: split it");
             has_points = true;
             read = read_points(lines);
         } else if (line == "spline.end")
@@ -93,11 +93,11 @@ FilePoints read_simpack(std::string_view text, const std::string& name, ProfileK
             ++found.lines_left_out;
         if (!in_header && line.starts_with("units.len.f")) found.says_unit = true;
     }
-    if (!has_points) lines.fail_file("has no line point.begin; a profile of Simpack has its points behind one");
+    if (!has_points) lines.fail_file("has no line point.begin, which must precede the points of a Simpack profile");
     ProfilePoints& given = found.points;
     given.points = processed(read, keys);
     if (given.points.empty() && !read.empty())
-        lines.fail_file("has no points within its bounds bound.y.min to bound.z.max; widen them");
+        lines.fail_file("has no points within its bounds, bound.y.min to bound.z.max; widen them");
     given.unit = 1000 / keys["units.len.f"];
     given.mirror_y = keys["mirror.y"] == 1;
     given.mirror_z = keys["mirror.z"] == 1;

@@ -27,30 +27,29 @@ void check_agreement(const Bodies& bodies) {
     if (upper != nullptr && lower != nullptr) {
         if (upper->load_shape != lower->load_shape)
             throw InvalidArgument("bodies.lower.ics.load_shape",
-                                  "is " + std::string(name_of(lower->load_shape)) + ", and that of the upper body " +
+                                  "is " + std::string(name_of(lower->load_shape)) + ", but that of the upper body is " +
                                       std::string(name_of(upper->load_shape)) +
-                                      "; both bodies carry the same tractions, so that it must be the same");
+                                      "; both bodies carry the same tractions, so their load shapes must be equal");
         for (const auto& [ics, field] :
              {std::pair(upper, "bodies.upper.ics.line_contact"), std::pair(lower, "bodies.lower.ics.line_contact")})
             if (ics->line_contact && bodies.any_layered()) throw InvalidArgument(field, row_of_layers);
         if (upper->line_contact != lower->line_contact)
             throw InvalidArgument("bodies.lower.ics.line_contact",
-                                  "is not that of the upper body; a contact is a line contact of both or of none, with "
-                                  "one datum");
+                                  "differs from that of the upper body; either both bodies have a line contact, with "
+                                  "the same datum, or neither");
     }
     if (!bodies.any_given()) return;
     for (const auto& [ics, field] :
          {std::pair(upper, "bodies.upper.ics.line_contact"), std::pair(lower, "bodies.lower.ics.line_contact")})
         if (ics != nullptr && ics->line_contact)
             throw InvalidArgument(field,
-                                  "stands beside a table of the other body; a line contact takes computed coefficients "
-                                  "of both bodies, or a table of the pair");
+                                  "cannot be combined with a table of the other body; a line contact needs computed "
+                                  "coefficients of both bodies, or a table of the pair");
 }
 
 void check_creep(const Body& body, const std::string& field) {
     if (!body.viscoelastic) return;
-    if (body.material.is_rigid())
-        throw InvalidArgument(field, "is given, and the body is rigid; a rigid body does not creep: leave it out");
+    if (body.material.is_rigid()) throw InvalidArgument(field, "is given, but a rigid body does not creep: remove it");
     const auto [f, tau] = *body.viscoelastic;
     for (const auto& [value, name, most] : {std::tuple(f, ".f", largest_creep), std::tuple(tau, ".tau", 1e100)})
         if (!(value >= 0 && value <= most))
@@ -62,14 +61,14 @@ void check_creep(const Body& body, const std::string& field) {
 void check_half_space(const Body& body, const std::string& field) {
     if (body.material.is_rigid()) return;
     const std::string why =
-        body.viscoelastic ? ", and the body is viscoelastic" : ", and the other one is viscoelastic";
+        body.viscoelastic ? ", but the body is viscoelastic" : ", but the other body is viscoelastic";
     const Ics* ics = body.computed();
-    if (ics == nullptr) throw InvalidArgument(field, "is a table" + why + "; take source analytic");
+    if (ics == nullptr) throw InvalidArgument(field, "is a table" + why + "; use source analytic");
     if (ics->body != BodyShape::half_space)
         throw InvalidArgument(field + ".body", "is " + std::string(name_of(ics->body)) + why +
-                                                   "; take half_space, or leave viscoelastic out");
+                                                   "; use half_space, or remove viscoelastic");
     if (ics->source != IcSource::analytic)
-        throw InvalidArgument(field + ".source", "is fem" + why + "; take analytic, the closed form");
+        throw InvalidArgument(field + ".source", "is fem" + why + "; use analytic, the closed form");
 }
 
 }  // namespace
@@ -140,7 +139,7 @@ void validate(const Bodies& bodies, const Grid& grid) {
         if (!body->material.is_rigid()) validate(body->material, name, takes_incompressible(*body));
     }
     if (bodies.upper.material.is_rigid() && bodies.lower.material.is_rigid())
-        throw InvalidArgument("bodies.lower", "is rigid, and bodies.upper too; one of them must be elastic");
+        throw InvalidArgument("bodies.lower", "is rigid, and so is bodies.upper; one of them must be elastic");
     for (const auto& [name, body] : named)
         if (const GivenIcs* given = body->given()) validate(*given, grid, std::string(name) + ".ics");
     check_agreement(bodies);

@@ -24,10 +24,10 @@ void check_array(const std::vector<double>& values, std::size_t size, const std:
     const auto is_in_range = [](double value) { return std::abs(value) <= largest_magnitude; };
     if (std::all_of(values.begin(), values.end(), is_in_range)) return;
     if (!std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
-        throw InvalidArgument(field, "holds a value that is not finite");
+        throw InvalidArgument(field, "contains a value that is not finite");
     for (const double value : values)
         if (std::abs(value) > largest_magnitude)
-            throw InvalidArgument(field, "holds " + number_text(value) + "; its values must lie in [-1e100, 1e100]");
+            throw InvalidArgument(field, "contains " + number_text(value) + "; its values must lie in [-1e100, 1e100]");
 }
 
 void check_state(const SurfaceState& state, std::size_t size, const std::string& field) {
@@ -82,11 +82,10 @@ void check_half_ellipses(const ContactProblem& problem, const HalfEllipses& halv
     check_positive(halves.b_negative, "gap.half_ellipses.b_negative");
     check_positive(halves.b_positive, "gap.half_ellipses.b_positive");
     if (!prescribes_pressures(problem.normal_model))
-        throw InvalidArgument("gap.half_ellipses",
-                              "are given, and no surfaces are known that touch so: set normal_model to elliptic or "
-                              "parabolic, or give another gap");
-    if (problem.approach)
-        throw InvalidArgument("approach", "is given, and no approach of two half ellipses is known: give Fn");
+        throw InvalidArgument(
+            "gap.half_ellipses",
+            "require prescribed pressures: set normal_model to elliptic or parabolic, or give another gap");
+    if (problem.approach) throw InvalidArgument("approach", "cannot be prescribed with gap.half_ellipses: give Fn");
     if (problem.Fn && !(*problem.Fn > 0))
         throw InvalidArgument("Fn", "is " + number_text(*problem.Fn) + "; with gap.half_ellipses it must be positive");
 }
@@ -104,13 +103,13 @@ void check_gap(const ContactProblem& problem) {
         check_positive(axes->a, "gap.semi_axes.a");
         check_positive(axes->b, "gap.semi_axes.b");
         if (problem.bodies.any_layered() || problem.bodies.any_uniform())
-            throw InvalidArgument("gap.semi_axes",
-                                  "are those of a contact of half-spaces, and a body has layers or a section; give a "
-                                  "paraboloid or an array");
+            throw InvalidArgument(
+                "gap.semi_axes",
+                "are those of half-spaces, but a body has layers or a section; give a paraboloid or an array");
         if (problem.bodies.pair)
             throw InvalidArgument("gap.semi_axes",
-                                  "needs the materials of the bodies, which a table in the request does not tell; give "
-                                  "a paraboloid or an array");
+                                  "requires the materials of the bodies, which a table in the request does not "
+                                  "contain; give a paraboloid or an array");
         const std::optional<double> load = problem.Fn ? problem.Fn : problem.approach;
         if (load && !(*load > 0))
             throw InvalidArgument(
@@ -126,7 +125,7 @@ constexpr double least_force = 1e-100;
 void check_load(const ContactProblem& problem) {
     check_finite(problem.approach.value_or(0), "approach", "a length");
     if (problem.Fn && *problem.Fn > 0 && *problem.Fn < least_force)
-        throw InvalidArgument("Fn", "is " + number_text(*problem.Fn) + "; it must be zero, or 1e-100 N at least");
+        throw InvalidArgument("Fn", "is " + number_text(*problem.Fn) + "; it must be zero or at least 1e-100 N");
     if (problem.Fn && !(std::isfinite(*problem.Fn) && *problem.Fn >= 0))
         throw InvalidArgument("Fn", "is " + number_text(*problem.Fn) + "; it must be a force, zero or positive");
 }
@@ -150,7 +149,7 @@ void check_step(const Rolling& rolling, const Grid& grid) {
     if (rolling.dq == 0 || (rolling.dq >= least && rolling.dq <= most)) return;
     throw InvalidArgument("friction.rolling.dq", "is " + number_text(rolling.dq) + "; it must lie in [" +
                                                      number_text(least) + ", " + number_text(most) +
-                                                     "], 1e-6 to 1e5 elements");
+                                                     "], which is 1e-6 to 1e5 elements");
 }
 
 void check_motion(const Rolling& rolling, const Grid& grid) {
@@ -159,8 +158,8 @@ void check_motion(const Rolling& rolling, const Grid& grid) {
     check_finite(rolling.phi, "friction.rolling.phi", "a spin creepage");
     check_finite(rolling.chi, "friction.rolling.chi", "an angle");
     if (!(rolling.spin_offset >= 0 && rolling.spin_offset <= 1))
-        throw InvalidArgument("friction.rolling.spin_offset",
-                              "is " + number_text(rolling.spin_offset) + "; it must lie in 0 to 1, steps dq");
+        throw InvalidArgument("friction.rolling.spin_offset", "is " + number_text(rolling.spin_offset) +
+                                                                  "; it must lie in [0, 1], in units of the step dq");
     check_force(rolling.force, "friction.rolling.force");
     check_positive(rolling.velocity, "friction.rolling.velocity");
     check_step(rolling, grid);
@@ -197,60 +196,60 @@ void check_derivatives(const ContactProblem& problem) {
     if (!problem.derivatives || !problem.friction) return;
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
     if (rolling != nullptr && !rolling->steady() && rolling->steps > 1)
-        throw InvalidArgument("derivatives", "are those of one step, and friction.rolling.steps is " +
+        throw InvalidArgument("derivatives", "are available for a single step, but friction.rolling.steps is " +
                                                  std::to_string(rolling->steps) +
-                                                 "; take the steps one by one, each with the last one as previous");
+                                                 "; solve step by step, each with the preceding one as previous");
     if (problem.friction->layer && problem.friction->layer->yields())
         throw InvalidArgument("derivatives",
-                              "are not known where a layer yields; leave friction.layer.yield_stress out, or take "
+                              "are not available if a layer yields; remove friction.layer.yield_stress, or use finite "
                               "differences of solves");
     if (problem.friction->kinetic)
         throw InvalidArgument(
-            "derivatives", "are not known with a slip law; leave friction.kinetic out, or take differences of solves");
+            "derivatives",
+            "are not available with a slip law; remove friction.kinetic, or use finite differences of solves");
 }
 
 /// Pressures of virtual penetration do not follow the tractions, and change by whole rows of elements.
 void check_penetration(const ContactProblem& problem) {
     if (problem.normal_model == NormalModel::of_model) return;
-    const std::string model = "normal_model has pressures of half-spaces in a plane";
+    const std::string model = "normal_model computes pressures of half-spaces in a plane";
     if (problem.bodies.pair || problem.bodies.any_given())
-        throw InvalidArgument("ics", "holds a table of coefficients, and " + model + ": leave normal_model out");
+        throw InvalidArgument("ics", "contains a table of coefficients, but " + model + ": remove normal_model");
     if (problem.bodies.any_layered() || problem.bodies.any_uniform())
-        throw InvalidArgument("normal_model",
-                              "is given, and a body has layers or a section; " + model + ": leave it out");
+        throw InvalidArgument("normal_model", "is given, but a body has layers or a section; " + model + ": remove it");
     if (is_line_contact(problem))
-        throw InvalidArgument("normal_model", "is given, and ics.line_contact says that nothing changes along y; " +
-                                                  model + ": leave it out");
-    if (problem.columns) throw InvalidArgument("columns", "are given, and " + model + ": leave one of them out");
+        throw InvalidArgument("normal_model",
+                              "cannot be combined with ics.line_contact; " + model + ": remove one of them");
+    if (problem.columns) throw InvalidArgument("columns", "are given, but " + model + ": remove one of them");
     if (prescribes_pressures(problem.normal_model) && problem.gap &&
         std::holds_alternative<std::vector<double>>(*problem.gap))
         throw InvalidArgument("gap.array",
-                              "has no ellipse, and normal_model prescribes pressures over one; give a paraboloid, "
-                              "semi-axes or half_ellipses");
+                              "has no contact ellipse, over which normal_model prescribes pressures; give a "
+                              "paraboloid, semi_axes or half_ellipses");
     if (problem.sheet_flexibility > 0)
-        throw InvalidArgument("sheet_flexibility", "is " + number_text(problem.sheet_flexibility) +
-                                                       " mm^3/N, and normal_model knows no sheet: leave one of them "
-                                                       "out");
+        throw InvalidArgument("sheet_flexibility",
+                              "is " + number_text(problem.sheet_flexibility) +
+                                  " mm^3/N, but normal_model does not support a sheet: remove one of them");
     if (problem.derivatives)
         throw InvalidArgument("derivatives",
-                              "are not known with normal_model, whose pressures change by whole rows of elements; take "
-                              "differences of solves, or leave normal_model out");
+                              "are not available with normal_model, whose pressures change by whole rows of elements; "
+                              "use finite differences of solves, or remove normal_model");
 }
 
 void check_regions(const ContactProblem& problem) {
     if (!problem.regions) return;
     validate(*problem.regions);
     const auto refuse = [](const std::string& why) {
-        throw InvalidArgument("regions", "are given, and " + why + ": leave one of them out");
+        throw InvalidArgument("regions", "cannot be combined with " + why +
+                                             ", which finds pressures over the whole contact: remove one of them");
     };
-    if (problem.model != Model::full)
-        refuse("model " + std::string(name_of(problem.model)) + " has pressures over the whole contact");
-    if (problem.normal_model != NormalModel::of_model) refuse("normal_model has pressures over the whole contact");
+    if (problem.model != Model::full) refuse("model " + std::string(name_of(problem.model)));
+    if (problem.normal_model != NormalModel::of_model) refuse("normal_model");
 }
 
 void check_displacements(const ContactProblem& problem) {
     if (problem.displacements && problem.model != Model::full)
-        throw InvalidArgument("displacements", "are those of model full; simplified models know none");
+        throw InvalidArgument("displacements", "require model full; simplified models do not compute them");
 }
 
 // The state of a layer that hardens travels along rows; TangCG knows no third kind of element.
@@ -258,12 +257,12 @@ void check_layer(const ContactProblem& problem) {
     if (!problem.friction || !problem.friction->layer) return;
     const InterfacialLayer& layer = *problem.friction->layer;
     if (problem.model != Model::full)
-        throw InvalidArgument("friction.layer", "is of model full; simplified models know no layer");
+        throw InvalidArgument("friction.layer", "requires model full; simplified models do not support a layer");
     if (!layer.hardens()) return;
     if (problem.settings.tangential_solver == TangentialSolver::tangcg)
         throw InvalidArgument("settings.tangential.solver",
-                              "is tangcg, which does not know layers that harden or soften; take newton, or leave "
-                              "friction.layer.hardening out");
+                              "is tangcg, which does not support hardening or softening layers; use newton, or remove "
+                              "friction.layer.hardening");
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
     constexpr double rounding = 1e-9;
     if (rolling != nullptr && rolling->steady() && std::abs(std::sin(2 * rolling->chi)) > rounding)
@@ -271,7 +270,7 @@ void check_layer(const ContactProblem& problem) {
                               "is " + number_text(layer.hardening) +
                                   " in steady rolling off the axes of the grid, friction.rolling.chi " +
                                   number_text(rolling->chi) +
-                                  "; turn the grid, or take transient steps until they stand");
+                                  "; rotate the grid, or take transient steps until they become steady");
 }
 
 void check_tangential_solver(const ContactProblem& problem) {
@@ -279,82 +278,82 @@ void check_tangential_solver(const ContactProblem& problem) {
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
     if (problem.model == Model::full && rolling != nullptr && rolling->steady())
         throw InvalidArgument("settings.tangential.solver",
-                              "is tangcg, whose operators are symmetric: those of shifts and of transient rolling, not "
-                              "of steady rolling; take newton");
+                              "is tangcg, which requires symmetric operators and therefore supports shifts and "
+                              "transient rolling only; use newton for steady rolling");
 }
 
 [[noreturn]] void refuse_in_line_contact(const char* field, const std::string& value, const char* instead) {
-    throw InvalidArgument(field, "is " + value + "; a line contact does not change along y, so that " + instead);
+    throw InvalidArgument(field, "is " + value + "; a line contact does not change along y, so " + instead);
 }
 
 void check_line_contact(const ContactProblem& problem) {
     if (problem.grid.ny != 1)
         refuse_in_line_contact("grid.ny", std::to_string(problem.grid.ny),
-                               "one row of elements is all of it, and dy the length that forces are counted over");
+                               "the grid must have one row; dy is the length that forces refer to");
     if (const auto* axes = problem.gap ? std::get_if<SemiAxes>(&*problem.gap) : nullptr)
-        refuse_in_line_contact("gap.semi_axes.b", number_text(axes->b), "it has no ellipse: give a paraboloid by Rx");
+        refuse_in_line_contact("gap.semi_axes.b", number_text(axes->b), "it has no ellipse: give a paraboloid with Rx");
     const auto* paraboloid = problem.gap ? std::get_if<Paraboloid>(&*problem.gap) : nullptr;
     if (paraboloid != nullptr && std::isfinite(paraboloid->Ry))
-        refuse_in_line_contact("gap.paraboloid.Ry", number_text(paraboloid->Ry), "it must be left out");
+        refuse_in_line_contact("gap.paraboloid.Ry", number_text(paraboloid->Ry), "remove it");
     if (!problem.friction) return;
     if (const auto* shift = std::get_if<Shift>(&problem.motion)) {
         if (shift->rotation != 0)
-            refuse_in_line_contact("friction.rotation", number_text(shift->rotation), "nothing may turn about z");
+            refuse_in_line_contact("friction.rotation", number_text(shift->rotation), "the rotation about z must be 0");
         return;
     }
     const auto& rolling = std::get<Rolling>(problem.motion);
-    if (rolling.phi != 0) refuse_in_line_contact("friction.rolling.phi", number_text(rolling.phi), "there is no spin");
+    if (rolling.phi != 0)
+        refuse_in_line_contact("friction.rolling.phi", number_text(rolling.phi), "the spin must be 0");
     if (constexpr double rounding = 1e-9; std::abs(std::sin(rolling.chi)) > rounding)
-        refuse_in_line_contact("friction.rolling.chi", number_text(rolling.chi), "it rolls along x: 0 or pi");
+        refuse_in_line_contact("friction.rolling.chi", number_text(rolling.chi), "it must roll along x: use 0 or pi");
 }
 
 void check_closed_form(const ContactSetup& setup) {
     if (setup.model != Model::full && setup.model != Model::hertz && is_line_contact(setup))
-        throw InvalidArgument("model",
-                              "is " + std::string(name_of(setup.model)) +
-                                  ", which knows ellipses only, and ics.line_contact says that the contact does "
-                                  "not change along y: take model hertz, which rolls as Carter says, or full");
+        throw InvalidArgument("model", "is " + std::string(name_of(setup.model)) +
+                                           ", which supports contact ellipses only, but ics.line_contact is set: use "
+                                           "model hertz, which rolls by Carter's theory, or full");
     if (setup.model != Model::full && setup.sheet_flexibility > 0)
-        throw InvalidArgument("sheet_flexibility", "is " + number_text(setup.sheet_flexibility) +
-                                                       " mm^3/N; closed forms know no sheet between the bodies: leave "
-                                                       "it out, or take model full");
+        throw InvalidArgument(
+            "sheet_flexibility",
+            "is " + number_text(setup.sheet_flexibility) +
+                " mm^3/N; closed forms do not support a sheet between the bodies: remove it, or use model full");
     if (setup.model == Model::full || !(setup.bodies.any_layered() || setup.bodies.any_uniform())) return;
     throw InvalidArgument(
         "model", "is " + std::string(name_of(setup.model)) +
-                     "; closed forms know half-spaces only, and a body has layers or a section: take model full");
+                     "; closed forms support half-spaces only, but a body has layers or a section: use model full");
 }
 
-constexpr const char* creeps = ", and a body is viscoelastic, of which rolling is known that is steady along x";
+constexpr const char* creeps = ", but a viscoelastic body requires steady rolling along x";
 
 void check_creep_motion(const ContactProblem& problem) {
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
     if (rolling == nullptr)
         throw InvalidArgument("friction.rolling",
-                              std::string("is missing") + creeps + ": give it, with its velocity; mu may be 0");
+                              std::string("is missing") + creeps + ": give it with its velocity; mu may be 0");
     if (!rolling->steady())
-        throw InvalidArgument("friction.rolling.kind", std::string("is transient") + creeps + ": take steady");
+        throw InvalidArgument("friction.rolling.kind", std::string("is transient") + creeps + ": use steady");
     if (constexpr double rounding = 1e-9; std::abs(std::sin(rolling->chi)) > rounding)
-        throw InvalidArgument("friction.rolling.chi",
-                              "is " + number_text(rolling->chi) + creeps + ": 0 or pi; turn the grid");
+        throw InvalidArgument("friction.rolling.chi", "is " + number_text(rolling->chi) + creeps +
+                                                          ": use 0 or pi, and rotate the grid if necessary");
 }
 
-/// Refuses what is not known of bodies that creep.
+/// Refuses settings that viscoelastic bodies do not support.
 void check_viscoelastic(const ContactProblem& problem, bool complete) {
     if (!problem.bodies.any_viscoelastic()) return;
     const auto refuse = [](const char* field, const std::string& why) {
-        throw InvalidArgument(field, why + ", and a body is viscoelastic: leave one of them out");
+        throw InvalidArgument(field, why + ", but a body is viscoelastic: remove one of them");
     };
     if (problem.model != Model::full)
         throw InvalidArgument("model", "is " + std::string(name_of(problem.model)) +
-                                           ", a closed form of elastic bodies, and a body is viscoelastic: take full");
-    if (problem.normal_model != NormalModel::of_model)
-        refuse("normal_model", "is given, which knows elastic bodies only");
-    if (problem.columns) refuse("columns", "are given, of curved strips");
-    if (problem.derivatives) refuse("derivatives", "are those of elastic bodies");
+                                           ", a closed form for elastic bodies, but a body is viscoelastic: use full");
+    if (problem.normal_model != NormalModel::of_model) refuse("normal_model", "supports elastic bodies only");
+    if (problem.columns) refuse("columns", "support elastic bodies only");
+    if (problem.derivatives) refuse("derivatives", "are available for elastic bodies only");
     if (problem.gap && std::holds_alternative<SemiAxes>(*problem.gap))
-        throw InvalidArgument("gap.semi_axes",
-                              "are those of a contact of elastic half-spaces, and a body is viscoelastic; give a "
-                              "paraboloid or an array");
+        throw InvalidArgument(
+            "gap.semi_axes",
+            "are those of elastic half-spaces, but a body is viscoelastic; give a paraboloid or an array");
     if (problem.friction)
         check_creep_motion(problem);
     else if (complete)
@@ -370,7 +369,8 @@ void check(const ContactProblem& problem, bool complete) {
     if (complete || (problem.approach && problem.Fn)) require_load(problem);
     const std::size_t size = problem.grid.size();
     check_load(problem);
-    if (complete && !problem.gap) throw InvalidArgument("gap", "is missing; it is what parts the undeformed bodies");
+    if (complete && !problem.gap)
+        throw InvalidArgument("gap", "is missing; give the distance between the undeformed surfaces");
     check_gap(problem);
     check_friction(problem);
     if (is_line_contact(problem)) check_line_contact(problem);

@@ -7,9 +7,10 @@ namespace contactd {
 
 int count_of(double quotient, const Counted& counted) {
     if (!(quotient >= 0 && quotient <= counted.most))
-        throw InvalidArgument(counted.field, counted.problem + ", which makes " + short_text(quotient) + " " +
-                                                 std::string(counted.things) + "; " + number_text(counted.most) +
-                                                 " are the most, " + std::string(counted.cure));
+        throw InvalidArgument(counted.field, counted.problem + ", which results in " + short_text(quotient) + " " +
+                                                 std::string(counted.things) + "; at most " +
+                                                 number_text(counted.most) +
+                                                 " are allowed: " + std::string(counted.cure));
     return static_cast<int>(quotient);
 }
 

@@ -25,7 +25,7 @@ std::pair<std::string_view, std::optional<std::size_t>> parsed(std::string_view 
     const auto [end, error] = std::from_chars(inner.data(), inner.data() + inner.size(), index);
     if (error != std::errc() || end != inner.data() + inner.size() - 1 || *end != ']')
         throw InvalidArgument(path,
-                              "is no path; entries of lists are counted from 0, as in patches[0].forces.track.Fz");
+                              "is not a path; write entries of lists as in patches[0].forces.track.Fz, counted from 0");
     return {segment.substr(0, bracket), index};
 }
 
@@ -49,12 +49,12 @@ FieldPath::FieldPath(const FieldType& root, std::string text) : text_(std::move(
         if (found == type_->fields.end()) {
             const std::string known = names_of(*type_);
             throw InvalidArgument(text_,
-                                  "is no field: there is no \"" + std::string(name) + "\"" +
-                                      (known.empty() ? ", and nothing below what comes before it" : ", but " + known));
+                                  "is not a field: there is no \"" + std::string(name) + "\"" +
+                                      (known.empty() ? "; the part before it has no fields" : ", only " + known));
         }
         type_ = &found->type();
         if (index && type_->kind != FieldKind::list)
-            throw InvalidArgument(text_, "is no field: " + std::string(name) + " is no list");
+            throw InvalidArgument(text_, "is not a field: " + std::string(name) + " is not a list");
         if (index) type_ = &type_->element();
         steps_.push_back({&*found, index});
     } while (!rest.empty());
@@ -79,8 +79,8 @@ void* FieldPath::make(void* root) const {
         const FieldType& list = field->type();
         const std::size_t size = list.size(root);
         if (*index > size)
-            refuse(*this,
-                   "names an entry beyond the next one: " + std::string(field->name) + " has " + std::to_string(size));
+            refuse(*this, "skips entries: " + std::string(field->name) + " has " + std::to_string(size) +
+                              ", and an entry can be added only after the last one");
         root = *index == size ? list.add(root) : const_cast<void*>(list.at(root, *index));
     }
     return root;
@@ -103,16 +103,16 @@ void FieldPath::clear(void* root) const {
     else if (type_->kind == FieldKind::list && !index)
         type_->empty(field->make(root));
     else
-        refuse(*this, "is always there; only what may be left out can be cleared, and whole lists");
+        refuse(*this, "is required; only optional fields and whole lists can be cleared");
 }
 
 void set_number(const FieldPath& path, void* root, double value) {
     const FieldType& type = path.type();
     const bool is_count = type.kind == FieldKind::integer || type.kind == FieldKind::flag;
     if (type.kind != FieldKind::number && !is_count)
-        refuse(path, has_text(type)                   ? "takes a word, not a number"
+        refuse(path, has_text(type)                   ? "expects a word, not a number"
                      : type.kind == FieldKind::list   ? "is a list; name a field of its entries, as in mu[0].angle"
-                     : type.kind == FieldKind::custom ? "has no fields by paths; a function of its own sets it"
+                     : type.kind == FieldKind::custom ? "cannot be set by a path; use the function for it"
                                                       : "is not a number; name one of its fields");
     if (type.kind == FieldKind::flag && value != 0 && value != 1)
         refuse(path, "is " + number_text(value) + "; it must be 0 or 1");
@@ -128,7 +128,7 @@ void set_number(const FieldPath& path, void* root, double value) {
 
 void set_text(const FieldPath& path, void* root, std::string_view text) {
     const FieldType& type = path.type();
-    if (!has_text(type)) refuse(path, "takes a number, not a word");
+    if (!has_text(type)) refuse(path, "expects a number, not a word");
     if (type.kind == FieldKind::text) {
         *static_cast<std::string*>(path.make(root)) = text;
         return;

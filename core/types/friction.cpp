@@ -47,10 +47,11 @@ void validate(const KineticFriction& kinetic, std::span<const double> mu_static)
         check(second->fall >= 0, "second.fall", second->fall, "zero or positive");
         for (const double mu : mu_static)
             if (constexpr double rounding = 1e-12; !(second->fall <= mu - kinetic.mu + rounding))
-                throw InvalidArgument("friction.kinetic.second.fall",
-                                      "is " + number_text(second->fall) +
-                                          "; it is a part of the fall from the static " +
-                                          "coefficient to the kinetic one, " + number_text(mu - kinetic.mu));
+                throw InvalidArgument(
+                    "friction.kinetic.second.fall",
+                    "is " + number_text(second->fall) +
+                        "; it must not exceed the fall from the static coefficient to the kinetic one, " +
+                        number_text(mu - kinetic.mu));
     }
     if (const auto& memory = kinetic.memory) {
         check(memory->distance > 0, "memory.distance", memory->distance, "positive");
@@ -63,11 +64,12 @@ void validate(const InterfacialLayer& layer) {
     if (layer.hardening == 0) return;
     const char* const field = "friction.layer.hardening";
     if (!layer.yields())
-        throw InvalidArgument(field, "is " + number_text(layer.hardening) + ", and the layer has no yield_stress");
+        throw InvalidArgument(field, "is " + number_text(layer.hardening) +
+                                         ", but the layer has no yield_stress: give it, or remove hardening");
     if (layer.flexibility > 0 && !(layer.hardening * layer.flexibility > -1))
         throw InvalidArgument(
             field, "is " + number_text(layer.hardening) + "; it must be above " + number_text(-1 / layer.flexibility) +
-                       ", -1/flexibility: a layer that softens faster than it unloads jumps by itself");
+                       ", which is -1/flexibility: a layer that softens faster than it unloads is unstable");
 }
 
 double friction_coefficient(const KineticFriction& kinetic, double mu_static, double v) {

@@ -42,7 +42,7 @@ void validate(const Grid& grid, const char* field) {
     count(grid.nx, ".nx");
     count(grid.ny, ".ny");
     if (grid.size() > max_grid_elements)
-        throw InvalidArgument(name + ".nx", "times ny is " + std::to_string(grid.size()) + " elements; at most " +
+        throw InvalidArgument(name + ".nx", "times ny is " + std::to_string(grid.size()) + " elements, but at most " +
                                                 std::to_string(max_grid_elements) + " are allowed");
     size(grid.dx, ".dx");
     size(grid.dy, ".dy");

@@ -16,7 +16,7 @@ constexpr double largest_magnitude = 1e100;
 inline void check_magnitude(double value, const std::string& field) {
     constexpr double smallest = 1e-30;
     if (std::abs(value) < smallest)
-        throw InvalidArgument(field, "is " + number_text(value) + "; its size must be 1e-30 at least");
+        throw InvalidArgument(field, "is " + number_text(value) + "; its magnitude must be at least 1e-30");
 }
 
 }  // namespace contactd

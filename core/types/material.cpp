@@ -28,7 +28,7 @@ void validate(const Material& material, const char* field, bool incompressible_a
         throw InvalidArgument(name + ".nu", "is " + number_text(material.nu) + "; it must lie in [0, 0.5]");
     if (material.nu == 0.5 && !incompressible_allowed)
         throw InvalidArgument(name + ".nu",
-                              "is 0.5; finite elements need nu < 0.5, only closed-form coefficients take 0.5");
+                              "is 0.5; finite elements require nu < 0.5, and only closed-form coefficients allow 0.5");
 }
 
 }  // namespace contactd

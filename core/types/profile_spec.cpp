@@ -18,8 +18,8 @@ void check_ends(double from, double to, const std::string& name) {
     if (!(std::abs(from) <= widest))
         throw InvalidArgument(name + ".from", "is " + number_text(from) + "; it must lie between -1000 and 1000 mm");
     if (!(std::abs(to) <= widest && to >= from + 1))
-        throw InvalidArgument(name + ".to", "is " + number_text(to) + "; it must be at least 1 mm above `from`, " +
-                                                number_text(from) + ", and 1000 mm at most");
+        throw InvalidArgument(name + ".to", "is " + number_text(to) + "; it must exceed `from`, " + number_text(from) +
+                                                ", by at least 1 mm, and be at most 1000 mm");
 }
 
 void check_slope(double slope, const std::string& name) {
@@ -33,7 +33,7 @@ void check(const Rail60E1& rail) {
     if (!(std::abs(rail.inclination) <= most_inclination))
         throw InvalidArgument(
             "profile.rail_60e1.inclination",
-            "is " + number_text(rail.inclination) + "; it is a slope between -0.2 and 0.2, such as 0.025");
+            "is " + number_text(rail.inclination) + "; it must be a slope between -0.2 and 0.2, such as 0.025");
 }
 
 void check(const ArcProfile& arc) {
@@ -41,13 +41,13 @@ void check(const ArcProfile& arc) {
     check_slope(arc.slope, "profile.arc");
     if (!(std::abs(arc.radius) >= 1 && std::abs(arc.radius) <= 1e5))
         throw InvalidArgument("profile.arc.radius",
-                              "is " + number_text(arc.radius) + "; its size must be between 1 and 1e5 mm");
+                              "is " + number_text(arc.radius) + "; its magnitude must lie between 1 and 1e5 mm");
     const double leaning = std::sin(std::atan(arc.slope));
     for (const double y : {arc.from, arc.to})
         if (std::abs(y / arc.radius + leaning) > 0.999)
             throw InvalidArgument("profile.arc", "has the radius " + number_text(arc.radius) +
-                                                     " and an end at y = " + number_text(y) +
-                                                     ", which the arc does not reach; bring the end nearer to 0");
+                                                     " and does not reach its end at y = " + number_text(y) +
+                                                     "; move the end closer to 0");
 }
 
 void check(const ConeProfile& cone) {
@@ -59,33 +59,35 @@ void check_unit(double unit, const std::string& of) {
     if (!(unit >= 1e-6 && unit <= 1e6))
         throw InvalidArgument(
             of + ".unit",
-            "is " + number_text(unit) + "; it is the mm of a unit of the points: 1, 1000 for m, 25.4 for inches");
+            "is " + number_text(unit) +
+                "; it must be the length of a unit of the points in mm: 1 for mm, 1000 for m, 25.4 for inches");
 }
 
 void check_smoothing(double length, const std::string& of) {
     if (!(length >= 0 && length <= 1000))
-        throw InvalidArgument(of + ".smoothing_length",
-                              "is " + number_text(length) +
-                                  "; it is a wavelength in mm, 0 for no smoothing, about 5 for measured profiles");
+        throw InvalidArgument(of + ".smoothing_length", "is " + number_text(length) +
+                                                            "; it must be a wavelength in mm between 0 and 1000: 0 for "
+                                                            "no smoothing, about 5 for measured profiles");
 }
 
 void check(const ProfilePoints& points) {
     if (points.points.size() > most_profile_points)
-        throw InvalidArgument("profile.points", "are " + std::to_string(points.points.size()) + "; " +
-                                                    std::to_string(most_profile_points) +
-                                                    " are the most, leave some of them out");
+        throw InvalidArgument("profile.points", "has " + std::to_string(points.points.size()) +
+                                                    " entries, but at most " + std::to_string(most_profile_points) +
+                                                    " are allowed; omit some of them");
     check_unit(points.unit, "profile");
     check_smoothing(points.smoothing_length, "profile");
 }
 
 void check(const ProfileFile& file) {
     if (file.name.empty())
-        throw InvalidArgument("profile.file.name", "is empty; its ending says what the text is, such as wheel.whl");
+        throw InvalidArgument("profile.file.name",
+                              "is empty; its extension determines the format of the text, as in wheel.whl");
     if (file.text.empty() || file.text.size() > most_profile_text)
         throw InvalidArgument("profile.file.text", "has " + std::to_string(file.text.size()) +
-                                                       " bytes; it must be the content of a file, 1 to " +
+                                                       " bytes; give the content of a file of 1 to " +
                                                        std::to_string(most_profile_text) +
-                                                       " bytes; leave some of its points out");
+                                                       " bytes, with fewer points if necessary");
     if (file.unit) check_unit(*file.unit, "profile.file");
     for (const auto& [shift, name] : {std::pair(file.shift_y, "y"), std::pair(file.shift_z, "z")})
         if (!(std::abs(shift) <= farthest_shift))
@@ -93,19 +95,19 @@ void check(const ProfileFile& file) {
                                   "is " + number_text(shift) + "; it must lie between -10000 and 10000 mm");
     check_smoothing(file.smoothing_length, "profile.file");
     if (file.smoothing_order != 2 && file.smoothing_order != 3)
-        throw InvalidArgument(
-            "profile.file.smoothing_order",
-            "is " + std::to_string(file.smoothing_order) + "; it must be 2, for the curvature, or 3, for its change");
+        throw InvalidArgument("profile.file.smoothing_order",
+                              "is " + std::to_string(file.smoothing_order) +
+                                  "; it must be 2 to penalize the curvature, or 3 to penalize its change");
     if (!(file.smoothing_lambda >= 0 && file.smoothing_lambda <= 1e9))
         throw InvalidArgument("profile.file.smoothing_lambda",
                               "is " + number_text(file.smoothing_lambda) + "; it must lie between 0 and 1e9 mm^3");
     if (file.smoothing_lambda > 0 && (file.smoothing_length > 0 || file.smoothing_order != 2))
         throw InvalidArgument("profile.file.smoothing_lambda",
-                              "stands beside smoothing_length or smoothing_order; it is in the place of both");
+                              "cannot be combined with smoothing_length or smoothing_order 3; remove one of them");
     const auto check_angle = [](double angle, const char* name) {
         if (!(angle >= 0 && angle <= std::numbers::pi))
             throw InvalidArgument(std::string("profile.file.kinks.") + name,
-                                  "is " + number_text(angle) + "; it is an angle between 0 and pi, in rad");
+                                  "is " + number_text(angle) + "; it must be an angle between 0 and pi, in rad");
     };
     check_angle(file.kinks.angle, "angle");
     check_angle(file.kinks.rest, "rest");

@@ -46,7 +46,7 @@ Status status_of(const std::exception& error) {
         return {StatusCode::failed_precondition, error.what(), std::string(reason::store_unusable), {}, 0};
     if (dynamic_cast<const std::bad_alloc*>(&error))
         return {StatusCode::resource_exhausted,
-                "There is not enough memory for this request.",
+                "The memory is insufficient for this request.",
                 std::string(reason::limit_exceeded),
                 {},
                 0};

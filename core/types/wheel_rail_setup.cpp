@@ -24,27 +24,27 @@ void require(bool right, const std::string& field, double value, const std::stri
 
 void check(const Track& track) {
     require(track.gauge_height <= 0 || track.gauge_height >= 1, "track.gauge_height", track.gauge_height,
-            "be zero, or 1 mm at least; gauges are measured about 14 mm below the tops: check the unit");
+            "be zero or at least 1 mm. Gauges are measured about 14 mm below the top of the rail; check the unit");
     if (track.roller_leans && !track.roller_radius)
         throw InvalidArgument("track.roller_leans",
-                              "is given, and the rail is no roller; give track.roller_radius, too");
+                              "is given, but the rail is not a roller; give track.roller_radius, or remove it");
     if (!track.springs) return;
     const auto& [y, z] = *track.springs;
-    if (!y && !z) throw InvalidArgument("track.springs", "has neither y nor z; leave it out where the rail is rigid");
+    if (!y && !z) throw InvalidArgument("track.springs", "has neither y nor z; remove it if the rail is rigid");
     for (const auto& [spring, field] : {std::pair(y, "track.springs.y"), std::pair(z, "track.springs.z")})
         if (spring) {
-            require(*spring > 0 && *spring <= stiffest_spring, field, *spring,
-                    "be positive and at most " + number_text(stiffest_spring) +
-                        " N/mm; leave it out where the rail is rigid");
+            require(
+                *spring > 0 && *spring <= stiffest_spring, field, *spring,
+                "be positive and at most " + number_text(stiffest_spring) + " N/mm; remove it if the rail is rigid");
             require(*spring >= softest_spring, field, *spring,
-                    "be " + number_text(softest_spring) + " N/mm at least; rails on sleepers have 1e4 to 1e6");
+                    "be at least " + number_text(softest_spring) + " N/mm; rails on sleepers have 1e4 to 1e6");
         }
 }
 
 void check(const Wheelset& wheelset) {
     require(wheelset.flange_back_distance / 2 > wheelset.flange_back_position, "wheelset.flange_back_position",
             wheelset.flange_back_position,
-            "be less than half the flange_back_distance, so that the wheel is on its side of the axle");
+            "be less than half the flange_back_distance, so that the wheel stays on its side of the axle");
 }
 
 void check_profile(const ProfileSpec& profile, ProfileKind kind, const std::string& field) {
@@ -57,55 +57,57 @@ void check_profile(const ProfileSpec& profile, ProfileKind kind, const std::stri
 /// Features that exist follow one another: absent ones stand at the ends of the list.
 void check_features(const std::vector<double>& features, std::size_t of_first, const std::string& field) {
     if (features.size() != of_first)
-        throw InvalidArgument(field, "has " + std::to_string(features.size()) + " entries, and the first slice has " +
-                                         std::to_string(of_first) +
-                                         "; all slices need as many, with -1 for one that does not exist here");
+        throw InvalidArgument(
+            field, "has " + std::to_string(features.size()) + " entries, but the first slice has " +
+                       std::to_string(of_first) +
+                       "; all slices need the same number, with -1 for a feature that does not exist in a slice");
     std::size_t existing = 0;
     for (std::size_t i = 0; i < features.size(); ++i) {
         if (features[i] < 0) continue;
         const std::string entry = field + "[" + std::to_string(i) + "]";
         if (existing++ == 0) continue;
         require(features[i - 1] >= 0, entry, features[i],
-                "be negative: the feature before it does not exist here, though one before that does");
+                "be negative, because features after a missing one must also be missing");
         require(features[i] - features[i - 1] >= 1e-3, entry, features[i],
-                "be beyond the one before, " + number_text(features[i - 1]));
+                "exceed the previous one, " + number_text(features[i - 1]));
     }
     if (!features.empty() && existing < 2)
-        throw InvalidArgument(field, "has fewer than two features that exist; there would be no rail here");
+        throw InvalidArgument(field, "has fewer than two existing features; a slice of a rail needs at least two");
 }
 
 void check_slices(const WheelRailSetup& setup) {
     const std::vector<RailSlice>& slices = setup.rail_slices;
     if (slices.empty()) return;
-    if (slices.size() == 1) throw InvalidArgument("rail_slices", "has one slice; give two at least, or `rail` instead");
+    if (slices.size() == 1) throw InvalidArgument("rail_slices", "has one slice; give at least two, or use `rail`");
     for (std::size_t i = 0; i < slices.size(); ++i) {
         const std::string field = "rail_slices[" + std::to_string(i) + "]";
         check_profile(slices[i].profile, ProfileKind::rail, field + ".profile");
         check_features(slices[i].features, slices.front().features.size(), field + ".features");
         if (i > 0)
             require(slices[i].x - slices[i - 1].x >= 1e-3, field + ".x", slices[i].x,
-                    "be beyond the one before, " + number_text(slices[i - 1].x));
+                    "exceed the previous one, " + number_text(slices[i - 1].x));
     }
     if (!setup.track.rail_origin)
-        throw InvalidArgument("track.rail_origin",
-                              "is missing; slices may have no gauge point, so that it must say where the rail lies");
-    if (setup.track.roller_radius) throw InvalidArgument("track.roller_radius", "is given; a roller has no slices");
+        throw InvalidArgument(
+            "track.rail_origin",
+            "is missing; a rail with slices may have no gauge point, so its position must be given here");
+    if (setup.track.roller_radius)
+        throw InvalidArgument("track.roller_radius", "is given, but a roller has no slices: remove one of them");
 }
 
 void check_slices(const std::vector<WheelSlice>& slices) {
     constexpr double turn = 2 * std::numbers::pi, closest = 1e-5;
-    if (slices.size() == 1)
-        throw InvalidArgument("wheel_slices", "has one slice; give two at least, or `wheel` instead");
+    if (slices.size() == 1) throw InvalidArgument("wheel_slices", "has one slice; give at least two, or use `wheel`");
     for (std::size_t i = 0; i < slices.size(); ++i) {
         const double angle = slices[i].angle;
         const std::string field = "wheel_slices[" + std::to_string(i) + "]";
         check_profile(slices[i].profile, ProfileKind::wheel, field + ".profile");
         if (i == 0) continue;
         require(angle - slices[i - 1].angle >= closest, field + ".angle", angle,
-                "be larger than the one before, " + number_text(slices[i - 1].angle) + " rad");
+                "be larger than the previous one, " + number_text(slices[i - 1].angle) + " rad");
         require(angle - slices[0].angle <= turn - closest, field + ".angle", angle,
-                "be less than a turn beyond the first one, " + number_text(slices[0].angle) +
-                    " rad; after a turn that one comes again");
+                "be less than the first one, " + number_text(slices[0].angle) +
+                    " rad, plus a full turn; the first slice repeats after a turn");
     }
 }
 
@@ -123,10 +125,10 @@ void check_single(const std::optional<WheelRailFriction>& friction) {
 }
 
 void check(const WheelRailFriction& friction) {
-    if (friction.mu.empty()) throw InvalidArgument("friction.mu", "is empty; it needs one coefficient at least");
+    if (friction.mu.empty()) throw InvalidArgument("friction.mu", "is empty; it needs at least one coefficient");
     for (std::size_t i = 1; i < friction.mu.size(); ++i)
         require(friction.mu[i].angle > friction.mu[i - 1].angle, "friction.mu[" + std::to_string(i) + "].angle",
-                friction.mu[i].angle, "be larger than the one before, " + number_text(friction.mu[i - 1].angle));
+                friction.mu[i].angle, "be larger than the previous one, " + number_text(friction.mu[i - 1].angle));
     if (friction.layer) validate(*friction.layer);
 }
 
@@ -139,15 +141,16 @@ void check_models(const WheelRailSetup& setup) {
     if (setup.normal_model == NormalModel::of_model) return;
     if (setup.normal_model == NormalModel::elliptic || setup.normal_model == NormalModel::parabolic)
         throw InvalidArgument("normal_model",
-                              "prescribes pressures over an ellipse, which patches on rails do not have; take kp, kpec "
-                              "or analyn, or leave it out");
+                              "prescribes pressures over an ellipse, which contact patches on rails do not have; use "
+                              "kp, kpec or analyn, or remove it");
     if (setup.conformal != Conformal::off)
         throw InvalidArgument("conformal",
-                              "is not off, and normal_model finds pressures in a plane; leave one of them out");
+                              "is not off, but normal_model computes pressures in a plane; remove one of them");
     if (setup.sheet_flexibility > 0)
-        throw InvalidArgument("sheet_flexibility", "is " + number_text(setup.sheet_flexibility) +
-                                                       " mm^3/N, and normal_model knows no sheet between bodies; leave "
-                                                       "one of them out");
+        throw InvalidArgument(
+            "sheet_flexibility",
+            "is " + number_text(setup.sheet_flexibility) +
+                " mm^3/N, but normal_model does not support a sheet between bodies; remove one of them");
 }
 
 /// The least coefficient between angles is that at one of the angles of either list, as both are straight lines.
@@ -156,10 +159,10 @@ void check_by_angle(const WheelRailFriction& friction) {
     if (laws.empty()) return;
     if (friction.temperature)
         throw InvalidArgument("friction.temperature_by_angle",
-                              "is given, and friction.temperature, too; leave one of them out");
+                              "cannot be combined with friction.temperature; remove one of them");
     for (std::size_t i = 1; i < laws.size(); ++i)
         require(laws[i].angle > laws[i - 1].angle, "friction.temperature_by_angle[" + std::to_string(i) + "].angle",
-                laws[i].angle, "be larger than the one before, " + number_text(laws[i - 1].angle));
+                laws[i].angle, "be larger than the previous one, " + number_text(laws[i - 1].angle));
     const auto check_at = [&](double angle) {
         const double mu = coefficient_at(friction.mu, angle);
         validate(law_at(laws, angle), {&mu, 1});
@@ -171,33 +174,33 @@ void check_by_angle(const WheelRailFriction& friction) {
 void check_temperature(const WheelRailSetup& setup) {
     if (setup.friction && setup.friction->memory && setup.friction->temperature_by_angle.empty())
         throw InvalidArgument("friction.memory",
-                              "is given, and friction.temperature_by_angle is not. Give friction.temperature.memory or "
-                              "friction.kinetic.memory, or leave it out.");
+                              "requires friction.temperature_by_angle. Give friction.temperature.memory or "
+                              "friction.kinetic.memory, or remove it");
     if (setup.friction && setup.friction->follows_temperature()) {
         if (!setup.temperature)
-            throw InvalidArgument("friction.temperature",
-                                  "is given, and temperature is not; say there what the bodies have to do with heat");
+            throw InvalidArgument(
+                "friction.temperature",
+                "requires the thermal properties of the bodies: give temperature, or remove friction.temperature");
         std::vector<double> mu;
         for (const FrictionAtAngle& entry : setup.friction->mu) mu.push_back(entry.mu);
         if (setup.friction->temperature) validate(*setup.friction->temperature, mu);
         check_by_angle(*setup.friction);
         if (setup.friction->kinetic)
             throw InvalidArgument("friction.temperature",
-                                  "is given, and friction.kinetic, too; friction follows the temperature or the slip "
-                                  "velocity: leave one of them out");
+                                  "cannot be combined with friction.kinetic, because friction depends either on the "
+                                  "temperature or on the slip velocity: remove one of them");
         if (setup.model != Model::full)
-            throw InvalidArgument("friction.temperature",
-                                  "is given, and friction of simplified models follows nothing; take model full");
+            throw InvalidArgument("friction.temperature", "is not supported by simplified models: use model full");
     }
     if (!setup.temperature) return;
     validate(*setup.temperature, "temperature");
     if (!setup.friction)
         throw InvalidArgument("temperature",
-                              "is given, and friction is not; temperatures are those of rolling contact");
+                              "requires rolling contact with friction: give friction, or remove temperature");
     if (setup.model == Model::hertz)
         throw InvalidArgument("model",
-                              "is hertz, and temperature is given; heat is that of the slip of each element, which "
-                              "this model does not tell: take full or fastsim");
+                              "is hertz, but temperature requires the slip of each element, which this model does not "
+                              "compute: use full or fastsim");
 }
 
 void check_wear(const WheelRailSetup& setup) {
@@ -205,7 +208,7 @@ void check_wear(const WheelRailSetup& setup) {
     validate(*setup.wear, "wear");
     check_wear_model(setup.model);
     if (!setup.friction)
-        throw InvalidArgument("wear", "is given, and friction is not; wear is that of rolling contact with friction");
+        throw InvalidArgument("wear", "requires rolling contact with friction: give friction, or remove wear");
     check_wear_layer(setup.friction->layer);
 }
 
@@ -214,9 +217,9 @@ void check_fatigue(const WheelRailSetup& setup) {
     validate(*setup.fatigue, "fatigue");
     check_fatigue_model(setup.model);
     if (!setup.friction)
-        throw InvalidArgument("fatigue",
-                              "is given, and friction is not; it is that of rolling contact with friction, which may "
-                              "be small");
+        throw InvalidArgument(
+            "fatigue",
+            "requires rolling contact with friction: give friction, whose coefficient may be small, or remove fatigue");
 }
 
 }  // namespace
@@ -235,48 +238,49 @@ void validate(const WheelRailSetup& setup) {
     for (const auto& [body, name] : {std::pair(&setup.bodies.upper, "bodies.upper.viscoelastic"),
                                      std::pair(&setup.bodies.lower, "bodies.lower.viscoelastic")})
         if (body->viscoelastic)
-            throw InvalidArgument(name, "is given; wheels on rails are known of elastic bodies: leave it out");
+            throw InvalidArgument(name, "is given, but wheel-rail contact supports elastic bodies only: remove it");
     if (setup.bodies.any_uniform())
         throw InvalidArgument("bodies",
-                              "have a section of their own, which contacts of wheels on rails do not lie on "
-                              "yet; take materials, and conformal fem where their cross-sections matter");
+                              "have a section, which wheel-rail contact does not support; give materials, and set "
+                              "conformal to fem if the cross-sections matter");
     if (setup.friction) check(*setup.friction);
     if (setup.friction && setup.friction->along_profile && setup.model != Model::full)
-        throw InvalidArgument(
-            "friction.along_profile",
-            "is set, and the simplified models know one coefficient for all of a patch; take model full");
+        throw InvalidArgument("friction.along_profile",
+                              "is set, but simplified models use one coefficient for the whole patch; use model full");
     check_models(setup);
     if (setup.conformal != Conformal::off && setup.model != Model::full)
         throw InvalidArgument("conformal",
-                              "is not off, and the simplified models know ellipses in a plane only; take model full");
+                              "is not off, but simplified models support ellipses in a plane only; use model full");
     if (setup.conformal == Conformal::fem && !setup.rail_slices.empty())
         throw InvalidArgument("conformal",
-                              "is fem, and the rail has slices; coefficients by cross-sections are those of rails "
-                              "that are uniform along x: take rotated");
+                              "is fem, but the rail has slices; coefficients by cross-sections require a rail that is "
+                              "uniform along x: use rotated");
     if (setup.conformal == Conformal::fem && !setup.wheel_slices.empty())
-        throw InvalidArgument("conformal",
-                              "is fem, and the wheel has slices; coefficients by cross-sections are those of wheels "
-                              "that are round: take rotated");
+        throw InvalidArgument(
+            "conformal",
+            "is fem, but the wheel has slices; coefficients by cross-sections require a round wheel: use rotated");
     if (setup.rigid_slip != RigidSlipKind::plane && setup.model != Model::full)
-        throw InvalidArgument("rigid_slip",
-                              "is not plane, and the simplified models know creepages only; take model full");
+        throw InvalidArgument("rigid_slip", "is not plane, but simplified models use creepages only; use model full");
     if (setup.friction && setup.friction->layer && setup.model != Model::full)
-        throw InvalidArgument("friction.layer", "is of model full; the simplified models know no layer between bodies");
+        throw InvalidArgument("friction.layer",
+                              "requires model full; simplified models do not support a layer between bodies");
     if (setup.sheet_flexibility > 0 && setup.model != Model::full)
-        throw InvalidArgument("sheet_flexibility",
-                              "is " + number_text(setup.sheet_flexibility) +
-                                  " mm^3/N, and the simplified models know no sheet between bodies; take model full");
+        throw InvalidArgument(
+            "sheet_flexibility",
+            "is " + number_text(setup.sheet_flexibility) +
+                " mm^3/N, but simplified models do not support a sheet between bodies; use model full");
     check_temperature(setup);
     check_wear(setup);
     check_fatigue(setup);
     if (setup.settings.tangential_solver == TangentialSolver::tangcg)
-        throw InvalidArgument("settings.tangential.solver",
-                              "is tangcg, whose operators are symmetric, and wheels roll steadily; take newton");
+        throw InvalidArgument(
+            "settings.tangential.solver",
+            "is tangcg, which requires symmetric operators and does not support steady rolling; use newton");
     constexpr double rounding = 1e-9;
     require(setup.conformal != Conformal::fem || setup.dx >= shortest_uniform_element * setup.dy * (1 - rounding), "dx",
-            setup.dx, "be half of dy at least, where conformal is fem");
+            setup.dx, "be at least half of dy if conformal is fem");
     require(setup.conformal != Conformal::fem || setup.patches.max_elements == 0, "patches.max_elements",
-            setup.patches.max_elements, "be left out where conformal is fem, whose sections are divided by dy");
+            setup.patches.max_elements, "be removed if conformal is fem, whose sections are divided by dy");
     check(setup.patches);
 }
 

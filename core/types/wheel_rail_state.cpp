@@ -17,12 +17,11 @@ constexpr double least_vertical = 1e-6;  // N: brings an approach of 1e-8 mm
 
 void check_vertical(double force, const std::string& field) {
     if (!(force > 0 && std::isfinite(force)))
-        throw InvalidArgument(field,
-                              "is " + number_text(force) + "; a wheel presses on its rail with a positive force (N)");
+        throw InvalidArgument(field, "is " + number_text(force) + "; it must be positive (N)");
     if (force < least_vertical)
-        throw InvalidArgument(field, "is " + number_text(force) + "; a wheel presses on its rail with " +
+        throw InvalidArgument(field, "is " + number_text(force) + "; it must be at least " +
                                          number_text(least_vertical) +
-                                         " N at least, for heights have no digits that less would change");
+                                         " N, because a smaller force does not change the height within its precision");
 }
 
 WheelRailState state_of_wheel(const WheelsetState& state, const WheelDeviation& wheel, const RailDeviation& rail,
@@ -36,14 +35,14 @@ void check_rail_load(double force, const std::optional<double>& spring, const st
     if (force != 0 && !spring)
         throw InvalidArgument("rail.F" + direction,
                               "is " + number_text(force) +
-                                  ", and the rail is rigid in that direction; set track.springs." + direction +
+                                  ", but the rail is rigid in that direction; set track.springs." + direction +
                                   " of the set-up or remove the force");
 }
 
 void check_motion(const WheelRailSetup& setup, WheelRailMotion motion) {
     if (motion == WheelRailMotion::steady_rolling) return;
     const auto refuse = [](const std::string& reason) {
-        throw InvalidArgument("motion", "is not steady_rolling, and " + reason);
+        throw InvalidArgument("motion", "is not steady_rolling, but " + reason);
     };
     if (setup.model != Model::full)
         refuse("simplified models solve steady rolling only; set model = full in the set-up");
@@ -68,15 +67,16 @@ void validate(const WheelRailState& state) {
     if (state.Fz) check_vertical(*state.Fz, "Fz");
     check_bounds(state);
     if (state.motion == WheelRailMotion::shift && !state.time_step)
-        throw InvalidArgument("time_step", "is missing; a shift is what the velocities bring in that time (s)");
+        throw InvalidArgument("time_step", "is missing; a shift is the product of the velocities and this time (s)");
     if (state.motion == WheelRailMotion::steady_rolling && state.time_step)
-        throw InvalidArgument("time_step", "is " + number_text(*state.time_step) +
-                                               ", and steady rolling has no steps; leave it out, or give motion "
-                                               "transient_rolling or shift");
+        throw InvalidArgument(
+            "time_step",
+            "is " + number_text(*state.time_step) +
+                ", but steady rolling has no steps; remove it, or set motion to transient_rolling or shift");
     if (state.Fx && state.velocity.x == 0 && state.roller_pitch == 0)
-        throw InvalidArgument("Fx",
-                              "is given, and velocity.x and roller_pitch are 0; a wheel that stands has no pitch "
-                              "rate that brings a force");
+        throw InvalidArgument(
+            "Fx",
+            "is given, but velocity.x and roller_pitch are 0; a wheel at rest has no pitch rate that produces a force");
 }
 
 void validate(const WheelRailSetup& setup, const WheelRailState& state) {
@@ -91,9 +91,8 @@ void validate(const WheelRailSetup& setup, const WheelRailState& state) {
 
 void check_height_or_force(const WheelRailState& state) {
     if (!state.Fz && !state.position.z)
-        throw InvalidArgument("Fz",
-                              "is missing, and so is position.z; give the vertical force Fz (N), which the height is "
-                              "found for, or the height position.z (mm)");
+        throw InvalidArgument(
+            "Fz", "is missing, and so is position.z; give the vertical force Fz (N), or the height position.z (mm)");
 }
 
 void validate(const WheelsetState& state) {

@@ -142,7 +142,7 @@ void IcBuilds::wait_for_lock(const TableBuild& build, TableLock& lock) {
             changed = now;
         }
         if (now - changed < timeout) continue;
-        log_.warn(std::format("{} does not wait any longer for whoever holds {}", build.job->name,
+        log_.warn(std::format("{} no longer waits for the process that holds {}", build.job->name,
                               resilient_store_.store().lock_of(build.key).string()));
         return;
     }

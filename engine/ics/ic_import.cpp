@@ -15,15 +15,14 @@ constexpr std::string_view imported_sentence = "This table was imported from a f
 void note_import(IcEvidence& evidence) {
     evidence.imported = true;
     std::erase_if(evidence.warnings, [](const std::string& warning) { return warning.starts_with(imported_sentence); });
-    evidence.warnings.push_back(std::string(imported_sentence) +
-                                "; that its numbers are those of its builder nobody has checked.");
+    evidence.warnings.push_back(std::string(imported_sentence) + ". Its numbers have not been verified.");
 }
 
 }  // namespace
 
 std::string imported_warning(const std::string& key) {
     return "The influence coefficients " + key.substr(0, 12) +
-           "... were imported from a file: that they are right is the word of whoever has imported them.";
+           "... were imported from a file and have not been verified.";
 }
 
 IcImport import_table(IcRecord imported, IcService& tables, const std::string& user, EngineCounters& counters,

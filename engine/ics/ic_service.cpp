@@ -19,7 +19,7 @@ namespace {
 
 Status request_abandoned() {
     return failure(StatusCode::cancelled, proto::reason::request_cancelled,
-                   "The request is abandoned: its caller has gone.");
+                   "The request was abandoned because its caller disconnected.");
 }
 
 /// Ends work that is done in the thread of a request, when the request is abandoned.
@@ -45,7 +45,8 @@ IcService::IcService(Settings settings, IcStore store, JobTable& jobs, EngineCou
               log_) {}
 
 IcService::~IcService() {
-    stop(failure(StatusCode::unavailable, proto::reason::stopping, "No more tables are made here."));
+    stop(failure(StatusCode::unavailable, proto::reason::stopping,
+                 "No more tables are built because the service is closing."));
 }
 
 void IcService::request(const IcSpec& spec, IcCaller caller) {
@@ -155,10 +156,9 @@ bool IcService::deny_build(const RequestPtr& request) {
         is_empty = callers.empty();
         if (is_empty) std::erase(in_flight_, request);
     }
-    const Status status =
-        failure(proto::StatusCode::permission_denied, proto::reason::build_denied,
-                "There is no such table yet, and only users whom the daemon's configuration names may "
-                "have one built (methods.allowed_users, builds).");
+    const Status status = failure(proto::StatusCode::permission_denied, proto::reason::build_denied,
+                                  "This table does not exist yet, and you are not among the users who may build tables "
+                                  "(methods.allowed_users, builds).");
     for (const IcCaller& caller : denied) caller.failed(status);
     return is_empty;
 }

@@ -20,8 +20,8 @@ void MissedTolerances::add(const ContactEvidence& evidence) {
 StatusError MissedTolerances::error() const {
     return {StatusCode::aborted, reason::not_converged,
             "The step did not converge (" + solvers_ +
-                "), and the session stays where it was: take a smaller step, or open the session with other settings "
-                "or with accept_unconverged."};
+                "), and the session keeps its previous state. Use a smaller step, or open the session with other "
+                "settings or with accept_unconverged."};
 }
 
 }  // namespace contactd::engine

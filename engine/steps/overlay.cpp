@@ -15,12 +15,12 @@ void take_estimates(const Motion& last, Motion& motion) {
 
 void overlay_load(const StepInput& input, ContactProblem& problem) {
     if (input.approach && input.Fn)
-        throw InvalidArgument("Fn", "stands beside an approach; a step takes only one of the two");
+        throw InvalidArgument("Fn", "cannot be combined with an approach; remove one of them");
     if (input.approach || input.Fn) {
         problem.approach = input.approach;
         problem.Fn = input.Fn;
     } else if (!problem.approach && !problem.Fn) {
-        throw InvalidArgument("approach", "is missing; the opening named neither it nor Fn, so every step must");
+        throw InvalidArgument("approach", "is missing; give it or Fn in every step, because the opening gave neither");
     }
 }
 
@@ -28,7 +28,7 @@ void overlay_friction(const StepInput& input, ContactProblem& problem) {
     if (!input.friction && !input.motion && input.rigid_slip.empty()) return;
     if (!problem.friction && !input.friction)
         throw InvalidArgument("friction.mu",
-                              "is missing; a step that names friction must say it where the opening named none");
+                              "is missing; give it in every step with friction, because the opening gave none");
     if (input.friction) {
         const FrictionLaw opened = problem.friction.value_or(FrictionLaw{});
         problem.friction = input.friction;
@@ -47,7 +47,7 @@ void overlay(const StepInput& input, const std::optional<Motion>& last, ContactP
     if (input.gap)
         problem.gap = input.gap;
     else if (!problem.gap)
-        throw InvalidArgument("gap", "is missing; the opening named none, so every step must");
+        throw InvalidArgument("gap", "is missing; give it in every step, because the opening gave none");
     overlay_friction(input, problem);
     if (input.derivatives) problem.derivatives = *input.derivatives;
     if (input.displacements) problem.displacements = *input.displacements;

@@ -25,10 +25,12 @@ Profile profile_of(const ProfileSpec& profile, const std::string& name) {
 /// `name` is where the set-up stands.
 Side side_of(const WheelRailSetup& setup, const std::string& name) {
     if (!setup.rail_slices.empty())
-        throw InvalidArgument(name + ".rail_slices",
-                              "are given; a rigid wheelset is told for rails that do not vary along the track");
+        throw InvalidArgument(
+            name + ".rail_slices",
+            "are given, but contacts of a rigid wheelset require a rail that does not vary along the track");
     if (!setup.wheel_slices.empty())
-        throw InvalidArgument(name + ".wheel_slices", "are given; a rigid wheelset is told for wheels that are round");
+        throw InvalidArgument(name + ".wheel_slices",
+                              "are given, but contacts of a rigid wheelset require round wheels");
     Profile wheel = profile_of(setup.wheel, name + ".wheel"), rail = profile_of(setup.rail, name + ".rail");
     return {below(name, [&] { return wheel_over_rail(wheel.curve, rail.curve, setup.track, setup.wheelset); }),
             std::move(wheel.evidence), std::move(rail.evidence)};

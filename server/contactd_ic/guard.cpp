@@ -48,7 +48,7 @@ Guard::Guard(Lines& lines, bool silent) : lines_(lines), silent_(silent) {
     const sigset_t set = ending_signals();
     signals_ = ::signalfd(-1, &set, SFD_CLOEXEC);
     wake_ = ::eventfd(0, EFD_CLOEXEC);
-    if (signals_ < 0 || wake_ < 0) throw Error("Cannot watch for signals: no file descriptor is left.");
+    if (signals_ < 0 || wake_ < 0) throw Error("Cannot watch for signals: no file descriptor is available.");
     thread_ = std::thread([this] { watch(); });
 }
 
@@ -109,7 +109,7 @@ int Guard::milliseconds_to_look_at_memory() {
     if (most == 0) return -1;
     if (const std::uint64_t used = resident_bytes(watched_processes_); used > most)
         end(out_of_memory,
-            "The build ran out of memory: it uses " + std::to_string(used) + " bytes and may use " +
+            "The build ran out of memory: it uses " + std::to_string(used) + " bytes but may use " +
                 std::to_string(most) + " bytes (builds.max_memory_bytes).",
             "out_of_memory");
     return interval;
@@ -137,13 +137,13 @@ void Guard::watch() {
             signalfd_siginfo info{};
             if (::read(signals_, &info, sizeof info) == sizeof info) {
                 const auto signal = static_cast<int>(info.ssi_signo);
-                end(signal_base + signal, signal == SIGTERM  ? "The build was ended by SIGTERM."
-                                          : signal == SIGINT ? "The build was ended by SIGINT."
-                                                             : "The build was ended by SIGHUP.");
+                end(signal_base + signal, signal == SIGTERM  ? "The build was terminated by SIGTERM."
+                                          : signal == SIGINT ? "The build was terminated by SIGINT."
+                                                             : "The build was terminated by SIGHUP.");
             }
         }
         if (watched[2].revents != 0 && input_has_ended(watched[2].revents))
-            end(signal_base + SIGHUP, "The build was ended because its standard input was closed.");
+            end(signal_base + SIGHUP, "The build was terminated because its standard input was closed.");
     }
 }
 

@@ -105,11 +105,9 @@ std::string read_spec(const Options& options) {
     std::string text(most_spec_bytes + 1, '\0');
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(file.gcount()));
-    if (text.empty())
-        throw InvalidArgument("SPEC",
-                              "is " + options.spec + "; there is no such file that can be read and is not empty");
+    if (text.empty()) throw InvalidArgument("SPEC", "is " + options.spec + "; give a readable file that is not empty");
     if (text.size() > most_spec_bytes)
-        throw InvalidArgument("SPEC", "is " + options.spec + ", which is larger than 16 MiB; no spec is");
+        throw InvalidArgument("SPEC", "is " + options.spec + ", which exceeds the limit of 16 MiB");
     return text;
 }
 
@@ -120,9 +118,10 @@ IcSpec parse_spec(const std::string& text) {
         proto::read_json(text, max_values, json, "SPEC");
     } catch (const proto::StatusError& error) {
         if (!error.status().violations.empty()) throw;
-        throw InvalidArgument("SPEC", "is not JSON; it must hold the parameters of ic.get");
+        throw InvalidArgument("SPEC", "is not JSON; it must contain the parameters of ic.get");
     }
-    if (!json.is_object()) throw InvalidArgument("SPEC", "is no JSON object; it must hold the parameters of ic.get");
+    if (!json.is_object())
+        throw InvalidArgument("SPEC", "is not a JSON object; it must contain the parameters of ic.get");
     proto::check_params("ic.get", json);
     const IcSpec spec = proto::decode_ic_spec(json);
     validate(spec);
@@ -133,9 +132,9 @@ void check_file(const char* option, const fs::path& path) {
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     std::error_code error;
     if (!fs::is_directory(folder, error))
-        throw InvalidArgument(option, "is " + path.string() + "; its folder does not exist");
+        throw InvalidArgument(option, "is " + path.string() + ", but its folder does not exist");
     if (::access(folder.c_str(), W_OK | X_OK) != 0)
-        throw InvalidArgument(option, "is " + path.string() + "; its folder cannot be written to");
+        throw InvalidArgument(option, "is " + path.string() + ", but its folder is not writable");
     if (fs::is_directory(path, error)) throw InvalidArgument(option, "is " + path.string() + ", a folder");
 }
 
@@ -231,7 +230,7 @@ int guarded_run(const Context& context) {
         return everywhere("", error.what(), failure);
     } catch (const std::bad_alloc&) {
         context.lines.write_error(
-            {"", "The build ran out of memory: the machine has no more for it.", "out_of_memory"});
+            {"", "The build ran out of memory: the machine has no free memory.", "out_of_memory"});
         if (context.runtime.processes() > 1) context.runtime.abort(out_of_memory);
         return out_of_memory;
     } catch (const std::exception& error) {  // of MFEM or hypre, and perhaps on this process alone
@@ -256,16 +255,16 @@ int main(int argc, char** argv) {
                    "--exit-with-stdin)")
         ->required();
     const CLI::Option* output =
-        app.add_option("-o,--output", options.output, "The file to write; it appears whole or not at all");
+        app.add_option("-o,--output", options.output, "Output file; it is written completely or not at all");
     const CLI::Option* mesh = app.add_option(
-        "--mesh", options.mesh, "Instead, write the mesh of a body's cross-section (VTK), and build no table");
+        "--mesh", options.mesh, "Write only the mesh of a body's cross-section (VTK), without building a table");
     app.add_flag("--exit-with-stdin", options.exit_with_stdin,
-                 "End at once when standard input ends: whoever started the build is gone");
+                 "Exit when standard input ends, because the process that started the build has ended");
     app.add_flag("--or-print", options.or_print,
-                 "When the file cannot be written, print {\"table_bytes\": n, \"problem\"} and then the n bytes of it");
+                 "If the file cannot be written, print {\"table_bytes\": n, \"problem\"} and then its n bytes");
     app.add_option("--max-memory", options.max_memory,
-                   "Bytes of memory that all processes on one machine may use together; 0: four fifths of what the "
-                   "machine, or the control group, has");
+                   "Memory limit in bytes for all processes on one machine together; 0: four fifths of the memory of "
+                   "the machine or the control group");
     app.set_version_flag("--version", fem::fem_version());
 
     ic::Lines lines;

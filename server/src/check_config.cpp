@@ -33,10 +33,10 @@ std::string folder_problem(const std::string& field, fs::path folder) {
     std::error_code error;
     folder = fs::absolute(folder.empty() ? "." : folder, error);
     while (!fs::exists(folder, error) && folder.has_relative_path()) folder = folder.parent_path();
-    if (error) return field + ": " + folder.string() + " cannot be looked at: " + error.message() + ".";
-    if (!fs::is_directory(folder, error)) return field + ": " + folder.string() + " is no folder.";
+    if (error) return field + ": " + folder.string() + " cannot be inspected: " + error.message() + ".";
+    if (!fs::is_directory(folder, error)) return field + ": " + folder.string() + " is not a folder.";
     const std::string why = cannot_write(folder);
-    return why.empty() ? why : field + ": the folder " + folder.string() + " cannot be written to: " + why + ".";
+    return why.empty() ? why : field + ": the folder " + folder.string() + " is not writable: " + why + ".";
 }
 
 std::string ipc_problem(const std::string& endpoint) {
@@ -59,7 +59,7 @@ std::string tcp_problem(const std::string& endpoint) {
         socket.bind(endpoint);
         return {};
     } catch (const zmq::error_t& error) {
-        return "endpoint is \"" + endpoint + "\"; it cannot be listened at: " + error.what() + ".";
+        return "endpoint is \"" + endpoint + "\"; contactd cannot listen there: " + error.what() + ".";
     }
 }
 
@@ -108,7 +108,7 @@ Finding log_finding(const Config& config) {
     } else if (fs::exists(file, error)) {
         const int fd = ::open(file.c_str(), O_WRONLY | O_APPEND | O_NONBLOCK | O_CLOEXEC);
         if (fd < 0)
-            problem = "log.file is " + file.string() + ", which cannot be written to: " + std::strerror(errno) + ".";
+            problem = "log.file is " + file.string() + ", which is not writable: " + std::strerror(errno) + ".";
         else
             ::close(fd);
     } else {

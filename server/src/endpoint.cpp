@@ -24,7 +24,7 @@ constexpr auto look_interval = std::chrono::milliseconds(5);
 
 const Status& client_gone() {
     static const Status status{
-        StatusCode::cancelled, "The client has gone.", std::string(proto::reason::client_gone), {}, 0};
+        StatusCode::cancelled, "The client disconnected.", std::string(proto::reason::client_gone), {}, 0};
     return status;
 }
 
@@ -166,7 +166,7 @@ void Endpoint::begin_drain(const Notifier& notifier) {
     end_ = Clock::now() + time;
     socket_.wake_at_answers();
     service_.begin_drain();
-    notifier.stopping("Finishing what was accepted",
+    notifier.stopping("Finishing accepted requests",
                       time + std::chrono::ceil<std::chrono::seconds>(2 * AnsweringSocket::linger) + stop_time);
     if (const auto open = parts_.open_calls.count())
         spdlog::info("up to {} s for {} open requests", time.count(), open);

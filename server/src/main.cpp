@@ -64,7 +64,8 @@ int serve(const Config& config) {
     const auto http = listen_to_http(config, service.parts());
     Endpoint endpoint(config, service);
     if (!is_local(endpoint.address()) && config.security.curve.secret_key_file.empty())
-        spdlog::warn("{} can be reached from other machines, and whoever reaches it can use it", endpoint.address());
+        spdlog::warn("{} can be reached from other machines, and everyone who reaches it can use it",
+                     endpoint.address());
     spdlog::info("contactd {} listens at {}, store {}", contactd::version(), endpoint.address(),
                  config.store.folder.string());
     nlohmann::json ready{{"ready", true}, {"endpoint", endpoint.address()}, {"pid", ::getpid()}};
@@ -84,8 +85,8 @@ int answer_ping(const std::string& endpoint, const PingKeys& keys) {
 int make_keys(const std::string& folder, const std::string& name) {
     try {
         const NewKeys files = generate_keys(folder, name);
-        std::cout << "secret key, for " << name << " alone:  " << files.secret_file.string() << "\n"
-                  << "public key, for the others:  " << files.public_file.string() << "\n";
+        std::cout << "secret key, only for " << name << ":  " << files.secret_file.string() << "\n"
+                  << "public key, for others:  " << files.public_file.string() << "\n";
         return 0;
     } catch (const std::exception& error) {
         std::cerr << "contactd: " << error.what() << "\n";
@@ -100,25 +101,24 @@ int main(int argc, char** argv) {
     std::string config_file, endpoint, ping_endpoint, key_name, key_folder = ".";
     PingKeys ping_keys;
     bool print_config = false, print_costs = false, only_check = false;
-    app.add_option("-c,--config", config_file, "configuration (JSON); without one the defaults hold");
-    app.add_option("-e,--endpoint", endpoint, "where to listen, in place of the configuration's endpoint");
-    app.add_flag("--print-config", print_config, "print the configuration with its defaults, and end");
+    app.add_option("-c,--config", config_file, "configuration file (JSON); default: built-in values");
+    app.add_option("-e,--endpoint", endpoint, "address to listen at, instead of the configuration's endpoint");
+    app.add_flag("--print-config", print_config, "print the configuration with its defaults, and exit");
     app.add_flag("--print-costs", print_costs,
-                 "print what large requests of each method are expected to take (JSON), and end");
-    app.add_flag("--check-config", only_check, "look for what would go wrong with the configuration, and end");
+                 "print the estimated cost of large requests of each method (JSON), and exit");
+    app.add_flag("--check-config", only_check, "check the configuration for problems, and exit");
     CLI::Option* asks =
-        app.add_option("--ping", ping_endpoint, "ask the daemon that listens there whether it serves, and end");
-    CLI::Option* server_key = app.add_option("--server-key", ping_keys.server,
-                                             "of --ping: file with the public key of a daemon that encrypts");
+        app.add_option("--ping", ping_endpoint, "ask the daemon at this address whether it is serving, and exit");
+    CLI::Option* server_key =
+        app.add_option("--server-key", ping_keys.server, "for --ping: file with the public key of an encrypted daemon");
     CLI::Option* own_key =
-        app.add_option("--own-key", ping_keys.own, "of --ping: file NAME.key_secret of a user whom it allows");
+        app.add_option("--own-key", ping_keys.own, "for --ping: file NAME.key_secret of an allowed user");
     server_key->needs(asks, own_key);
     own_key->needs(asks, server_key);
     app.set_version_flag("-v,--version", about());
-    CLI::App* keygen = app.add_subcommand("keygen", "make a pair of CURVE keys (docs/security.md), and end");
-    keygen->add_option("NAME", key_name, "whose keys: a user's name, or the daemon's")->required();
-    keygen->add_option("-f,--folder", key_folder, "where NAME.key and NAME.key_secret are written")
-        ->capture_default_str();
+    CLI::App* keygen = app.add_subcommand("keygen", "create a pair of CURVE keys (docs/security.md), and exit");
+    keygen->add_option("NAME", key_name, "name of the user or daemon that owns the keys")->required();
+    keygen->add_option("-f,--folder", key_folder, "folder for NAME.key and NAME.key_secret")->capture_default_str();
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& asked_for_help) {

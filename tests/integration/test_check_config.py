@@ -57,9 +57,9 @@ def test_a_check_leaves_nothing_behind(check, tmp_path):
         ({"builds": {"program": "/etc/passwd"}}, "builds.program"),
         ({"builds": {"launcher": ["no-such-launcher"]}}, "builds.launcher"),
         ({"log": {"file": "/dev/null/contactd.log"}}, "log.file"),
-        ({"store": {"folder": "/proc/contactd"}}, "store.folder: the folder /proc cannot be written to"),
-        ({"store": {"folder": "/proc/self"}}, "store.folder: the folder /proc/self cannot be written to"),
-        ({"endpoint": "ipc:///proc/self/socket"}, "endpoint: the folder /proc/self cannot be written to"),
+        ({"store": {"folder": "/proc/contactd"}}, "store.folder: the folder /proc is not writable"),
+        ({"store": {"folder": "/proc/self"}}, "store.folder: the folder /proc/self is not writable"),
+        ({"endpoint": "ipc:///proc/self/socket"}, "endpoint: the folder /proc/self is not writable"),
         ({"endpoint": "ipc:///etc/passwd"}, "/etc/passwd is a file"),
         ({"endpoint": "ipc:///dev/null"}, "/dev/null is a device"),
     ],
@@ -85,14 +85,14 @@ def test_an_address_that_is_taken_is_said(check, daemons):
         ended = check(endpoint=f"tcp://{address}", http={"address": address})
     assert ended.returncode == 2
     first, second = ended.stderr.splitlines()
-    assert first == f'endpoint is "tcp://{address}"; it cannot be listened at: Address already in use.'
-    assert second.startswith(f'http.address is "{address}"; it cannot be listened at: taken')
+    assert first == f'endpoint is "tcp://{address}"; contactd cannot listen there: Address already in use.'
+    assert second.startswith(f'http.address is "{address}"; contactd cannot listen there: the address is in use')
 
 
 def test_an_endpoint_of_another_daemon_is_said_and_left_alone(check, daemon, client):
     ended = check(endpoint=daemon.endpoint)
     assert ended.returncode == 2
-    assert ended.stderr == f'endpoint is "{daemon.endpoint}"; another process listens there already.\n'
+    assert ended.stderr == f'endpoint is "{daemon.endpoint}"; another process already listens there.\n'
     assert client.health() == "serving"
 
 
@@ -153,7 +153,7 @@ def test_a_ping_says_whether_a_daemon_serves(shared_daemon):
 
 
 def test_a_ping_of_nothing_gives_status_one(tmp_path):
-    for endpoint, words in ((f"ipc://{tmp_path}/nobody", "No answer"), ("nonsense", "cannot be asked")):
+    for endpoint, words in ((f"ipc://{tmp_path}/nobody", "No answer"), ("nonsense", "cannot be reached")):
         ended = run("--ping", endpoint)
         assert ended.returncode == 1
         assert words in ended.stderr

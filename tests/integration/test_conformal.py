@@ -64,7 +64,7 @@ def test_a_curved_patch_whose_tables_are_too_large_is_refused_when_it_is_found(d
     daemon = daemons.start(limits={"max_work_bytes": 100_000_000})
     with daemon.client() as client:
         setup = SETUP.replace(dx=0.1, dy=0.1)
-        with pytest.raises(InvalidArgument, match="makes a curved patch of .* conformal half_space"):
+        with pytest.raises(InvalidArgument, match="results in a curved patch of .* conformal half_space"):
             client.wheel_rail(setup.replace(conformal="rotated"), IN_THE_CORNER, fields=[])
         assert client.wheel_rail(setup.replace(conformal="half_space"), IN_THE_CORNER, fields=[]).converged
 
@@ -120,12 +120,12 @@ def test_whoever_waits_for_a_build_that_is_cancelled_is_told_so(daemon, client, 
             SETUP.replace(
                 conformal="fem", track=Track(rail_origin=(750, 0)), rail_slices=[(0, Rail60E1()), (1000, Rail60E1(1 / 20))]
             ),
-            "setup.conformal is fem, and the rail has slices",
+            "setup.conformal is fem, but the rail has slices",
         ),
         (SETUP.replace(conformal="fem", model="hertz"), "setup.conformal is not off"),
         (
             RIDGE.replace(conformal="fem"),
-            "setup.conformal is fem, and the rail has no coefficients by its cross-section",
+            "setup.conformal is fem, but the cross-section of the rail cannot be used",
         ),
     ],
 )

@@ -207,7 +207,7 @@ def test_the_guide_to_keys(daemons, tmp_path, monkeypatch):
         (etc / "keys" / "allowed" / "alice.key").unlink()
         daemon.process.send_signal(signal.SIGHUP)
         eventually(lambda: "0 keys are allowed" in daemon.log)
-        with pytest.raises(Unauthenticated, match="not allowed any more"):
+        with pytest.raises(Unauthenticated, match="no longer allowed"):
             client.health()
         socket.send_json({"contactd": 1, "id": "2", "method": "server.health"})
         assert socket.recv_json()["status"]["details"]["reason"] == "KEY_REVOKED"

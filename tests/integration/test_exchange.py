@@ -303,10 +303,10 @@ def test_bodies_are_only_superfluous_with_a_table(shared, shared_daemon, pair):
         (lambda pair: {"dx": 0.061}, r"ics\.dx is 0\.061; the grid's elements are 0\.06 along x"),
         (lambda pair: {"dy": 0.12}, r"ics\.dy is 0\.12"),
         (lambda pair: {"array": pair.array[:, :, :, :39]}, r"ics\.table has shape \[3,3,40,39\]"),
-        (lambda pair: {"array": changed(pair, "zz", 0, 0, 0)}, r"holds 0 for zz at the offset \(0, 0\)"),
+        (lambda pair: {"array": changed(pair, "zz", 0, 0, 0)}, r"contains 0 for zz at the offset \(0, 0\)"),
         (lambda pair: {"array": -pair.array}, r"must be positive"),
-        (lambda pair: {"array": changed(pair, "yy", 2, 1, 1)}, r"holds 1 for yy at the offset \(2, 1\); .*largest at"),
-        (lambda pair: {"array": pair.array[:, :, ::-1, ::-1]}, r"must be largest at \(0, 0\)"),
+        (lambda pair: {"array": changed(pair, "yy", 2, 1, 1)}, r"contains 1 for yy at the offset \(2, 1\); .*must be the largest"),
+        (lambda pair: {"array": pair.array[:, :, ::-1, ::-1]}, r"the value at \(0, 0\), the first in the table, must be the largest"),
     ],
     ids=["dx", "dy", "extent", "zero", "minus", "larger", "reversed"],
 )  # fmt: skip

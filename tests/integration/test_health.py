@@ -30,8 +30,8 @@ def test_a_builder_or_launcher_that_is_missing_is_said_at_the_start_and_while_it
     daemon = daemons.start(builds={"program": str(program), "launcher": ["no-such-launcher", "-n", "2"]})
     with daemon.client() as client:
         first, second = client.call("server.health")["warnings"]
-        assert first.startswith(f"builds.program is {program}; there is no program of that name")
-        assert second.startswith('builds.launcher starts with "no-such-launcher"; no such program is found on PATH')
+        assert first.startswith(f"builds.program is {program}, which is not an executable program")
+        assert second.startswith('builds.launcher starts with "no-such-launcher", which is not on PATH')
         assert first in daemon.log
         assert second.replace('"', "") in daemon.log.replace('\\"', "").replace('"', "")
         program.write_text("#!/bin/sh\n")
@@ -49,6 +49,6 @@ def test_a_store_that_cannot_be_written_to_is_said_at_the_start(daemons):
     daemon = daemons.start(store={"folder": "/proc/self"})
     with daemon.client() as client:
         (warning,) = client.call("server.health")["warnings"]
-    assert "folder cannot be written to" in warning
+    assert "folder is not writable" in warning
     assert "/proc/self" in daemon.log, "the log says where, and nobody else"
     assert "/proc/self" not in warning

@@ -160,7 +160,7 @@ HOSTILE = {
     "a virtual dataset": virtual,
     "a soft link": soft,
     "a circle": circular,
-    "a text that was never written": unwritten,
+    "a string that was not written": unwritten,
     "chunks that take gigabytes": replaced(shape=(3, 3, 20_000, 20_000), dtype="<f8", chunks=(1, 1, 100, 100)),
     "packed": replaced(shape=SHAPE, dtype="<f8", compression="gzip"),
     "single precision": replaced(shape=SHAPE, dtype="<f4"),
@@ -168,7 +168,7 @@ HOSTILE = {
 }
 
 
-#: h5py takes a text that was never written for an empty one.
+#: h5py takes a string that was not written for an empty one.
 READ = {name: change for name, change in HOSTILE.items() if change is not unwritten}
 
 

@@ -87,7 +87,7 @@ def test_sighup_opens_the_log_file_again(daemons):
         client.health()
         path.rename(moved)
         daemon.process.send_signal(signal.SIGHUP)
-        eventually(lambda: path.exists() and "opened again" in path.read_text())
+        eventually(lambda: path.exists() and "reopened" in path.read_text())
         client.health()
         eventually(lambda: path.read_text().count("server.health") == 1)
     assert moved.read_text().count("server.health") == 1
@@ -102,7 +102,7 @@ def test_a_log_file_that_cannot_be_opened_again_is_kept(daemons):
     folder.write_text("")  # where the folder was
     with daemon.client() as client:
         daemon.process.send_signal(signal.SIGHUP)
-        eventually(lambda: "the old one is kept" in (moved / "contactd.log").read_text())
+        eventually(lambda: "the old one stays open" in (moved / "contactd.log").read_text())
         client.health()
         eventually(lambda: "server.health" in (moved / "contactd.log").read_text())
     folder.unlink()

@@ -18,7 +18,7 @@ def test_a_method_that_is_switched_off_says_so(daemons):
     daemon = daemons.start(methods={"disabled": ["ic.delete", "server.metrics"]})
     with daemon.client() as client:
         for ask in (lambda: client.delete_ic("0" * 64), client.metrics):
-            with pytest.raises(Unimplemented, match=r"switched off by the configuration of this daemon \(methods\.disabled\)") as caught:
+            with pytest.raises(Unimplemented, match=r"disabled by the configuration of this daemon \(methods\.disabled\)") as caught:
                 ask()
             assert caught.value.reason == "METHOD_DISABLED"
         assert client.solve(CATTANEO).converged
@@ -29,7 +29,7 @@ def test_a_method_that_is_switched_off_says_so(daemons):
 
 def test_a_method_is_for_those_to_whom_it_is_given(daemons):
     with daemons.start(methods={"allowed_users": {"ic.delete": ["uid:1"], "job.cancel": [ME]}}).client() as client:
-        with pytest.raises(PermissionDenied, match=f'"{ME}" is none of them') as caught:
+        with pytest.raises(PermissionDenied, match=f'"{ME}" is not among them') as caught:
             client.delete_ic("0" * 64)
         assert caught.value.reason == "METHOD_DENIED"
         with pytest.raises(Exception, match="There is no job"):
@@ -64,7 +64,7 @@ def test_builds_are_for_those_to_whom_they_are_given_whatever_asks_for_them(daem
             lambda: client.solve(problem),
             lambda: client.session(problem),
         ):
-            with pytest.raises(PermissionDenied, match="only users whom the daemon's configuration names") as caught:
+            with pytest.raises(PermissionDenied, match="you are not among the users who may build tables") as caught:
                 ask()
             assert caught.value.reason == "BUILD_DENIED"
         (answer,) = client.solve_many([problem])

@@ -94,13 +94,13 @@ def variants(kind: str, points: Any) -> Iterator[Variant]:
         yield Variant(f"MiniProf in {name}, upwards", miniprof, HEADS["none"] + rows(up / unit), refusal=("give unit",))
         yield Variant(f"Simpack in {name}", spline, simpack(kind, rows(points / unit), f"units.len.f = {1000 / unit}\n"))
     yield Variant("Simpack in metres without a word", spline, simpack(kind, rows(points / 1000), ""))
-    yield Variant("Simpack in mm without a word", spline, simpack(kind, rows(points), ""), refusal=("give unit", "correct it, or the unit"))
+    yield Variant("Simpack in mm without a word", spline, simpack(kind, rows(points), ""), refusal=("give unit", "correct the point or the unit"))
     yield Variant("columns in micrometres", ".csv", rows(points * 1000), refusal=("give unit", "or the unit"))
     # How numbers are written.
     for between, name in ((" ", "blanks"), ("\t", "tabs"), (";", "semicolons"), ("; ", "semicolons and blanks")):
         yield Variant(f"decimal commas and {name}", ".csv", "y;z\n" + rows(points, between, comma=True))
         yield Variant(f"{name} in MiniProf with decimal commas", miniprof, HEADS["keys"] + rows(up, between, comma=True))
-    yield Variant("Simpack with decimal commas", spline, simpack(kind, rows(points, comma=True)), refusal=("where a number should stand",))
+    yield Variant("Simpack with decimal commas", spline, simpack(kind, rows(points, comma=True)), refusal=("instead of a number",))
     yield Variant("commas", ".csv", "Y [mm],Z [mm]\n" + rows(points, ","))
     yield Variant("quotation marks", ".csv", '"y";"z"\n' + "".join(f'"{y:.7f}";"{z:.7f}"\n' for y, z in points))
     yield Variant("exponents of Fortran", ".dat", "".join(f"{y:.9E} {z:.9E}\n".replace("E", "D") for y, z in points))

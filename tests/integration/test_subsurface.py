@@ -290,5 +290,5 @@ def test_the_surface_displaces_by_what_the_solution_says(shared):
 
 
 def test_displacements_are_those_of_half_spaces(shared, shifted):
-    with pytest.raises(InvalidArgument, match="no half-space"):
+    with pytest.raises(InvalidArgument, match="not a half-space"):
         shared.subsurface(SHIFTED.replace(lower=RigidBody()), shifted, nu=0.3, points=[[0, 0, -1]], displacements=True)

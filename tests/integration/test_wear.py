@@ -64,7 +64,7 @@ def test_a_solution_has_what_a_passage_takes_off(shared):
     assert [law.body for law in wear.laws] == ["lower", "lower", "upper", "upper"]
     assert wear.laws[3].area == pytest.approx(math.pi * 1e-6 * 25, rel=1e-12) or wear.T_gamma < 100
     assert wear.laws[0].area == pytest.approx(1e-6 * wear.T_gamma_with_spin, rel=1e-12)
-    with pytest.raises(KeyError, match="no law of this wear"):
+    with pytest.raises(KeyError, match="not a law of this wear"):
         wear.depth("zobory")
 
 
@@ -95,7 +95,7 @@ def test_wheels_wear_in_track_coordinates_and_left_ones_in_the_mirror(shared):
 
 def test_a_law_beyond_its_range_warns(shared):
     law = WearLaw("narrow", "a test", "lower", (0, 1e-3), energy=EnergyWear(1e-3))
-    with pytest.warns(ContactWarning, match=r"law of wear narrow was tested from 0 to 0\.001"):
+    with pytest.warns(ContactWarning, match=r"wear law narrow was tested from 0 to 0\.001"):
         shared.solve(PROBLEM.replace(wear=WearRequest([law])), fields=[])
 
 

@@ -107,5 +107,5 @@ def test_states_are_written_as_they_are_read(tmp_path):
     given += [replace(given[0], group=name) for name in ("5 % of all", "#7!", 'the "old" line; a\tb', "_")]
     write_states(tmp_path / "states.csv", given)
     assert read_states(tmp_path / "states.csv") == given
-    with pytest.raises(InvalidArgument, match="have Fz in some and not in others"):
+    with pytest.raises(InvalidArgument, match="have Fz in some states only"):
         write_states(tmp_path / "states.csv", [given[0], WeightedState(WheelRailState(), 1.0)])

@@ -65,7 +65,7 @@ def test_warnings_name_their_states(shared):
 def test_what_makes_no_sense_is_refused(shared):
     with pytest.raises(InvalidArgument, match="law.body"):
         depths_along(shared, SETUP, [state(0)], replace(LAW, body="lower"), [-1, 1], Y)
-    with pytest.raises(InvalidArgument, match="beyond the pieces"):
+    with pytest.raises(InvalidArgument, match="outside the pieces"):
         depths_along(shared, SETUP, [state(9)], LAW, [-1, 1], Y)
     with pytest.raises(InvalidArgument, match="ascend"):
         depths_along(shared, SETUP, [state(0)], LAW, [1, -1], Y)

@@ -237,9 +237,9 @@ HEAD = [(-36, 14), (-26, 2), (-10, 0.2), (0, 0), (10, 0.2), (26, 2), (36, 14)]
     [
         ({"rail": ProfilePoints([*HEAD[:2], (10, 3), (12, -1), (-20, -1), *HEAD[2:]])}, {}, ("cross themselves", "mm", "order the points")),
         ({"rail": ProfilePoints([HEAD[i] for i in (3, 6, 0, 4, 1, 5, 2)])}, {}, ("setup.rail.points", "follow the profile from one end to the other")),
-        ({"rail": ProfilePoints(HEAD[:1])}, {}, ("setup.rail.points", "are 1", "needs two at least")),
+        ({"rail": ProfilePoints(HEAD[:1])}, {}, ("setup.rail.points", "has 1 entries", "needs at least two")),
         ({}, {"position": WheelsetPosition(z=10)}, ("state.position.z", "mm inside the rail", "lift the wheelset, or prescribe Fz")),
-        ({"track": Track(gauge=40)}, {}, ("setup.track.gauge", "is 40", "the rails would lie in each other")),
+        ({"track": Track(gauge=40)}, {}, ("setup.track.gauge", "is 40", "the rails would overlap")),
         ({"track": Track(gauge=1.435, gauge_height=0.014)}, {}, ("setup.track.gauge_height", "0.014", "check the unit")),
         ({"wheel": ProfilePoints([(y / 1000, z / 1000) for y, z in HEAD])}, {}, ("setup.wheel.points", "less than 1 mm", "check their unit")),
         ({"rail": ProfilePoints(HEAD, unit=1000)}, {}, ("setup.rail.points", "72000 mm", "check their unit")),
@@ -259,7 +259,7 @@ def test_a_refusal_names_field_and_place_and_says_what_to_do(shared_daemon, setu
     [
         ({"position": WheelsetPosition(yaw=0.2)}, "Give angles in rad, not in degrees. If it is in degrees, it is 0.003491 rad."),
         ({"velocity": WheelsetVelocity(x=72, pitch=-0.1565)}, "Give velocities in mm/s, not in m/s or km/h."),
-        ({"velocity": WheelsetVelocity(x=20, pitch=-43.4)}, "velocity.pitch is near -velocity.x/nominal_radius, in rad/s"),
+        ({"velocity": WheelsetVelocity(x=20, pitch=-43.4)}, "velocity.pitch is close to -velocity.x/nominal_radius, in rad/s"),
         ({"position": WheelsetPosition(y=300)}, "check position.y, track.gauge"),
     ],
 )

@@ -110,11 +110,11 @@ TEST_CASE("A list that does not fit is refused with the place", "[arrays]") {
                ContainsSubstring("has 1 values") && ContainsSubstring("[2, 3]"));
     CHECK_THAT(refusal_of(json::parse("[[1,2,3],[4,5]]"), {}), ContainsSubstring("has 2 values at [1]"));
     CHECK_THAT(refusal_of(json::parse("[1,2,3,4,5,6]"), {}), ContainsSubstring("has 6 values"));
-    CHECK_THAT(refusal_of(json::parse("[1,2]"), {}), ContainsSubstring("holds 1 at [0]; it must be a list of 3"));
-    CHECK_THAT(refusal_of(json::parse("[[1,2,3],[4,\"x\",6]]"), {}), ContainsSubstring("holds \"x\" at [1, 1]"));
-    CHECK_THAT(refusal_of(json::parse("[[1,2,3],[4,null,6]]"), {}), ContainsSubstring("holds null at [1, 1]"));
+    CHECK_THAT(refusal_of(json::parse("[1,2]"), {}), ContainsSubstring("contains 1 at [0]; it must be a list of 3"));
+    CHECK_THAT(refusal_of(json::parse("[[1,2,3],[4,\"x\",6]]"), {}), ContainsSubstring("contains \"x\" at [1, 1]"));
+    CHECK_THAT(refusal_of(json::parse("[[1,2,3],[4,null,6]]"), {}), ContainsSubstring("contains null at [1, 1]"));
     CHECK_THAT(refusal_of(json::parse("[[1,2,3],[4,[5],6]]"), {}),
-               ContainsSubstring("holds a list with 1 value at [1, 1]"));
+               ContainsSubstring("contains a list with 1 value at [1, 1]"));
     CHECK_THAT(refusal_of(json::parse("[]"), {}), ContainsSubstring("has 0 values"));
     CHECK_THAT(refusal_of(json::parse("7"), {}), ContainsSubstring("is 7; it must be a list"));
     CHECK_THAT(refusal_of(json::parse("{}"), {}), ContainsSubstring("is an object without fields"));

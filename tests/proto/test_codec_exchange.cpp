@@ -112,15 +112,15 @@ TEST_CASE("A bad field beside the table is named", "[codec]") {
         Case{"/dy", "0.05", "ics.dy is 0.05; the grid's elements are 0.06 along y"},
         Case{"/table", "3", "ics.table is 3; it must be a list of numbers"},
         Case{"/table", "[]", "ics.table has shape [0]; it must be [3,3,ny,nx]"},
-        Case{"/table", "[[[[[1, 2]]]]]",
-             "ics.table has shape [1,1,1,1,2], that of the columns of a longitudinally uniform body"},
+        Case{"/table", "[[[[[1, 2]]]]]", "ics.table has shape [1,1,1,1,2], that of a longitudinally uniform body"},
         Case{"/table", "[1, 2]", "ics.table has shape [2]"}, Case{"/order", "2", "ics.order is not a field of ics"},
         Case{"/table/1/2/0", "[1, 2]", "ics.table has 2 values at [1, 2, 0]"},
-        Case{"/table/0/0/0/0", "\"1\"", "ics.table holds \"1\" at [0, 0, 0, 0]"},
-        Case{"/table/2/2/0/0", "0", "ics.table holds 0 for zz at the offset (0, 0); it must be positive"},
-        Case{"/table/0/0/0/0", "-1", "ics.table holds -1 for xx"},
+        Case{"/table/0/0/0/0", "\"1\"", "ics.table contains \"1\" at [0, 0, 0, 0]"},
+        Case{"/table/2/2/0/0", "0", "ics.table contains 0 for zz at the offset (0, 0); it must be positive"},
+        Case{"/table/0/0/0/0", "-1", "ics.table contains -1 for xx"},
         Case{"/table/1/1/1/2", "-1.5",
-             "ics.table holds -1.5 for yy at the offset (2, 1); it must be largest at (0, 0)"});
+             "ics.table contains -1.5 for yy at the offset (2, 1); the value at (0, 0), the first in the table, must "
+             "be the largest"});
     CAPTURE(c.pointer, c.value);
     json ics = ics_params();
     ics[json::json_pointer(c.pointer)] = json::parse(c.value);

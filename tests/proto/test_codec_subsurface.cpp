@@ -150,14 +150,14 @@ TEST_CASE("A bad field of a request for stresses is named", "[codec]") {
         Case{"/grid/nx", "0", "grid.nx is 0"}, Case{"/E", "1", "E is not a field of contact.subsurface"},
         Case{"/G", "0", "G is 0; it must be"},
         Case{"/pressure", "[1, 2, 3]", "ARRAY_INVALID: pressure has 3 values; it must have 2"},
-        Case{"/pressure", "[[1, 2, 3], [1e101, 0, 0]]", "pressure holds 1e+101; its values must lie in"},
+        Case{"/pressure", "[[1, 2, 3], [1e101, 0, 0]]", "pressure contains 1e+101; its values must lie in"},
         Case{"/traction_x", "[[1, 2, 3]]", "traction_x has 1 values"},
         Case{"/traction_y", "7", "traction_y is 7; it must be a list of numbers"},
-        Case{"/points", "[[0, 0, 0]]", "block does not go with points; one of the two must be left out"},
+        Case{"/points", "[[0, 0, 0]]", "block does not go with points; remove one of them"},
         Case{"/block", "{\"x\": [0], \"y\": [0]}", "block.z is missing"}, Case{"/block", "{}", "block.x is missing"},
         Case{"/block", "[[0, 0, 0]]", "block is a list with 1 value"},
-        Case{"/block/x", "[[0]]", "block.x holds a list with 1 value at [0]; it must be a number"},
-        Case{"/block/x", "[\"0\"]", "block.x holds \"0\" at [0]; it must be a number"},
+        Case{"/block/x", "[[0]]", "block.x contains a list with 1 value at [0]; it must be a number"},
+        Case{"/block/x", "[\"0\"]", "block.x contains \"0\" at [0]; it must be a number"},
         Case{"/block/dz", "1", "block.dz is not a field of block"});
     CAPTURE(c.pointer, c.value);
     json params = wire::subsurface_params();
@@ -177,7 +177,7 @@ TEST_CASE("Points are triples", "[codec]") {
     CHECK_THAT(refused("[0, 0, 0]"), ContainsSubstring("points has shape [3]; it must be [n,3]"));
     CHECK_THAT(refused("[[0, 0]]"), ContainsSubstring("points has shape [1,2]; it must be [n,3]"));
     CHECK_THAT(refused("[[0, 0, 0], [0, 0]]"), ContainsSubstring("points has 2 values at [1]; it must have 3"));
-    CHECK_THAT(refused("[[0, 0, [0]]]"), ContainsSubstring("points holds a list"));
+    CHECK_THAT(refused("[[0, 0, [0]]]"), ContainsSubstring("points contains a list"));
     CHECK(refused("[[0, 0, 0], [0, 0, -1]]") == "taken");
 }
 

@@ -398,8 +398,9 @@ TEST_CASE("A bad field of a wheel on a rail is named", "[codec]") {
 TEST_CASE("Points of a profile are limited before they take memory", "[codec]") {
     json params = minimal();
     params["setup"]["rail"]["points"]["$array"] = {{"frame", 1}, {"dtype", "<f8"}, {"shape", {4'000'000, 2}}};
-    CHECK_THAT(refusal_of(params, {""}),
-               ContainsSubstring("LIMIT_EXCEEDED: setup.rail.points are 4000000; 20000 are the most"));
+    CHECK_THAT(
+        refusal_of(params, {""}),
+        ContainsSubstring("LIMIT_EXCEEDED: setup.rail.points has 4000000 entries, but at most 20000 are allowed"));
 }
 
 TEST_CASE("Points of many slices are limited, though they come in one frame", "[codec]") {

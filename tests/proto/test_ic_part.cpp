@@ -78,5 +78,5 @@ TEST_CASE("A part that is too large is refused with what to ask for", "[ic_part]
     CHECK_FALSE(wire::status_thrown_by([&] { check_size(all, 10, frames_of(72'000)); }));
     CHECK_THAT(says(71'999), ContainsSubstring("at most 99 at a time"));
     CHECK_THAT(says(500), ContainsSubstring("one row and at most 6 of the components"));
-    CHECK_THAT(says(79), ContainsSubstring("not even one component"));
+    CHECK_THAT(says(79), ContainsSubstring("a single component"));
 }

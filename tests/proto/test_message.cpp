@@ -116,7 +116,7 @@ TEST_CASE("A key that is given twice in one object is refused with its place", "
 
     CHECK(refusal.status.reason == reason::not_json);
     CHECK(refusal.field() == field);
-    CHECK(refusal.status.message == std::string(field) + " is given twice; a key may stand once in an object");
+    CHECK(refusal.status.message == std::string(field) + " is given twice; keys of an object must be unique");
     CHECK(refusal.id == "7f");
 }
 
@@ -188,7 +188,7 @@ TEST_CASE("A bad envelope is refused by field", "[message]") {
         Case{R"({"contactd": "1", "id": "1", "method": "a"})", "contactd", "is \"1\"; it must be 1"},
         Case{R"({"contactd": 1, "method": "a"})", "id", "is missing"},
         Case{R"({"contactd": 1, "id": "", "method": "a"})", "id", "0 characters; it must have at least 1"},
-        Case{R"({"contactd": 1, "id": "\u0000a", "method": "a"})", "id", "begins with a byte that is zero"},
+        Case{R"({"contactd": 1, "id": "\u0000a", "method": "a"})", "id", "begins with a zero byte"},
         Case{R"({"contactd": 1, "id": null, "method": "a"})", "id", "is null; it must be a text"},
         Case{R"({"contactd": 1, "id": "1"})", "method", "is missing"},
         Case{R"({"contactd": 1, "id": "1", "method": 5})", "method", "is 5; it must be a text"},

@@ -236,5 +236,5 @@ TEST_CASE("An answer that names a field twice does not conform") {
     REQUIRE(twice);
     CHECK(violations_of("reply", once->root()).empty());
     REQUIRE(violations_of("reply", twice->root()).size() == 1);
-    CHECK(violations_of("reply", twice->root())[0].description == "holds an object that names a field twice");
+    CHECK(violations_of("reply", twice->root())[0].description == "contains an object with a duplicate field");
 }

@@ -41,7 +41,7 @@ class LocalObserver final : public Observer {
         if (control_.stop.stop_requested())
             throw StatusError(StatusCode::cancelled, reason::request_cancelled, "The call was stopped.");
         throw StatusError(StatusCode::deadline_exceeded, reason::deadline_passed,
-                          "The call was not finished within " + std::to_string(timeout_.count()) + " ms.");
+                          "The call did not finish within " + std::to_string(timeout_.count()) + " ms.");
     }
 
    private:

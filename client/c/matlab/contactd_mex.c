@@ -49,7 +49,7 @@ static double number(int k) {
 
 static void read_text(const mxArray* value, int place, char text[longest_text]) {
     if (!mxIsChar(value) || mxGetString(value, text, longest_text))
-        mexErrMsgIdAndTxt("contactd:arguments", "Argument %d must be a text.", place);
+        mexErrMsgIdAndTxt("contactd:arguments", "Argument %d must be a string.", place);
 }
 
 static int32_t whole(int k) {
@@ -74,7 +74,7 @@ static int32_t length(int k) {
 
 static uint64_t handle_in(const mxArray* value, int place) {
     if (!mxIsUint64(value) || mxGetNumberOfElements(value) != 1)
-        mexErrMsgIdAndTxt("contactd:arguments", "Argument %d must be what 'open' or 'new' returned.", place);
+        mexErrMsgIdAndTxt("contactd:arguments", "Argument %d must be a handle that 'open' or 'new' returned.", place);
     return *(const uint64_t*)mxGetData(value);
 }
 
@@ -97,7 +97,9 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
     contactd_connection* connection = NULL;
     /* Unloading the library would take the code from threads that wait in it. */
     if (!mexIsLocked()) mexLock();
-    if (nrhs < 1) mexErrMsgIdAndTxt("contactd:arguments", "contactd('step', contact): which function?");
+    if (nrhs < 1)
+        mexErrMsgIdAndTxt("contactd:arguments",
+                          "The first argument must be the name of a function, as in contactd('step', contact).");
     read_text(prhs[0], 1, command);
     handle = 0;
     given = prhs;

@@ -17,7 +17,7 @@ std::optional<contactd::Coefficients>& coefficients_at(ContactInputs& inputs, co
     if (path == "ics") return inputs.ics;
     if (path == "bodies.upper.ics") return inputs.upper.ics;
     if (path != "bodies.lower.ics")
-        throw InvalidArgument(path, "takes no table; ics, bodies.upper.ics and bodies.lower.ics do");
+        throw InvalidArgument(path, "cannot be a table; only ics, bodies.upper.ics and bodies.lower.ics can");
     if (!inputs.lower) inputs.lower.emplace();
     return inputs.lower->ics;
 }
@@ -49,12 +49,13 @@ std::int32_t contactd_get_frames(contactd_contact* contact, const char* body, do
             throw InvalidArgument("body", "is \"" + name + "\"; it must be one of upper, lower");
         const contactd::Section* section = object.inputs.section_of(name == "upper");
         if (section == nullptr)
-            throw InvalidArgument("bodies." + name + ".ics.section", "is missing; columns are those of a section");
+            throw InvalidArgument("bodies." + name + ".ics.section",
+                                  "is missing; only a body with a section has columns");
         const contactd::Grid grid = object.inputs.grid();
         validate(grid, "grid");
         if (length != grid.ny)
             throw InvalidArgument("length", "is " + std::to_string(length) + "; the grid has " +
-                                                std::to_string(grid.ny) + " rows, which are the columns");
+                                                std::to_string(grid.ny) + " rows, one for each column");
         const std::vector<StripFrame> frames = object.frames(*section);
         for (std::size_t i = 0; i < frames.size(); ++i) {
             y[i] = frames[i].y;

@@ -139,9 +139,8 @@ void set_profile(const FieldPath& path, void* root, const char* file) {
     }
     if (&path.type() != &contactd::type_of<ProfileSpec>())
         throw InvalidArgument(path.text(),
-                              "is not a profile; of a wheel setup.wheel, setup.rail and profile of each slice are, and "
-                              "file below each of "
-                              "them, of a contact profile of a profile_section");
+                              "is not a profile; use setup.wheel, setup.rail, profile of a slice, or file below one of "
+                              "them, and for a contact profile of a profile_section");
     const auto* before = static_cast<const ProfileSpec*>(path.find(root));
     const ProfileKind of_path = path.text().starts_with("setup.rail") ? ProfileKind::rail : ProfileKind::wheel;
     const ProfileKind kind = before != nullptr ? before->kind : of_path;

@@ -42,7 +42,7 @@ void check_wheels(contactd_wheel* const* handles, std::int32_t count, std::int32
         at_fault = handles[i];
         if (!wheels().find_any(handles[i])) throw not_a_handle(field.c_str(), handles[i]);
         if (!seen.insert(handles[i]).second)
-            throw InvalidArgument(field, "stands twice; a wheel takes one step at a time");
+            throw InvalidArgument(field, "is listed twice; a wheel takes one step at a time");
     }
     at_fault = nullptr;
 }
@@ -98,7 +98,7 @@ std::int32_t contactd_wheel_solve_wheelset(contactd_wheel* right, contactd_wheel
     return with(right, [&](Wheel& right_wheel) {
         const std::shared_ptr<Wheel> left_wheel = wheels().find(left);
         if (left_wheel.get() == &right_wheel)
-            throw InvalidArgument("left", "is the right wheel, too; make another one");
+            throw InvalidArgument("left", "is also the right wheel; create another one");
         const HandleGuard turn(left_wheel->user);
         Wheel::solve_wheelset(right_wheel, *left_wheel);
     });

@@ -24,12 +24,12 @@ Contact::Contact(const Connection& connection)
 
 void Contact::require_set_up(const char* what) const {
     if (started())
-        throw wrong_order_of(std::string("The contact was started, and its ") + what +
-                             " stays as it is; make another contact.");
+        throw wrong_order_of(std::string("The contact was started, so its ") + what +
+                             " cannot change; create another contact.");
 }
 
 void Contact::require_started() const {
-    if (!started()) throw wrong_order_of("The contact was not started yet; contactd_start comes first.");
+    if (!started()) throw wrong_order_of("The contact has not been started; call contactd_start first.");
 }
 
 void Contact::start() {
@@ -101,7 +101,7 @@ void Contact::forget(std::int32_t state) {
 const Result& Contact::result() const {
     if (!result_)
         throw StatusError(StatusCode::failed_precondition, no_result,
-                          "There are no results yet; contactd_step makes them.");
+                          "There are no results yet; call contactd_step first.");
     return *result_;
 }
 
@@ -109,7 +109,7 @@ void Contact::require(SolutionField field) const {
     const SolutionFields& fields = result().fields;
     if (std::ranges::find(fields, field) == fields.end())
         throw StatusError(StatusCode::failed_precondition, no_result,
-                          "The last step did not bring this array along; contactd_want asks for it before.");
+                          "The last step did not return this array; request it with contactd_want before the step.");
 }
 
 const IcUses& Contact::ics() const {

@@ -34,12 +34,12 @@ Failure translated() {
     } catch (const client::TimeoutError& error) {
         return of(StatusCode::deadline_exceeded, error, reason::deadline_passed);
     } catch (const std::bad_alloc&) {
-        return {static_cast<std::int32_t>(StatusCode::resource_exhausted), "There is not enough memory for this.", "",
-                std::string(reason::limit_exceeded)};
+        return {static_cast<std::int32_t>(StatusCode::resource_exhausted), "The memory is insufficient for this call.",
+                "", std::string(reason::limit_exceeded)};
     } catch (const std::exception& error) {
         return of(StatusCode::internal, error, reason::unexpected);
     } catch (...) {
-        return {static_cast<std::int32_t>(StatusCode::unknown), "A callback has thrown.", "",
+        return {static_cast<std::int32_t>(StatusCode::unknown), "A callback threw an exception.", "",
                 std::string(reason::unexpected)};
     }
 }

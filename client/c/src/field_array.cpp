@@ -14,7 +14,7 @@ bool is_number(const FieldType& type) {
 }
 
 [[noreturn]] void refuse(const FieldPath& path) {
-    throw InvalidArgument(path.text(), "is no array: it is not made of numbers alone");
+    throw InvalidArgument(path.text(), "is not an array, because it contains fields other than numbers");
 }
 
 /// Returns the count of numbers in an object, or in an entry of a list.

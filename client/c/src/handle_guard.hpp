@@ -23,8 +23,8 @@ class HandleGuard {
             if (holder == self || holder == -self)
                 throw StatusError(
                     StatusCode::failed_precondition, concurrent_use,
-                    "Another call of this contact or wheel runs, in another thread or in whose log this is; the "
-                    "one that runs goes on. Use one for each thread.");
+                    "Another call of this contact or wheel is running, in another thread or in the call that reports "
+                    "to this callback. That call continues. Use a separate handle in each thread.");
         } while (!user_.compare_exchange_weak(holder, self));
     }
     ~HandleGuard() { user_.store(0); }

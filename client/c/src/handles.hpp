@@ -14,7 +14,8 @@
 namespace contactd::c {
 
 inline StatusError not_a_handle(const char* field, const void* handle) {
-    const std::string problem = handle == nullptr ? "is NULL" : "is none that was made and not yet given back";
+    const std::string problem =
+        handle == nullptr ? "is NULL" : "is not a valid handle: it was not created, or was already freed";
     return StatusError(Status{StatusCode::invalid_argument,
                               std::string(field) + " " + problem + ".",
                               std::string(no_handle),

@@ -39,8 +39,8 @@ Ics stated(const Ics& given, const std::string& name) {
         ics.fem.L_over_h = given.fem.L_over_h;
         if (ics.fem != given.fem)
             throw InvalidArgument(name + ".accuracy",
-                                  "chooses mesh and solver, and fields of these are set, too; contactd_clear leaves "
-                                  "out what shall not count");
+                                  "chooses the mesh and the solver, but their fields are set as well; remove one of "
+                                  "both with contactd_clear");
     }
     return ics;
 }
@@ -61,11 +61,12 @@ Body stated(const BodyInput& given, const std::optional<Coefficients>& of_both, 
     const bool has_G = !std::isnan(body.material.G), has_nu = !std::isnan(body.material.nu);
     if (const auto* ics = std::get_if<Ics>(&body.ics); ics != nullptr && ics->layered) {
         if (has_G || has_nu)
-            throw InvalidArgument(name + (has_G ? ".G" : ".nu"), "is set; layers have materials of their own");
+            throw InvalidArgument(name + (has_G ? ".G" : ".nu"),
+                                  "is set, but layers have their own materials: remove it");
         if (!ics->layered->layers.empty()) body.material = ics->layered->surface();
     } else if (!has_G || !has_nu) {
         throw InvalidArgument(name + (has_G ? ".nu" : ".G"),
-                              "is missing; an elastic body has G and nu, another one is rigid");
+                              "is missing; an elastic body requires G and nu, and any other body must be rigid");
     }
     return body;
 }
@@ -106,17 +107,17 @@ void ContactInputs::require_motion_of(const FieldPath& path) const {
     if (!named || !motion || named == motion) return;
     const bool is_shift = motion == MotionKind::shift;
     throw InvalidArgument(path.text(), std::string("is a field of ") + (is_shift ? "rolling" : "a shift") +
-                                           ", and the motion is " + (is_shift ? "a shift" : "rolling") +
-                                           "; contactd_clear \"friction." + (is_shift ? "rigid_shift" : "rolling") +
-                                           "\" first to change its kind");
+                                           ", but the motion is " + (is_shift ? "a shift" : "rolling") +
+                                           "; to change its kind, call contactd_clear with \"friction." +
+                                           (is_shift ? "rigid_shift" : "rolling") + "\" first");
 }
 
 void ContactInputs::require_clearable_between_steps(const FieldPath& path) {
     for (const char* kept : {"friction", "friction.mu", "friction.rigid_slip"})
         if (path.text() == kept)
             throw InvalidArgument(path.text(),
-                                  "cannot be left out once the contact was started, whose steps would have that of "
-                                  "the start; set it to 0, friction.mu for no friction");
+                                  "cannot be cleared after the start, because steps would use the value of the start; "
+                                  "set it to 0 instead, friction.mu for no friction");
 }
 
 void ContactInputs::was_set(const FieldPath& path) {
@@ -142,8 +143,7 @@ void ContactInputs::was_cleared(const FieldPath& path) {
 Bodies ContactInputs::bodies() const {
     if (ics && std::holds_alternative<GivenIcs>(*ics)) {
         if (upper.ics || (lower && lower->ics))
-            throw InvalidArgument("ics.table",
-                                  "is of the pair of bodies, and a body has ics of its own; clear one of them");
+            throw InvalidArgument("ics.table", "applies to both bodies, but a body has its own ics; clear one of them");
         return {{}, {}, std::get<GivenIcs>(*ics)};
     }
     const Body above = stated(upper, ics, "bodies.upper");
@@ -170,7 +170,8 @@ void ContactInputs::require_friction() {
     if (problem.friction && !problem.friction->mu.empty()) return;
     if (motion || (problem.friction && (problem.friction->kinetic || problem.friction->temperature)) ||
         !problem.rigid_slip.empty())
-        throw InvalidArgument("friction.mu", "is missing; what moves the bodies means nothing without friction");
+        throw InvalidArgument("friction.mu",
+                              "is missing; motion has no effect without friction: set it, or remove the motion");
     problem.friction.reset();
 }
 

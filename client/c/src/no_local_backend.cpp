@@ -6,8 +6,8 @@ namespace contactd::c {
 
 std::unique_ptr<Backend> make_local_backend() {
     throw StatusError(StatusCode::unimplemented, "NO_LOCAL",
-                      "This library, libcontactd, speaks to daemons only; link libcontactd-local instead "
-                      "(-lcontactd-local), which has the same functions and solves in process, too.");
+                      "This library, libcontactd, connects to daemons only. To solve in process, link "
+                      "libcontactd-local (-lcontactd-local), which has the same functions.");
 }
 
 bool has_local_backend() {

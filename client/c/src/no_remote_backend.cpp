@@ -6,7 +6,7 @@ namespace contactd::c {
 
 std::unique_ptr<Backend> make_remote_backend(const std::string& endpoint) {
     throw StatusError(StatusCode::unimplemented, "NO_REMOTE",
-                      "This library solves in process only, and was built without what speaks to daemons such as " +
+                      "This library solves in process only. It was built without connections to daemons such as " +
                           endpoint + "; open \"local\".");
 }
 

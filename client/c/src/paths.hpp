@@ -88,10 +88,12 @@ class PathCache {
 
     const RootedPath& at(Use use, std::int32_t number) {
         if (number < 0 || static_cast<std::size_t>(number) >= paths_.size())
-            throw InvalidArgument("id", "is " + std::to_string(number) + "; contactd_path of this handle tells one");
+            throw InvalidArgument("id",
+                                  "is " + std::to_string(number) + "; use the result of contactd_path for this handle");
         Named& named = paths_[static_cast<std::size_t>(number)];
         if (!named.of[use] && root_of(use, named.text) == nullptr)
-            throw InvalidArgument(named.text, "is an input where a result is read, or a result that is set");
+            throw InvalidArgument(named.text,
+                                  "is an input that cannot be read as a result, or a result that cannot be set");
         if (!named.of[use]) named.of[use] = read(use, named.text);
         return *named.of[use];
     }
@@ -116,7 +118,7 @@ class PathCache {
         for (const FieldType* root : roots_[use])
             for (const Field& field : root->fields) known += (known.empty() ? "" : ", ") + std::string(field.name);
         throw InvalidArgument(
-            path, "is no field: there is no \"" + path.substr(0, path.find_first_of(".[")) + "\", but " + known);
+            path, "is not a field: there is no \"" + path.substr(0, path.find_first_of(".[")) + "\", only " + known);
     }
 
     std::array<Roots, 2> roots_;  // by Use

@@ -254,7 +254,7 @@ class RemoteBackend final : public Backend {
         const std::string state = client::Client(endpoint_, options_of(settings)).health();
         if (state != "serving")
             throw StatusError(StatusCode::unavailable, reason::stopping,
-                              "The daemon at " + endpoint_ + " is " + state + ", and takes nothing new.");
+                              "The daemon at " + endpoint_ + " is " + state + " and accepts no new requests.");
     }
 
    private:
@@ -269,7 +269,7 @@ std::unique_ptr<Backend> make_remote_backend(const std::string& endpoint) {
         client::Client{endpoint};  // sends nothing; reads the endpoint
     } catch (const Error&) {
         throw InvalidArgument("where", "is \"" + endpoint +
-                                           "\"; it must be \"local\", or a daemon's endpoint as ipc:///path or "
+                                           "\"; it must be \"local\", or a daemon's endpoint such as ipc:///path or "
                                            "tcp://host:port");
     }
     return std::make_unique<RemoteBackend>(endpoint);

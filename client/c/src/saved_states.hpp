@@ -23,9 +23,9 @@ class SavedStates {
         if (found != states_.end()) return found->second;
         throw StatusError(Status{StatusCode::not_found,
                                  "The handle has no state " + std::to_string(state) +
-                                     "; contactd_save names those there are, until contactd_forget.",
+                                     "; use a number that contactd_save returned and contactd_forget has not removed.",
                                  std::string(reason::state_unknown),
-                                 {{"state", "is none"}},
+                                 {{"state", "does not exist"}},
                                  0});
     }
     void forget(std::int32_t state) { states_.erase(state); }

@@ -21,7 +21,7 @@ Roots input_roots() {
 
 StatusError not_brought() {
     return {StatusCode::failed_precondition, no_result,
-            "The last solve did not bring this array along; contactd_want asks for it before."};
+            "The last solve did not return this array; request it with contactd_want before the solve."};
 }
 
 }  // namespace
@@ -32,10 +32,9 @@ OpenWheel& Wheel::open_for(const WheelRailSetup& setup, bool transient) {
     if (!open_) open_ = backend_->open_wheel(settings_);
     if (open_->goes_on_with(setup)) return *open_;
     if (transient && moved_)
-        throw InvalidArgument(
-            "setup",
-            "is another one than that of the solve before, and tractions do not go on from one to the "
-            "other; solve with state.motion steady_rolling first, or make another wheel");
+        throw InvalidArgument("setup",
+                              "differs from that of the previous solve, so its tractions cannot be continued; solve "
+                              "with state.motion steady_rolling first, or create another wheel");
     saved_.clear();
     return *open_;
 }
@@ -125,7 +124,7 @@ void Wheel::take(Result result) {
 const Wheel::Result& Wheel::result() const {
     if (!result_)
         throw StatusError(StatusCode::failed_precondition, no_result,
-                          "There are no results yet; contactd_wheel_solve makes them.");
+                          "There are no results yet; call contactd_wheel_solve first.");
     return *result_;
 }
 

@@ -10,7 +10,7 @@ namespace contactd::c {
 namespace {
 
 [[noreturn]] void differ(const char* field) {
-    throw InvalidArgument(field, "is another one for each wheel; a wheelset has one: say the same of both");
+    throw InvalidArgument(field, "differs between the wheels, but a wheelset has only one: set the same for both");
 }
 
 /// z and roll are computed; their inputs are only initial values.
@@ -24,21 +24,25 @@ void check_same_motion(const WheelRailState& right, const WheelRailState& left) 
 }
 
 double vertical_force(const WheelRailState& state, const char* field) {
-    if (!state.Fz) throw InvalidArgument(field, "is not given; contactd_set says \"state.Fz\" of each wheel");
+    if (!state.Fz) throw InvalidArgument(field, "is missing; set \"state.Fz\" of each wheel with contactd_set");
     return *state.Fz;
 }
 
 void check_side(const WheelInput& wheel, Side side, const char* which) {
     if (wheel.setup.side != side)
         throw InvalidArgument("setup.side",
-                              std::string("is the other one of the ") + which + " wheel; contactd_set_word sets it");
+                              std::string("is wrong for the ") + which + " wheel; set it with contactd_set_word");
 }
 
 void check_no_more(const WheelRailState& state) {
-    if (state.Fx) throw InvalidArgument("state.Fx", "is given; the pitch rate of a wheelset is prescribed, not found");
+    if (state.Fx)
+        throw InvalidArgument("state.Fx",
+                              "is given, but the pitch rate of a wheelset is prescribed, not found: remove it");
     if (state.motion != WheelRailMotion::steady_rolling)
-        throw InvalidArgument("state.motion", "is not steady_rolling; a wheelset that is free to roll knows no other");
-    if (state.derivatives) throw InvalidArgument("state.derivatives", "is wanted; the answer for a wheelset has none");
+        throw InvalidArgument("state.motion",
+                              "is not steady_rolling, the only motion that a wheelset free to roll supports");
+    if (state.derivatives)
+        throw InvalidArgument("state.derivatives", "is requested, but the answer for a wheelset has no derivatives");
 }
 
 SolutionFields all_of(const SolutionFields& some, const SolutionFields& others) {
@@ -65,7 +69,7 @@ WheelsetInput put_together(const WheelInput& right, const WheelInput& left) {
 
 void Wheel::solve_wheelset(Wheel& right, Wheel& left) {
     if (right.backend_ != left.backend_)
-        throw InvalidArgument("left", "was made with another connection than the right wheel");
+        throw InvalidArgument("left", "belongs to a different connection than the right wheel");
     const WheelsetInput input = put_together(right.inputs, left.inputs);
     if (!right.open_) right.open_ = right.backend_->open_wheel(right.settings_);
     WheelsetSolution solution = left.controlled([&](const Control& of_left) {

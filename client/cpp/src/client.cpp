@@ -224,8 +224,8 @@ SubsurfaceReply Client::subsurface(const SubsurfaceRequest& request, const CallO
     return decoded([&] {
         SubsurfaceReply result = proto::decode_subsurface_reply(reply.result, reply.frames);
         if (result.shape != request.shape())
-            throw ProtocolError("The daemon's answer has the shape " + json(result.shape).dump() + "; " +
-                                json(request.shape()).dump() + " was asked for.");
+            throw ProtocolError("The daemon's answer has the shape " + json(result.shape).dump() + ", but " +
+                                json(request.shape()).dump() + " was requested.");
         return result;
     });
 }

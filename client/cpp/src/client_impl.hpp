@@ -108,9 +108,10 @@ class Client::Impl {
 
     /// Returns a sentence about the build `job` (empty: unknown) that a call has waited for.
     static std::string build_goes_on(const std::string& job) {
-        const std::string what = job.empty() ? " A build that it waited for goes on in the daemon"
-                                             : " The build goes on in the daemon as job " + job;
-        return what + ": jobs() shows how far it is, cancel_job() ends it, and the same call again joins it or gets " +
+        const std::string what = job.empty() ? " The build that it waited for continues in the daemon"
+                                             : " The build continues in the daemon as job " + job;
+        return what +
+               ". jobs() reports its progress, cancel_job() ends it, and repeating the call joins it or returns " +
                "its table.";
     }
 

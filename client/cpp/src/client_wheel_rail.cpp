@@ -29,7 +29,7 @@ void check_pressures(const WheelRailSolution& solution, const SolutionFields& fi
     if (std::find(fields.begin(), fields.end(), SolutionField::pressure) == fields.end()) return;
     for (const WheelRailPatch& patch : solution.patches)
         if (patch.solution.pressure.empty())
-            throw ProtocolError("The daemon's answer lacks the pressures of a patch, which were asked for.");
+            throw ProtocolError("The daemon's answer lacks the requested pressures of a patch.");
 }
 
 WheelRailSolution Client::wheel_rail(const WheelRailSetup& setup, const WheelRailState& state,

@@ -42,7 +42,7 @@ void check_limit(const char* what, std::size_t is, std::size_t limit) {
     Status status;
     status.code = StatusCode::invalid_argument;
     status.reason = reason::limit_exceeded;
-    status.message = std::string("The request was not sent: ") + what + " is " + std::to_string(is) + "; at most " +
+    status.message = std::string("The request was not sent: ") + what + " is " + std::to_string(is) + ", but at most " +
                      std::to_string(limit) + " are allowed.";
     throw StatusError(std::move(status));
 }
@@ -117,7 +117,7 @@ void Connection::start_over() {
 
 void Connection::check_process() const {
     if (process_ != ::getpid())  // on_progress has forked; this is the child process
-        throw ConnectionError("This process was forked from the one that gets the answer.");
+        throw ConnectionError("This process was forked from the one that receives the answer.");
 }
 
 void Connection::connect() {
@@ -138,15 +138,15 @@ void Connection::connect() {
         sockets_->socket.connect(endpoint_);
     } catch (const zmq::error_t& error) {
         throw ConnectionError("The endpoint \"" + endpoint_ + "\" cannot be used: " + error.what() +
-                              ". It must read like ipc:///path or tcp://host:port.");
+                              ". It must have the form ipc:///path or tcp://host:port.");
     }
 }
 
 Answer Connection::call(const std::string& method, json params, proto::Frames frames, milliseconds timeout,
                         const ProgressHandler& on_progress, const std::stop_token& stop) {
     const OneAtATime guard(user_,
-                           "A call of this client runs, in another thread or in whose on_progress this is; use one "
-                           "client per thread, and another one in on_progress.");
+                           "A call of this client is already running, in another thread or around this on_progress. "
+                           "Use one client per thread, and another one in on_progress.");
     if (process_ != ::getpid()) start_over();
     timeout = std::clamp(timeout, milliseconds{1}, longest_timeout);
     const std::string id = id_prefix_ + std::to_string(++calls_);
@@ -228,8 +228,8 @@ void Connection::wait_until_connected() {
             throw;
         }
     }
-    throw ConnectionError("Nobody listens at " + endpoint_ + " (waited " + std::to_string(connect_timeout_.count()) +
-                          " ms); is the daemon running?");
+    throw ConnectionError("No daemon is listening at " + endpoint_ + " (waited " +
+                          std::to_string(connect_timeout_.count()) + " ms). Start it, or check the endpoint.");
 }
 
 void Connection::send(const std::string& envelope, const proto::Frames& frames) {
@@ -240,7 +240,7 @@ void Connection::send(const std::string& envelope, const proto::Frames& frames) 
         if (!sockets_->socket.send(zmq::buffer(envelope), more(0) | zmq::send_flags::dontwait)) {
             wait_until_connected();
             if (!sockets_->socket.send(zmq::buffer(envelope), more(0)))
-                throw ConnectionError("The daemon at " + endpoint_ + " went away.");
+                throw ConnectionError("The daemon at " + endpoint_ + " disconnected.");
         }
         for (std::size_t i = 0; i < frames.size(); ++i)
             sockets_->socket.send(zmq::buffer(frames[i].bytes()), more(i + 1));
@@ -292,7 +292,8 @@ bool Connection::receive_part(zmq::message_t& part) {
 std::shared_ptr<const proto::AnswerText> Connection::envelope_for(const std::string& id, std::string_view text) const {
     auto document = proto::AnswerText::parsed(text);
     if (!document || !document->root().is_object())
-        throw ProtocolError("What " + endpoint_ + " sent is no JSON object; is a contactd daemon listening there?");
+        throw ProtocolError("The message from " + endpoint_ +
+                            " is not a JSON object. Check that a contactd daemon is listening there.");
     const proto::AnswerValue answer = document->root();
     const auto answered = answer.find("id");
     // An error with the id null answers an unreadable request, which is the last one sent.

@@ -31,11 +31,12 @@ std::optional<CurveKeys> load_curve_keys(const std::filesystem::path& server_key
     if (server_key.empty() && own_key.empty()) return std::nullopt;
     if (server_key.empty() || own_key.empty())
         throw Error(std::string(server_key.empty() ? "server_key" : "own_key") +
-                    " is missing: an encrypted connection needs the daemon's public key and an own one.");
+                    " is missing: an encrypted connection requires the daemon's public key and your own key.");
     const proto::KeyFile server = proto::read_key_file(server_key);
     const proto::KeyFile own = proto::read_key_file(own_key);
     if (own.secret_key.empty())
-        throw Error("The key file " + own_key.string() + " holds no secret key; own_key is the file NAME.key_secret.");
+        throw Error("The key file " + own_key.string() +
+                    " contains no secret key; set own_key to the file NAME.key_secret.");
     proto::check_private(own_key);
     return CurveKeys{server.public_key, own.public_key, own.secret_key};
 }
@@ -82,17 +83,19 @@ HandshakeMonitor::Event HandshakeMonitor::next() {
 
 void HandshakeMonitor::judge(const Event& event) {
     if (event.kind == ZMQ_EVENT_HANDSHAKE_FAILED_AUTH)
-        refuse(endpoint_, "the daemon does not know this client's key; ask who runs it to allow own_key");
+        refuse(endpoint_, "the daemon does not accept this client's key; ask its administrator to allow own_key");
     if (event.kind == ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL) {
         if (event.value != ZMQ_PROTOCOL_ERROR_ZMTP_MECHANISM_MISMATCH)
-            throw ConnectionError("What listens at " + endpoint_ + " is no contactd daemon.");
-        refuse(endpoint_, encrypted_ ? "the daemon does not use encryption; leave server_key and own_key out"
-                                     : "the daemon takes encrypted connections only; give server_key and own_key");
+            throw ConnectionError("The program that listens at " + endpoint_ + " is not a contactd daemon.");
+        refuse(endpoint_, encrypted_ ? "the daemon does not use encryption; remove server_key and own_key"
+                                     : "the daemon accepts encrypted connections only; give server_key and own_key");
     }
     if (event.kind != ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL || ++silent_ends_ <= silent_ends_allowed) return;
-    refuse(endpoint_, encrypted_ ? "it cannot read what this client says; either server_key is not the daemon's key, "
-                                   "or the daemon does not use encryption"
-                                 : "it hangs up; if it takes encrypted connections only, give server_key and own_key");
+    refuse(endpoint_,
+           encrypted_
+               ? "it cannot read this client's messages; either server_key is not the daemon's key, or the daemon does "
+                 "not use encryption"
+               : "it closes the connection; if it accepts encrypted connections only, give server_key and own_key");
 }
 
 }  // namespace contactd::client

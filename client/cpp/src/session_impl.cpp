@@ -10,8 +10,8 @@ namespace contactd::client {
 namespace {
 
 constexpr const char* in_use =
-    "A call of this session runs, in another thread or in whose on_progress this is; a session takes one step at a "
-    "time, in order. Open a session, and a client, for each thread.";
+    "A call of this session is already running, in another thread or around this on_progress. A session takes one step "
+    "at a time, in order. Open a session and a client for each thread.";
 
 }  // namespace
 
@@ -43,8 +43,8 @@ std::unique_ptr<AnySession::Impl> AnySession::Impl::joined(Client& client, const
     const json result = client.impl_->result_of("session.info", options, {{"session", name}});
     SessionInfo info = decoded([&] { return proto::decode_session_info(result); });
     if (info.grid.has_value() != (kind == Kind::contact))
-        throw InvalidArgument("name", info.grid ? "is that of the session of a contact; join it by Session::join"
-                                                : "is that of the session of a wheel on its rail; join it by "
+        throw InvalidArgument("name", info.grid ? "belongs to the session of a contact; join it by Session::join"
+                                                : "belongs to the session of a wheel on its rail; join it by "
                                                   "WheelRailSession::join");
     SessionReply reply{name, info.lease_seconds, info.bytes, std::move(info.ics)};
     return std::make_unique<Impl>(client, info.grid, std::move(reply), info.step);
@@ -63,7 +63,7 @@ void AnySession::Impl::check_process() const {
     if (process_ == ::getpid()) return;
     throw ConcurrencyError("This session belongs to process " + std::to_string(process_) + ", from which process " +
                            std::to_string(::getpid()) +
-                           " was forked; open one of your own, or take it over by join(client, name).");
+                           " was forked. Open a new session, or take it over with join(client, name).");
 }
 
 json AnySession::Impl::ask(const char* method, const CallOptions& options, json more) {
@@ -113,11 +113,12 @@ std::vector<AnyStepOrStatus> AnySession::Impl::step_many(std::span<const Step> s
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const std::string field = "steps[" + std::to_string(i) + "].session";
         if (!client.impl_->speaks_for(*steps[i].session.client_.impl_))
-            throw InvalidArgument(field, "is of another daemon or user than steps[0].session; all must be of one");
+            throw InvalidArgument(
+                field, "belongs to a different daemon or user than steps[0].session; all must belong to one");
         for (std::size_t k = 0; k < i; ++k)
             if (steps[k].session.reply_.session == steps[i].session.reply_.session)
-                throw InvalidArgument(field,
-                                      "is that of steps[" + std::to_string(k) + "]; each takes one step at a time");
+                throw InvalidArgument(
+                    field, "is also that of steps[" + std::to_string(k) + "]; a session takes one step at a time");
     }
     std::vector<std::unique_ptr<const OneAtATime>> guards;
     for (const Step& step : steps) {

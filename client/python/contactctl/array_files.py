@@ -33,14 +33,14 @@ def read_array(file: Path, named_by: str) -> np.ndarray[Any, Any]:
     except OSError as error:
         raise click.UsageError(f"{named_by} names {file}, which cannot be read: {error.strerror or error}.") from None
     except UnicodeDecodeError:
-        raise click.UsageError(f"{named_by} names {file}, which is no text in UTF-8; arrays are in .npy or in text.") from None
+        raise click.UsageError(f"{named_by} names {file}, which is not text in UTF-8; give arrays as .npy or as text.") from None
     except (ValueError, EOFError, MemoryError) as error:
-        raise click.UsageError(f"{named_by} names {file}, which holds no array of numbers: {error}.") from None
+        raise click.UsageError(f"{named_by} names {file}, which contains no array of numbers: {error}.") from None
 
 
 def _npy(content: bytes) -> np.ndarray[Any, Any]:
     if content[:2] == b"PK":
-        raise ValueError("it is an archive of arrays, as .npz is")
+        raise ValueError("it is an archive of arrays, such as .npz")
     file = io.BytesIO(content)
     check_npy(file, len(content))
     file.seek(0)

@@ -50,12 +50,12 @@ class OwnBuilds:
                 time.sleep(0.05)
             for job in mine:
                 if job.callers:
-                    note(f"{job.job} goes on: others wait for it.")
+                    note(f"{job.job} continues, because other requests wait for it.")
                     continue
                 self._client.cancel_job(job.job, timeout=_LONGEST_WAIT)
                 note(f"{job.job} is cancelled.")
         except ContactdError as error:
-            note(f"contactctl: what was started cannot be cancelled: {error}")
+            note(f"contactctl: the started jobs cannot be cancelled: {error}")
 
     def _may_change(self, mine: list[Job]) -> bool:
         return any(job.callers for job in mine) or not (mine or self._seen)
@@ -119,6 +119,5 @@ def _late(error: TimeoutExpired, builds: OwnBuilds | None) -> str:
     job = builds.latest
     which = f"as {job}: `contactctl cancel {job}` ends it" if job else ": `contactctl cancel` ends it"
     return (
-        f"The table was not there in time. Its build goes on in the daemon {which}, `contactctl jobs` shows how far it "
-        "is, and the same command again joins it."
+        f"The table was not available in time. Its build continues in the daemon {which}, `contactctl jobs` shows its " "progress, and repeating the command joins it."
     )

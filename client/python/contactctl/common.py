@@ -134,7 +134,7 @@ def connected(*, workers: int | None = None, local_unless_named: bool = False) -
             yield client
         return
     if given.folder is not None:
-        raise click.UsageError("--folder goes with --local: the tables of a daemon are where its configuration says.")
+        raise click.UsageError("--folder requires --local, because a daemon's configuration determines the folder of its tables.")
     with client_of(given) as client:
         yield client
 
@@ -148,7 +148,7 @@ def _check_keys(given: Setting) -> None:
     """Raises click.UsageError for keys on the command line without a daemon."""
     usual = Setting()
     if not given.local and (given.server_key, given.own_key) != (usual.server_key, usual.own_key):
-        raise click.UsageError("--server-key and --own-key are those of a daemon: name it by --endpoint.")
+        raise click.UsageError("--server-key and --own-key require a daemon: give its address with --endpoint.")
 
 
 def client_of(given: Setting) -> Client:
@@ -177,7 +177,6 @@ def _local(given: Setting, workers: int | None) -> Iterator[Client]:
 def _private_daemon(folder: Path | None, config: dict[str, Any]) -> LocalDaemon:
     if shutil.which(program_of("contactd")) is None:
         raise DaemonFailed(
-            'Nothing is installed here that solves. Install contactd_local, pip install "contactd[local]", put the program contactd '
-            "on PATH, or name a daemon that runs by --endpoint."
+            'No solver is installed. Install contactd_local with pip install "contactd[local]", put the program contactd ' "on PATH, or give the address of a running daemon with --endpoint."
         )
     return LocalDaemon(folder=folder, config=config)

@@ -46,7 +46,7 @@ def read_named(path: str) -> dict[str, Any]:
     """Reads like read_object, but keeps the names of files instead of their arrays."""
     document = read_document(path)
     if not isinstance(document, dict):
-        raise click.UsageError(f"{path} holds {_kind(document)}; it must hold an object, fields with their values.")
+        raise click.UsageError(f"{path} contains {_kind(document)}; it must contain an object, fields with their values.")
     if isinstance(document.get(COMMENT), str):
         del document[COMMENT]
     return document
@@ -67,7 +67,7 @@ def read_document(path: str) -> Any:
     except RecursionError:
         raise click.UsageError(f"{path} is nested too deeply.") from None
     except ValueError as error:
-        raise click.UsageError(f"{path} is no {'JSON' if is_json else 'YAML'}: {error}") from None
+        raise click.UsageError(f"{path} is not valid {'JSON' if is_json else 'YAML'}: {error}") from None
 
 
 def writable(option: str, path: str | Path, heading: Sequence[str] | None = None) -> Path:
@@ -96,8 +96,8 @@ def check_own(option: str, place: Path, heading: Sequence[str] | None = None) ->
         if can_be_written_over(place, heading):
             return
     except OSError as error:
-        raise click.UsageError(f"{option} {place} cannot be read, to see who has written it: {error.strerror}.") from None
-    what = "is a link to nothing" if place.is_symlink() and not place.exists() else "is there, and contactd has not written it"
+        raise click.UsageError(f"{option} {place} cannot be read to check whether contactd wrote it: {error.strerror}.") from None
+    what = "is a broken link" if place.is_symlink() and not place.exists() else "exists, and contactd did not write it"
     more = _UNMARKED if place.suffix in (".mat", ".subs") and place.exists() else ""
     raise click.UsageError(f"{option} {place} {what}. Name another file, or give --overwrite.{more}")
 
@@ -135,7 +135,7 @@ def writable_folder(option: str, path: str | Path) -> Path:
     place = Path(path)
     there = next(folder for folder in (place.absolute(), *place.absolute().parents) if folder.exists())
     if not there.is_dir():
-        raise click.UsageError(f"{option} {path} must be the name of a folder, and {there.name} is a file.")
+        raise click.UsageError(f"{option} {path} must be the name of a folder, but {there.name} is a file.")
     if not os.access(there, os.W_OK | os.X_OK):
         raise click.UsageError(f"{option} {path} cannot be written: permission is denied.")
     return place
@@ -152,12 +152,12 @@ def _text(path: str) -> str:
             return read_whole(path, _MOST_BYTES).decode("utf-8-sig")
         text = sys.stdin.read(_MOST_BYTES + 1)
         if len(text) > _MOST_BYTES:
-            raise click.UsageError(f"What stands on standard input has more than {_MOST_BYTES} characters; put arrays into files ($file).")
+            raise click.UsageError(f"Standard input has more than {_MOST_BYTES} characters; put arrays into files ($file).")
         return text
     except OSError as error:
         raise click.UsageError(f"{path} cannot be read: {error.strerror}.") from None
     except UnicodeDecodeError:
-        raise click.UsageError(f"{path} is no text in UTF-8; it must be JSON or YAML.") from None
+        raise click.UsageError(f"{path} is not text in UTF-8; it must be JSON or YAML.") from None
 
 
 def _kind(value: Any) -> str:
@@ -166,10 +166,10 @@ def _kind(value: Any) -> str:
 
 def _json(text: str) -> Any:
     if sum(map(text.count, ",[{")) > _MOST_VALUES:
-        raise ValueError(f"it has more than {_MOST_VALUES} values; put arrays into files of their own ($file)")
+        raise ValueError(f"it has more than {_MOST_VALUES} values; put arrays into separate files ($file)")
 
     def constant(name: str) -> Any:
-        raise ValueError(f"{name} is no number that contact problems have; every number must be finite")
+        raise ValueError(f"{name} is not a valid number; every number must be finite")
 
     return json.loads(text, object_pairs_hook=_object, parse_constant=constant)
 
@@ -178,9 +178,9 @@ def _object(pairs: Iterable[tuple[Hashable, Any]]) -> dict[str, Any]:
     found: dict[str, Any] = {}
     for name, value in pairs:
         if not isinstance(name, str):
-            raise ValueError(f"a field is called {name!r}; names of fields are texts")
+            raise ValueError(f"a field is called {name!r}; names of fields must be strings")
         if name in found:
-            raise ValueError(f"the field {name} is there twice")
+            raise ValueError(f"the field {name} is given twice")
         found[name] = value
     return found
 

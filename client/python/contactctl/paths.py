@@ -92,7 +92,7 @@ def _with_shear_moduli(document: Any, path: str = "") -> None:
         E = document.pop("E")
         where = f"{path}.E" if path else "E"
         if "G" in document:
-            raise click.UsageError(f"{where} stands beside G; a material is given by either of them, and by nu.")
+            raise click.UsageError(f"{where} cannot be combined with G; give a material by one of them, and nu.")
         if isinstance(E, bool) or not isinstance(E, (int, float)) or not E > 0:
             raise click.UsageError(f"{where} is {E!r:.60}; Young's modulus must be a positive number.")
         document["G"] = E / (2 * (1 + nu))

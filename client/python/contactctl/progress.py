@@ -38,10 +38,10 @@ class Bar:
         left = "" if progress.seconds_left is None else f"about {span(progress.seconds_left)} to go"
         if progress.memory_bytes is not None and not self._has_reported_memory:
             self._has_reported_memory = True
-            self._tell(f"{progress.job or self._what}: about {size(progress.memory_bytes)} of memory, the builder expects.")
+            self._tell(f"{progress.job or self._what}: about {size(progress.memory_bytes)} of memory, estimated by the builder.")
         if progress.seconds_left is not None and not self._has_reported:
             self._has_reported = True
-            self._tell(f"{progress.job or self._what}: {left}, the daemon expects.")
+            self._tell(f"{progress.job or self._what}: {left}, estimated by the daemon.")
         if progress.iteration:
             left = f"iteration {progress.iteration}, residual {progress.residual:.1e}  {left}"
         self.show(progress.fraction, f"{progress.job}: {progress.stage}" if progress.job else progress.stage, left)

@@ -83,7 +83,7 @@ def _shown(path: str, table: IcTable) -> Any:
             ("elements", evidence.elements or None),
             ("unknowns", evidence.dofs or None),
             ("made by", evidence.version),
-            ("error of zz", None if errors is None else f"{errors.zz.origin:.2g} at the origin, {errors.zz.largest:.2g} at most"),
+            ("error of zz", None if errors is None else f"{errors.zz.origin:.2g} at the origin, up to {errors.zz.largest:.2g}"),
             ("modelling error", None if evidence.modelling_error is None else f"{evidence.modelling_error:.2g}"),
             ("in memory", size(table.array.nbytes)),
             *(("warning", warning) for warning in evidence.warnings),
@@ -117,7 +117,7 @@ def import_files(files: list[str], store: str) -> list[dict[str, Any]]:
     """
     folder = Path(store)
     if not folder.is_dir():
-        raise click.UsageError(f"--store {store} is no folder.")
+        raise click.UsageError(f"--store {store} is not a folder.")
     checked = [_checked(Path(file)) for file in files]
     done = []
     for file, key, nx, ny in checked:
@@ -136,12 +136,11 @@ def _checked(file: Path) -> tuple[Path, str, int, int]:
     matched = _STORED.fullmatch(file.name)
     if matched is None:
         raise click.UsageError(
-            f"{file} is no file of a store: those are called <key>.<nx>x<ny>.h5. Without --store the daemon imports what ic "
-            "export has written, too."
+            f"{file} is not a file of a store, which has the name <key>.<nx>x<ny>.h5. Without --store the daemon also imports files of ic " "export."
         )
     if not file.exists():
-        raise click.UsageError(f"{file} is not there.")
+        raise click.UsageError(f"{file} does not exist.")
     key, nx, ny = matched[1], int(matched[2]), int(matched[3])
     if (found := stored_extent(file)) != (ny, nx):
-        raise click.UsageError(f"{file} holds {found[1]} x {found[0]} offsets; its name says {nx} x {ny}.")
+        raise click.UsageError(f"{file} contains {found[1]} x {found[0]} offsets, but its name states {nx} x {ny}.")
     return file, key, nx, ny

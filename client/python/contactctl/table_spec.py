@@ -34,7 +34,7 @@ def table_params(file: str | None, given: dict[str, Any], sets: Sequence[str] | 
     """Returns the parameters of ic.get. Raises click.UsageError."""
     params = read_object(file) if file is not None else {}
     if file is None and not given and not sets:
-        raise click.UsageError("Say which table: a FILE, or at least --G, --nu, --nx and --dx.")
+        raise click.UsageError("Give a table: a FILE, or at least --G, --nu, --nx and --dx.")
     material, grid, ics = (_part(params, name) for name in ("material", "grid", "ics"))
     material |= _modulus(given, material)
     grid |= {name: given[name] for name in ("nx", "ny", "dx", "dy") if name in given}
@@ -61,7 +61,7 @@ def _modulus(given: dict[str, Any], material: dict[str, Any]) -> dict[str, Any]:
         return found
     nu = found.get("nu", material.get("nu"))
     if "G" in given or not isinstance(nu, (int, float)) or not nu > -1:
-        raise click.UsageError("--E goes with --nu, which is above -1, and in place of --G.")
+        raise click.UsageError("--E requires --nu above -1, and replaces --G.")
     return {**found, "G": given["E"] / (2 * (1 + nu))}
 
 

@@ -44,7 +44,7 @@ def parse_yaml(text: str, check_names: Callable[[Iterable[tuple[Hashable, Any]]]
         return loader.construct_document(root)
     except yaml.reader.ReaderError as error:
         line = text.count("\n", 0, error.position) + 1
-        raise ValueError(f"line {line} has the character {chr(error.character)!a}, which no text has") from None
+        raise ValueError(f"line {line} has the character {chr(error.character)!a}, which YAML does not allow") from None
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         where = "" if mark is None else f", line {mark.line + 1}, column {mark.column + 1}"
@@ -62,7 +62,7 @@ def _loader_kind(yaml: Any, check_names: Callable[[Iterable[tuple[Hashable, Any]
         def compose_node(self, parent: Any, index: Any) -> Any:
             self.values += 1
             if self.values > _MOST_VALUES:
-                raise ValueError(f"it has more than {_MOST_VALUES} values; put arrays into files of their own ($file), or write JSON")
+                raise ValueError(f"it has more than {_MOST_VALUES} values; put arrays into separate files ($file), or write JSON")
             return super().compose_node(parent, index)
 
     def pairs(loader: Any, node: Any) -> dict[str, Any]:
@@ -83,7 +83,7 @@ def _loader_kind(yaml: Any, check_names: Callable[[Iterable[tuple[Hashable, Any]
 
 def _whole(digits: str) -> int:
     if len(digits) > _MOST_DIGITS:
-        raise ValueError(f"it has a whole number of {len(digits)} digits; at most {_MOST_DIGITS} are read")
+        raise ValueError(f"it has a whole number of {len(digits)} digits; at most {_MOST_DIGITS} are supported")
     return int(digits)
 
 
@@ -100,13 +100,13 @@ class _Repeated:
         if name in self._known:
             return self._known[name]
         if name in self._open:
-            raise ValueError(f"what line {node.start_mark.line + 1} begins holds itself, by an alias")
+            raise ValueError(f"the value that begins in line {node.start_mark.line + 1} contains itself by an alias")
         self._open.add(name)
         parts = node.value if isinstance(node.value, list) else ()
         members = [part for item in parts for part in (item if isinstance(item, tuple) else (item,))]
         total = 1 + sum(self.count(member) for member in members)
         self._open.remove(name)
         if total > _MOST_REPEATED:
-            raise ValueError(f"its aliases stand for more than {_MOST_REPEATED} values")
+            raise ValueError(f"its aliases repeat more than {_MOST_REPEATED} values")
         self._known[name] = total
         return total

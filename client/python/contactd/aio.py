@@ -297,7 +297,7 @@ class AsyncClient(
             known = None
         if known is not None and not known.is_closed and not known.is_of_this_loop:
             if not known.loop_has_ended:
-                raise ContactdError("This client is used in another event loop that still runs; make one for each loop.")
+                raise ContactdError("This client is used in another running event loop; create one client for each loop.")
             known.close()
         if known is None or known.is_closed:
             known = Exchanges(self.endpoint, self._curve, self.outstanding)

@@ -30,8 +30,7 @@ if TYPE_CHECKING:
 __all__ = ["InProcessClient", "LocalDaemon", "default_client", "local"]
 
 _ADVICE = (
-    ' Put it on PATH, or name it: LocalDaemon(program); pip install "contactd[daemon]" brings one,'
-    ' and with "contactd[local]" contactd.local() needs none.'
+    ' Put it on PATH, or give its path: LocalDaemon(program). Install it with pip install "contactd[daemon]",' ' or solve without it by contactd.local() from "contactd[local]".'
 )
 #: Sections of a configuration that require a daemon.
 _OF_DAEMONS = ("endpoint", "security", "methods", "log", "http", "shutdown")
@@ -86,7 +85,7 @@ def local(
     """
     why = _needs_daemon(program, checked(config))
     if in_process and why:
-        raise TypeError(f"local() was asked to solve in process, and {why}")
+        raise TypeError(f"local() cannot solve in process as requested, because {why}")
     if in_process is None:
         in_process = not why and can_solve_here()
     if in_process:
@@ -177,7 +176,7 @@ class LocalDaemon:
         return f"<LocalDaemon at {self.endpoint or self.folder}, process {self.pid}>"
 
     def __reduce__(self) -> Any:
-        raise TypeError("a LocalDaemon cannot be pickled; hand on its endpoint, or a client of it: daemon.client()")
+        raise TypeError("a LocalDaemon cannot be pickled; pass its endpoint, or a client of it: daemon.client()")
 
     def __enter__(self) -> LocalDaemon:
         return self
@@ -213,7 +212,7 @@ class LocalDaemon:
         in a process forked from the one that started it.
         """
         if self._owner != os.getpid():
-            raise DaemonFailed(f"contactd was started by process {self._owner}, which alone can end it.")
+            raise DaemonFailed(f"contactd was started by process {self._owner}, and only that process can end it.")
         if self._lifeline is not None:
             self._lifeline.let_go()
         if self.process.poll() is None:
@@ -270,7 +269,7 @@ class LocalDaemon:
         try:
             self.endpoint = str(json.loads(line)["endpoint"])
         except (ValueError, KeyError, TypeError):
-            raise DaemonFailed(f"contactd said {line!r} instead of being ready.") from None
+            raise DaemonFailed(f"contactd printed {line!r} instead of becoming ready.") from None
 
 
 class InProcessClient(Client):
@@ -284,4 +283,4 @@ class InProcessClient(Client):
         return Engine(self._folder, self._config)
 
     def __getstate__(self) -> dict[str, Any]:
-        raise TypeError("a client that solves in process cannot be pickled; one of a LocalDaemon can: daemon.client()")
+        raise TypeError("a client that solves in process cannot be pickled; use one of a LocalDaemon: daemon.client()")

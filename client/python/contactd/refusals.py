@@ -38,7 +38,7 @@ def check_either(call: str, words: str, **two: object) -> None:
     given = [name for name, value in two.items() if value is not None]
     if len(given) != 1:
         problem = f"has both {' and '.join(two)}" if given else f"lacks {' or '.join(two)}"
-        raise TypeError(f"{call}() {problem}; it takes either {words}")
+        raise TypeError(f"{call}() {problem}; give either {words}")
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:

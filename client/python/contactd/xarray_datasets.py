@@ -27,7 +27,7 @@ _ARRAYS = {
     "slip_y": ("slip of the upper body over the lower, along y", ""),
     "displacement_x": ("displacement of the upper body's surface less that of the lower one's, along x", "mm"),
     "displacement_y": ("displacement of the upper body's surface less that of the lower one's, along y", "mm"),
-    "displacement_z": ("what both bodies yield along z", "mm"),
+    "displacement_z": ("elastic displacement of both bodies along z", "mm"),
     "flow_x": ("plastic flow of a layer, along x", ""),
     "flow_y": ("plastic flow of a layer, along y", ""),
     "yield_stress": ("yield stress of a layer", "N/mm^2"),
@@ -57,7 +57,7 @@ def _places(grid: Grid) -> dict[str, Any]:
 def solution_dataset(solution: Solution[Any, Any]) -> xarray.Dataset:
     """Implements Solution.to_xarray."""
     if solution.grid is None:
-        raise ValueError("grid is None; a solution with coordinates must be one of a client, which knows its grid")
+        raise ValueError("grid is None; only solutions of a client have coordinates")
     arrays: dict[str, Any] = {
         name: (("y", "x"), values, {"long_name": words, **({"units": unit} if unit else {})})
         for name, (words, unit) in _ARRAYS.items()
@@ -89,7 +89,7 @@ def stress_dataset(stress: SubsurfaceStress) -> xarray.Dataset:
         dimensions = ("point",)
         places = {name: _length("point", stress.points[:, i]) for i, name in enumerate("xyz")}
     else:
-        raise ValueError("block and points are None; stresses with coordinates must be those of a client")
+        raise ValueError("block and points are None; only stresses of a client have coordinates")
     names = ["xx", "yy", "zz", "xy", "xz", "yz", "von_mises"]
     names += [name for name in INVARIANTS if getattr(stress, name) is not None]
     arrays = {name: (dimensions, getattr(stress, name), {"units": "N/mm^2"}) for name in names}

@@ -67,11 +67,12 @@ PyObject* cancel(PyObject* self, PyObject*) {
 }
 
 PyMethodDef exchange_methods[] = {
-    {"next", &next, METH_NOARGS, "The next message, progress or at last the answer: its envelope and array frames."},
-    {"cancel", &cancel, METH_NOARGS, "Ends the request, unless it is answered."},
+    {"next", &next, METH_NOARGS,
+     "Returns envelope and array frames of the next message: progress, and finally the answer."},
+    {"cancel", &cancel, METH_NOARGS, "Cancels the request if it has not been answered."},
     {nullptr, nullptr, 0, nullptr}};
 
-PyType_Slot exchange_slots[] = {{Py_tp_doc, const_cast<char*>("One request on its way.")},
+PyType_Slot exchange_slots[] = {{Py_tp_doc, const_cast<char*>("A request in progress.")},
                                 {Py_tp_methods, exchange_methods},
                                 {Py_tp_dealloc, reinterpret_cast<void*>(&let_go<Exchange>)},
                                 {0, nullptr}};
@@ -145,8 +146,8 @@ PyObject* close(PyObject* self, PyObject*) {
 }
 
 PyMethodDef service_methods[] = {
-    {"ask", &ask, METH_VARARGS, "ask(envelope, frames): begins a request; all of it is bytes."},
-    {"take_log", &take_log, METH_NOARGS, "Level and sentence of what has happened since the last time."},
+    {"ask", &ask, METH_VARARGS, "ask(envelope, frames): starts a request; both consist of bytes."},
+    {"take_log", &take_log, METH_NOARGS, "Returns level and text of the log messages since the last call."},
     {"close", &close, METH_NOARGS, "Ends all requests and sessions. May be called twice."},
     {nullptr, nullptr, 0, nullptr}};
 

@@ -128,8 +128,8 @@ double largest_error(const IcEvidence& evidence) {
 void throw_not_reached(double accuracy, double error) {
     char text[300];
     std::snprintf(text, sizeof text,
-                  "The accuracy %.3g was not reached: the finest mesh that is tried has an error of %.3g. Ask for a "
-                  "coarser accuracy, or give a mesh.",
+                  "The accuracy %.3g was not reached: the finest mesh has an error of %.3g. Request a coarser "
+                  "accuracy, or give a mesh.",
                   accuracy, error);
     throw NotConverged(text);
 }

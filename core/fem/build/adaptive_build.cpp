@@ -41,9 +41,9 @@ long long dofs_of(const RefinedBlock& block, int order) {
 
 void require_room(const RefinedBlock& start, const FemSpec& fem) {
     if (const long long dofs = dofs_of(start, fem.order); dofs > fem.max_dofs)
-        throw InvalidArgument("ics.max_dofs", "is " + std::to_string(fem.max_dofs) + "; the mesh to start from has " +
+        throw InvalidArgument("ics.max_dofs", "is " + std::to_string(fem.max_dofs) + ", but the initial mesh has " +
                                                   std::to_string(dofs) + " unknowns of order " +
-                                                  std::to_string(fem.order) + ": allow more, or take a lower order");
+                                                  std::to_string(fem.order) + ": increase it, or use a lower order");
 }
 
 /// The elements to divide, the worst first.

@@ -125,11 +125,10 @@ IcRecord build_family(MPI_Comm comm, const IcSpec& spec, const BuildOne& build_o
         return result;
     }
     char text[300];
-    std::snprintf(
-        text, sizeof text,
-        "The family over nu did not converge: with %d tables interpolation adds an error of %.3g, and %.3g is "
-        "allowed. Ask for a coarser accuracy, or for one nu.",
-        2 * sizes.back(), std::ranges::max(errors), std::ranges::max(allowed));
+    std::snprintf(text, sizeof text,
+                  "The family over nu did not converge: with %d tables, interpolation adds an error of %.3g, but %.3g "
+                  "is allowed. Request a coarser accuracy, or a single nu.",
+                  2 * sizes.back(), std::ranges::max(errors), std::ranges::max(allowed));
     throw NotConverged(text);
 }
 

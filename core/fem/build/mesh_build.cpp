@@ -31,8 +31,8 @@ std::string not_converged(Axis load, const SolveResult& result, const FemSpec& f
     char text[400];
     const bool by_update = result.update.has_value();
     std::snprintf(text, sizeof text,
-                  "The load case %s did not converge: after %d iterations of at most %d the %s is %.3g, and %.3g was "
-                  "asked for.",
+                  "The load case %s did not converge: after %d of at most %d iterations the %s is %.3g, above the "
+                  "tolerance of %.3g.",
                   std::string(name_of(load)).c_str(), result.iterations, fem.max_iterations,
                   by_update ? "relative update" : "true relative residual",
                   by_update ? *result.update : result.residual, fem.tolerance);
@@ -149,9 +149,9 @@ std::vector<std::string> table_warnings(const IcSpec& spec, const IcEvidence& ev
     char text[300];
     std::snprintf(
         text, sizeof text,
-        "The coefficients differ from the closed form by up to %.2g %%%s: take a finer mesh or a higher order%s.",
+        "The coefficients differ from the closed form by up to %.2g %%%s. Use a finer mesh or a higher order%s.",
         100 * error, everywhere ? "" : " under the load",
-        spec.material.nu > locking_nu ? ", as elements of low order lock when nu nears 1/2" : "");
+        spec.material.nu > locking_nu ? ", because elements of low order lock for nu near 1/2" : "");
     result.emplace_back(text);
     return result;
 }

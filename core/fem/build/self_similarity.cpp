@@ -42,7 +42,7 @@ void replace_near(IcTable& table, Axis i, Axis j) {
 IcTable near_load_from_far(const IcTable& table) {
     if (table.nx < self_similar_extent || table.ny < self_similar_extent)
         throw InvalidArgument("table",
-                              "is smaller than 10 x 10 offsets, which its values next to the load follow from");
+                              "is smaller than the 10 x 10 offsets that determine its values next to the load");
     IcTable result = table;
     for (const Axis i : {Axis::x, Axis::y, Axis::z})
         for (const Axis j : {Axis::x, Axis::y, Axis::z}) replace_near(result, i, j);

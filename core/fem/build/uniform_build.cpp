@@ -19,7 +19,7 @@ std::vector<std::string> warnings_of(const IcSpec& spec, const SectionEvidence& 
     if (const auto* rail = std::get_if<RailSection>(&spec.section->shape);
         rail != nullptr && rail->support == RailSupport::foot)
         result.emplace_back(
-            "The rail is clamped at its foot: its bending is in the table, which moves contacts on it.");
+            "The rail is clamped at its foot. The table includes its bending, which displaces contacts on it.");
     return result;
 }
 

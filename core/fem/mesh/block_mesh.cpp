@@ -55,7 +55,7 @@ BlockMesh make_block_mesh(const IcSpec& spec) {
         case MeshKind::adaptive:
             break;
     }
-    throw InvalidArgument("ics.mesh", "is adaptive, which is not built by make_block_mesh");
+    throw InvalidArgument("ics.mesh", "is adaptive, which make_block_mesh does not support");
 }
 
 }  // namespace contactd::fem

@@ -194,9 +194,9 @@ class Division {
         if (stretch.strip >= 0) {
             const double by_turn = length * turn_rate(piece, stretch.from + length / 2) / largest_turn;
             const int count = std::max(
-                1, count_of(
-                       std::max(0.0, std::ceil(std::max(length * density_.edges_a_strip, by_turn) - 1e-6)),
-                       {"ics.section", "turns too much within a strip", "edges of elements", "take narrower strips"}));
+                1,
+                count_of(std::max(0.0, std::ceil(std::max(length * density_.edges_a_strip, by_turn) - 1e-6)),
+                         {"ics.section", "turns too much within a strip", "edges of elements", "use narrower strips"}));
             for (int i = 0; i <= count; ++i) cuts.push_back(stretch.from + length * i / count);
             return cuts;
         }
@@ -209,9 +209,10 @@ class Division {
         for (int step = 0; step < steps; ++step)
             sum.push_back(sum.back() +
                           edges_a_length(piece, (place(step) + place(step + 1)) / 2) * (place(step + 1) - place(step)));
-        const int count = std::max(1, count_of(std::max(0.0, std::ceil(sum.back() - 1e-6)),
-                                               {"ics.section", "has an outline that is thin or long for its strips",
-                                                "edges of elements", "take wider strips, or a thicker section"}));
+        const int count =
+            std::max(1, count_of(std::max(0.0, std::ceil(sum.back() - 1e-6)),
+                                 {"ics.section", "has an outline that is too thin or too long for its strips",
+                                  "edges of elements", "use wider strips, or a thicker section"}));
         int step = 0;
         for (int i = 0; i < count; ++i) {
             const double target = sum.back() * i / count;

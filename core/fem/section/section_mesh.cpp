@@ -48,7 +48,7 @@ void require_straight_enough(mfem::Mesh& mesh, const DividedOutline& outline, co
         for (int i = 0; i < rule.GetNPoints(); ++i) {
             map.SetIntPoint(&rule.IntPoint(i));
             if (map.Jacobian().Det() > 0) continue;
-            refuse("curves too much for a mesh", outline.vertices[outline.edges[edge].first]);
+            refuse("is too strongly curved for a mesh", outline.vertices[outline.edges[edge].first]);
         }
     }
 }

@@ -39,8 +39,9 @@ class LevelStrips {
         const double along = last.y - first.y;
         if (std::abs(along - (outline.strips - 1)) > rounding * outline.strips ||
             std::abs(last.z - first.z) > rounding * divided.extent || normal_at(outline, middle(0)).z < 1 - rounding)
-            throw InvalidArgument("ics.section",
-                                  "has strips that do not lie on a level line, which three dimensions are meshed for");
+            throw InvalidArgument(
+                "ics.section",
+                "has strips that do not lie on a horizontal line, which the three-dimensional mesh requires");
         first_ = first.y;
     }
     double mirrored(double y) const { return first_ - y; }

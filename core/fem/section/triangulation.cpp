@@ -26,8 +26,9 @@ fs::path module_file() {
                    installed = (program / CONTACTD_MODULES / name).lexically_normal();
     for (const fs::path& file : {program / name, installed})
         if (fs::exists(file, error)) return file;
-    throw Error("Sections are meshed by the module " + installed.string() +
-                ", which is missing: install contactd whole, or put the module beside the program.");
+    throw Error(
+        "The module " + installed.string() +
+        ", which meshes sections, is missing. Install contactd completely, or put the module beside the program.");
 }
 
 /// Open until the program ends: gmsh does not bear being unloaded.
@@ -74,8 +75,8 @@ void require_simple(const DividedOutline& outline) {
             if (one->meets(*other)) {
                 std::array<char, 200> text{};
                 std::snprintf(text.data(), text.size(),
-                              "comes closer to itself than its elements are long at (y, z) = (%.6g, %.6g) dy; keep its "
-                              "parts further apart there, or take narrower strips",
+                              "has parts closer to each other than the length of its elements at (y, z) = (%.6g, %.6g) "
+                              "dy; move them apart there, or use narrower strips",
                               one->a.y, one->a.z);
                 throw InvalidArgument("ics.section", text.data());
             }
@@ -90,9 +91,10 @@ Triangulation triangulate(const DividedOutline& outline, const MeshDensity& dens
     std::string problem;
     const SizeField size(outline, density);
     if (!fill(outline, [&](const PlanePoint& at) { return size(at); }, result, problem))
-        throw InvalidArgument("ics.section", "could not be divided into triangles: " + problem +
-                                                 "; where parts of an outline come close to each other, keep them "
-                                                 "further apart, or take narrower strips");
+        throw InvalidArgument(
+            "ics.section",
+            "could not be divided into triangles: " + problem +
+                "; move parts of the outline that are close to each other apart, or use narrower strips");
     if (result.triangles.empty()) throw InvalidArgument("ics.section", "could not be divided into triangles");
     return result;
 }

@@ -115,20 +115,20 @@ bool fits(IcSpec spec, double most, const auto& change) {
 /// Advises what to ask for instead.
 std::string advice(const IcSpec& spec, const BuildSize& size, double most) {
     char text[200];
-    if (spec.section) return "take a coarser accuracy, or fewer strips";
-    if (table_bytes(spec) > size.bytes / 2) return "take a grid of fewer elements";
-    if (spec.accuracy > 0) return "take a coarser accuracy";
+    if (spec.section) return "Use a coarser accuracy, or fewer strips";
+    if (table_bytes(spec) > size.bytes / 2) return "Use a grid of fewer elements";
+    if (spec.accuracy > 0) return "Use a coarser accuracy";
     if (spec.fem.mesh == MeshKind::adaptive) {
-        std::snprintf(text, sizeof text, "take a max_dofs of %.0f or less",
+        std::snprintf(text, sizeof text, "Use a max_dofs of %.0f or less",
                       static_cast<double>(spec.fem.max_dofs) * std::max(most - program, 0.0) / (size.bytes - program));
         return text;
     }
     for (int order = spec.fem.order - 1; order >= 2; --order)
         if (fits(spec, most, [&](FemSpec& fem) { fem.order = order; })) {
-            std::snprintf(text, sizeof text, "order %d would fit, and ", order);
-            return text + std::string("so would layers that grow faster (f) or a smaller mesh (L_over_h, l_over_h)");
+            std::snprintf(text, sizeof text, "Use order %d, ", order);
+            return text + std::string("layers that grow faster (f), or a smaller mesh (L_over_h, l_over_h)");
         }
-    return "take layers that grow faster (f), or a smaller mesh (L_over_h, l_over_h, h_over_hs)";
+    return "Use layers that grow faster (f), or a smaller mesh (L_over_h, l_over_h, h_over_hs)";
 }
 
 const char* field_of(const IcSpec& spec, const BuildSize& size) {
@@ -178,9 +178,9 @@ void require_room(const IcSpec& spec, const BuildSize& size, std::uint64_t max_m
     const auto most = static_cast<double>(max_memory_bytes);
     if (max_memory_bytes == 0 || size.bytes <= certainty * most) return;
     throw OutOfMemory(field_of(spec, size), "The build would take about " + gigabytes(size.bytes) + " of memory for " +
-                                                std::to_string(size.dofs) + " unknowns, and may use " +
+                                                std::to_string(size.dofs) + " unknowns, but may use " +
                                                 std::to_string(max_memory_bytes) +
-                                                " bytes (builds.max_memory_bytes): " + advice(spec, size, most) + ".");
+                                                " bytes (builds.max_memory_bytes). " + advice(spec, size, most) + ".");
 }
 
 }  // namespace contactd::fem

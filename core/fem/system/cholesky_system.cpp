@@ -41,7 +41,7 @@ double product_rate() {
 CholeskySystem::CholeskySystem(ElasticityProblem& problem, const AssemblyMonitor& monitor)
     : tolerance_(problem.spec().fem.tolerance) {
     if (problem.processes() > 1)
-        throw InvalidArgument("ics.solver", "is direct, which needs one process; take amg_pcg, or auto");
+        throw InvalidArgument("ics.solver", "is direct, which requires a single process; use amg_pcg or auto");
     CondensedAssembly assembly(problem.space());
     lower_ = assembly.assemble(problem.spec().material, monitor);
     number_ = assembly.node_numbers();

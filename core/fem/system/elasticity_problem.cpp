@@ -46,9 +46,9 @@ ElasticityProblem::ElasticityProblem(MPI_Comm comm, const IcSpec& spec, BlockMes
     MPI_Comm_size(comm, &processes_);
     elements_ = block.mesh.GetNE();
     if (processes_ > elements_)
-        throw InvalidArgument("ics.h_over_hs", "gives a mesh of " + std::to_string(elements_) +
+        throw InvalidArgument("ics.h_over_hs", "results in a mesh of " + std::to_string(elements_) +
                                                    " elements, fewer than the " + std::to_string(processes_) +
-                                                   " processes it shall be distributed to");
+                                                   " processes of the build");
     std::vector<int> owner = owners();
     mesh_ = std::make_unique<mfem::ParMesh>(comm, block.mesh, owner.data());
     int own = 0;

@@ -10,9 +10,9 @@ namespace contactd::fem {
 Solver chosen_solver(const ElasticityProblem& problem) {
     const FemSpec& fem = problem.spec().fem;
     if (fem.solver == Solver::direct && (problem.processes() > 1 || fem.mesh == MeshKind::adaptive))
-        throw InvalidArgument("ics.solver",
-                              "is direct, which needs one process and a mesh without hanging nodes; take "
-                              "amg_pcg, or auto");
+        throw InvalidArgument(
+            "ics.solver",
+            "is direct, which requires a single process and a mesh without hanging nodes; use amg_pcg or auto");
     return solver_for(fem, problem.dofs(), problem.processes());
 }
 

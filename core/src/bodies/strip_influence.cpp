@@ -128,8 +128,8 @@ ContactInfluence strip_influence(const ContactProblem& problem, StripTable pair,
     const Grid& grid = problem.grid;
     if (pair.strips != grid.ny || pair.nx < grid.nx)
         throw InvalidArgument("grid", "has " + std::to_string(grid.ny) + " rows of " + std::to_string(grid.nx) +
-                                          " elements; the table holds " + std::to_string(pair.strips) + " strips and " +
-                                          std::to_string(pair.nx) + " offsets along x");
+                                          " elements; the table contains " + std::to_string(pair.strips) +
+                                          " strips and " + std::to_string(pair.nx) + " offsets along x");
     const StepAlongStrips step = step_along_strips(problem);
     const int offsets = grid.nx + step.reach();
     const IcTable near = pair_of(half_space(problem, problem.bodies.upper, offsets, observer),

@@ -29,9 +29,9 @@ double turn(const Frames& frames, std::size_t i) {
 void check_flat(const Frames& frames, const std::string& name) {
     for (std::size_t i = 0; i < frames.size(); ++i)
         if (std::abs(turn(frames, i)) > rounding)
-            throw InvalidArgument("columns", "are missing, and the section of " + name + " is curved: strip " +
-                                                 std::to_string(i) + " is turned by " + short_text(turn(frames, i)) +
-                                                 " rad from the first one; give the frames that ic.get answers");
+            throw InvalidArgument("columns", "are missing, but the section of " + name + " is curved: strip " +
+                                                 std::to_string(i) + " is rotated by " + short_text(turn(frames, i)) +
+                                                 " rad from the first one; give the frames that ic.get returns");
 }
 
 void check_same(const Frames& stated, const Frames& of_section, double dy) {
@@ -43,9 +43,10 @@ void check_same(const Frames& stated, const Frames& of_section, double dy) {
             std::abs(step(stated) - step(of_section)) <= rounding * dy)
             continue;
         throw InvalidArgument("columns.frames[" + std::to_string(i) + "]",
-                              "is turned by " + short_text(turn(stated, i)) +
-                                  " rad from the first one, and the section of bodies.lower by " +
-                                  short_text(turn(of_section, i)) + "; give the frames that ic.get answers for it");
+                              "is rotated by " + short_text(turn(stated, i)) +
+                                  " rad from the first one, but the section of bodies.lower by " +
+                                  short_text(turn(of_section, i)) +
+                                  ", or its strips are at other distances; give the frames that ic.get returns for it");
     }
 }
 
@@ -55,9 +56,9 @@ void check_along(const Frames& stated, Frames of_upper) {
     for (std::size_t i = 0; i < stated.size(); ++i)
         if (std::abs(turn(stated, i) - turn(of_upper, i)) > largest_lag)
             throw InvalidArgument("columns.frames[" + std::to_string(i) + "]",
-                                  "is turned by " + short_text(turn(stated, i)) +
-                                      " rad from the first one, and the strip of bodies.upper that lies opposite by " +
-                                      short_text(turn(of_upper, i)) + "; it must lie along the lower body");
+                                  "is rotated by " + short_text(turn(stated, i)) +
+                                      " rad from the first one, but the opposite strip of bodies.upper by " +
+                                      short_text(turn(of_upper, i)) + "; both must be parallel");
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ ContactInfluence viscoelastic_influence(const ContactProblem& problem, IcTable e
     const auto* rolling = problem.friction ? std::get_if<Rolling>(&problem.motion) : nullptr;
     if (rolling == nullptr)
         throw InvalidArgument("friction.rolling",
-                              "is missing; coefficients of viscoelastic bodies depend on how fast they roll");
+                              "is missing; coefficients of viscoelastic bodies depend on the velocity of rolling");
     const Bodies& bodies = problem.bodies;
     const bool is_forward = std::cos(rolling->chi) > 0;
     const RollingHalfSpaces half_spaces{bodies, rolling->velocity, is_forward};

@@ -66,8 +66,8 @@ double size_of(const Pair& r) {
 void check_reach(const PrescribedForce& prescribed, const char* field) {
     const double force = std::hypot(prescribed.Fx.value_or(0), prescribed.Fy.value_or(0));
     if (force > 0 && !(force < prescribed.bound))
-        throw InvalidArgument(field, "is " + number_text(force) + " N; friction carries less than mu Fn = " +
-                                         number_text(prescribed.bound) + " N");
+        throw InvalidArgument(field, "is " + number_text(force) +
+                                         " N; it must be less than mu Fn = " + number_text(prescribed.bound) + " N");
 }
 
 std::optional<SolverEvidence> find_motion(const std::function<Pair(const Pair&)>& force,

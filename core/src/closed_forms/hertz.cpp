@@ -165,8 +165,9 @@ void check(const CylinderGap& gap, double compliance) {
 }
 
 [[noreturn]] void refuse_datum(const CylinderGap& gap, const std::string& how) {
-    throw InvalidArgument("ics.line_contact.datum", "is " + number_text(gap.datum) + ", and the contact " + how +
-                                                        " wide on each side; the datum lies outside the contact");
+    throw InvalidArgument("ics.line_contact.datum", "is " + number_text(gap.datum) +
+                                                        ", but the half-width of the contact " + how +
+                                                        "; the datum must lie outside the contact");
 }
 
 double approach_of(const CylinderGap& gap, double a) {
@@ -198,7 +199,7 @@ HertzContact hertz_of_line_approach(const CylinderGap& gap, double compliance, d
     HertzContact contact;
     contact.approach = approach;
     if (!(approach > 0)) return contact;
-    if (approach > approach_of(gap, gap.datum)) refuse_datum(gap, "is more than that");
+    if (approach > approach_of(gap, gap.datum)) refuse_datum(gap, "is larger");
     double log_a = std::log(gap.datum);
     for (int iteration = 0; iteration < 60; ++iteration) {
         const double a = std::exp(log_a), slope = 2 - 1 / (std::log(2 * gap.datum / a) + 0.5);

@@ -28,8 +28,8 @@ inline RollingFrame rolling_frame(const SemiAxes& axes, double chi) {
     if (std::abs(axes.a - axes.b) <= tolerance * axes.a) return {c, s, axes};
     throw InvalidArgument("friction.rolling.chi",
                           "is " + std::to_string(chi) +
-                              " rad, along no axis of the contact ellipse, whose axes differ; simplified models take a "
-                              "multiple of pi/2, or any direction for a circle, the model full takes all");
+                              " rad, which is not along an axis of the contact ellipse; simplified models support "
+                              "multiples of pi/2, and any direction for a circle: use one of them, or model full");
 }
 
 }  // namespace contactd

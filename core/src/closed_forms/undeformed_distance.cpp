@@ -24,8 +24,8 @@ std::vector<double> undeformed_distance(const ContactProblem& problem) {
 void check_is_curved(double radius, const char* field) {
     if (!(radius > 0 && std::isfinite(radius)))
         throw InvalidArgument(field,
-                              "is flat or concave; Hertz's theory needs both radii of the gap positive and finite, "
-                              "or, of a contact that does not change along y, ics.line_contact and Rx");
+                              "is flat or concave; Hertz's theory requires positive, finite radii Rx and Ry, or Rx "
+                              "alone with ics.line_contact");
 }
 
 HertzContact hertz_of(const ContactProblem& problem) {

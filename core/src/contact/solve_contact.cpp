@@ -146,11 +146,12 @@ void warn_of_edges(const ContactProblem& problem, ContactSolution& solution) {
         if (edge < width)
             solution.warnings.push_back("The edge of bodies." + name + " is " + short_text(edge) +
                                         " mm from the contact, which is " + short_text(width) +
-                                        " mm wide: closed forms know no edges. Take ics.source fem.");
+                                        " mm wide. Closed forms neglect edges; use ics.source fem.");
         if (size * block->height < width)
-            solution.warnings.push_back("The block of bodies." + name + " is " + short_text(size * block->height) +
-                                        " mm high, and the contact is " + short_text(width) +
-                                        " mm wide: closed forms know no ground below. Take ics.source fem.");
+            solution.warnings.push_back(
+                "The block of bodies." + name + " is " + short_text(size * block->height) +
+                " mm high, and the contact is " + short_text(width) +
+                " mm wide. Closed forms neglect the support below the block; use ics.source fem.");
     };
     warn_of(problem.bodies.upper, "upper", first);  // whose strips run the other way
     warn_of(problem.bodies.lower, "lower", grid.ny - 1 - last);
@@ -172,14 +173,14 @@ void warn(const ContactProblem& problem, ContactSolution& solution) {
             std::string("No element has its centre in the contact, which is narrower than the elements or lies beyond "
                         "the potential contact area: ") +
             (sums_over_elements(problem)
-                 ? "tangential forces, which are sums over the elements, have nothing of it."
-                 : "the forces are those of the whole contact, but the arrays show nothing of it."));
+                 ? "tangential forces, which are sums over the elements, do not include it."
+                 : "the forces are those of the whole contact, but the arrays do not show it."));
     if (solution.elements.border == 0) return;
     const bool one = solution.elements.border == 1;
     solution.warnings.push_back(std::to_string(solution.elements.border) +
                                 (one ? " contact element touches" : " contact elements touch") +
-                                " the border of the potential contact area: the contact may reach beyond it, and the "
-                                "solution is that of bodies cut off there.");
+                                " the border of the potential contact area. The contact may extend beyond it, which "
+                                "the solution neglects. Use a larger grid.");
 }
 
 /// The layer of a third body shears as a sheet does.

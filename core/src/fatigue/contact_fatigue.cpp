@@ -137,10 +137,10 @@ void add_damages(const FatigueRequest& request, ContactFatigue& fatigue, std::ve
         if (!(fatigue.T_gamma > 0) ||
             (fatigue.T_gamma >= function.range.least && fatigue.T_gamma <= function.range.most))
             continue;
-        warnings.push_back("The function of damage " + function.name + " was fitted from " +
+        warnings.push_back("The damage function " + function.name + " was fitted from " +
                            number_text(function.range.least) + " to " + number_text(function.range.most) +
-                           " N, and T gamma is " + short_text(fatigue.T_gamma) +
-                           " N here: damage is what it would be there.");
+                           " N, but T gamma is " + short_text(fatigue.T_gamma) +
+                           " N here. The reported damage is extrapolated.");
     }
 }
 

@@ -49,8 +49,8 @@ std::size_t lanes_by_name(const char* asked) {
         if (asked == name) return lanes;
         names += (names.empty() ? "" : " or ") + name;
     }
-    throw InvalidArgument("CONTACTD_LANES", "of the environment is '" + std::string(asked) +
-                                                "'; on this processor it must be " + names + ", or not be set");
+    throw InvalidArgument("CONTACTD_LANES", "in the environment is '" + std::string(asked) +
+                                                "'; on this processor it must be " + names + ", or unset");
 }
 
 std::size_t default_lanes() {

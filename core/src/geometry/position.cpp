@@ -42,13 +42,14 @@ ProfileCurve curve_of(const ProfileSpec& spec, const std::string& name) {
 void check_fit(const WheelRailSetup& setup, const ProfileCurve& wheel, const ProfileCurve& rail) {
     const double rail_width = rail.points().back().y - rail.points().front().y;
     if (!setup.track.rail_origin && !(setup.track.gauge > rail_width))
-        throw InvalidArgument("track.gauge", "is " + number_text(setup.track.gauge) + ", less than a rail is wide, " +
-                                                 short_text(rail_width) + " mm: the rails would lie in each other");
+        throw InvalidArgument("track.gauge", "is " + number_text(setup.track.gauge) +
+                                                 ", less than the width of a rail, " + short_text(rail_width) +
+                                                 " mm: the rails would overlap");
     double highest = 0;
     for (const ProfilePoint& point : wheel.points()) highest = std::min(highest, point.z);
     if (!(setup.wheelset.nominal_radius > 2 * -highest))
         throw InvalidArgument("wheelset.nominal_radius", "is " + number_text(setup.wheelset.nominal_radius) +
-                                                             ", and the wheel's profile reaches " +
+                                                             ", but the wheel's profile reaches " +
                                                              short_text(-highest) +
                                                              " mm towards the axle; it must be more than twice that");
 }
@@ -127,7 +128,7 @@ class PointsOfFiles {
         if (std::holds_alternative<ProfileFile>(spec.shape)) points_ += curve.points().size();
         if (points_ > most_points_of_slices)
             throw InvalidArgument(field_, "have more than " + std::to_string(most_points_of_slices) +
-                                              " points together; leave some of them out");
+                                              " points together; omit some of them");
     }
 
    private:

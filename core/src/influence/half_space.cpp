@@ -78,7 +78,7 @@ double half_space_bilinear_coefficient(Axis i, Axis j, double x, double y, doubl
 
 IcTable half_space_table(const IcSpec& spec, const Observer& observer) {
     if (spec.source != IcSource::analytic)
-        throw InvalidArgument("ics.source", "is \"fem\"; closed-form coefficients need \"analytic\"");
+        throw InvalidArgument("ics.source", "is fem; closed-form coefficients require analytic");
     validate(spec);
     return closed_form(spec, observer);
 }
@@ -93,7 +93,7 @@ IcTable error_unit(const IcSpec& spec, const IcTable& exact) {
 void compare_tables(const IcSpec& spec, const IcTable& table, const IcTable& exact, IcEvidence& evidence) {
     for (const IcTable* each : {&table, &exact})
         if (each->nx != spec.nx || each->ny != spec.ny)
-            throw InvalidArgument("table", "has another extent than its spec; both must be the same");
+            throw InvalidArgument("table", "has a different extent than its spec; both must be equal");
     const IcTable unit = error_unit(spec, exact);
     evidence.errors.xx = relative_error(table, exact, unit, Axis::x);
     evidence.errors.yy = relative_error(table, exact, unit, Axis::y);

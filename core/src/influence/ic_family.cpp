@@ -17,11 +17,11 @@ namespace {
 
 void check(const std::vector<IcTable>& family) {
     if (family.size() < 4 || family.size() % 2 != 0)
-        throw InvalidArgument("family", "holds " + std::to_string(family.size()) +
-                                            " tables; it must hold two or more for each of its halves");
+        throw InvalidArgument("family", "contains " + std::to_string(family.size()) +
+                                            " tables; it must contain at least two for each of its halves");
     for (const IcTable& table : family)
         if (table.nx != family[0].nx || table.ny != family[0].ny)
-            throw InvalidArgument("family", "holds tables of different extents; all must have the same");
+            throw InvalidArgument("family", "contains tables of different extents; all must have the same extent");
 }
 
 void check_nu(double nu) {
@@ -151,7 +151,8 @@ double decay(double last, double before) {
 }  // namespace
 
 std::vector<double> family_points(int n) {
-    if (n < 2) throw InvalidArgument("n", "is " + std::to_string(n) + "; each half of a family has two points or more");
+    if (n < 2)
+        throw InvalidArgument("n", "is " + std::to_string(n) + "; each half of a family needs at least two points");
     std::vector<double> points = half_points(half_of(false), n);
     const std::vector<double> upper = half_points(half_of(true), n);
     points.insert(points.end(), upper.begin(), upper.end());

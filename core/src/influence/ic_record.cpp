@@ -61,8 +61,8 @@ IcTable part_of(const IcFamily& family, const IcRecord& record, const IcSpec& re
     }
     if (!known)
         throw StoreError(
-            "The stored family holds tables at other Poisson's ratios than those this version "
-            "interpolates between; remove it from the store and build it again.");
+            "The stored family contains tables at other Poisson's ratios than this version uses. Remove it from the "
+            "store and build it again.");
     return cropped(interpolated(family.tables, request.material.nu), request.nx, request.ny, factor);
 }
 
@@ -87,7 +87,7 @@ StripTable part_of(const StripSpectrum& spectrum, const IcRecord&, const IcSpec&
         most_values / static_cast<std::size_t>(request.ny))
         throw InvalidArgument(
             "grid.nx", "is " + std::to_string(request.nx) + ", with ny " + std::to_string(request.ny) +
-                           "; nx ny^2 of a longitudinally uniform body may be at most " + std::to_string(most_values));
+                           "; nx ny^2 of a longitudinally uniform body must not exceed " + std::to_string(most_values));
     constexpr std::size_t worth_a_thread = 1'000'000;  // coefficients, some ten milliseconds
     const std::size_t values = 9 * static_cast<std::size_t>(request.nx) * static_cast<std::size_t>(request.ny) *
                                static_cast<std::size_t>(request.ny);
@@ -126,7 +126,7 @@ IcTable table_for(const IcRecord& record, const IcSpec& request, int threads, co
     BodyTable found = body_table(record, request, threads, observer);
     const bool is_known = std::holds_alternative<StripSpectrum>(record.tables);  // to be finite, by strip_table
     if (!is_known && !std::visit([](const auto& table) { return all_finite(table.values); }, found))
-        throw NotFinite("Coefficients of the table are beyond a double's range.");
+        throw NotFinite("Coefficients of the table exceed the range of a double.");
     if (auto* strips = std::get_if<StripTable>(&found)) {
         IcTable table;  // the same numbers in the same order, a pair of strips being a row
         table.nx = strips->nx;

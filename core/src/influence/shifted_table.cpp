@@ -45,7 +45,7 @@ void check_shift(double shift, double size, const char* field) {
 void check_extent(int table_nx, int table_ny, int nx, int ny) {
     if (table_nx < nx || table_ny < ny)
         throw InvalidArgument("grid", "needs offsets up to " + std::to_string(nx) + " x " + std::to_string(ny) +
-                                          "; the table holds " + std::to_string(table_nx) + " x " +
+                                          "; the table contains " + std::to_string(table_nx) + " x " +
                                           std::to_string(table_ny));
 }
 
@@ -222,7 +222,7 @@ ShiftedTable shifted_table(const IcTable& pair, const std::optional<HalfSpaces>&
 ShiftedTable change_over_step(const IcTable& pair, const ShiftedTable& ahead) {
     if (pair.nx < ahead.nx || pair.ny < ahead.ny)
         throw InvalidArgument("grid", "needs offsets up to " + std::to_string(ahead.nx) + " x " +
-                                          std::to_string(ahead.ny) + "; the table holds " + std::to_string(pair.nx) +
+                                          std::to_string(ahead.ny) + "; the table contains " + std::to_string(pair.nx) +
                                           " x " + std::to_string(pair.ny));
     using enum Axis;
     ShiftedTable change = ahead;

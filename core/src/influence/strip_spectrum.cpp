@@ -104,7 +104,7 @@ class TableMaker {
             others.push_back(std::async(std::launch::async, work));
         work();
         for (std::future<void>& other : others) other.get();
-        if (!finite) throw NotFinite("Coefficients of the table are beyond a double's range.");
+        if (!finite) throw NotFinite("Coefficients of the table exceed the range of a double.");
         return table;
     }
 

@@ -146,7 +146,7 @@ ConvolutionOperator::ConvolutionOperator(const IcTable& table, int nx, int ny) {
                                           " elements; both numbers must be at least 1");
     if (table.nx < nx || table.ny < ny)
         throw InvalidArgument("grid", "needs offsets up to " + std::to_string(nx) + " x " + std::to_string(ny) +
-                                          "; the table holds " + std::to_string(table.nx) + " x " +
+                                          "; the table contains " + std::to_string(table.nx) + " x " +
                                           std::to_string(table.ny));
     impl_ = std::make_unique<Impl>(cropped(table, nx, ny));
 }

@@ -28,7 +28,7 @@ std::vector<Term> terms_of(OfBodies<Operator>& bodies) {
     std::vector<Term> terms;
     if (bodies.upper) terms.push_back({std::move(bodies.upper), upper_sign});
     if (bodies.lower) terms.push_back({std::move(bodies.lower), lower_sign});
-    if (terms.empty()) throw InvalidArgument("bodies", "are both rigid; one of them must deform");
+    if (terms.empty()) throw InvalidArgument("bodies", "are both rigid; one of them must be elastic");
     if (terms.front().body->size() != terms.back().body->size())
         throw InvalidArgument("bodies", "have operators on different numbers of elements");
     return terms;

@@ -46,7 +46,7 @@ std::vector<unsigned char> read_all(const fs::path& path) {
     if (!file.is_regular()) throw StoreError(name_of(path) + " is not a regular file.");
     const std::optional<std::uintmax_t> size = file.size();
     if (!size) fail("read", path, file.error());
-    if (*size > largest_file) throw DamagedTable(name_of(path) + " is larger than any table.");
+    if (*size > largest_file) throw DamagedTable(name_of(path) + " is too large for a table.");
     std::vector<unsigned char> bytes(static_cast<std::size_t>(*size));
     const std::optional<std::size_t> have = file.read(bytes);
     if (!have) fail("read", path, file.error());
@@ -60,9 +60,10 @@ void check_header(Bytes bytes, const fs::path& path) {
     if (bytes.size() > any_magic.size() && std::equal(any_magic.begin(), any_magic.end(), bytes.begin())) {
         const std::string rest(bytes.begin() + any_magic.size(),
                                bytes.begin() + std::min(bytes.size(), any_magic.size() + 4));
-        if (std::atoi(rest.c_str()) > 1) throw NewerFormat(name_of(path) + " was written by a newer contactd.");
+        if (std::atoi(rest.c_str()) > 1)
+            throw NewerFormat(name_of(path) + " was written by a newer version of contactd.");
     }
-    throw DamagedTable(name_of(path) + " is no table of influence coefficients, or its beginning is lost.");
+    throw DamagedTable(name_of(path) + " is not a table of influence coefficients, or its beginning is lost.");
 }
 
 std::array<unsigned char, header_size> header_of(Bytes image) {

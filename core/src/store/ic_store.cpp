@@ -118,7 +118,7 @@ IcStore::IcStore(fs::path folder, Report report) : folder_(std::move(folder)), r
     std::error_code error;
     fs::create_directories(folder_, error);
     if (error || platform::cannot_use(folder_, false))
-        throw StoreError("The store's folder " + folder_.string() + " cannot be made or read" +
+        throw StoreError("The store's folder " + folder_.string() + " cannot be created or read" +
                          (error ? ": " + error.message() + "." : "."));
 }
 
@@ -126,7 +126,7 @@ std::string IcStore::problem() const {
     std::error_code error;
     fs::create_directories(folder_, error);
     const std::string why = error ? error.message() : cannot_write(folder_);
-    return why.empty() ? why : "The store's folder cannot be written to: " + why + ".";
+    return why.empty() ? why : "The store's folder is not writable: " + why + ".";
 }
 
 fs::path IcStore::path_of(const IcSpec& spec) const {
@@ -157,7 +157,7 @@ std::optional<IcRecord> IcStore::find(const IcSpec& spec, const TableOwner& owne
             IcRecord record = read_ic_file(stored.path);
             if (ic_key(record.spec) != key || record.spec.dx != 1 || record.spec.material.G != 1 ||
                 extent_of(record.tables) != IcExtent{stored.nx, stored.ny})
-                throw DamagedTable(stored.path.string() + " does not hold the table its name promises.");
+                throw DamagedTable(stored.path.string() + " does not contain the table that its name identifies.");
             note_use(stored.path, time_of_use());
             return record;
         } catch (const DamagedTable& error) {
@@ -168,7 +168,7 @@ std::optional<IcRecord> IcStore::find(const IcSpec& spec, const TableOwner& owne
             fs::create_directories(aside.parent_path(), failed);
             fs::rename(stored.path, aside, failed);
             if (failed) fs::remove(stored.path, failed);
-            report_(std::string(error.what()) + " It was set aside as " + aside.string() + ".");
+            report_(std::string(error.what()) + " It was renamed to " + aside.string() + ".");
         } catch (const StoreError& error) {
             std::error_code ignored;
             if (fs::exists(stored.path, ignored)) report_(error.what());  // else another process removed it meanwhile

@@ -27,9 +27,8 @@ constexpr double rounding = 1e-9;
 /// `allowed`: what is stated, and what interpolation between Poisson's ratios adds.
 void require_at_most(double found, double allowed, const char* component) {
     if (found <= allowed * (1 + 1e-6) + rounding) return;
-    refuse(std::string("hold ") + component + " that err by " + number_text(found) +
-           " against the closed form of the half-space; they are stated to err by " + number_text(allowed) +
-           " at most");
+    refuse(std::string("have errors of ") + component + " of " + number_text(found) +
+           " relative to the closed form of the half-space, but the stated errors are at most " + number_text(allowed));
 }
 
 void require_stated_errors(const IcTable& table, const IcSpec& spec, const IcEvidence& stated) {
@@ -37,7 +36,7 @@ void require_stated_errors(const IcTable& table, const IcSpec& spec, const IcEvi
     compare_with_half_space(spec, table, found);
     const IcErrors& errors = stated.errors;
     if (!errors.xx || !errors.yy || !errors.zz || !errors.scaled_xy || !errors.scaled_xz)
-        refuse("come without their errors against the closed form, which every table of a half-space states");
+        refuse("lack their errors relative to the closed form, which every table of a half-space must state");
     const double added = std::max(stated.interpolation_error.value_or(0), 0.0);
     const auto allowed = [&](double error) {
         return (spec.accuracy > 0 ? std::min(error, spec.accuracy) : error) + added;
@@ -71,10 +70,10 @@ void require_near_half_space(const IcTable& table, const IcSpec& spec, const IcE
         for (int l = 0; l < table.ny; ++l)
             for (int k = 0; k < table.nx; ++k)
                 if (std::abs(table(i, i, k, l) - exact(i, i, k, l)) > share * exact(i, i, 0, 0))
-                    refuse("hold " + number_text(table(i, i, k, l)) + " for " + std::string(name_of(i)) +
+                    refuse("contain " + number_text(table(i, i, k, l)) + " for " + std::string(name_of(i)) +
                            std::string(name_of(i)) + " at the offset (" + std::to_string(k) + ", " + std::to_string(l) +
                            "), where a half-space has " + number_text(exact(i, i, k, l)) +
-                           "; no block of this size is that far from it");
+                           "; a block of this size cannot differ by that much");
 }
 
 /// u_i here by a load j there is u_j there by a load i here.
@@ -120,8 +119,8 @@ void require_work(const IcTable& table, const Observer& observer) {
                             table.at(i, j, stride * (a % nx - b % nx), stride * (a / nx - b / nx));
         matrix = (matrix + matrix.transpose().eval()) / 2;
         if (!is_positive_definite(matrix))
-            refuse("would let a traction on elements " + std::to_string(stride) +
-                   " apart take work out of the body: coefficients must be positive definite");
+            refuse("give a traction on elements " + std::to_string(stride) +
+                   " apart a negative elastic energy: coefficients must be positive definite");
     }
 }
 
@@ -151,7 +150,7 @@ void require_sound(const IcTable& table, const IcSpec& spec, const IcEvidence& s
 }
 
 void require_sound(const StripSpectrum& spectrum, const IcEvidence& stated, bool is_free, const Observer& observer) {
-    if (!stated.section) refuse("come without the errors that every transform of a section states");
+    if (!stated.section) refuse("lack the errors that every transform of a section must state");
     constexpr double most_slack = 0.05;
     const double slack = std::clamp(stated.section->error, rounding, most_slack);
     for (std::size_t node = is_free ? 1 : 0; node < spectrum.nodes.size(); ++node) {
@@ -161,7 +160,7 @@ void require_sound(const StripSpectrum& spectrum, const IcEvidence& stated, bool
                 const int count = std::min(window, (spectrum.strips - 1 - first) / stride + 1);
                 if (!is_sound(spectrum, node, first, stride, count, slack))
                     refuse(
-                        "hold a transform under which a traction on strips would take work out of the body, at the "
+                        "contain a transform that gives a traction on strips a negative elastic energy at the "
                         "wavenumber " +
                         std::to_string(node) + ": it must be positive definite");
             }

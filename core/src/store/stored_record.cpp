@@ -24,7 +24,7 @@ void check_as_file(const Check& check) {
     try {
         check();
     } catch (const InvalidArgument& error) {
-        refuse(std::string("hold what no builder makes: ") + error.what());
+        refuse(std::string("are not the result of a build: ") + error.what());
     }
 }
 
@@ -38,7 +38,7 @@ void require_frames(const StripSpectrum& spectrum, const IcSpec& spec) {
     for (int a = 0; a < 3 * spectrum.strips; ++a)
         for (std::size_t node = 0; node < spectrum.nodes.size(); ++node)
             if (!(spectrum.values[spectrum.index(node, a, a)] > 0))
-                refuse("hold a transform under which a strip yields against its load, at the wavenumber " +
+                refuse("contain a transform that moves a strip against its load, at the wavenumber " +
                        std::to_string(node) + " and the strip " + std::to_string(a / 3));
     std::vector<StripFrame> frames;
     check_as_file([&] { frames = strip_frames(*spec.section, spectrum.strips, spec.dy); });
@@ -49,7 +49,7 @@ void require_frames(const StripSpectrum& spectrum, const IcSpec& spec) {
                std::abs(one.angle - other.angle) < rounding;
     };
     if (!std::ranges::equal(spectrum.frames, frames, equal))
-        refuse("hold frames of strips that are not those of its section");
+        refuse("contain frames of strips that do not match the section");
 }
 
 /// Tables lie at these Poisson's ratios and no others, or none in between can be told.
@@ -59,7 +59,7 @@ void require_points(const std::vector<double>& family_nu) {
         const auto near = [](double one, double other) { return std::abs(one - other) < 1e-9; };
         if (std::ranges::equal(family_nu, points, near)) return;
     }
-    refuse("hold a family of tables at other Poisson's ratios than those that are interpolated between");
+    refuse("contain a family of tables at other Poisson's ratios than this version uses");
 }
 
 }  // namespace
@@ -67,10 +67,12 @@ void require_points(const std::vector<double>& family_nu) {
 IcRecord stored_record(IcRecord record, const Observer& observer) {
     IcSpec& spec = record.spec;
     if (spec.source != IcSource::fem)
-        refuse("hold a table of source analytic; stores keep those of finite elements, the others are made anew");
+        refuse(
+            "contain a table of source analytic; stores contain tables by finite elements only, and others are "
+            "recomputed");
     check_as_file([&] { validate(spec); });
     if (spec.any_nu && (spec.material.G != 1 || spec.dx != 1))
-        refuse("hold a family of tables with dimensions; families are kept for G = 1 and dx = 1 only");
+        refuse("contain a family of tables with dimensions; families are stored for G = 1 and dx = 1 only");
     const double factor = spec.material.G / spec.dx;
     if (auto* spectrum = std::get_if<StripSpectrum>(&record.tables)) {
         require_frames(*spectrum, spec);

@@ -54,7 +54,7 @@ std::array<double, 3> half_space_displacement(const IcSpec& spec, Axis load, con
     const auto [x, y, z] = point;
     const double distance = std::hypot(x, y, z), size = std::max(spec.dx, spec.dy);
     if (!(z <= 1e-9 * std::max(distance, size)))  // rounding of a mesh may leave the surface
-        throw InvalidArgument("point", "has z = " + number_text(z) + "; the half-space is z <= 0");
+        throw InvalidArgument("point", "has z = " + number_text(z) + "; it must be <= 0, inside the half-space");
     // An n-point rule errs by about (2 distance/half)^(-2n), half being that of the load's support.
     const double nu = spec.material.nu;
     const bool far = distance > 100 * size;

@@ -138,8 +138,8 @@ SubsurfaceStress in_layers(const Grid& grid, const SurfaceTractions& tractions, 
     double bottom = 0;
     for (const Layer& layer : body.layers) bottom += layer.thickness;
     if (const double deepest = depths.rbegin()->first; body.base.is_rigid() && deepest > bottom)
-        throw InvalidArgument(field, "holds z = " + number_text(-deepest) +
-                                         "; the layers end at z = " + number_text(-bottom) + ", on a rigid base");
+        throw InvalidArgument(field, "contains z = " + number_text(-deepest) +
+                                         ", but the layers end at z = " + number_text(-bottom) + ", on a rigid base");
     const LoadedPatch patch(grid, tractions);
     const bool loaded = patch.nx() > 0;
     double done = 0;

@@ -44,22 +44,24 @@ SubsurfaceStress with_von_mises(Arrays<StressField>&& components) {
 
 void check(const Grid& grid, const SurfaceTractions& tractions, double nu) {
     validate(grid, "grid");
-    if (!(nu >= 0 && nu <= 0.5)) throw InvalidArgument("nu", "is " + number_text(nu) + "; it must be 0 to 0.5");
+    if (!(nu >= 0 && nu <= 0.5)) throw InvalidArgument("nu", "is " + number_text(nu) + "; it must lie in [0, 0.5]");
     for (const auto& [values, field] : {std::pair{&tractions.x, "tractions.x"}, std::pair{&tractions.y, "tractions.y"},
                                         std::pair{&tractions.z, "tractions.z"}}) {
         if (!values->empty()) require_size(*values, grid.size(), field);
         for (const double value : *values)
             if (!std::isfinite(value))
-                throw InvalidArgument(field, "holds " + number_text(value) + "; every value must be finite");
+                throw InvalidArgument(field, "contains " + number_text(value) + "; every value must be finite");
     }
 }
 
 void check_coordinate(double value, bool depth, const char* field) {
     constexpr double farthest = 1e50;  // higher powers still have to be numbers
     if (!(std::abs(value) <= farthest))
-        throw InvalidArgument(field, "holds " + number_text(value) + "; every coordinate must be finite, up to 1e50");
+        throw InvalidArgument(field, "contains " + number_text(value) +
+                                         "; every coordinate must be finite and at most 1e50 in magnitude");
     if (depth && value > 0)
-        throw InvalidArgument(field, "holds z = " + number_text(value) + "; the body is z <= 0 in its own frame");
+        throw InvalidArgument(
+            field, "contains z = " + number_text(value) + "; points of the body have z <= 0 in its own frame");
 }
 
 // Reports how much of the work is done.
@@ -175,13 +177,13 @@ class ClassPair {
 void check_is_one_row(const Grid& grid) {
     if (grid.ny != 1)
         throw InvalidArgument("grid.ny", "is " + std::to_string(grid.ny) +
-                                             "; a line contact has one row of elements, which never ends along y");
+                                             "; a line contact has one row of elements, which is infinite along y");
 }
 
 template <class Field>
 Arrays<Field> at_points(const LoadedPatch& patch, double nu, std::span<const std::array<double, 3>> points,
                         Observer& observer) {
-    if (points.empty()) throw InvalidArgument("points", "is empty; there must be at least one");
+    if (points.empty()) throw InvalidArgument("points", "is empty; give at least one");
     for (const auto& [x, y, z] : points) {
         check_coordinate(x, false, "points");
         check_coordinate(y, false, "points");
@@ -201,7 +203,7 @@ Arrays<Field> at_points(const LoadedPatch& patch, double nu, std::span<const std
 void check(const StressBlock& block) {
     for (const auto& [values, field] :
          {std::pair{&block.x, "block.x"}, std::pair{&block.y, "block.y"}, std::pair{&block.z, "block.z"}}) {
-        if (values->empty()) throw InvalidArgument(field, "is empty; there must be at least one coordinate");
+        if (values->empty()) throw InvalidArgument(field, "is empty; give at least one coordinate");
         for (const double value : *values) check_coordinate(value, values == &block.z, field);
     }
 }

@@ -66,7 +66,7 @@ SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tra
                                             std::to_string(grid.ny) + " rows");
     for (const double angle : angles)
         if (!std::isfinite(angle))
-            throw InvalidArgument("angles", "holds " + number_text(angle) + "; every angle must be finite");
+            throw InvalidArgument("angles", "contains " + number_text(angle) + "; every angle must be finite");
     for (const Values* values : {&tractions.y, &tractions.z})
         if (!values->empty()) require_size(*values, grid.size(), "tractions");
     const auto [Y, Z] = along_fixed_axes(grid, tractions, angles);

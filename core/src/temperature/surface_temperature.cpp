@@ -26,9 +26,10 @@ void check(const TemperatureRequest& request) {
         throw InvalidArgument("upper_speed",
                               "is " + number_text(*request.upper_speed) + "; it must lie in [0, 1e12] mm/s");
     if (!rolls_along_x(request.chi))
-        throw InvalidArgument("chi", "is " + number_text(request.chi) +
-                                         "; temperatures are those of rolling along x, 0 or pi, in which heat stays "
-                                         "in its row of elements");
+        throw InvalidArgument(
+            "chi",
+            "is " + number_text(request.chi) +
+                "; temperatures require rolling along x, in which heat stays in its row of elements: use 0 or pi");
     if (request.flow_x.empty() != request.flow_y.empty())
         throw InvalidArgument(request.flow_x.empty() ? "flow_y" : "flow_x",
                               "is given alone. Give flow_x and flow_y, or neither.");
@@ -44,7 +45,7 @@ void check(const TemperatureRequest& request) {
         for (const double value : *values)
             if (!(std::abs(value) <= 1e100))
                 throw InvalidArgument(field,
-                                      "holds " + number_text(value) + "; its values must lie in [-1e100, 1e100]");
+                                      "contains " + number_text(value) + "; its values must lie in [-1e100, 1e100]");
     }
 }
 
@@ -175,21 +176,21 @@ class Surfaces {
         if (longest_ == 0) return;
         if (result_.temperature.peclet < least_peclet)
             result_.warnings.push_back("The Peclet number is " + short_text(result_.temperature.peclet) +
-                                       ", below 10: heat spreads along the surface as well, which temperatures leave "
-                                       "out. They are those of surfaces that pass fast; check the velocity (mm/s), "
-                                       "and whether one of the bodies slides without rolling.");
+                                       ", below 10. Heat also spreads along the surface, which the reported "
+                                       "temperatures neglect. They are those of fast surfaces; check the velocity "
+                                       "(mm/s), and whether one of the bodies slides without rolling.");
         if (has_opposite_)
             result_.warnings.push_back(
                 "The surfaces pass through the contact in opposite directions, because the slip exceeds the speed of "
-                "one of them. Temperatures behind it are those of surfaces that pass in the same direction.");
+                "one of them. Temperatures behind it assume the same direction.");
         if (has_gaps_)
             result_.warnings.push_back(
-                "Rows of elements have gaps in their contact, across which temperatures take both bodies for being in "
-                "contact from the first element to the last.");
+                "Rows of elements have gaps in their contact. Temperatures assume that both bodies are in contact from "
+                "the first element to the last.");
         if (result_.temperature.largest > steel_transforms)
-            result_.warnings.push_back("The largest temperature is " + short_text(result_.temperature.largest) +
-                                       " degrees Celsius, above 800, where steel transforms; thermal properties are "
-                                       "taken for constant.");
+            result_.warnings.push_back(
+                "The largest temperature is " + short_text(result_.temperature.largest) +
+                " degrees Celsius. Steel transforms above 800, but thermal properties are assumed constant.");
     }
 
     const TemperatureRequest& request_;

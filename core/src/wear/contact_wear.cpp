@@ -121,9 +121,9 @@ void warn_of_ranges(const WearRequest& request, const ContactWear& wear, std::ve
         const WearLaw& law = request.laws[i];
         const double argument = wear.laws[i].argument;
         if (!(argument > 0) || (argument >= law.range.least && argument <= law.range.most)) continue;
-        warnings.push_back("The law of wear " + law.name + " was tested from " + number_text(law.range.least) + " to " +
+        warnings.push_back("The wear law " + law.name + " was tested from " + number_text(law.range.least) + " to " +
                            number_text(law.range.most) + ", and its argument is up to " + short_text(argument) +
-                           " here: depths beyond the range are extrapolated.");
+                           " here. Depths beyond the range are extrapolated.");
     }
 }
 
@@ -131,10 +131,10 @@ void warn_of_ranges(const WearRequest& request, const ContactWear& wear, std::ve
 void warn_of_factor(const ContactWear& wear, std::vector<std::string>& warnings) {
     constexpr double largest = 1.5;
     if (wear.factor <= largest && wear.factor >= 1 / largest) return;
-    warnings.push_back("The energy of the slip is " + short_text(wear.T_gamma_with_spin) +
-                       " N by forces and creepages, but " + short_text(wear.dissipation) +
-                       " N summed over the elements: the elements are too large for the depths of single rows. Give "
-                       "smaller elements.");
+    warnings.push_back(
+        "The energy of the slip is " + short_text(wear.T_gamma_with_spin) + " N by forces and creepages, but " +
+        short_text(wear.dissipation) +
+        " N summed over the elements. The elements are too large for the depths of single rows; use smaller ones.");
 }
 
 }  // namespace

@@ -201,20 +201,20 @@ class Balance {
         if (left > tolerance_)
             solution_.warnings.push_back(
                 "No deflection of the rail balances its springs: at y = " + short_text(deflection_.y) +
-                " mm and z = " + short_text(deflection_.z) + " mm " + short_text(left) +
-                " of the force is left after " + std::to_string(solves_) + " solves.");
+                " mm and z = " + short_text(deflection_.z) + " mm, a fraction of " + short_text(left) +
+                " of the force remains after " + std::to_string(solves_) + " solves.");
         if (const double most = std::max(std::abs(deflection_.y), std::abs(deflection_.z));
             most > most_usual_deflection)
-            solution_.warnings.push_back("The rail deflects by " + short_text(most) +
-                                         " mm, where rails deflect by one or two: stiffnesses of track.springs are in "
-                                         "N/mm.");
+            solution_.warnings.push_back(
+                "The rail deflects by " + short_text(most) +
+                " mm, but rails usually deflect by one or two. Give stiffnesses of track.springs in N/mm.");
     }
 
     void report_pitch(double seconds) {
         const double left = std::abs(excess_forwards());
         solution_.pitch_search = {evaluations_, left, left <= tolerance_, seconds};
         if (left <= tolerance_) return;
-        solution_.warnings.push_back("No pitch rate brings Fx = " + number_text(*given_.Fx) + " N: at " +
+        solution_.warnings.push_back("No pitch rate produces Fx = " + number_text(*given_.Fx) + " N: at " +
                                      number_text(pitch_) + " rad/s it is " + short_text(solution_.forces.wheelset.Fx) +
                                      " N.");
     }

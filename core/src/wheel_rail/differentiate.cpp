@@ -166,9 +166,8 @@ void differentiate(RightWheel& wheel, WheelRailSolution& solution, Observer& obs
         solution.derivatives = Differences(wheel, solution, observer).find();
         return;
     }
-    solution.warnings.emplace_back(solution.in_contact()
-                                       ? "The solution did not converge, and so it has no derivatives."
-                                       : "There is no contact, and so there are no derivatives.");
+    solution.warnings.emplace_back(solution.in_contact() ? "The solution did not converge, so it has no derivatives."
+                                                         : "There is no contact, so there are no derivatives.");
 }
 
 }  // namespace contactd

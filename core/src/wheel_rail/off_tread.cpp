@@ -60,7 +60,8 @@ std::optional<std::string> off_tread_warning(const WheelRailSolution& solution, 
             return "The wheel climbs on its flange: Fy/Fz = " + short_text(ratio) +
                    (std::isfinite(lifted) ? ", and its tread is " + short_text(lifted) + " mm above its contact."
                                           : ", and no rail is below its tread.") +
-                   " Forces and pressures are those of a wheel held there; check position.y, roll and the gauge.";
+                   " Forces and pressures are those of a wheel held in this position; check position.y, roll and the "
+                   "gauge.";
     }
     const auto& points = wheel.profile().points();
     const double end = points.back().y, width = end - points.front().y;

@@ -28,10 +28,10 @@ void warn_of_flange_back(const WheelRailSetup& setup, const ProfileCurve& wheel,
     const double back = setup.wheelset.flange_back_position;
     const double end = std::ranges::min_element(wheel.points(), {}, &ProfilePoint::y)->y;
     if (!tip || (back <= tip->y && back >= end - near_back)) return;
-    warnings.push_back("wheelset.flange_back_position is " + short_text(back) +
-                       " mm, and the wheel's profile has the tip of its flange at y = " + short_text(tip->y) +
-                       " and begins at " + short_text(end) +
-                       ": the back of the flange lies between them, or the profile's origin is elsewhere.");
+    warnings.push_back(
+        "wheelset.flange_back_position is " + short_text(back) + " mm, but the wheel's profile begins at y = " +
+        short_text(end) + " and has the tip of its flange at " + short_text(tip->y) +
+        ". The back of the flange must lie between them; check flange_back_position and the origin of the profile.");
 }
 
 }  // namespace
@@ -51,15 +51,17 @@ std::vector<std::string> plausibility_warnings(const ContactReference& reference
     std::vector<std::string> warnings;
     const double y = wheel.frame().inside({reference.x, reference.y, reference.z}).y - wheel.base_y();
     if (const auto tip = flange_tip(wheel.profile()); tip && y < tip->y + near_tip)
-        warnings.push_back(name_of(reference, side) +
-                           " lies at the tip or the back of the wheel's flange, which runs on no rail: check the "
-                           "wheel's orientation (mirror_y, mirror_z), flange_back_position, the gauge and position.y.");
+        warnings.push_back(
+            name_of(reference, side) +
+            " lies at the tip or the back of the wheel's flange, which normally does not touch a rail. Check the "
+            "wheel's orientation (mirror_y, mirror_z), flange_back_position, the gauge and position.y.");
     const auto normal = rail.frame().axes.turned_back({0, std::cos(reference.angle), std::sin(reference.angle)});
     const double turned = std::atan2(normal.z, normal.y);
     if (std::abs(turned) > steepest_head)
-        warnings.push_back(name_of(reference, side) + " lies beside the rail's head, where its surface leans by " +
+        warnings.push_back(name_of(reference, side) +
+                           " lies beside the rail's head, where its surface is inclined by " +
                            short_text(std::abs(turned)) +
-                           " rad: check the rail's orientation and position, the gauge and position.y.");
+                           " rad. Check the rail's orientation and position, the gauge and position.y.");
     return warnings;
 }
 

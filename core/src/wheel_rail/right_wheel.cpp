@@ -30,8 +30,8 @@ namespace {
 using geometry::CandidatePatch;
 
 constexpr const char* nothing_below =
-    "No part of the wheel is above the rail: there is no contact. Where one is meant, check position.y, track.gauge, "
-    "flange_back_distance and flange_back_position of the wheelset, in mm.";
+    "No part of the wheel is above the rail, so there is no contact. If this is unexpected, check position.y, "
+    "track.gauge, flange_back_distance and flange_back_position of the wheelset, in mm.";
 
 /// Adds sentences to what has some.
 template <class Answer>
@@ -71,21 +71,21 @@ WheelRailState shifted_if_slow(const WheelRailSetup& setup, WheelRailState state
 }
 
 std::string falling_force(double z) {
-    return "The vertical force falls while the wheel is lowered near z = " + number_text(z) +
-           " mm, as where patches merge: other heights may bring the same force, and a step may change from one to "
-           "another. Smaller steps stay on one of them.";
+    return "The vertical force decreases while the wheel is lowered near z = " + number_text(z) +
+           " mm, for example because patches merge. Other heights may produce the same force, and a step may switch "
+           "between them. Use smaller steps.";
 }
 
 std::string jumping_force(const HeightFound& found) {
     return "The vertical force jumps from " + short_text(found.jump->above) + " to " + short_text(found.jump->below) +
            " N at z = " + number_text(found.z) +
-           " mm, where other elements or regions count: the contact carries what lies between. Smaller elements jump "
-           "less.";
+           " mm, where the set of elements or regions changes. The largest patch carries the difference. Use smaller "
+           "elements for a smaller jump.";
 }
 
 std::string missed_force(double Fz, const HeightFound& found) {
-    return "No height brings Fz = " + number_text(Fz) + " N: at z = " + number_text(found.z) +
-           " mm the force is off by " + short_text(found.evidence.residual) + " of it after " +
+    return "No height produces Fz = " + number_text(Fz) + " N: at z = " + number_text(found.z) +
+           " mm the relative error of the force is " + short_text(found.evidence.residual) + " after " +
            std::to_string(found.evidence.iterations) + " solves.";
 }
 
@@ -223,10 +223,10 @@ std::optional<double> RightWheel::first_contact_height() const {
 void RightWheel::check_depth(double z) const {
     const double clearance = position_.clearance(z);
     if (clearance < -deepest_penetration)
-        throw InvalidArgument("state.position.z", "is " + number_text(z) + "; there the wheel is " +
-                                                      short_text(-clearance) + " mm inside the rail, and more than " +
+        throw InvalidArgument("state.position.z", "is " + number_text(z) + ", which is " + short_text(-clearance) +
+                                                      " mm inside the rail; elastic contact allows at most " +
                                                       number_text(deepest_penetration) +
-                                                      " mm are no elastic contact: lift the wheelset, or prescribe Fz");
+                                                      " mm: lift the wheelset, or prescribe Fz");
 }
 
 WheelRailSolution RightWheel::at(double z, Observer& observer) {
@@ -260,9 +260,9 @@ Placement RightWheel::placed(double z, std::vector<CandidatePatch> candidates, O
         placement.add(std::move(found), std::move(problem));
     }
     if (history.force_left_behind() > 0 && !candidates.empty())
-        placement.warnings.push_back("Tractions of the step before, " + short_text(history.force_left_behind()) +
-                                     " N, lie farther from all contacts than these are large, and are left out: take "
-                                     "shorter steps, or begin anew.");
+        placement.warnings.push_back("Tractions of the previous step, " + short_text(history.force_left_behind()) +
+                                     " N, are farther from every contact than its own size and are neglected. Use "
+                                     "shorter steps, or start anew.");
     return placement;
 }
 

@@ -29,9 +29,9 @@ void check(const WheelRailContact& left, const WheelRailContact& right, const Wh
     if (left.setup().track.roller_radius.has_value() != right.setup().track.roller_radius.has_value())
         throw InvalidArgument("left.track.roller_radius",
                               std::string(left.setup().track.roller_radius ? "is given" : "is missing") +
-                                  ", and the right wheel runs on a " +
+                                  ", but the right wheel runs on a " +
                                   (right.setup().track.roller_radius ? "roller" : "rail") +
-                                  "; both wheels of a wheelset run on rails, or both on rollers");
+                                  "; both wheels of a wheelset must run on rails, or both on rollers");
 }
 
 /// The result of `solve` for one wheel, which refuses fields by the names that they have for both: "state.Fz" is
@@ -127,11 +127,11 @@ bool carries_load(const WheelRailSolution& wheel) {
 
 std::string no_load(const std::string& side, const RisingFound& found) {
     return "The " + side + " wheel does not carry its load at a roll of " + short_text(found.at) +
-           " rad, and no roll was found at which both do; its own warnings say why.";
+           " rad, and no roll was found at which both do. See the warnings of this wheel.";
 }
 
 std::string not_found(const RisingFound& found) {
-    return "No roll within " + short_text(largest_roll) + " rad brings both wheels their forces at one height: at " +
+    return "No roll within " + short_text(largest_roll) + " rad produces the forces of both wheels at one height: at " +
            short_text(found.at) + " rad their heights differ by " + short_text(std::abs(found.value)) + " mm.";
 }
 

@@ -48,10 +48,10 @@ std::optional<std::string> of_points(const ProfileCurve& profile, double from, d
     const Neighbours gap = widest_gap(profile, from, to);
     if (to - from >= 2 * gap.apart || gap.sagitta < std::max(least_sagitta, part_of_overlap * overlap)) return {};
     const double close = std::max((to - from) / 4, gap.apart * std::sqrt(least_sagitta / gap.sagitta));
-    return "is " + short_text(to - from) + " mm wide, where " + points + " are " + short_text(gap.apart) +
-           " mm apart and it bends by " + short_text(gap.sagitta) +
-           " mm between them: forces depend on how they are joined. Give points that are " + short_text(close) +
-           " mm apart or less.";
+    return "is " + short_text(to - from) + " mm wide, but " + points + " are " + short_text(gap.apart) +
+           " mm apart, and the profile deviates by " + short_text(gap.sagitta) +
+           " mm from a straight line between them. Forces depend on the interpolation. Give points at most " +
+           short_text(close) + " mm apart.";
 }
 
 std::optional<std::string> of_slices(double apart, double curvature, const ContactPlace& place,
@@ -61,9 +61,10 @@ std::optional<std::string> of_slices(double apart, double curvature, const Conta
     if (!std::isfinite(apart) || length >= 2 * apart ||
         sagitta < std::max(least_of_slices, std::max(place.penetration, 0.0)))
         return {};
-    return "lies between slices that are " + short_text(apart) + " mm apart, and the " + what + " bends by " +
-           short_text(sagitta) + " mm between them, more than the overlap of " + short_text(place.penetration) +
-           " mm: forces depend on how slices are joined. Give slices at shorter distances there.";
+    return "lies between slices that are " + short_text(apart) + " mm apart, and the " + what + " deviates by " +
+           short_text(sagitta) + " mm from a straight line between them, more than the overlap of " +
+           short_text(place.penetration) +
+           " mm. Forces depend on the interpolation. Give slices at shorter distances there.";
 }
 
 double distance_of_rail_slices(const WheelRailSetup& setup, double x) {
@@ -91,7 +92,7 @@ std::optional<std::pair<Entry, Entry>> far_apart(const std::vector<Entry>& table
 }
 
 std::string lies_between(double angle, const char* what, double one, double other) {
-    return "leans by " + short_text(angle) + " rad, between " + what + " at " + short_text(one) + " and " +
+    return "is inclined by " + short_text(angle) + " rad, between " + what + " at " + short_text(one) + " and " +
            short_text(other) + " rad";
 }
 
@@ -99,9 +100,9 @@ std::optional<std::string> of_friction(const std::vector<FrictionAtAngle>& mu, d
     const auto around = far_apart(mu, angle);
     if (!around || std::abs(around->second.mu - around->first.mu) <= largest_difference) return {};
     const auto& [one, other] = *around;
-    return "leans by " + short_text(angle) + " rad, between coefficients of friction of " + short_text(one.mu) +
+    return "is inclined by " + short_text(angle) + " rad, between friction coefficients of " + short_text(one.mu) +
            " at " + short_text(one.angle) + " and " + short_text(other.mu) + " at " + short_text(other.angle) +
-           " rad: a straight line between these is a guess. Give friction.mu at more angles.";
+           " rad. Interpolation over such an interval is uncertain. Give friction.mu at more angles.";
 }
 
 /// Laws of temperature differ the most where one of them bends.
@@ -116,10 +117,10 @@ std::optional<std::string> of_heated_friction(const std::vector<TemperatureFrict
         difference = std::max(difference, here);
     }
     if (difference <= largest_difference) return {};
-    return lies_between(angle, "laws of friction by temperature", one.angle, other.angle) + " that differ by " +
+    return lies_between(angle, "laws of temperature-dependent friction", one.angle, other.angle) + " that differ by " +
            short_text(difference) + " at " + short_text(at) +
-           " degrees Celsius: a straight line between these is a guess. Give friction.temperature_by_angle at more "
-           "angles.";
+           " degrees Celsius. Interpolation over such an interval is uncertain. Give friction.temperature_by_angle at "
+           "more angles.";
 }
 
 }  // namespace

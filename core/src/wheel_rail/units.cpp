@@ -28,10 +28,11 @@ void warn_of_modulus(const std::string& name, const Material& material, Sentence
     if (is_doubtful(Quantity::shear_modulus, material.G))
         add(warnings, doubt(Quantity::shear_modulus, says, material.G));
     else
-        warnings.push_back(says + " " + number_text(material.G) +
-                           " N/mm^2, more than steel has. Give the shear modulus, not Young's modulus: E/(2 (1 + nu)) "
-                           "would be " +
-                           number_text(std::round(material.G / (2 * (1 + material.nu)))) + " N/mm^2.");
+        warnings.push_back(
+            says + " " + number_text(material.G) +
+            " N/mm^2, larger than that of steel. Give the shear modulus, not Young's modulus: E/(2 (1 + nu)) "
+            "would be " +
+            number_text(std::round(material.G / (2 * (1 + material.nu)))) + " N/mm^2.");
 }
 
 void warn_of_slices(const WheelRailSetup& setup, Sentences& warnings) {

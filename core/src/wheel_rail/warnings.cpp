@@ -19,9 +19,8 @@ std::string name_of(const ContactReference& reference, Side side) {
 
 std::string apart_along_normal(const ContactReference& reference, Side side) {
     return name_of(reference, side) +
-           " is left out: wheel and rail overlap as seen from above, but at no element of its plane are both there "
-           "along "
-           "the normal. Profiles that end there have nothing to touch; give more of them, or check position.z.";
+           " is neglected: wheel and rail overlap when seen from above, but not along the normal of any element of its "
+           "plane. Extend the profiles if they end there, or check position.z.";
 }
 
 std::vector<std::string> warnings_of(const geometry::CandidatePatch& found, const WheelRailSetup& setup,
@@ -29,30 +28,30 @@ std::vector<std::string> warnings_of(const geometry::CandidatePatch& found, cons
     std::vector<std::string> warnings;
     const std::string name = name_of(found.place.reference, setup.side);
     if (found.quality.bend > most_bend)
-        warnings.push_back(name + " bends too much for a planar one: the rail's surface turns by up to " +
-                           short_text(found.quality.bend) +
-                           " rad from the plane of the contact. Conformal rotated follows it, and auto chooses it.");
+        warnings.push_back(
+            name + " is too strongly curved for a planar contact: the rail's surface turns by up to " +
+            short_text(found.quality.bend) +
+            " rad from the plane of the contact. Set conformal to rotated, or to auto, which chooses it.");
     if (found.place.grid.dx > setup.dx || found.place.grid.dy > setup.dy)
         warnings.push_back(name + " has elements of " + short_text(found.place.grid.dx) + " by " +
                            short_text(found.place.grid.dy) +
-                           " mm, larger than dx and dy: it would have patches.max_elements otherwise, " +
+                           " mm, larger than dx and dy, to limit it to patches.max_elements = " +
                            std::to_string(setup.patches.max_elements) + ".");
     if (found.quality.at_end)
         warnings.push_back(name +
-                           " reaches the end of a profile: what lies beyond is not known, and the contact is "
-                           "that of bodies cut off there.");
+                           " reaches the end of a profile. The surface beyond is unknown, and the solution neglects "
+                           "any contact there.");
     if (found.quality.curvature > largest_curvature)
-        warnings.push_back(name + " lies where the rail curves along the track by " +
-                           short_text(100 * found.quality.curvature) +
-                           " % of what the wheel does, which the search along the locus leaves out: choose "
-                           "patches.search mesh.");
+        warnings.push_back(
+            name + " lies where the curvature of the rail along the track is " +
+            short_text(100 * found.quality.curvature) +
+            " % of that of the wheel, which the search along the locus neglects. Set patches.search to mesh.");
     if (has_friction && !(found.place.creepages.velocity > 0))
-        warnings.push_back(name +
-                           " does not roll: without a velocity there are no creepages, and it is solved without "
-                           "friction.");
+        warnings.push_back(
+            name + " does not roll: without a velocity there are no creepages, so it is solved without friction.");
     if (has_friction && std::abs(found.place.creepages.xi) > largest_slide)
         warnings.push_back(name + " slides along the rail by " + short_text(std::abs(found.place.creepages.xi)) +
-                           " of the rolling velocity: where the wheel is meant to roll, velocity.pitch is near "
+                           " of the rolling velocity. For a rolling wheel, velocity.pitch is close to "
                            "-velocity.x/nominal_radius, in rad/s, mm/s and mm." +
                            unit_of_speed(setup, state));
     return warnings;
@@ -60,10 +59,10 @@ std::vector<std::string> warnings_of(const geometry::CandidatePatch& found, cons
 
 std::vector<std::string> warnings_of(const std::optional<geometry::PassedOver>& place, Side side) {
     if (!place) return {};
-    return {"At x = " + short_text(place->x) + " and y = " + short_text(side == Side::left ? -place->y : place->y) +
-            " mm the rail reaches " + short_text(place->depth) +
-            " mm into the wheel, at an edge or a step that the search along the locus passes over: choose "
-            "patches.search mesh."};
+    return {
+        "At x = " + short_text(place->x) + " and y = " + short_text(side == Side::left ? -place->y : place->y) +
+        " mm the rail reaches " + short_text(place->depth) +
+        " mm into the wheel, at an edge or a step that the search along the locus misses. Set patches.search to mesh."};
 }
 
 std::vector<std::string> warnings_of(const ContactReference& reference, Side side, const ContactSolution& solution) {

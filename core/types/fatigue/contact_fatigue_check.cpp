@@ -12,14 +12,13 @@ namespace {
 
 void check_rolls_along_x(const Rolling& rolling) {
     if (!rolling.steady())
-        throw InvalidArgument(
-            "friction.rolling.kind",
-            "is transient, and fatigue is given; the history of a particle is that of steady rolling");
+        throw InvalidArgument("friction.rolling.kind",
+                              "is transient, but fatigue requires steady rolling, in which a row of elements is the "
+                              "history of a particle");
     if (!rolls_along_x(rolling.chi))
-        throw InvalidArgument("friction.rolling.chi",
-                              "is " + number_text(rolling.chi) +
-                                  ", and fatigue is given; the history of a particle is a row of elements where the "
-                                  "bodies roll along x, 0 or pi");
+        throw InvalidArgument("friction.rolling.chi", "is " + number_text(rolling.chi) +
+                                                          ", but fatigue requires rolling along x, in which a row of "
+                                                          "elements is the history of a particle: use 0 or pi");
 }
 
 void check_has_stresses(const Bodies& bodies, WornBody which) {
@@ -27,15 +26,16 @@ void check_has_stresses(const Bodies& bodies, WornBody which) {
     const Body& body = which == WornBody::upper ? bodies.upper : bodies.lower;
     const Ics* ics = body.computed();
     if (!bodies.pair && body.material.is_rigid())
-        throw InvalidArgument("fatigue.body", "is " + name + ", which is rigid; take the other body");
+        throw InvalidArgument("fatigue.body", "is " + name + ", which is rigid; use the other body");
     if (bodies.pair || ics == nullptr)
-        throw InvalidArgument("fatigue.passage",
-                              "is given, and the coefficients of bodies." + name +
-                                  " are a table of the request, which says nothing of what is below its surface");
+        throw InvalidArgument(
+            "fatigue.passage",
+            "is given, but the coefficients of bodies." + name +
+                " are a table in the request, which does not describe the body below its surface: compute them");
     if (ics->body == BodyShape::block)
         throw InvalidArgument(
             "fatigue.passage",
-            "is given, and bodies." + name + " is a block; the closed form of the stresses is that of the half-space");
+            "is given, but bodies." + name + " is a block, for which stresses below the surface are not available");
 }
 
 }  // namespace
@@ -43,8 +43,8 @@ void check_has_stresses(const Bodies& bodies, WornBody which) {
 void check_fatigue_model(Model model) {
     if (model == Model::hertz || model == Model::polach)
         throw InvalidArgument("model", "is " + std::string(name_of(model)) +
-                                           ", and fatigue is given; it is that of the tractions of each element, which "
-                                           "this model does not tell: take full or fastsim");
+                                           ", but fatigue requires the tractions of each element, which this model "
+                                           "does not compute: use full or fastsim");
 }
 
 void check_fatigue(const ContactProblem& problem, bool complete) {
@@ -53,15 +53,13 @@ void check_fatigue(const ContactProblem& problem, bool complete) {
     check_fatigue_model(problem.model);
     if (problem.fatigue->passage) check_has_stresses(problem.bodies, problem.fatigue->body);
     if (!problem.friction && complete)
-        throw InvalidArgument("fatigue",
-                              "is given, and friction is not; it is that of rolling contact with friction, which may "
-                              "be small");
+        throw InvalidArgument(
+            "fatigue",
+            "requires rolling contact with friction: give friction, whose coefficient may be small, or remove fatigue");
     if (!problem.friction) return;
     if (std::holds_alternative<Shift>(problem.motion))
         throw InvalidArgument(
-            "fatigue",
-            "is given, and friction has a shift; the history of a particle is that of steady rolling: "
-            "give friction.rolling, or leave fatigue out");
+            "fatigue", "requires steady rolling, but friction has a shift: give friction.rolling, or remove fatigue");
     check_rolls_along_x(std::get<Rolling>(problem.motion));
 }
 

@@ -12,26 +12,24 @@ namespace {
 
 void check_rolling(const Rolling& rolling) {
     if (!rolling.steady())
-        throw InvalidArgument("friction.rolling.kind",
-                              "is transient, and temperature is given; temperatures are those of steady rolling, which "
-                              "has gone on for long");
+        throw InvalidArgument("friction.rolling.kind", "is transient, but temperature requires steady rolling");
     if (!rolls_along_x(rolling.chi))
-        throw InvalidArgument("friction.rolling.chi",
-                              "is " + number_text(rolling.chi) +
-                                  ", and temperature is given; temperatures are those of rolling along x, 0 or pi, "
-                                  "in which heat stays in its row of elements");
+        throw InvalidArgument(
+            "friction.rolling.chi",
+            "is " + number_text(rolling.chi) +
+                ", but temperature requires rolling along x, in which heat stays in its row of elements: use 0 or pi");
     if (rolling.velocity == Rolling{}.velocity)
-        throw InvalidArgument("friction.rolling.velocity",
-                              "is 1 mm/s, as where it is left out, and temperature is given; heat is that of the "
-                              "velocity, and temperatures are those of fast rolling");
+        throw InvalidArgument(
+            "friction.rolling.velocity",
+            "is 1 mm/s, the default, but temperature requires the velocity of rolling: give it in mm/s");
 }
 
 void check_elements(const Bodies& bodies) {
     for (const auto& [body, name] : {std::pair{&bodies.upper, "upper"}, std::pair{&bodies.lower, "lower"}})
         if (const Ics* ics = body->computed(); ics != nullptr && ics->load_shape == LoadShape::bilinear)
-            throw InvalidArgument(std::string("bodies.") + name + ".ics.load_shape",
-                                  "is bilinear, and temperature is given; temperatures are those of elements with "
-                                  "constant tractions");
+            throw InvalidArgument(
+                std::string("bodies.") + name + ".ics.load_shape",
+                "is bilinear, but temperature requires elements with constant tractions: use constant");
 }
 
 /// Each with the coefficients of its row.
@@ -53,22 +51,21 @@ void check_rows(const ContactProblem& problem) {
 void check_law(const ContactProblem& problem) {
     const FrictionLaw& friction = *problem.friction;
     if (!problem.temperature)
-        throw InvalidArgument("friction.temperature",
-                              "is given, and temperature is not; say there what the bodies have to do with heat");
+        throw InvalidArgument(
+            "friction.temperature",
+            "requires the thermal properties of the bodies: give temperature, or remove friction.temperature");
     if (friction.temperature) validate(*friction.temperature, friction.mu);
     if (!friction.temperature_of_rows.empty()) check_rows(problem);
     if (problem.model != Model::full)
-        throw InvalidArgument("friction.temperature",
-                              "makes friction depend on the temperature, which simplified models do not know; model "
-                              "full does");
+        throw InvalidArgument("friction.temperature", "is not supported by simplified models: use model full");
     if (friction.kinetic)
         throw InvalidArgument("friction.temperature",
-                              "is given, and friction.kinetic, too; friction follows the temperature or the slip "
-                              "velocity: leave one of them out");
+                              "cannot be combined with friction.kinetic, because friction depends either on the "
+                              "temperature or on the slip velocity: remove one of them");
     if (problem.derivatives)
         throw InvalidArgument("derivatives",
-                              "are not known where friction follows the temperature; leave friction.temperature out, "
-                              "or take differences of solves");
+                              "are not available if friction depends on the temperature; remove friction.temperature, "
+                              "or use finite differences of solves");
 }
 
 }  // namespace
@@ -79,17 +76,17 @@ void check_temperature(const ContactProblem& problem, bool complete) {
     validate(*problem.temperature, "temperature");
     if (problem.model == Model::hertz)
         throw InvalidArgument("model",
-                              "is hertz, and temperature is given; heat is that of the slip of each element, which "
-                              "this model does not tell: take full or fastsim");
+                              "is hertz, but temperature requires the slip of each element, which this model does not "
+                              "compute: use full or fastsim");
     if (!problem.bodies.pair) check_elements(problem.bodies);
     if (!problem.friction && complete)
         throw InvalidArgument("temperature",
-                              "is given, and friction is not; temperatures are those of rolling contact");
+                              "requires rolling contact with friction: give friction, or remove temperature");
     if (!problem.friction) return;
     if (std::holds_alternative<Shift>(problem.motion))
-        throw InvalidArgument("temperature",
-                              "is given, and friction has a shift; temperatures are those of steady rolling: give "
-                              "friction.rolling, or leave temperature out");
+        throw InvalidArgument(
+            "temperature",
+            "requires steady rolling, but friction has a shift: give friction.rolling, or remove temperature");
     check_rolling(std::get<Rolling>(problem.motion));
 }
 

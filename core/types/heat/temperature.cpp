@@ -27,10 +27,10 @@ void validate(const ThermalBodies& bodies, const std::string& field) {
     constexpr double least = 1e-15;  // the rise goes with its reciprocal
     below(field, [&] { check_bounds(bodies); });
     if (const double both = bodies.upper.effusivity() + bodies.below().effusivity(); both < least)
-        throw InvalidArgument(field + ".upper.conductivity", "is " + number_text(bodies.upper.conductivity) +
-                                                                 ", and that of the lower body " +
-                                                                 number_text(bodies.below().conductivity) +
-                                                                 "; the heat of friction has to go into one of them");
+        throw InvalidArgument(field + ".upper.conductivity",
+                              "is " + number_text(bodies.upper.conductivity) + ", and that of the lower body is " +
+                                  number_text(bodies.below().conductivity) +
+                                  "; at least one of them must be positive to conduct the heat of friction");
 }
 
 }  // namespace contactd

@@ -29,9 +29,10 @@ void validate(const TemperatureFriction& law, std::span<const double> mu) {
     }
     for (const double cold : mu)
         if (!(cold + law.change > 0 && law.change <= 1000))
-            throw InvalidArgument("friction.temperature.change",
-                                  "is " + number_text(law.change) + ", and mu " + number_text(cold) +
-                                      "; mu + change, the coefficient of hot surfaces, must be positive");
+            throw InvalidArgument(
+                "friction.temperature.change",
+                "is " + number_text(law.change) + " with mu = " + number_text(cold) +
+                    "; mu + change, the coefficient of hot surfaces, must be positive, and change at most 1000");
 }
 
 }  // namespace contactd

@@ -40,10 +40,10 @@ std::vector<std::string> modelling_warnings(const IcSpec& spec, double error) {
     if (error <= most) return {};
     char text[400];
     std::snprintf(text, sizeof text,
-                  "A block does not look the same from every element: a load in the corner of %d x %d elements moves "
-                  "it by up to %.2g %% otherwise than the table says, which is that of "
-                  "a load in the middle. That exceeds %s %g: take a larger L_over_h, fewer elements, or a half-space.",
-                  spec.nx, spec.ny, 100 * error, chosen ? "the accuracy asked for," : "the paper's aim,", most);
+                  "The displacements of a block depend on the position of the load. The table is for a load in the "
+                  "middle; for one in the corner of %d x %d elements they differ by up to %.2g %%, which exceeds %s "
+                  "%g. Use a larger L_over_h, fewer elements, or a half-space.",
+                  spec.nx, spec.ny, 100 * error, chosen ? "the requested accuracy," : "the paper's aim,", most);
     return {text};
 }
 

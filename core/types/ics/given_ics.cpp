@@ -26,7 +26,7 @@ std::string place_of(Axis i, Axis j, int k, int l) {
 void check_element_size(double size, double of_grid, const std::string& field, const char* axis) {
     if (std::abs(size - of_grid) <= element_size_tolerance * of_grid) return;
     throw InvalidArgument(field, "is " + number_text(size) + "; the grid's elements are " + number_text(of_grid) +
-                                     " along " + axis + ", and a table holds for one element size only");
+                                     " along " + axis + ", but a table is valid for one element size only");
 }
 
 // Squares of smaller numbers leave the range of a double.
@@ -38,7 +38,7 @@ void check_size(const IcTable& table, const std::string& field) {
             for (int l = 0; l < table.ny; ++l)
                 for (int k = 0; k < table.nx; ++k)
                     if (!(std::abs(table(i, j, k, l)) <= largest_magnitude))
-                        throw InvalidArgument(field, "holds " + number_text(table(i, j, k, l)) + " for " +
+                        throw InvalidArgument(field, "contains " + number_text(table(i, j, k, l)) + " for " +
                                                          place_of(i, j, k, l) +
                                                          "; every value must be finite, from -1e100 to 1e100");
 }
@@ -47,18 +47,19 @@ void check_size(const IcTable& table, const std::string& field) {
 void check_is_elastic(const IcTable& table, Axis i, const std::string& field) {
     const double own = table(i, i, 0, 0);
     if (own <= 0)
-        throw InvalidArgument(field, "holds " + number_text(own) + " for " + place_of(i, i, 0, 0) +
-                                         "; it must be positive: a body yields in the direction of its load");
+        throw InvalidArgument(field, "contains " + number_text(own) + " for " + place_of(i, i, 0, 0) +
+                                         "; it must be positive: a surface moves in the direction of its load");
     if (own < smallest_coefficient)
         throw InvalidArgument(
-            field, "holds " + number_text(own) + " for " + place_of(i, i, 0, 0) + "; it must be 1e-100 at least");
+            field, "contains " + number_text(own) + " for " + place_of(i, i, 0, 0) + "; it must be at least 1e-100");
     const double most = own * (1 + 1e-9);
     for (int l = 0; l < table.ny; ++l)
         for (int k = 0; k < table.nx; ++k)
             if (std::abs(table(i, i, k, l)) > most)
-                throw InvalidArgument(field, "holds " + number_text(table(i, i, k, l)) + " for " +
-                                                 place_of(i, i, k, l) + "; it must be largest at (0, 0), which " +
-                                                 "has " + number_text(own) + " and comes first in the table");
+                throw InvalidArgument(
+                    field, "contains " + number_text(table(i, i, k, l)) + " for " + place_of(i, i, k, l) +
+                               "; the value at (0, 0), the first in the table, must be the largest, but it is " +
+                               number_text(own));
 }
 
 }  // namespace

@@ -42,25 +42,25 @@ void validate(const FemSpec& fem, LoadShape load) {
         }
     });
     if (fem.solver == Solver::direct && fem.mesh == MeshKind::adaptive)
-        throw InvalidArgument("ics.solver",
-                              "is direct, which does not go with the hanging nodes of mesh adaptive; "
-                              "take amg_pcg, or auto");
+        throw InvalidArgument(
+            "ics.solver", "is direct, which does not support the hanging nodes of mesh adaptive; use amg_pcg or auto");
 }
 
 // Rows of elements have no end in a line contact, so that dy says nothing of their shape.
 void validate_line_contact(const IcSpec& spec) {
     if (spec.source != IcSource::analytic)
-        throw InvalidArgument("ics.line_contact", "goes with source analytic; finite elements are those of a block");
+        throw InvalidArgument("ics.line_contact",
+                              "requires source analytic; finite elements support three-dimensional bodies only");
     if (spec.ny != 1)
-        throw InvalidArgument("grid.ny", "is " + std::to_string(spec.ny) +
-                                             "; a line contact has one row of elements, and dy is the length that "
-                                             "forces are counted over");
+        throw InvalidArgument(
+            "grid.ny", "is " + std::to_string(spec.ny) +
+                           "; a line contact has one row of elements, and dy is the length that forces refer to");
     constexpr double rounding = 1e-9;
     const double datum = spec.line_contact->datum, length = spec.nx * spec.dx;
     if (!(std::isfinite(datum) && datum >= length * (1 - rounding)))
         throw InvalidArgument("ics.line_contact.datum",
                               "is " + number_text(datum) + "; it must be at least the length of the grid, " +
-                                  number_text(length) + " mm, so that surfaces yield in the direction of loads");
+                                  number_text(length) + " mm, so that surfaces move in the direction of loads");
 }
 
 /// The closed form of constant loads keeps nine digits of the largest coefficient on elements a million times as long
@@ -73,33 +73,34 @@ void validate_aspect(const IcSpec& spec) {
         throw InvalidArgument("grid.dy",
                               "gives elements with dx/dy = " + number_text(aspect) +
                                   (is_closed_form ? "; it must lie in [1e-6, 1e6]" : "; it must lie in [0.001, 1000]") +
-                                  ". For a contact that does not change along y take ics.line_contact");
+                                  ". Use ics.line_contact for a contact that does not change along y");
 }
 
 void validate_layers(const IcSpec& spec) {
     if (spec.body != BodyShape::layered)
-        throw InvalidArgument("ics.layers", "go with body layered; body is " + std::string(name_of(spec.body)));
-    if (!spec.layered) throw InvalidArgument("ics.layers", "is missing; body layered has layers, on a base");
+        throw InvalidArgument("ics.layers", "require body layered, but body is " + std::string(name_of(spec.body)));
+    if (!spec.layered) throw InvalidArgument("ics.layers", "is missing; body layered consists of layers on a base");
     validate(*spec.layered, spec.dx, "ics");
     if (spec.material != spec.layered->surface())
         throw InvalidArgument("material.G", "is " + number_text(spec.material.G) + ", with nu " +
                                                 number_text(spec.material.nu) +
-                                                "; it must be the material of the topmost layer, or be left out");
+                                                "; give the material of the topmost layer, or remove it");
     if (spec.source != IcSource::analytic)
-        throw InvalidArgument("ics.source", "is fem; coefficients of layers are analytic");
+        throw InvalidArgument("ics.source", "is fem, but coefficients of layers are analytic: use analytic");
     if (spec.line_contact) throw InvalidArgument("ics.line_contact", row_of_layers);
 }
 
 void validate_uniform(const IcSpec& spec) {
     if (spec.body != BodyShape::longitudinally_uniform)
         throw InvalidArgument("ics.section",
-                              "goes with body longitudinally_uniform; body is " + std::string(name_of(spec.body)));
+                              "requires body longitudinally_uniform, but body is " + std::string(name_of(spec.body)));
     if (!spec.section)
-        throw InvalidArgument("ics.section", "is missing; body longitudinally_uniform has a cross-section");
+        throw InvalidArgument("ics.section", "is missing; body longitudinally_uniform requires a cross-section");
     validate(*spec.section, "ics.section");
     if (spec.section->free)
-        throw InvalidArgument("ics.section.free",
-                              "is true; a body without clamped parts has no displacements: clamp a part of it");
+        throw InvalidArgument(
+            "ics.section.free",
+            "is true, but the displacements of a body without clamped parts are undetermined: clamp a part of it");
     if (spec.ny > most_strips)
         throw InvalidArgument("grid.ny", "is " + std::to_string(spec.ny) +
                                              "; a longitudinally uniform body has at most " +
@@ -109,53 +110,53 @@ void validate_uniform(const IcSpec& spec) {
         static_cast<std::size_t>(spec.nx) * static_cast<std::size_t>(spec.ny) * static_cast<std::size_t>(spec.ny) >
             most_uniform_values)
         throw InvalidArgument("grid.nx", "is " + std::to_string(spec.nx) + ", with ny " + std::to_string(spec.ny) +
-                                             "; nx ny^2 of a longitudinally uniform body may be at most " +
+                                             "; nx ny^2 of a longitudinally uniform body must not exceed " +
                                              std::to_string(most_uniform_values));
     if (spec.load_shape != LoadShape::constant)
         throw InvalidArgument(
             "ics.load_shape",
-            "is bilinear; coefficients of longitudinally uniform bodies are those of constant tractions");
+            "is bilinear, but longitudinally uniform bodies support constant tractions only: use constant");
     if (spec.line_contact)
-        throw InvalidArgument("ics.line_contact", "goes with half-spaces, not with longitudinally uniform bodies");
+        throw InvalidArgument("ics.line_contact",
+                              "is available for half-spaces, not for longitudinally uniform bodies");
     if (spec.any_nu)
-        throw InvalidArgument(
-            "ics.any_nu", "does not go with a longitudinally uniform body: its table is made for one nu, in seconds");
+        throw InvalidArgument("ics.any_nu",
+                              "is not available for a longitudinally uniform body, whose table is computed for one nu "
+                              "in seconds: remove it");
     if (spec.source == IcSource::analytic) return;
     if (spec.accuracy == 0)
         throw InvalidArgument("ics.accuracy",
-                              "is missing; the mesh of a longitudinally uniform body is chosen for an accuracy");
+                              "is missing; the mesh of a longitudinally uniform body is chosen by the accuracy");
     constexpr double rounding = 1e-9;
     if (!(spec.dx >= shortest_uniform_element * spec.dy * (1 - rounding)))
-        throw InvalidArgument(
-            "grid.dx",
-            "is " + number_text(spec.dx) + ", " + short_text(spec.dx / spec.dy) +
-                " of a column's width, dy; tables of longitudinally uniform bodies by finite elements keep their "
-                "accuracy from a half of it on: take dy " +
-                number_text(spec.dx / shortest_uniform_element) + " mm or less");
+        throw InvalidArgument("grid.dx", "is " + number_text(spec.dx) + ", " + short_text(spec.dx / spec.dy) +
+                                             " of a column's width, dy; tables of longitudinally uniform bodies by "
+                                             "finite elements require at least a half for their accuracy: use dy = " +
+                                             number_text(spec.dx / shortest_uniform_element) + " mm or less");
 }
 
 void validate_body(const IcSpec& spec) {
     if (spec.body != BodyShape::block) return;
     if (spec.source == IcSource::analytic)
-        throw InvalidArgument("ics.body", "is block, which has no closed form; take source fem");
+        throw InvalidArgument("ics.body", "is block, which has no closed form; use source fem");
     if (spec.accuracy == 0 && spec.fem.far_boundary != FarBoundary::clamped)
-        throw InvalidArgument("ics.far_boundary", "is half_space; the faces of a block are clamped");
+        throw InvalidArgument("ics.far_boundary", "is half_space, but the faces of a block are clamped: use clamped");
 }
 
 void validate_accuracy(const IcSpec& spec) {
     if (spec.source == IcSource::analytic)
-        throw InvalidArgument("ics.accuracy", "goes with source fem; the closed form is exact");
+        throw InvalidArgument("ics.accuracy", "requires source fem; the closed form is exact");
     require(spec.accuracy >= finest_accuracy && spec.accuracy <= coarsest_accuracy, "ics.accuracy", spec.accuracy,
             "lie in [0.0001, 0.1]");
     const double aspect = spec.dx / spec.dy;
     require(aspect >= 1 / largest_accuracy_aspect && aspect <= largest_accuracy_aspect, "ics.accuracy", spec.accuracy,
-            "be left out, and a mesh be given, where dx/dy is outside [0.125, 8]");
+            "be replaced by mesh parameters if dx/dy is outside [0.125, 8]");
     if (spec.section)
         require(spec.material.nu <= largest_uniform_nu, "material.nu", spec.material.nu,
-                "be at most 0.499 of a longitudinally uniform body by finite elements");
+                "be at most 0.499 for a longitudinally uniform body by finite elements");
     else if (!spec.any_nu)
         require(spec.material.nu <= largest_family_nu, "material.nu", spec.material.nu,
-                "be at most 0.49 when an accuracy is asked for");
+                "be at most 0.49 if an accuracy is requested");
 }
 
 /// Up to here errors next to the load stayed below 1 % (docs/ic-tables.md).
@@ -200,13 +201,13 @@ void validate(const IcSpec& spec) {
     if (spec.accuracy != 0) validate_accuracy(spec);
     if (spec.any_nu) {
         if (spec.source == IcSource::analytic)
-            throw InvalidArgument("ics.any_nu", "goes with source fem; the closed form is as quick for any nu");
+            throw InvalidArgument("ics.any_nu", "requires source fem; the closed form is equally fast for every nu");
         require(spec.material.nu <= largest_family_nu, "material.nu", spec.material.nu,
                 "be at most 0.49, the end of a family over nu");
         if (spec.source == IcSource::fem && spec.accuracy == 0 && spec.fem.mesh == MeshKind::adaptive)
             throw InvalidArgument("ics.any_nu",
-                                  "does not go with mesh adaptive: each nu has a mesh of its own, and "
-                                  "between tables of different meshes nothing can be interpolated");
+                                  "cannot be combined with mesh adaptive: each nu has its own mesh, and tables of "
+                                  "different meshes cannot be interpolated");
     }
     if (spec.source != IcSource::fem) return;
     const bool chosen = spec.accuracy != 0;
@@ -214,9 +215,9 @@ void validate(const IcSpec& spec) {
         validate(spec.fem, spec.load_shape);
         const MeshSize size = mesh_size(spec);
         if (spec.fem.mesh != MeshKind::adaptive && size.elements > max_elements)
-            throw InvalidArgument("ics", "asks for a mesh of " + std::to_string(size.elements) + " elements; at most " +
-                                             std::to_string(max_elements) +
-                                             " are allowed: take a larger f, or a smaller l_over_h, h_over_hs or "
+            throw InvalidArgument("ics", "requires a mesh of " + std::to_string(size.elements) +
+                                             " elements, but at most " + std::to_string(max_elements) +
+                                             " are allowed: use a larger f, or a smaller l_over_h, h_over_hs or "
                                              "L_over_h");
     }
     if (chosen && (spec.body == BodyShape::half_space || spec.section)) return;
@@ -243,8 +244,8 @@ std::vector<std::string> warnings(const IcSpec& spec) {
     // For a half-space the error itself is known.
     if (const double most = largest_nu(fem.order); spec.body == BodyShape::block && spec.material.nu > most)
         result.push_back("nu is " + number_text(spec.material.nu) + "; elements of order " + std::to_string(fem.order) +
-                         " lock near 1/2: their errors may exceed 1 % above " + number_text(most) +
-                         ", and a higher order is better.");
+                         " lock near 1/2. Their errors may exceed 1 % above " + number_text(most) +
+                         "; use a higher order.");
     // Beyond its order-2 meshes and u = 0 the paper's ranges say nothing.
     advise(fem.order >= 2, "order", std::to_string(fem.order), "quadratic elements");
     if (fem.far_boundary == FarBoundary::clamped && spec.body == BodyShape::half_space)

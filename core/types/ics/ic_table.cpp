@@ -40,7 +40,7 @@ IcTable cropped(const IcTable& table, int nx, int ny, double factor) {
 
 IcTable pair_of(IcTable upper, const IcTable& lower) {
     if (upper.nx != lower.nx || upper.ny != lower.ny)
-        throw InvalidArgument("lower", "has another extent than upper; the tables of a pair must have the same");
+        throw InvalidArgument("lower", "has a different extent than upper; both tables of a pair must have the same");
     const std::size_t n = upper.component_size();
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j) {

@@ -43,14 +43,14 @@ class OutlineCheck {
         check_point(outline.start, field + ".start");
         if (outline.parts.size() < 2)
             throw InvalidArgument(field + ".parts", "has " + std::to_string(outline.parts.size()) +
-                                                        "; a closed outline takes two parts at least");
+                                                        "; a closed outline has at least two parts");
         for (std::size_t i = 0; i < outline.parts.size(); ++i) {
             const std::string of = field + ".parts[" + std::to_string(i) + "]";
             std::visit([&](const auto& curve) { add(curve, of); }, outline.parts[i].curve);
             clamped_ = clamped_ || outline.parts[i].clamped;
             if (count_ > most_outline_parts)
-                throw InvalidArgument(of, "is beyond the limit of " + std::to_string(most_outline_parts) +
-                                              " parts of outlines and points of splines together; leave some out");
+                throw InvalidArgument(of, "exceeds the limit of " + std::to_string(most_outline_parts) +
+                                              " parts of outlines and points of splines together; omit some of them");
         }
     }
     bool clamped() const { return clamped_; }
@@ -66,7 +66,8 @@ class OutlineCheck {
         ++count_;
     }
     void add(const SplineTo& spline, const std::string& of) {
-        if (spline.through.empty()) throw InvalidArgument(of + ".spline.through", "is empty; name its end at least");
+        if (spline.through.empty())
+            throw InvalidArgument(of + ".spline.through", "is empty; give at least the end of the spline");
         for (std::size_t i = 0; i < spline.through.size(); ++i)
             check_point(spline.through[i], of + ".spline.through[" + std::to_string(i) + "]");
         count_ += spline.through.size();
@@ -80,16 +81,17 @@ class OutlineCheck {
 bool check(const OutlineSection& section, const std::string& field) {
     const std::string name = field + ".outline";
     if (section.holes.size() > most_holes)
-        throw InvalidArgument(name + ".holes",
-                              "are " + std::to_string(section.holes.size()) + "; at most 100 holes are taken");
+        throw InvalidArgument(name + ".holes", "has " + std::to_string(section.holes.size()) +
+                                                   " entries; at most 100 holes are supported");
     OutlineCheck outlines;
     outlines.add(section.outside, name + ".outside");
     for (std::size_t i = 0; i < section.holes.size(); ++i)
         outlines.add(section.holes[i], name + ".holes[" + std::to_string(i) + "]");
     if (section.carrier > section.holes.size())
-        throw InvalidArgument(name + ".carrier", "is " + std::to_string(section.carrier) + ", with " +
-                                                     std::to_string(section.holes.size()) +
-                                                     " holes; it must be 0 for the outside, or count a hole from 1 on");
+        throw InvalidArgument(name + ".carrier",
+                              "is " + std::to_string(section.carrier) + ", with " +
+                                  std::to_string(section.holes.size()) +
+                                  " holes; it must be 0 for the outside, or the number of a hole, counted from 1");
     const Outline& carrier = section.carrier == 0 ? section.outside : section.holes[section.carrier - 1];
     if (section.part >= carrier.parts.size())
         throw InvalidArgument(name + ".part", "is " + std::to_string(section.part) + "; the curve has the parts 0 to " +
@@ -102,7 +104,7 @@ bool check(const RailSection& rail, const std::string& field) {
     if (!(std::abs(rail.inclination) <= most_inclination))
         throw InvalidArgument(
             field + ".rail_60e1.inclination",
-            "is " + number_text(rail.inclination) + "; it is a slope between -0.2 and 0.2, such as 0.025");
+            "is " + number_text(rail.inclination) + "; it must be a slope between -0.2 and 0.2, such as 0.025");
     check_place(rail.from, field + ".rail_60e1.from");
     return true;
 }
@@ -121,7 +123,7 @@ bool check(const EdgeBlock& block, const std::string& field) {
     if (!(block.edge_distance >= 0 && block.edge_distance < block.width))
         throw InvalidArgument(field + ".edge_block.edge_distance",
                               "is " + number_text(block.edge_distance) +
-                                  "; it must be 0 mm at least and less than the width, " + number_text(block.width));
+                                  "; it must be at least 0 mm and less than the width, " + number_text(block.width));
     return true;
 }
 
@@ -138,7 +140,7 @@ bool check(const Groove& groove, const std::string& field) {
     const double opening = 2 * std::sqrt(groove.depth * (2 * groove.radius - groove.depth));
     if (!(opening < groove.width))
         throw InvalidArgument(name + ".width", "is " + number_text(groove.width) + "; the groove alone is " +
-                                                   short_text(opening) + " mm wide, the block must be wider");
+                                                   short_text(opening) + " mm wide, and the block must be wider");
     return true;
 }
 
@@ -172,7 +174,7 @@ bool check(const Slab& slab, const std::string& field) {
 bool check(const ProfileSection& section, const std::string& field) {
     if (std::holds_alternative<ProfileFile>(section.profile.shape))
         throw InvalidArgument(field + ".profile_section.profile.file",
-                              "is a file, and tables are known by points; give what with_points makes of it");
+                              "is a file, but tables are identified by points; give the result of with_points");
     validate_below(field + ".profile_section", section.profile);
     check_length(section.depth, field + ".profile_section.depth");
     check_place(section.from, field + ".profile_section.from");
@@ -232,14 +234,14 @@ void validate(const Section& section, const char* field) {
         throw InvalidArgument(name + ".size",
                               "is " + number_text(section.size) + "; it must be a factor between 1e-6 and 1e6");
     if (!(std::abs(section.turn) <= 10))
-        throw InvalidArgument(name + ".turn", "is " + number_text(section.turn) + "; it is an angle in rad");
+        throw InvalidArgument(name + ".turn", "is " + number_text(section.turn) + "; it must be a finite angle in rad");
     const bool clamped = std::visit([&](const auto& shape) { return check(shape, name); }, section.shape);
     if (!clamped && !section.free)
         throw InvalidArgument(name,
-                              "is clamped nowhere, so that it moves away under any load; name what is clamped, or set "
-                              "`free` for coefficients above wavenumber zero only");
+                              "has no clamped part and would move freely under any load; clamp a part, or set `free` "
+                              "for coefficients above wavenumber zero only");
     if (clamped && section.free)
-        throw InvalidArgument(name + ".free", "is true, yet a part is clamped; leave one of them out");
+        throw InvalidArgument(name + ".free", "is true, but a part is clamped; remove one of them");
 }
 
 Section scaled(const Section& section, double factor) {

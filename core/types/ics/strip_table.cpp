@@ -31,9 +31,9 @@ double StripTable::at(Axis i, Axis j, int I, int J, int k) const {
 
 StripTable cropped(const StripTable& table, int first, int strips, int nx, double factor, const Observer& observer) {
     if (first < 0 || strips > table.strips - first || nx > table.nx)
-        throw InvalidArgument("grid", "needs " + std::to_string(strips) + " strips from strip " +
-                                          std::to_string(first) + " on and " + std::to_string(nx) +
-                                          " offsets along x; the table holds " + extent(table));
+        throw InvalidArgument("grid", "needs " + std::to_string(strips) + " strips, starting at strip " +
+                                          std::to_string(first) + ", and " + std::to_string(nx) +
+                                          " offsets along x; the table contains " + extent(table));
     StripTable result;  // whose values are set below, so that large ones are written once
     result.nx = nx;
     result.strips = strips;
@@ -108,8 +108,8 @@ StripTable mirrored(const StripTable& table, const Observer& observer) {
 
 StripTable pair_of(const StripTable& upper, StripTable lower, const Observer& observer) {
     if (upper.nx != lower.nx || upper.strips != lower.strips)
-        throw InvalidArgument("lower", "has " + extent(lower) + ", and upper " + extent(upper) +
-                                           "; the tables of a pair must have the same");
+        throw InvalidArgument("lower", "has " + extent(lower) + ", and upper has " + extent(upper) +
+                                           "; both tables of a pair must have the same extent");
     const StripTable above = mirrored(upper, observer);
     for (const Axis i : axes)
         for (const Axis j : axes) {

@@ -11,15 +11,15 @@ namespace {
 
 [[noreturn]] void not_of(const ContactSetup& setup, const char* field, const std::string& value, const char* models) {
     throw InvalidArgument(std::string("simplified.") + field,
-                          "is " + value + ", which means something with " + models + ", and model is " +
-                              std::string(name_of(setup.model)) + ": leave it out, or take another model");
+                          "is " + value + ", which applies to " + models + " only, but model is " +
+                              std::string(name_of(setup.model)) + ": remove it, or use another model");
 }
 
 void check_reductions(const SimplifiedSettings& settings) {
     if (settings.k_slip > settings.k_adhesion)
-        throw InvalidArgument("simplified.k_slip", "is " + number_text(settings.k_slip) + " and k_adhesion " +
+        throw InvalidArgument("simplified.k_slip", "is " + number_text(settings.k_slip) + " and k_adhesion is " +
                                                        number_text(settings.k_adhesion) +
-                                                       "; Polach's theory has k_slip <= k_adhesion");
+                                                       "; Polach's theory requires k_slip <= k_adhesion");
 }
 
 }  // namespace
@@ -40,10 +40,9 @@ void validate_models(const ContactSetup& setup) {
     if (settings.k_slip != 1 && !polach) not_of(setup, "k_slip", number_text(settings.k_slip), "model polach");
     check_reductions(settings);
     if (setup.normal_model != NormalModel::of_model && setup.model == Model::hertz)
-        throw InvalidArgument(
-            "normal_model",
-            "is given, and model hertz has pressures of its own; take model full, fastsim, fastrip or "
-            "polach, or leave normal_model out");
+        throw InvalidArgument("normal_model",
+                              "cannot be combined with model hertz, which has its own pressures; use model full, "
+                              "fastsim, fastrip or polach, or remove normal_model");
 }
 
 }  // namespace contactd

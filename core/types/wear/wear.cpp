@@ -14,11 +14,11 @@ namespace {
 void check_range(const WearRange& range, const std::string& field) {
     if (!(range.most > range.least))
         throw InvalidArgument(field, "is " + number_text(range.least) + " to " + number_text(range.most) +
-                                         "; the most must be larger than the least");
+                                         "; the upper end must be larger than the lower end");
 }
 
 void check_pieces(const std::vector<WearPiece>& pieces, const std::string& field) {
-    if (pieces.empty()) throw InvalidArgument(field, "is empty; the function needs one piece at least");
+    if (pieces.empty()) throw InvalidArgument(field, "is empty; the function needs at least one piece");
     if (pieces.front().from != 0)
         throw InvalidArgument(field + "[0].from",
                               "is " + number_text(pieces.front().from) + "; the first piece must begin at 0");
@@ -26,17 +26,18 @@ void check_pieces(const std::vector<WearPiece>& pieces, const std::string& field
         const std::string entry = field + "[" + std::to_string(i) + "]";
         if (i > 0 && !(pieces[i].from > pieces[i - 1].from))
             throw InvalidArgument(entry + ".from", "is " + number_text(pieces[i].from) +
-                                                       "; it must be larger than that of the piece before, " +
+                                                       "; it must be larger than that of the previous piece, " +
                                                        number_text(pieces[i - 1].from));
         if (pieces[i].value < 0)
             throw InvalidArgument(entry + ".value", "is " + number_text(pieces[i].value) +
-                                                        ", and wear takes matter off; it must be at least 0");
+                                                        "; wear removes material, so it must be at least 0");
         const bool is_last = i + 1 == pieces.size();
         const double end = is_last ? 0 : pieces[i].value + pieces[i].slope * (pieces[i + 1].from - pieces[i].from);
         if (end < 0 || (is_last && pieces[i].slope < 0))
-            throw InvalidArgument(entry + ".slope", "is " + number_text(pieces[i].slope) +
-                                                        ", by which the function falls below 0, and wear takes matter "
-                                                        "off; give a piece that ends before");
+            throw InvalidArgument(
+                entry + ".slope",
+                "is " + number_text(pieces[i].slope) +
+                    ", so the function becomes negative, but wear removes material; start the next piece earlier");
     }
 }
 
@@ -44,7 +45,7 @@ void check_zones(const std::vector<WearZone>& zones, const std::string& field) {
     for (std::size_t i = 1; i < zones.size(); ++i)
         if (!(zones[i].angle > zones[i - 1].angle))
             throw InvalidArgument(field + "[" + std::to_string(i) + "].angle",
-                                  "is " + number_text(zones[i].angle) + "; it must be larger than the one before, " +
+                                  "is " + number_text(zones[i].angle) + "; it must be larger than the previous one, " +
                                       number_text(zones[i - 1].angle));
 }
 
@@ -53,15 +54,15 @@ void check_kind(const WearLaw& law, const std::string& field) {
                       int{law.br.has_value()} + int{law.zobory.has_value()};
     if (kinds == 1) return;
     throw InvalidArgument(field, "has " + std::to_string(kinds) +
-                                     " of archard, energy, usfd, br and zobory; a law is one of them, with all of its "
-                                     "coefficients: none has defaults");
+                                     " of archard, energy, usfd, br and zobory; give exactly one of them, with all of "
+                                     "its coefficients, which have no defaults");
 }
 
 void check(const WearLaw& law, const std::string& field) {
-    if (law.name.empty()) throw InvalidArgument(field + ".name", "is empty; answers tell laws by their names");
+    if (law.name.empty()) throw InvalidArgument(field + ".name", "is empty; answers identify laws by their names");
     if (law.source.empty())
         throw InvalidArgument(field + ".source",
-                              "is empty; say where the coefficients come from, such as a paper or a test");
+                              "is empty; give the source of the coefficients, such as a paper or a test");
     check_range(law.range, field + ".range");
     check_kind(law, field);
     if (law.archard && law.archard->severe)
@@ -81,8 +82,9 @@ void validate(const WearRequest& request, const std::string& field) {
         const std::string entry = field + ".laws[" + std::to_string(i) + "]";
         check(request.laws[i], entry);
         if (!names.insert(request.laws[i].name).second)
-            throw InvalidArgument(entry + ".name", "is " + request.laws[i].name +
-                                                       ", as that of a law before; answers tell laws by their names");
+            throw InvalidArgument(entry + ".name",
+                                  "is " + request.laws[i].name +
+                                      ", which an earlier law already has; answers identify laws by their names");
     }
 }
 

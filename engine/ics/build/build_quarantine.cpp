@@ -57,8 +57,8 @@ std::optional<proto::Status> BuildQuarantine::refusal(const std::string& key, co
     return proto::Status{
         proto::StatusCode::failed_precondition,
         "The build of this table failed " + std::to_string(entry->failures) + " times and is not tried again for " +
-            std::to_string(std::chrono::ceil<std::chrono::seconds>(left).count()) + " s; ic.delete with the key " +
-            key + " lifts that. The last failure: " + entry->last.message,
+            std::to_string(std::chrono::ceil<std::chrono::seconds>(left).count()) + " s; call ic.delete with the key " +
+            key + " to retry now. The last failure: " + entry->last.message,
         std::string(proto::reason::build_quarantined),
         {},
         static_cast<int>(left.count())};

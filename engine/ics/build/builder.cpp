@@ -22,7 +22,7 @@ constexpr auto poll_interval = reproc::milliseconds(100);
 
 /// How the child ended, in words. reproc gives 128 + signal for a signal.
 std::string ending(int status) {
-    if (status > 128) return "was ended by signal " + std::to_string(status - 128);
+    if (status > 128) return "was terminated by signal " + std::to_string(status - 128);
     return "ended with status " + std::to_string(status);
 }
 
@@ -73,11 +73,11 @@ class Watch {
         on_tick_();
         if (command_.stall > 0s && listener_.silence() > command_.stall)
             throw Error("The builder made no progress for " + std::to_string(command_.stall.count()) +
-                        " s (builds.stall_seconds) and was ended: it gave no sign of life, or worked on one step for "
-                        "longer than that can take.");
+                        " s (builds.stall_seconds) and was terminated: it sent no progress, or exceeded the time of a "
+                        "single step.");
         if (command_.longest > 0s && std::chrono::steady_clock::now() - begin_ > command_.longest)
             throw Error("The build took longer than " + std::to_string(command_.longest.count()) +
-                        " s (builds.max_seconds) and was ended.");
+                        " s (builds.max_seconds) and was terminated.");
     }
 
    private:
@@ -142,8 +142,8 @@ std::string first_program(const BuilderCommand& command) {
 std::string cannot_be_started(const std::string& what, const std::string& reason) {
     const std::string end = reason.ends_with('.') ? "" : ".";
     return what + "; it cannot be started: " + reason + end +
-           " The builder is contactd-ic; builds.program says where it is, in process CONTACTD_IC. Debian's package "
-           "contactd has it, and for Python pip install \"contactd[daemon]\".";
+           " The builder is contactd-ic; set builds.program to its path, or CONTACTD_IC in process. To get it, install "
+           "Debian's package contactd, or run pip install \"contactd[daemon]\" for Python.";
 }
 
 /// A launcher's word for a program that it did not find, or may not run, as shells have it.
@@ -189,10 +189,11 @@ BuiltTable run_builder(const BuilderCommand& command, const IcSpec& spec, const 
     if (listener.ran_out_of_memory()) throw BuilderOutOfMemory(complaint, listener.field());
     if (listener.refused() && !listener.problem().empty()) throw InvalidArgument(listener.field(), listener.problem());
     if (status == 128 + SIGKILL && ended_by_kernel() > ended_before)
-        throw BuilderOutOfMemory("The build ran out of memory: the kernel ended it, as the machine had no more.", "");
+        throw BuilderOutOfMemory(
+            "The build ran out of memory: the kernel terminated it because the machine had no free memory.", "");
     if (!command.launcher.empty() && is_of_launcher(status) && !complaint.empty())
         throw BuilderUnusable(cannot_be_started(
-            "builds.program is " + command.program.string() + " behind " + command.launcher.front(), complaint));
+            "builds.program is " + command.program.string() + ", started by " + command.launcher.front(), complaint));
     throw Error("The builder " + ending(status) + (complaint.empty() ? "." : ": " + complaint));
 }
 

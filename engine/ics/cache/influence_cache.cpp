@@ -52,9 +52,9 @@ InfluenceCache::Usage InfluenceCache::usage() const {
 
 std::string operator_warning(const OperatorUse& use) {
     return "The operators of this problem take " + std::to_string(use.bytes) +
-           " bytes, and store.influence_budget_bytes is " + std::to_string(use.budget_bytes) +
-           ". Of operators beyond it only those used last are kept, so that problems that take turns make theirs anew "
-           "each time; raise it where they do.";
+           " bytes, but store.influence_budget_bytes is " + std::to_string(use.budget_bytes) +
+           ". Beyond this budget only the operators used last are kept, so alternating problems recompute theirs each "
+           "time. Increase the budget in this case.";
 }
 
 std::vector<std::string> operator_warnings(const std::optional<OperatorUse>& use) {

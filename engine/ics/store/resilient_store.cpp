@@ -58,7 +58,8 @@ void ResilientStore::note_stored(const IcSpec& spec, const std::vector<std::stri
 ResilientStore::Record ResilientStore::keep_unsaved(IcRecord record, const std::string& why) {
     set_problem(why.empty() ? "A table could not be stored." : why);
     IcRecord answered = record;
-    answered.evidence.warnings.push_back("This table could not be stored and is in the daemon's memory only. " + why);
+    answered.evidence.warnings.push_back("This table could not be stored and exists in the daemon's memory only. " +
+                                         why);
     const std::scoped_lock lock(mutex_);
     unsaved_bytes_ += bytes_of(record.tables);
     unsaved_.push_back(std::make_shared<const IcRecord>(std::move(record)));

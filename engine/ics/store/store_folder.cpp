@@ -25,7 +25,7 @@ void count_store(EngineCounters& counters, const fs::path& folder) {
 std::string store_problem(const fs::path& folder) {
     std::error_code error;
     if (!fs::exists(folder, error)) return "The store's folder " + folder.string() + " does not exist.";
-    if (!fs::is_directory(folder, error)) return "store.folder is " + folder.string() + ", which is no folder.";
+    if (!fs::is_directory(folder, error)) return "store.folder is " + folder.string() + ", which is not a folder.";
     if (const std::error_code unusable = platform::cannot_use(folder, true))
         return "The store's folder " + folder.string() + " cannot be used: " + unusable.message() + ".";
     return {};

@@ -26,9 +26,8 @@ Ics ics_of_simplified_model(const json* ics) {
     Ics result;
     if (ics == nullptr) return result;
     if (ics->value("body", "") == name_of(BodyShape::longitudinally_uniform))
-        throw invalid_field("model",
-                            "is a closed form; closed forms know half-spaces only, and a body has a section: take "
-                            "model full");
+        throw invalid_field(
+            "model", "is a closed form, which supports half-spaces only, but a body has a section: use model full");
     if (ics->contains("line_contact"))
         result.line_contact = LineContactSpec{(*ics)["line_contact"]["datum"].get<double>()};
     return result;
@@ -88,8 +87,8 @@ Body decode_body(const json& source, const json* shorthand, const std::string& f
         body.ics = decode_ics(*shorthand, frames);
     else
         throw invalid_field(field + ".ics",
-                            "is missing, and so is ics, which says it for both bodies; one of them must say where the "
-                            "coefficients come from");
+                            "is missing, and so is ics, which applies to both bodies; give one of them to choose the "
+                            "influence coefficients");
     return body;
 }
 
@@ -126,14 +125,13 @@ void decode_bodies(const json& params, const Frames& frames, ContactSetup& setup
     const json* ics = params.contains("ics") ? &params["ics"] : nullptr;
     if (setup.model == Model::full && ics != nullptr && is_table(*ics)) {
         if (params.contains("bodies") && brings_ics(params["bodies"]))
-            throw invalid_field("ics.table",
-                                "is of the pair of bodies, and a body has ics of its own; give one or the other");
+            throw invalid_field("ics.table", "applies to both bodies, but a body has its own ics; remove one of them");
         setup.bodies.pair = decode_given_ics(*ics, frames, setup.grid, "ics");
         return;
     }
     if (ics != nullptr && is_layered(*ics))
-        throw invalid_field("ics.body",
-                            "is layered; layers are of one body: give them as bodies.upper.ics or bodies.lower.ics");
+        throw invalid_field(
+            "ics.body", "is layered, but layers belong to one body: give them as bodies.upper.ics or bodies.lower.ics");
     const json& bodies = params["bodies"];
     setup.bodies.upper = decode_body(bodies["upper"], ics, "bodies.upper", frames, setup);
     setup.bodies.lower = bodies.contains("lower") ? decode_body(bodies["lower"], ics, "bodies.lower", frames, setup)

@@ -26,7 +26,7 @@ ContactProblem decode_opening(const json& params, const Frames& frames) {
 
 json encode_problem(const ContactProblem& problem, ArrayWriter& arrays) {
     require_load(problem);
-    if (!problem.gap) throw InvalidArgument("gap", "is missing; it is what parts the undeformed bodies");
+    if (!problem.gap) throw InvalidArgument("gap", "is missing; give the distance between the undeformed surfaces");
     return encode_opening(problem, arrays);
 }
 

@@ -32,12 +32,12 @@ GivenIcs decode_given_ics(const json& source, const Frames& frames, const Grid& 
     const Shape shape = claimed_shape(source["table"], table_axes + 1);
     const auto nx = static_cast<std::size_t>(grid.nx), ny = static_cast<std::size_t>(grid.ny);
     if (shape.size() == table_axes + 1)
-        throw invalid_field(table_field,
-                            "has shape " + in_json(shape) +
-                                ", that of the columns of a longitudinally uniform body, which no request brings "
-                                "along: give the file of ic.export to ic.import, and name the section in ics (source "
-                                "fem, body longitudinally_uniform)",
-                            reason::array_invalid);
+        throw invalid_field(
+            table_field,
+            "has shape " + in_json(shape) +
+                ", that of a longitudinally uniform body, whose table cannot be part of a request: pass the file of "
+                "ic.export to ic.import, and give the section in ics (source fem, body longitudinally_uniform)",
+            reason::array_invalid);
     if (shape.size() != table_axes || shape[0] != 3 || shape[1] != 3 || shape[2] < ny || shape[3] < nx)
         throw invalid_field(table_field,
                             "has shape " + in_json(shape) + "; it must be [3,3,ny,nx] with at least the grid's ny, " +
@@ -67,7 +67,7 @@ IcExport decode_ic_export(const json& params, const Frames& frames) {
     IcExport requested;
     requested.spec = decode_ic_spec(params, frames);
     if (requested.spec.line_contact)
-        throw invalid_field("ics.line_contact", "is nothing that these files can say; ic.get answers such a table");
+        throw invalid_field("ics.line_contact", "is not supported by these files; use ic.get for such a table");
     read_name(params["format"], requested.format);
     if (params.contains("lower")) requested.lower = decode_material(params["lower"]);
     return requested;

@@ -37,7 +37,7 @@ std::vector<ElementState> states_of(const std::vector<unsigned char>& bytes) {
     states.reserve(bytes.size());
     for (const unsigned char byte : bytes) {
         if (byte > static_cast<unsigned char>(ElementState::flow))
-            throw invalid_field("element_division", "holds " + std::to_string(byte) + "; it must be 0, 1 or 2",
+            throw invalid_field("element_division", "contains " + std::to_string(byte) + "; it must be 0, 1 or 2",
                                 reason::array_invalid);
         states.push_back(static_cast<ElementState>(byte));
     }

@@ -29,7 +29,7 @@ json encode(const std::vector<Value>& list) {
 std::vector<double> numbers_of(const json& list, const std::string& field) {
     std::vector<double> numbers;
     for (const json& value : list) {
-        if (!value.is_number()) throw invalid_field(field, "mixes numbers with what is not a number");
+        if (!value.is_number()) throw invalid_field(field, "mixes numbers with other values");
         numbers.push_back(value.get<double>());
     }
     return numbers;
@@ -38,7 +38,7 @@ std::vector<double> numbers_of(const json& list, const std::string& field) {
 std::vector<std::string> texts_of(const json& list, const std::string& field) {
     std::vector<std::string> texts;
     for (const json& value : list) {
-        if (!value.is_string()) throw invalid_field(field, "mixes texts with what is not a text");
+        if (!value.is_string()) throw invalid_field(field, "mixes strings with other values");
         texts.push_back(value.get<std::string>());
     }
     return texts;

@@ -48,7 +48,7 @@ IcSpec decode_ic_spec(const json& params, const Frames& frames) {
     IcSpec spec{decode_ics(params["ics"], frames), {}, 0, 0, 0, 0};
     // The schema of an answer does not ask for it, as layers have materials of their own.
     if (!spec.layered && !params.contains(material_field))
-        throw invalid_field(material_field, "is missing; a body that is not layered has one");
+        throw invalid_field(material_field, "is missing; a body without layers requires it");
     spec.material = spec.layered ? spec.layered->surface() : decode_material(params[material_field]);
     spec.dx = grid["dx"].get<double>();
     spec.dy = grid["dy"].get<double>();

@@ -28,7 +28,7 @@ FemSpec base_mesh(const json& ics, BodyShape body) {
     if (body == BodyShape::block) fem.far_boundary = FarBoundary::clamped;
     if (!ics.contains("preset")) return fem;
     const auto preset = fem_preset(ics["preset"].get<std::string>());
-    if (!preset) throw invalid_field("ics.preset", "is " + ics["preset"].dump() + "; there is no such preset");
+    if (!preset) throw invalid_field("ics.preset", "is " + ics["preset"].dump() + ", which is not a preset");
     return *preset;
 }
 

@@ -45,9 +45,9 @@ void check_referred_elements(const json& problems, const MessageLimits& limits) 
     for (const json& problem : problems) elements += referred_elements(problem);
     if (elements > limits.max_array_elements)
         throw invalid_field("problems",
-                            "name arrays of " + std::to_string(elements) + " elements together; they must not have " +
-                                "more than " + std::to_string(limits.max_array_elements) +
-                                " (limits.max_array_elements, an array counting as often as it is named)",
+                            "name arrays of " + std::to_string(elements) + " elements together, but at most " +
+                                std::to_string(limits.max_array_elements) +
+                                " are allowed (limits.max_array_elements, counting an array each time it is named)",
                             reason::limit_exceeded);
 }
 

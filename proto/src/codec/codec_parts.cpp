@@ -21,7 +21,7 @@ int decode_count(const json& grid, const char* name) {
     if (count > static_cast<long long>(max_grid_elements))
         throw invalid_field(
             "grid." + std::string(name),
-            "is " + std::to_string(count) + "; nx times ny is at most " + std::to_string(max_grid_elements),
+            "is " + std::to_string(count) + "; nx times ny must not exceed " + std::to_string(max_grid_elements),
             reason::limit_exceeded);
     return static_cast<int>(count);
 }

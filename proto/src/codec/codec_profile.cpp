@@ -35,8 +35,8 @@ std::vector<ProfilePoint> decode_pairs(const json& source, const Frames& frames,
                             reason::array_invalid);
     if (shape[0] > most_profile_points)
         throw invalid_field(field,
-                            "are " + std::to_string(shape[0]) + "; " + std::to_string(most_profile_points) +
-                                " are the most, leave some of them out",
+                            "has " + std::to_string(shape[0]) + " entries, but at most " +
+                                std::to_string(most_profile_points) + " are allowed; omit some of them",
                             reason::limit_exceeded);
     const std::vector<double> flat = read_array(source, frames, shape, field);
     std::vector<ProfilePoint> points;

@@ -110,7 +110,8 @@ class Reader {
             all += (all.empty() ? "" : ", ") + std::string(name);
         }
         if (found != 1)
-            throw invalid_field(field, "has " + std::to_string(found) + " of these; it takes exactly one: " + all);
+            throw invalid_field(field,
+                                "has " + std::to_string(found) + " of the following fields; give exactly one: " + all);
         std::size_t index = 0;
         const auto read = [&]<class Alternative>(std::type_identity<Alternative>) {
             const std::string name(names[index++]);

@@ -36,7 +36,7 @@ void apply_friction(const json& params, const Frames& frames, ContactProblem& pr
     const json& friction = params["friction"];
     if (!problem.friction && !friction.contains("mu"))
         throw invalid_field("friction.mu",
-                            "is missing; a step that names friction must say it where session.open named none");
+                            "is missing; give it in every step with friction, because session.open gave none");
     if (!problem.friction) problem.friction.emplace();
     read_fields(friction, type_of<FrictionFields<ContactProblem>>(), &problem, MemberPath("friction"),
                 {frames, &problem.grid});
@@ -87,7 +87,7 @@ json encode_step(const std::string& session, long long step, const StepInput& in
                  ArrayWriter& arrays) {
     json params{{"session", session}, {"step", step}};
     if (input.Fn && input.approach)
-        throw InvalidArgument("Fn", "stands beside an approach; a step takes only one of the two");
+        throw InvalidArgument("Fn", "cannot be combined with an approach; remove one of them");
     params.update(write_fields(input, MemberPath(""), {&arrays, &grid}));
     if (input.motion) {
         json& friction = params["friction"];
@@ -104,12 +104,12 @@ void apply_step(const json& params, const Frames& frames, const std::optional<Mo
         problem.approach.reset();
         problem.Fn = params["Fn"].get<double>();
     } else if (!problem.approach && !problem.Fn) {
-        throw invalid_field("approach", "is missing; session.open named neither it nor Fn, so every step must");
+        throw invalid_field("approach", "is missing; give it or Fn in every step, because session.open gave neither");
     }
     if (params.contains("gap"))
         read_fields(params["gap"], problem.gap.emplace(), MemberPath("gap"), {frames, &problem.grid});
     else if (!problem.gap)
-        throw invalid_field("gap", "is missing; session.open named none, so every step must");
+        throw invalid_field("gap", "is missing; give it in every step, because session.open gave none");
     if (params.contains("friction")) apply_friction(params, frames, problem);
     problem.derivatives = params.value("derivatives", problem.derivatives);
     problem.displacements = params.value("displacements", problem.displacements);

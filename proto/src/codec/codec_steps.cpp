@@ -29,7 +29,7 @@ std::vector<AnyStepOrStatus> read_step_replies(const Source& result, const Frame
                                                std::span<const StepAsked> asked) {
     const Source& steps = result["steps"];
     if (steps.size() != asked.size())
-        throw StatusError(StatusCode::unknown, reason::unexpected, "The reply answers another number of steps.");
+        throw StatusError(StatusCode::unknown, reason::unexpected, "The reply contains a different number of steps.");
     std::vector<AnyStepOrStatus> replies;
     for (const auto& step : steps) {
         Status status = status_from_json(as_json(step["status"]));

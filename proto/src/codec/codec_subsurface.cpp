@@ -91,22 +91,20 @@ StressBlock decode_block(const json& source, const Frames& frames, std::size_t a
 
 void check_has_stresses(const Ics& ics, bool is_curved) {
     if (is_curved && (ics.layered || ics.line_contact))
-        throw invalid_field("angles", "are given, and ics has layers or a line contact, whose rows lie on a plane");
+        throw invalid_field("angles", "are given, but ics has layers or a line contact, whose rows lie in a plane");
     if (is_curved && ics.body == BodyShape::longitudinally_uniform) return;
     if (ics.line_contact && (ics.body != BodyShape::half_space || ics.source != IcSource::analytic))
         throw invalid_field("ics.line_contact",
-                            "goes with half-spaces in closed form; stresses below a line contact are theirs");
+                            "requires half-spaces in closed form for stresses below a line contact");
     if (ics.body == BodyShape::layered) return;
     if (ics.body == BodyShape::longitudinally_uniform)
         throw invalid_field("ics.body",
-                            "is longitudinally_uniform; the closed form of the stresses is that of the half-space, "
-                            "which goes with such "
-                            "a body row by row: give the angles of the rows");
+                            "is longitudinally_uniform, whose stresses are those of a half-space for each row: give "
+                            "the angles of the rows");
     if (ics.body != BodyShape::half_space)
         throw invalid_field("ics.body",
-                            "is block; the closed form of the stresses is that of the half-space, which a block "
-                            "resembles only well below its size and far from its faces: leave ics out to take it all "
-                            "the same");
+                            "is block, but the stresses are those of a half-space, which are accurate for a block only "
+                            "at depths well below its size and far from its faces. Remove ics to use them anyway");
 }
 
 }  // namespace
@@ -142,12 +140,14 @@ SubsurfaceRequest decode_subsurface_request(const json& params, const Frames& fr
     request.invariants = params.value("invariants", false);
     if (params.contains("G")) request.G = params["G"].get<double>();
     if (request.G && !request.angles.empty())
-        throw invalid_field("G", "is given, and angles, too; displacements are those of half-spaces under a plane");
+        throw invalid_field(
+            "G", "cannot be combined with angles; displacements are those of half-spaces under a plane contact");
     if (request.G && request.ics.line_contact)
-        throw invalid_field("G",
-                            "is given, and ics.line_contact, too: below an endless line displacements have no end");
+        throw invalid_field(
+            "G",
+            "cannot be combined with ics.line_contact, because displacements below an infinite line are unbounded");
     if (request.G && request.ics.layered)
-        throw invalid_field("G", "is given; displacements are those of half-spaces, and ics has layers");
+        throw invalid_field("G", "is given, but displacements are those of half-spaces, and ics has layers");
     const std::size_t arrays =
         arrays_of_result + (request.invariants ? arrays_of_invariants : 0) + (request.G ? arrays_of_displacement : 0);
     if (params.contains("block"))
@@ -159,7 +159,7 @@ SubsurfaceRequest decode_subsurface_request(const json& params, const Frames& fr
         *values = read_array(params[name], frames, shape_of(request.grid), name);
         for (const double value : *values)
             if (std::abs(value) > largest_traction)
-                throw invalid_field(name, "holds " + dump(value) + "; its values must lie in [-1e100, 1e100]",
+                throw invalid_field(name, "contains " + dump(value) + "; its values must lie in [-1e100, 1e100]",
                                     reason::array_invalid);
     }
     return request;

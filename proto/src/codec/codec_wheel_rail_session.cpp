@@ -16,7 +16,7 @@ using nlohmann::json;
 namespace {
 
 StatusError of_left_out(const std::string& field) {
-    return invalid_field(field, "asks for arrays of patches, and wheelrail.patches that there be none");
+    return invalid_field(field, "requests arrays of patches, but wheelrail.patches excludes them");
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ template <class Source>
 PatchesLeftOut read_left_out(const Source& result) {
     PatchesLeftOut left_out;
     const auto contacts = member_of(result, "contacts");
-    if (!contacts) throw invalid_field("patches", "are missing, and so are contacts");
+    if (!contacts) throw invalid_field("patches", "are missing, and so are contacts; give one of them");
     left_out.count = static_cast<std::size_t>(integer_of(*contacts));
     left_out.converged = flag_of(result["converged"]);
     if (const auto power = member_of(result, "frictional_power")) left_out.frictional_power = number_of(*power);

@@ -125,7 +125,7 @@ void read_value_of(const Source& source, const FieldType& type, void* value, con
         case FieldKind::custom:
             break;
     }
-    throw Error("The field " + path.text() + " has no form on the wire.");
+    throw Error("The field " + path.text() + " cannot be sent.");
 }
 
 }  // namespace
@@ -176,7 +176,7 @@ json write_fields(const FieldType& type, const void* value, const MemberPath& pa
         case FieldKind::custom:
             break;
     }
-    throw Error("The field " + path.text() + " has no form on the wire.");
+    throw Error("The field " + path.text() + " cannot be sent.");
 }
 
 void read_object(const json& source, const FieldType& type, void* owner, const MemberPath& path, const Reading& with) {

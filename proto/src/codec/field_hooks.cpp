@@ -58,7 +58,7 @@ void read_slices(const json& source, void* value, const MemberPath& path, const 
         if (points > most_points_of_slices)
             throw invalid_field(
                 path.text(),
-                "have more than " + std::to_string(most_points_of_slices) + " points together; leave some of them out",
+                "have more than " + std::to_string(most_points_of_slices) + " points together; omit some of them",
                 reason::limit_exceeded);
     }
 }
@@ -77,9 +77,10 @@ json write_body(const Body& body, const std::string& field) {
     if (body.material.is_rigid()) return {{"rigid", true}};
     if (const Ics* ics = body.computed(); ics == nullptr || *ics != Ics{})
         throw InvalidArgument(field + ".ics",
-                              "is no half-space in closed form; the daemon knows wheels and rails as such only");
+                              "is not a half-space in closed form, the only body that wheel-rail contact supports");
     if (body.viscoelastic)
-        throw InvalidArgument(field + ".viscoelastic", "is given; the daemon knows wheels and rails as elastic only");
+        throw InvalidArgument(field + ".viscoelastic",
+                              "is given, but wheel-rail contact supports elastic bodies only: remove it");
     return encode_material(body.material);
 }
 
@@ -89,7 +90,7 @@ json write_bodies(const void* value, const MemberPath& path, const Writing&) {
     if (bodies.pair)
         throw InvalidArgument(
             field + ".pair",
-            "holds coefficients of a grid, and the grids of wheels on rails are found; give materials");
+            "contains coefficients of a grid, but wheel-rail contact determines its own grids; give materials");
     return object(
         {{"upper", write_body(bodies.upper, field + ".upper")}, {"lower", write_body(bodies.lower, field + ".lower")}});
 }

@@ -88,7 +88,7 @@ bool append_any(std::string& text, const FieldType& type, const void* value, con
         case FieldKind::custom:
             break;
     }
-    throw Error("The field " + path.text() + " has no form on the wire.");
+    throw Error("The field " + path.text() + " cannot be sent.");
 }
 
 }  // namespace

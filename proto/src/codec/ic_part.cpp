@@ -40,11 +40,11 @@ int component_of(const json& name) {
 std::string advice(const IcPart& part, int nx, std::size_t most) {
     const auto columns = static_cast<std::size_t>(nx);
     if (const std::size_t rows = most / (columns * count(part)); rows > 0)
-        return "ask for at most " + std::to_string(rows) +
+        return "request at most " + std::to_string(rows) +
                " at a time, {\"first\": 0, \"count\": " + std::to_string(rows) + "}";
     if (const std::size_t components = most / columns; components > 0)
-        return "ask for one row and at most " + std::to_string(components) + " of the components at a time";
-    return "not even one component of one row fits";
+        return "request one row and at most " + std::to_string(components) + " of the components at a time";
+    return "a single component of one row is already too large";
 }
 
 }  // namespace
@@ -58,8 +58,9 @@ IcPart decode_ic_part(const json& params, int ny) {
             throw invalid_field("rows.first", "is " + std::to_string(first) + "; the table has " + std::to_string(ny) +
                                                   " rows, the first of which is 0");
         if (count > ny - first)
-            throw invalid_field("rows.count", "is " + std::to_string(count) + "; from row " + std::to_string(first) +
-                                                  " on there are " + std::to_string(ny - first));
+            throw invalid_field("rows.count", "is " + std::to_string(count) + ", but only " +
+                                                  std::to_string(ny - first) + " rows remain from row " +
+                                                  std::to_string(first));
         part.first_row = static_cast<int>(first);
         part.rows = static_cast<int>(count);
     }
@@ -82,9 +83,9 @@ void check_size(const IcPart& part, int nx, const MessageLimits& limits) {
     const std::size_t numbers = count(part) * static_cast<std::size_t>(part.rows) * static_cast<std::size_t>(nx);
     if (numbers <= most) return;
     throw invalid_field("rows",
-                        "make a table of " + std::to_string(numbers * sizeof(double)) +
-                            " bytes; one message takes at most " + std::to_string(most * sizeof(double)) +
-                            " of them (limits.max_frame_bytes, limits.max_message_bytes): " + advice(part, nx, most),
+                        "result in a table of " + std::to_string(numbers * sizeof(double)) +
+                            " bytes, but a message may contain at most " + std::to_string(most * sizeof(double)) +
+                            " (limits.max_frame_bytes, limits.max_message_bytes): " + advice(part, nx, most),
                         reason::answer_too_large);
 }
 
@@ -136,7 +137,7 @@ void read_part(const json& result, const Frames& frames, const IcPart& part, IcR
     }
     const auto key = result["key"].get<std::string>();
     if (!whole.origin.empty() && key != whole.key)
-        throw invalid_field("key", "is " + key + "; the parts before belong to " + whole.key);
+        throw invalid_field("key", "is " + key + ", but the previous parts belong to " + whole.key);
     if (!whole.origin.empty()) return;
     whole.key = key;
     whole.origin = result["origin"].get<std::string>();

@@ -68,7 +68,7 @@ class Explainer {
     void visit_text(const json& schema, const std::string& value, const std::string& path) {
         const std::size_t length = characters(value);
         const auto least = schema.value("minLength", std::size_t{0});
-        if (least > 0 && value.starts_with('\0')) report(path, "begins with a byte that is zero; it must be text");
+        if (least > 0 && value.starts_with('\0')) report(path, "begins with a zero byte; it must be text");
         if (length < least)
             report(path,
                    "has " + std::to_string(length) + " characters; it must have at least " + std::to_string(least));
@@ -131,7 +131,7 @@ class Explainer {
                                                  ", unless " + listed(others, " or ") + " is there");
         }
         if (exclusive && there.size() > 1)
-            report(joined(path, there[1]), "does not go with " + there[0] + "; one of the two must be left out");
+            report(joined(path, there[1]), "does not go with " + there[0] + "; remove one of them");
     }
 
     void visit_members(const json& schema, const json& properties, const json& value, const std::string& path) {
@@ -176,7 +176,7 @@ class Explainer {
         if (value.size() >= least && value.size() <= most) return;
         const std::string amount = least == most ? "exactly " : value.size() < least ? "at least " : "at most ";
         const std::size_t bound = value.size() < least ? least : most;
-        const std::string problem = "is " + shown(value) + "; it must hold " + amount;
+        const std::string problem = "is " + shown(value) + "; it must contain " + amount;
         const std::string number = bound == 1 ? "one" : std::to_string(bound);
         const bool open = schema.contains("additionalProperties") && schema["additionalProperties"] != false;
         report(path, problem + number + (open ? " fields" : " of " + listed(names_of(properties))));

@@ -104,7 +104,7 @@ std::vector<Violation> violations_of(std::string_view schema_name, const AnswerV
     const CompiledSchema& schema = compiled(schema_name);
     if (schema.rules.conform(document)) return {};
     std::vector<Violation> found = violations(schema, document.json());
-    if (found.empty()) found.push_back({"", "holds an object that names a field twice"});
+    if (found.empty()) found.push_back({"", "contains an object with a duplicate field"});
     return found;
 }
 

@@ -110,8 +110,8 @@ class ArrayReader {
         const std::size_t depth = index_.size();
         if (depth == shape_.size()) return append_number(node);
         if (!node.is_array())
-            invalid(field_, "holds " + shown(node) + where() + "; it must be a list of " +
-                                std::to_string(shape_[depth]) + ", as the shape is " + text_of(shape_));
+            invalid(field_, "contains " + shown(node) + where() + "; it must be a list of " +
+                                std::to_string(shape_[depth]) + ", because the shape is " + text_of(shape_));
         if (node.size() != shape_[depth])
             invalid(field_, "has " + std::to_string(node.size()) + " values" + where() + "; it must have " +
                                 std::to_string(shape_[depth]) + " there, as the shape is " + text_of(shape_));
@@ -128,11 +128,11 @@ class ArrayReader {
 
     void append_number(const json& node) {
         if constexpr (std::is_same_v<T, double>) {
-            if (!node.is_number()) invalid(field_, "holds " + shown(node) + where() + "; it must be a number");
+            if (!node.is_number()) invalid(field_, "contains " + shown(node) + where() + "; it must be a number");
             values_.push_back(node.get<double>());
         } else {
             if (!node.is_number_integer() || node < 0 || node > 255)
-                invalid(field_, "holds " + shown(node) + where() + "; it must be an integer from 0 to 255");
+                invalid(field_, "contains " + shown(node) + where() + "; it must be an integer from 0 to 255");
             values_.push_back(node.get<T>());
         }
     }
@@ -144,7 +144,8 @@ class ArrayReader {
     }
 
     void copy(const json& reference) {
-        if (!reference.is_object()) invalid(field_, "has a $array that is no object; it must hold frame, dtype, shape");
+        if (!reference.is_object())
+            invalid(field_, "has a $array that is not an object; it must contain frame, dtype and shape");
         const std::string_view bytes = frame(part(reference, "frame"));
         const json& type = part(reference, "dtype");
         if (type != dtype<T>)
@@ -181,7 +182,7 @@ class ArrayReader {
         if constexpr (std::is_same_v<T, double>) {
             if (all_finite(values_)) return;
             const std::size_t at = first_infinite(values_);
-            invalid(field_, "holds " + std::string(std::isnan(values_[at]) ? "NaN" : "an infinity") + " at " +
+            invalid(field_, "contains " + std::string(std::isnan(values_[at]) ? "NaN" : "an infinity") + " at " +
                                 text_of(index_of(at, shape_)) + "; every value must be finite");
         }
     }

@@ -83,9 +83,8 @@ class EventReader : public nlohmann::json_sax<json> {
 
     json* insert(json value) {
         if (++values_ > max_values_)
-            fail(reason::limit_exceeded,
-                 "holds more than " + std::to_string(max_values_) +
-                     " values; send large arrays as frames and no larger than server.info says");
+            fail(reason::limit_exceeded, "contains more than " + std::to_string(max_values_) +
+                                             " values; send large arrays as frames, within the limits of server.info");
         if (open_.empty()) {
             root_ = std::move(value);
             return &root_;
@@ -137,13 +136,14 @@ class EventReader : public nlohmann::json_sax<json> {
     }
 
     [[noreturn]] void refuse_number(std::string_view number) const {
-        const std::string problem = "is " + shortened(number) + "; every number must be finite and fit into a double";
+        const std::string problem =
+            "is " + shortened(number) + "; every number must be finite and representable as a double";
         if (field().empty()) fail(reason::not_json, problem);
         throw invalid_field(field(), problem, reason::not_json);
     }
 
     [[noreturn]] void refuse_repetition() const {
-        throw invalid_field(field(), "is given twice; a key may stand once in an object", reason::not_json);
+        throw invalid_field(field(), "is given twice; keys of an object must be unique", reason::not_json);
     }
 
     /// For what is wrong with the whole envelope, found at the field being read.

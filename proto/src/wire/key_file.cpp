@@ -27,7 +27,8 @@ std::string key_of(std::string_view field, std::string_view value) {
     const bool known =
         std::all_of(value.begin(), value.end(), [](char c) { return z85.find(c) != std::string_view::npos; });
     if (value.size() != key_characters || !known)
-        throw Error(std::string(field) + " is no key; it must be 40 characters of Z85, as contactd keygen writes it.");
+        throw Error(std::string(field) +
+                    " is not a key; it must be 40 characters of Z85, as written by contactd keygen.");
     return std::string(value);
 }
 
@@ -52,14 +53,14 @@ KeyFile parse_key_file(std::string_view text) {
         if (field == "public-key") keys.public_key = key_of(field, line.substr(equals + 1));
         if (field == "secret-key") keys.secret_key = key_of(field, line.substr(equals + 1));
     }
-    if (keys.public_key.empty()) throw Error("There is no line public-key = \"...\" in it.");
+    if (keys.public_key.empty()) throw Error("It has no line public-key = \"...\".");
     return keys;
 }
 
 KeyFile read_key_file(const std::filesystem::path& path) {
     std::error_code no_size;
     if (!std::filesystem::is_regular_file(status_of(path)) || std::filesystem::file_size(path, no_size) > largest_file)
-        throw Error("The key file " + path.string() + " is no ordinary file of a few lines.");
+        throw Error("The key file " + path.string() + " is not a regular file of a few lines.");
     std::ifstream file(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     if (!file) throw Error("The key file " + path.string() + " cannot be read.");
@@ -74,7 +75,7 @@ void check_private(const std::filesystem::path& path) {
     using std::filesystem::perms;
     constexpr perms of_others = perms::group_all | perms::others_all;
     if ((status_of(path).permissions() & of_others) != perms::none)
-        throw Error("The key file " + path.string() + " holds a secret that others can get at; run: chmod 600 " +
+        throw Error("The key file " + path.string() + " contains a secret that other users can read; run: chmod 600 " +
                     path.string());
 }
 

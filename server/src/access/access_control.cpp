@@ -38,7 +38,7 @@ std::string z85_of(const zmq::message_t& key) {
 
 proto::Status key_revoked() {
     return {proto::StatusCode::unauthenticated,
-            "The key of this connection is not allowed any more; ask who runs the daemon to allow it.",
+            "The key of this connection is no longer allowed; ask the administrator of the daemon to allow it.",
             std::string(proto::reason::key_revoked),
             {},
             0};
@@ -111,7 +111,7 @@ void AccessControl::reload() {
     try {
         read_allowed();
     } catch (const Error& error) {
-        spdlog::error("{} The keys that were allowed stay so.", error.what());
+        spdlog::error("{} The previously allowed keys remain valid.", error.what());
     }
 }
 

@@ -29,11 +29,12 @@ bool is_allowed(const MethodRules& rules, const std::string& name, const std::st
 std::optional<Status> refusal(const MethodRules& rules, const std::string& method, const std::string& user) {
     if (holds(rules.disabled, method))
         return status(StatusCode::unimplemented, proto::reason::method_disabled,
-                      method + " is switched off by the configuration of this daemon (methods.disabled).");
+                      method + " is disabled by the configuration of this daemon (methods.disabled).");
     if (is_allowed(rules, method, user)) return {};
-    return status(StatusCode::permission_denied, proto::reason::method_denied,
-                  method + " is for users whom the configuration of this daemon names (methods.allowed_users), and " +
-                      (user.empty() ? "who asks has no name." : nlohmann::json(user).dump() + " is none of them."));
+    return status(
+        StatusCode::permission_denied, proto::reason::method_denied,
+        method + " is restricted to the users in methods.allowed_users of the daemon's configuration, and " +
+            (user.empty() ? "this connection has no user name." : nlohmann::json(user).dump() + " is not among them."));
 }
 
 nlohmann::json described_for(const MethodRules& rules, const std::string& user, nlohmann::json document) {

@@ -36,7 +36,7 @@ json with_defaults(const json& schema, json value) {
 std::filesystem::path default_store_folder() {
     const std::filesystem::path folder = engine::default_store_folder();
     if (!folder.empty()) return folder;
-    throw Error("store.folder is empty and neither XDG_CACHE_HOME nor HOME says where it could be; name a folder.");
+    throw Error("store.folder is empty, and neither XDG_CACHE_HOME nor HOME is set; give a folder.");
 }
 
 /// A listener takes addresses in numbers only: a name might stand for one that others reach.
@@ -68,7 +68,7 @@ std::string method_problems(const json& given) {
     const auto check = [&](const std::string& field, const std::string& name) {
         if (std::find(known.begin(), known.end(), name) != known.end()) return;
         problems += "\n  " + field + " is " + json(name).dump() +
-                    ", which is no method; docs/protocol.md has their names, such as ic.import";
+                    ", which is not a method; see docs/protocol.md for their names, such as ic.import";
     };
     if (const auto disabled = at->find("disabled"); disabled != at->end() && disabled->is_array())
         for (std::size_t i = 0; i < disabled->size(); ++i)
@@ -82,7 +82,7 @@ std::string method_problems(const json& given) {
 }  // namespace
 
 Config config_from_json(const json& given) {
-    if (!given.is_object()) throw Error("The configuration is no JSON object, {...}.");
+    if (!given.is_object()) throw Error("The configuration is not a JSON object, {...}.");
     std::string problems;
     for (const auto& [field, description] : proto::violations_against(config_schema(), given))
         problems += "\n  " + field + " " + description;
@@ -151,8 +151,7 @@ std::string read_configuration(const std::filesystem::path& path) {
     std::string text(most_bytes + 1, '\0');
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(file.gcount()));
-    if (text.size() > most_bytes)
-        throw Error("The configuration " + path.string() + " is larger than 1 MiB; no configuration is.");
+    if (text.size() > most_bytes) throw Error("The configuration " + path.string() + " exceeds the limit of 1 MiB.");
     return text;
 }
 

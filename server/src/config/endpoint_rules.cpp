@@ -76,12 +76,12 @@ void check_endpoint(const Config& config) {
         throw Error(std::string("security.curve.") +
                     (curve.allowed_keys.empty() ? "allowed_keys is empty although secret_key_file"
                                                 : "secret_key_file is empty although allowed_keys") +
-                    " is given; CURVE needs both, or neither of them for no encryption.");
+                    " is given; give both for CURVE, or neither for connections without encryption.");
     if (is_local(config.endpoint) || !curve.secret_key_file.empty() || config.security.allow_unencrypted_remote) return;
     throw Error("endpoint is \"" + config.endpoint +
-                "\", which other machines may reach; configure security.curve so that only known keys are let in "
-                "(docs/security.md), or listen at ipc://PATH, tcp://127.0.0.1:PORT or tcp://[::1]:PORT. Whoever wants "
-                "everybody who reaches it to use it sets security.allow_unencrypted_remote.");
+                "\", which other machines may reach; configure security.curve to admit known keys only "
+                "(docs/security.md), or listen at ipc://PATH, tcp://127.0.0.1:PORT or tcp://[::1]:PORT. To admit "
+                "everyone who can reach it, set security.allow_unencrypted_remote.");
 }
 
 void check_log_file(const Config& config) {
@@ -99,7 +99,7 @@ void check_log_file(const Config& config) {
         // Every part of `taken` stands in `file`: the same, or a folder of it.
         if (std::mismatch(taken.begin(), taken.end(), file.begin(), file.end()).first != taken.end()) return;
         throw Error("log.file is " + config.log.file.string() + ", which " + relation + " " + field + ", " +
-                    path.string() + "; name a file elsewhere.");
+                    path.string() + "; choose a file elsewhere.");
     };
     refuse("store.folder", config.store.folder, "lies in");
     refuse("security.curve.allowed_keys", config.security.curve.allowed_keys, "lies in");

@@ -54,26 +54,26 @@ std::string socket_file_problem(const std::string& endpoint) {
     const std::string begin = "endpoint is \"" + endpoint + "\"; ";
     constexpr std::size_t longest = sizeof(sockaddr_un::sun_path) - 1;
     if (file.size() > longest)
-        return begin + "the path has " + std::to_string(file.size()) + " characters, at most " +
+        return begin + "the path has " + std::to_string(file.size()) + " characters, but at most " +
                std::to_string(longest) + " are possible.";
     struct stat status{};
     if (::lstat(file.c_str(), &status) != 0) {
         if (errno == ENOENT) return {};
-        return begin + file + " cannot be looked at: " + std::strerror(errno) + ".";
+        return begin + file + " cannot be inspected: " + std::strerror(errno) + ".";
     }
     if (!S_ISSOCK(status.st_mode))
         return begin + file + " is " + kind_of(status.st_mode) +
-               ", which listening there would remove; name another path, or move it away.";
+               ", which listening there would remove; choose another path, or move it.";
     switch (const int error = connecting_to(file)) {
         case ECONNREFUSED:  // left by a process that has ended
         case ENOENT:
             return {};
         case 0:
         case EAGAIN:
-            return begin + "another process listens there already.";
+            return begin + "another process already listens there.";
         default:
             return begin + file + " is a socket that seems to be in use (" + std::strerror(error) +
-                   "); name another path, or remove it.";
+                   "); choose another path, or remove it.";
     }
 }
 

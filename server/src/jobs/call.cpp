@@ -27,9 +27,9 @@ std::string agent_of(const proto::Request& request) {
 
 [[noreturn]] void too_large(const std::string& what, std::size_t is, std::size_t limit, const char* name) {
     throw proto::StatusError(StatusCode::invalid_argument, proto::reason::answer_too_large,
-                             "The answer would have " + std::to_string(is) + " " + what + "; at most " +
+                             "The answer has " + std::to_string(is) + " " + what + ", but at most " +
                                  std::to_string(limit) + " are allowed (limits." + name +
-                                 "). Ask for less at once, or for arrays as frames.");
+                                 "). Request less at once, or arrays as frames.");
 }
 
 /// An answer that the client could not take must not be sent.

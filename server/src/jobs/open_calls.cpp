@@ -11,12 +11,12 @@ constexpr int queue_retry_ms = 500;
 
 [[noreturn]] void refuse(const std::string& what, std::size_t limit, const char* name,
                          std::string_view reason = proto::reason::queue_full) {
-    throw proto::StatusError(proto::Status{
-        proto::StatusCode::resource_exhausted,
-        what + " wait for an answer; at most " + std::to_string(limit) + " may (" + name + "). Try again later.",
-        std::string(reason),
-        {},
-        queue_retry_ms});
+    throw proto::StatusError(proto::Status{proto::StatusCode::resource_exhausted,
+                                           what + " are waiting for an answer, and at most " + std::to_string(limit) +
+                                               " are allowed (" + name + "). Try again later.",
+                                           std::string(reason),
+                                           {},
+                                           queue_retry_ms});
 }
 
 }  // namespace
@@ -34,8 +34,7 @@ void OpenCalls::check(const Route& route, std::size_t bytes) const {
                "security.per_user.open_requests", proto::reason::too_many_open);
     const std::size_t open_bytes = bytes_;
     if (open_bytes > 0 && open_bytes + bytes > bounds_.bytes)
-        refuse("Requests of " + std::to_string(open_bytes) + " bytes, which this one of " + std::to_string(bytes) +
-                   " would join,",
+        refuse("Requests of " + std::to_string(open_bytes) + " bytes and this one of " + std::to_string(bytes),
                bounds_.bytes, "limits.max_queue_bytes");
 }
 

@@ -48,7 +48,7 @@ void cancel_job(const CallPtr& call, const DaemonParts& parts) {
     const auto job = parts.jobs.find(name);
     if (!job)
         throw StatusError(StatusCode::not_found, proto::reason::job_unknown,
-                          "There is no job " + json(name).dump() + "; job.list names those that wait or run.");
+                          "There is no job " + json(name).dump() + "; call job.list for waiting and running jobs.");
     job->cancel();
     parts.drop_abandoned();
     call->succeed({{"job", name}});

@@ -108,8 +108,8 @@ void locate(const CallPtr& call, const DaemonParts& parts) {
     if (wheelset.left && !params.contains("contacts") && !params.contains("conicity") &&
         !params.value("profiles", false))
         throw InvalidArgument("left",
-                              "is given, and states are those of one wheel, whose set-up is setup; leave it out, or "
-                              "ask for contacts, conicity or profiles");
+                              "is given, but states describe one wheel, whose set-up is setup; remove it, or request "
+                              "contacts, conicity or profiles");
     std::vector<WheelRailState> states;
     for (const nlohmann::json& state : params.value("states", nlohmann::json::array()))
         states.push_back(proto::read_value<WheelRailState>(state, "state"));

@@ -33,15 +33,13 @@ std::string builder_problem(const Config& config) {
     const std::string program = config.builds.program.string();
     if (is_found(program)) return {};
     return "builds.program is " + program +
-           "; there is no program of that name that may be run, so no table can be built: install contactd-ic, or name "
-           "it.";
+           ", which is not an executable program, so no table can be built: install contactd-ic, or correct the path.";
 }
 
 std::string launcher_problem(const Config& config) {
     const auto& launcher = config.builds.launcher;
     if (launcher.empty() || is_found(launcher.front())) return {};
-    return "builds.launcher starts with \"" + launcher.front() +
-           "\"; no such program is found on PATH, so no table can be built.";
+    return "builds.launcher starts with \"" + launcher.front() + "\", which is not on PATH, so no table can be built.";
 }
 
 std::vector<std::string> building_problems(const Config& config) {

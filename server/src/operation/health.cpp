@@ -38,7 +38,7 @@ void Health::watch(const CallPtr& call) {
 }
 
 std::string Health::not_ready() const {
-    if (state() == HealthState::stopping) return "The daemon is ending.";
+    if (state() == HealthState::stopping) return "The daemon is shutting down.";
     if (!listening_) return "The daemon is starting.";
     return {};  // without its store, too, it answers: from memory and with what it builds
 }

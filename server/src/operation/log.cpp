@@ -147,9 +147,9 @@ void Log::reopen() {
     if (file_.empty()) return;
     try {
         sinks_->set_sinks({open()});
-        spdlog::info("log file opened again");
+        spdlog::info("log file reopened");
     } catch (const spdlog::spdlog_ex& error) {
-        spdlog::error("the log file cannot be opened again, the old one is kept: {}", error.what());
+        spdlog::error("the log file cannot be reopened, and the old one stays open: {}", error.what());
     }
 }
 

@@ -26,7 +26,8 @@ void encrypt(zmq::socket_t& socket, const PingKeys& keys) {
     if (keys.server.empty() && keys.own.empty()) return;
     const proto::KeyFile server = proto::read_key_file(keys.server), own = proto::read_key_file(keys.own);
     if (own.secret_key.empty())
-        throw Error("The key file " + keys.own.string() + " holds no secret key; --own-key takes NAME.key_secret.");
+        throw Error("The key file " + keys.own.string() +
+                    " contains no secret key; give NAME.key_secret to --own-key.");
     proto::check_private(keys.own);
     socket.set(zmq::sockopt::curve_serverkey, server.public_key);
     socket.set(zmq::sockopt::curve_publickey, own.public_key);
@@ -77,8 +78,8 @@ PingResult ask(zmq::socket_t& socket, zmq::socket_t& failures, const std::string
         if (failure == 0 || (failure == ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL && ++silent_ends <= silent_ends_allowed))
             continue;
         return {false, endpoint +
-                           " does not take this connection: a daemon that encrypts needs its own --server-key and "
-                           "an --own-key that it allows, and one that does not encrypt takes neither."};
+                           " refuses this connection. An encrypted daemon requires its --server-key and an allowed "
+                           "--own-key, and an unencrypted one requires neither."};
     }
     return {false, "No answer from " + endpoint + " within " + std::to_string(timeout.count()) + " ms."};
 }
@@ -98,7 +99,7 @@ PingResult ping(const std::string& endpoint, const PingKeys& keys, std::chrono::
     } catch (const Error& error) {
         return {false, error.what()};
     } catch (const std::exception& error) {
-        return {false, endpoint + " cannot be asked: " + error.what() + "."};
+        return {false, endpoint + " cannot be reached: " + error.what() + "."};
     }
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 const Status& stopping_status() {
     static const Status status{
-        StatusCode::unavailable, "The daemon is ending.", std::string(proto::reason::stopping), {}, 0};
+        StatusCode::unavailable, "The daemon is shutting down.", std::string(proto::reason::stopping), {}, 0};
     return status;
 }
 

@@ -24,7 +24,7 @@ class ContactSimulation final : public Simulation {
     Solved solve(const engine::StepState& before, const StepRequest& request, proto::ArrayWriter& arrays,
                  Observer& observer, engine::Engine& engine) override {
         if (proto::is_of_wheel_rail(request.params))
-            throw proto::invalid_field("wheelrail", "is given, and this is the session of a contact");
+            throw proto::invalid_field("wheelrail", "is given, but this is the session of a contact");
         const auto set_inputs = [&](const std::optional<Motion>& last, ContactProblem& problem) {
             proto::apply_step(request.params, request.call->request.frames, last, problem);
             if (request.check_rest) request.check_rest();

@@ -13,14 +13,14 @@ namespace {
 
 StatusError state_unknown() {
     return {StatusCode::not_found, proto::reason::state_unknown,
-            "The session has no such state; session.save names those there are, until session.forget."};
+            "The session has no such state; use one that session.save returned and session.forget has not removed."};
 }
 
 }  // namespace
 
 StatusError session_unknown() {
     return {StatusCode::not_found, proto::reason::session_unknown,
-            "There is no such session: it was closed, or never opened here."};
+            "There is no such session: it was closed, or not opened here."};
 }
 
 Session::Session(std::unique_ptr<Simulation> simulation, std::chrono::duration<double> lease_time,

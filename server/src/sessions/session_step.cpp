@@ -26,7 +26,7 @@ std::size_t hash_of(const json& params, const proto::Frames& frames) {
 
 StatusError out_of_order(long long is, long long last) {
     std::string problem = "is " + std::to_string(is) + "; it must be " + std::to_string(last + 1) + ", the next one";
-    if (last > 0) problem += ", or " + std::to_string(last) + " to hear the last answer again";
+    if (last > 0) problem += ", or " + std::to_string(last) + " to repeat the last answer";
     return StatusError(Status{StatusCode::failed_precondition,
                               "step " + problem + ".",
                               std::string(proto::reason::step_out_of_order),
@@ -36,8 +36,8 @@ StatusError out_of_order(long long is, long long last) {
 
 StatusError differs(long long step) {
     const std::string problem = "is " + std::to_string(step) +
-                                ", which was answered to another request; the next one is " + std::to_string(step + 1) +
-                                ", and with again this one is solved anew";
+                                ", but another request was already answered for this step; the next step is " +
+                                std::to_string(step + 1) + ". Set again to solve this step anew";
     return StatusError(Status{StatusCode::failed_precondition,
                               "step " + problem + ".",
                               std::string(proto::reason::step_differs),

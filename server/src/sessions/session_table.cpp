@@ -38,7 +38,8 @@ std::chrono::duration<double> SessionTable::lease(const std::optional<double>& s
     const double lease = seconds.value_or(std::min(limits_.lease_seconds, limits_.max_lease_seconds));
     if (lease > limits_.max_lease_seconds)
         throw proto::invalid_field("lease_seconds",
-                                   "is " + proto::dump(lease) + "; at most " + proto::dump(limits_.max_lease_seconds) +
+                                   "is " + proto::dump(lease) + ", but at most " +
+                                       proto::dump(limits_.max_lease_seconds) +
                                        " are allowed (limits.max_lease_seconds)",
                                    proto::reason::limit_exceeded);
     return std::chrono::duration<double>(lease);
@@ -53,16 +54,17 @@ std::size_t SessionTable::sum_of_bytes() const {
 void SessionTable::check_bytes(std::size_t more) const {
     const std::size_t bytes = sum_of_bytes();
     if (bytes + more > limits_.max_bytes)
-        throw limit("Sessions and their states take " + std::to_string(bytes) + " bytes, and this would be " +
-                    std::to_string(more) + " more; at most " + std::to_string(limits_.max_bytes) +
+        throw limit("Sessions and their states use " + std::to_string(bytes) + " bytes, and this request needs " +
+                    std::to_string(more) + " more, but at most " + std::to_string(limits_.max_bytes) +
                     " are allowed together (limits.max_session_bytes). Close sessions or forget states.");
 }
 
 void SessionTable::check_room(std::size_t bytes) const {
     const std::scoped_lock lock(mutex_);
     if (sessions_.size() >= limits_.max_sessions)
-        throw limit("There are " + std::to_string(sessions_.size()) +
-                    " sessions, as many as are allowed (limits.max_sessions); close one, or wait until a lease ends.");
+        throw limit(
+            "There are " + std::to_string(sessions_.size()) +
+            " sessions, the largest number allowed (limits.max_sessions); close one, or wait until a lease ends.");
     check_bytes(bytes);
 }
 
@@ -79,7 +81,7 @@ std::string SessionTable::add(SessionPtr session) {
 StatusError SessionTable::absent(const std::string& name) const {
     if (std::find(expired_.begin(), expired_.end(), name) == expired_.end()) return session_unknown();
     return {StatusCode::not_found, proto::reason::session_expired,
-            "The session has ended: no request used it within its lease. Open another one."};
+            "The session has ended because no request used it within its lease. Open another one."};
 }
 
 SessionPtr SessionTable::find_open(const std::string& name) {
@@ -111,8 +113,9 @@ SessionPtr SessionTable::remove(const std::string& name) {
 std::string SessionTable::save(Session& session) {
     const std::scoped_lock lock(mutex_);
     if (session.states() >= limits_.max_states)
-        throw limit("The session has " + std::to_string(session.states()) +
-                    " saved states, as many as are allowed (limits.max_session_states); session.forget frees one.");
+        throw limit(
+            "The session has " + std::to_string(session.states()) +
+            " saved states, the largest number allowed (limits.max_session_states); remove one with session.forget.");
     check_bytes(session.state_bytes());
     return session.save();
 }

@@ -33,7 +33,7 @@ class WheelRailSimulation final : public Simulation {
     Solved solve(const engine::StepState& before, const StepRequest& request, proto::ArrayWriter& arrays,
                  Observer& observer, engine::Engine& engine) override {
         if (!proto::is_of_wheel_rail(request.params))
-            throw proto::invalid_field("wheelrail", "is missing; every step of a wheel on its rail brings it");
+            throw proto::invalid_field("wheelrail", "is missing; every step of a wheel on its rail requires it");
         if (request.check_rest) request.check_rest();
         const WheelRailStepInput input = proto::decode_wheel_rail_step(request.params);
         Solved solved;

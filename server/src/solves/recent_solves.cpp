@@ -135,7 +135,7 @@ RecentPressures RecentSolves::pressures(const std::string& user, std::uint64_t n
         if (solve.number == number && solve.user == user && solve.pressures) return solve.pressures;
     throw proto::StatusError(proto::StatusCode::not_found, proto::reason::solve_unknown,
                              "The pressures of solve " + std::to_string(number) +
-                                 " are not there, or not any more; solves.recent tells of which they are.");
+                                 " are not available, or no longer; call solves.recent for the solves that have them.");
 }
 
 }  // namespace contactd::server

@@ -62,7 +62,7 @@ void AnsweringSocket::bind(const std::string& endpoint) {
         ::umask(previous);
     } catch (const zmq::error_t& error) {
         ::umask(previous);
-        throw Error("endpoint is \"" + endpoint + "\"; it cannot be listened at: " + error.what() + ".");
+        throw Error("endpoint is \"" + endpoint + "\"; contactd cannot listen there: " + error.what() + ".");
     }
     file_.emplace(socket_file(address()));
 }

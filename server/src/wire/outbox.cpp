@@ -66,7 +66,7 @@ Outbox::Sent Outbox::try_send(Answer& answer) {
 void Outbox::send(Answer answer) {
     if (!backlogs_.contains(answer.route.identity)) {
         const Sent sent = try_send(answer);
-        if (sent == Sent::never) spdlog::debug("answer dropped: its client has gone");
+        if (sent == Sent::never) spdlog::debug("answer dropped: its client disconnected");
         if (sent != Sent::later) return;
     }
     if (!answer.is_progress) keep(std::move(answer));
@@ -82,7 +82,7 @@ void Outbox::keep(Answer answer) {
         const auto most = std::max_element(backlogs_.begin(), backlogs_.end(), [](const auto& a, const auto& b) {
             return a.second.bytes < b.second.bytes;
         });
-        spdlog::warn("{} answers dropped: a client does not read what it asked for", most->second.answers.size());
+        spdlog::warn("{} answers dropped: a client does not read its answers", most->second.answers.size());
         drop(most);
     }
 }

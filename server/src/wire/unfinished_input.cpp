@@ -65,7 +65,7 @@ void UnfinishedInput::enforce(Clock::time_point now) {
 
 void UnfinishedInput::hang_up(const Connections::iterator& connection) {
     Connection& sender = connection->second;
-    spdlog::warn("connection closed: {} bytes of a message without an end, too many for limits.max_inbox_bytes",
+    spdlog::warn("connection closed: {} bytes of an unfinished message exceed limits.max_inbox_bytes",
                  sender.received - sender.accounted);
     // The close is to be a reset: a sender whose window is shut would not hear of a quiet one for a minute.
     const linger none{.l_onoff = 1, .l_linger = 0};

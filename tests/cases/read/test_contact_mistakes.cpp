@@ -57,7 +57,7 @@ TEST_CASE("a case that is cut off says what is missing", "[contact_files]") {
     for (std::size_t cut = whole.find('\n') + 1; cut < whole.rfind(".001"); cut = whole.find('\n', cut) + 1) {
         const ContactFile file = read_all(whole.substr(0, cut));
         const std::string reported = file.cases.empty() ? file.errors.at(0) : file.cases[0].errors.at(0);
-        CHECK_THAT(reported, ContainsSubstring("file ends"));
+        CHECK_THAT(reported, ContainsSubstring("is the end of the file"));
     }
     text.gap = "";
     CHECK_THAT(error_of(text.text() + next), ContainsSubstring("a case before this line may be truncated"));
@@ -102,7 +102,7 @@ TEST_CASE("a first case cannot keep what there is not", "[contact_files]") {
     BasicCase material;
     material.digits = "201100\n020020\n000001\n";
     material.material = "";
-    CHECK_THAT(error_of(material.text()), ContainsSubstring("C = 0, which needs POISS1"));
+    CHECK_THAT(error_of(material.text()), ContainsSubstring("C = 0, which requires POISS1"));
 }
 
 TEST_CASE("digits that do not go with each other are told", "[contact_files]") {

@@ -170,7 +170,7 @@ TEST_CASE("What is wrong or missing of a contact is refused by its path", "[c]")
     refused(contactd_set(contact, "gap.array", 1), contact, "gap.array", "");
     refused(contactd_set_word(contact, "model", "quick"), contact, "model", "one of full, hertz, fastsim");
     refused(contactd_set(contact, "bodies.upper.ics.accuracy", 1), contact, "bodies.upper.ics.accuracy", "0.1");
-    refused(contactd_clear(contact, "grid.nx"), contact, "grid.nx", "is always there");
+    refused(contactd_clear(contact, "grid.nx"), contact, "grid.nx", "is required");
     refused(contactd_set(contact, "forces.Fn", 1), contact, "forces.Fn", "but grid");
 
     set_sphere(contact);
@@ -255,6 +255,6 @@ TEST_CASE("An id of a contact stands for an input and for the result of the same
     double value = 0;
     require_ok(contactd_get_at(contact, approach, &value), contact);
     CHECK(value == 0.03);
-    refused(contactd_get_at(contact, Fn, &value), contact, "Fn", "is an input where a result is read");
-    refused(contactd_set_at(contact, converged, 1), contact, "converged", "a result that is set");
+    refused(contactd_get_at(contact, Fn, &value), contact, "Fn", "is an input that cannot be read");
+    refused(contactd_set_at(contact, converged, 1), contact, "converged", "a result that cannot be set");
 }

@@ -29,7 +29,7 @@ def test_the_program_on_the_page_rolls(shared_daemon, tmp_path):
 def test_the_example_says_that_nobody_listens(tmp_path):
     ended = run(BIN / "contactd-c-example", f"ipc://{tmp_path}/nobody")
     assert ended.returncode == 1
-    assert ended.stderr.startswith("UNAVAILABLE: Nobody listens at ")
+    assert ended.stderr.startswith("UNAVAILABLE: No daemon is listening at ")
 
 
 def numbers(text: str) -> list[float]:
@@ -81,16 +81,16 @@ def test_the_example_in_octave_is_that_in_c(shared_daemon):
     ("call", "error", "sentence"),
     [
         ("contactd('open', 'nowhere')", "contactd:INVALID_ARGUMENT", "where is \"nowhere\"; it must be"),
-        ("contactd('step', uint64(7))", "contactd:INVALID_ARGUMENT", "contact is none that was made"),
-        ("contactd('step', 7)", "contactd:arguments", "Argument 2 must be what 'open' or 'new' returned."),
+        ("contactd('step', uint64(7))", "contactd:INVALID_ARGUMENT", "contact is not a valid handle"),
+        ("contactd('step', 7)", "contactd:arguments", "Argument 2 must be a handle that 'open' or 'new' returned."),
         ("contactd('step')", "contactd:arguments", "Argument 2 is missing."),
-        ("contactd()", "contactd:arguments", "which function?"),
+        ("contactd()", "contactd:arguments", "must be the name of a function"),
         ("contactd('jump', uint64(7))", "contactd:arguments", "There is no function 'jump'."),
         ("contactd('set', uint64(7))", "contactd:arguments", "Argument 3 is missing."),
         ("contactd('set', uint64(7), 'Fn', 'quick')", "contactd:arguments", "Argument 4 must be a number."),
         ("contactd('restore', uint64(7), 0.5)", "contactd:arguments", "Argument 3 must be a whole number."),
         ("contactd('set_array', uint64(7), 'gap.array', 'a')", "contactd:arguments", "Argument 4 must be an array of doubles."),
-        ("contactd('get_array', uint64(7), 'pressure', -1, 3)", "contactd:INVALID_ARGUMENT", "is none that was made"),
+        ("contactd('get_array', uint64(7), 'pressure', -1, 3)", "contactd:INVALID_ARGUMENT", "is not a valid handle"),
     ],
 )
 def test_octave_tells_what_went_wrong(call, error, sentence):
@@ -117,7 +117,7 @@ def test_in_process_the_example_prints_what_it_prints_with_a_daemon(shared_daemo
         assert ended.stdout == expected
     ended = run(BIN / "contactd-c-example", "local")
     assert ended.returncode == 1
-    assert "link libcontactd-local instead" in ended.stderr
+    assert "link libcontactd-local" in ended.stderr
 
 
 @needs("valgrind")

@@ -221,7 +221,7 @@ TEST_CASE("What was not started cannot step, and what cannot be solved cannot st
     set(c, "gap.paraboloid.Rx", 1);
 
     CHECK(contactd_start(c) == CONTACTD_UNAVAILABLE);  // all is well but for the daemon
-    CHECK(std::string(contactd_last_error(c)).find("Nobody listens") != std::string::npos);
+    CHECK(std::string(contactd_last_error(c)).find("No daemon is listening") != std::string::npos);
     CHECK(contactd_last_reason(c) == std::string("NO_CONNECTION"));
     CHECK(contactd_ping(nowhere.place) == CONTACTD_UNAVAILABLE);
 }

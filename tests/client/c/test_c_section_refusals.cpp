@@ -32,7 +32,7 @@ TEST_CASE("Fields of a section are refused by their paths", "[c]") {
         at.refuses(contactd_set(c, path.c_str(), value), path, says);
     };
     refuses(".groove.depht", 10, "radius, depth, width, height");
-    refuses(".outline.holes[1].start.y", 1, "beyond the next one");
+    refuses(".outline.holes[1].start.y", 1, "skips entries");
     refuses(".outline.outside.parts[0].clamped", 2, "0 or 1");
     refuses(".outline.part", 1.5, "a whole number");
     refuses(".rail_60e1", 1, "name one of its fields");

@@ -168,7 +168,7 @@ TEST_CASE("A log that throws ends its call, and no more", "[c]") {
     require_ok(contactd_set_log(place, [](void*, std::int32_t, const char*) { throw 7; }, nullptr), place);
     const Handle contact(place);
     CHECK(contactd_step(contact) == CONTACTD_UNKNOWN);
-    CHECK(contactd_last_error(contact) == std::string("A callback has thrown."));
+    CHECK(contactd_last_error(contact) == std::string("A callback threw an exception."));
 }
 
 #ifndef __SANITIZE_THREAD__  // which ends a forked process that starts threads

@@ -112,7 +112,7 @@ def test_octave_solves_a_wheelset(shared_daemon):
         "printf('%.12g %.12g\\n', F(3), contactd('get', w{k}, 'roll')); end;"
         "contactd('get', w{1}, 'roll_search.residual'); contactd('wheel_solve_wheelset', w{1}, 7);"
     )
-    assert "Argument 3 must be what" in ended.stderr
+    assert "Argument 3 must be a handle that" in ended.stderr
     left, right = ([float(number) for number in line.split()] for line in ended.stdout.splitlines())
     assert left == pytest.approx([1e4, 0], abs=1e-1)
     assert left[1] == right[1]

@@ -158,8 +158,8 @@ TEST_CASE("Of a wheel, arrays and keywords that do not fit are refused", "[c]") 
     };
     refused(contactd_set_array(w, "state.velocity", some, 5), "count", "state.velocity has 6 numbers");
     refused(contactd_set_array(w, "setup.rail.points", some, 3), "count", "2 numbers for each entry");
-    refused(contactd_set_array(w, "setup.rail", some, 6), "setup.rail", "is no array");
-    refused(contactd_set_array(w, "setup.side", some, 1), "setup.side", "is no array");
+    refused(contactd_set_array(w, "setup.rail", some, 6), "setup.rail", "is not an array");
+    refused(contactd_set_array(w, "setup.side", some, 1), "setup.side", "is not an array");
     refused(contactd_set(w, "setup.wheel.s1002", 0), "setup.wheel.s1002", "is 0");
     refused(contactd_want(w, "presure", 1), "array", "element_division, pressure");
     refused(contactd_want(w, "pressure", 2), "requested", "is 2");
@@ -168,7 +168,7 @@ TEST_CASE("Of a wheel, arrays and keywords that do not fit are refused", "[c]") 
     REQUIRE(contactd_path(w, "state.Fz", &input) == CONTACTD_OK);
     REQUIRE(contactd_path(w, "forces.track.Fz", &result) == CONTACTD_OK);
     refused(contactd_path(w, "state.Fzz", &input), "state.Fzz", "Fz");
-    refused(contactd_set_at(w, result, 1), "forces.track.Fz", "a result that is set");
+    refused(contactd_set_at(w, result, 1), "forces.track.Fz", "a result that cannot be set");
     refused(contactd_set_at(w, 77, 1), "id", "contactd_path");
     refused(contactd_set_at(w, -1, 1), "id", "contactd_path");
 }

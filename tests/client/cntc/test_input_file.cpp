@@ -99,7 +99,7 @@ TEST_CASE("what the library does not have is refused by its name", "[input]") {
     refused(
         "1 MODULE\n1201100\n0022033\n0000001\n999 30 30 1 1e-6\n.3 .3\n.28 .28 1. 1.\n.2 .2 1. 1. 8. 4.\n14. 0 1435. "
         "0.\n'a.prr' 0 1. 0.\n0 0 0 0 0 0\n1360. -70. 460.\n'b.prw' 0 1. 0.\n0 0 1. 0 0 0\n0 0 0 0 0 0\n",
-        "", "", -39, "The case in line 2 is of module 1, and the result element was initialized for module 3");
+        "", "", -39, "The case in line 2 is of module 1, but the result element was initialized for module 3");
 }
 
 TEST_CASE("a file that is not there is refused", "[input]") {

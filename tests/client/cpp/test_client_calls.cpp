@@ -107,7 +107,7 @@ TEST_CASE("A wait for a build that ends says that the build goes on, and as whic
     spec.dx = spec.dy = 0.8;
     spec.nx = spec.ny = 2;
     spec.source = IcSource::fem;
-    const std::string advice = "goes on in the daemon as job build-3: jobs() shows how far it is";
+    const std::string advice = "continues in the daemon as job build-3. jobs() reports its progress";
 
     CHECK_THROWS_MATCHES(client.get_ic(spec, {.timeout = 50ms}), TimeoutError,
                          MessageMatches(ContainsSubstring(advice)));

@@ -118,7 +118,7 @@ TEST_CASE("Key files that cannot be used are refused before anything is sent", "
     options.server_key = files.write("server.key", keys, false);
     refusal("own_key is missing");
     options.own_key = options.server_key;
-    refusal("holds no secret key");
+    refusal("contains no secret key");
     options.own_key = "/nonexistent/own.key_secret";
     refusal("/nonexistent/own.key_secret");
     options.own_key = files.write("own.key_secret", keys, true);

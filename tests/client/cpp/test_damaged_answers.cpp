@@ -91,14 +91,14 @@ TEST_CASE("An answer whose array does not fit its grid is refused", "[client]") 
     check_refused(of_pressure([](json& pressure) { pressure["$array"]["shape"] = {1, 3}; }),
                   "pressure has shape [1,3]");
     check_refused(of_pressure([](json& pressure) { pressure["$array"]["frame"] = 2; }), "pressure refers to frame 2");
-    check_refused(of_pressure([](json& pressure) { pressure = {{3, "x"}}; }), "pressure holds \"x\" at [0, 1]");
+    check_refused(of_pressure([](json& pressure) { pressure = {{3, "x"}}; }), "pressure contains \"x\" at [0, 1]");
 }
 
 TEST_CASE("An answer that is no JSON is refused, as one with NaN is", "[client]") {
     const std::string z = "\"z\":0.25";
-    check_refused(replaced(z, "\"z\":NaN"), "sent is no JSON object");
-    check_refused(replaced(z, "\"z\":Infinity"), "sent is no JSON object");
-    check_refused(replaced(z, "\"z\":1e999"), "sent is no JSON object");
-    check_refused(replaced(z, "\"z\":0.25,"), "sent is no JSON object");
-    check_refused(replaced(z, "\"z\":0.25,\"z\":0.5"), "names a field twice");
+    check_refused(replaced(z, "\"z\":NaN"), "is not a JSON object");
+    check_refused(replaced(z, "\"z\":Infinity"), "is not a JSON object");
+    check_refused(replaced(z, "\"z\":1e999"), "is not a JSON object");
+    check_refused(replaced(z, "\"z\":0.25,"), "is not a JSON object");
+    check_refused(replaced(z, "\"z\":0.25,\"z\":0.5"), "an object with a duplicate field");
 }

@@ -81,7 +81,7 @@ TEST_CASE("A step without patches tells all else") {
         CHECK(without.forces.track == whole.forces.track);
         CHECK(without.frictional_power() == whole.frictional_power());
         input.gap = true;
-        CHECK_THROWS_WITH(other.step(input), ContainsSubstring("wheelrail.patches that there be none"));
+        CHECK_THROWS_WITH(other.step(input), ContainsSubstring("wheelrail.patches excludes them"));
     }
 }
 
@@ -93,10 +93,10 @@ TEST_CASE("A wheel's session is joined as what it is") {
     WheelRailSession joined = WheelRailSession::join(client, wheel.name());
     CHECK(joined.step_number() == 1);
     CHECK(joined.step(rolling_at(1)).step == 2);
-    CHECK_THROWS_WITH(Session::join(client, wheel.name()), StartsWith("name is that of the session of a wheel"));
+    CHECK_THROWS_WITH(Session::join(client, wheel.name()), StartsWith("name belongs to the session of a wheel"));
     Session contact(client, ball_on_plate());
     CHECK_THROWS_WITH(WheelRailSession::join(client, contact.name()),
-                      StartsWith("name is that of the session of a contact"));
+                      StartsWith("name belongs to the session of a contact"));
     static_cast<void>(joined.release());
 }
 

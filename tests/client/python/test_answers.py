@@ -69,7 +69,7 @@ def test_a_table_is_indexed_by_component(tmp_path):
 @pytest.mark.parametrize("component", ["", "z", "zw", "zzz", "ZZ"])
 def test_a_component_that_does_not_exist_is_a_key_error(tmp_path, component):
     table = ask(tmp_path, lambda request: [request.result(*answers.table(2, 3))], get_table)
-    with pytest.raises(KeyError, match="no component"):
+    with pytest.raises(KeyError, match="not a component"):
         table[component]
 
 

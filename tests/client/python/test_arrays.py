@@ -85,7 +85,7 @@ def test_views_of_one_memory_are_told_apart():
 def test_arrays_that_are_not_finite_are_refused_with_their_place(value):
     array = VALUES.copy()
     array[1, 2] = value
-    with pytest.raises(InvalidArgument, match=r"gap\.array holds .* at \[1, 2\]") as caught:
+    with pytest.raises(InvalidArgument, match=r"gap\.array contains .* at \[1, 2\]") as caught:
         encode({"gap": {"array": array}}, "", Frames())
     assert caught.value.reason == "ARRAY_INVALID"
     assert caught.value.violations[0].field == "gap.array"

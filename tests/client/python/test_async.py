@@ -231,7 +231,7 @@ def test_what_is_given_up_is_cancelled_and_the_client_goes_on(tmp_path, how):
 
 def test_a_wait_for_a_build_that_ends_says_that_the_build_goes_on(tmp_path):
     async def act(client):
-        with pytest.raises(TimeoutExpired, match=r"as job build-1: jobs\(\) shows"):
+        with pytest.raises(TimeoutExpired, match=r"as job build-1\. jobs\(\) reports"):
             await client.get_ic(STEEL, GRID, FemIcs(), timeout=0.2)
 
     run(lambda request: [request.progress()] if request.method == "ic.get" else [], act, tmp_path)
@@ -264,7 +264,7 @@ def test_a_daemon_that_goes_away_is_told_and_one_that_comes_back_answers(tmp_pat
             client = AsyncClient(server.endpoint, timeout=20)
             call = asyncio.create_task(client.health())
             await asyncio.to_thread(asked.wait, 5)
-        with pytest.raises(ConnectionFailed, match=r"went away while it worked on server\.health"):
+        with pytest.raises(ConnectionFailed, match=r"disconnected during server\.health"):
             await call
         with FakeServer(tmp_path, serving):
             assert await client.health() == "serving"
@@ -347,7 +347,7 @@ def test_a_client_of_a_running_loop_is_refused_in_another(tmp_path):
         async def act():
             async with AsyncClient(server.endpoint, timeout=5) as client:
                 await client.health()
-                with pytest.raises(ContactdError, match="in another event loop that still runs"):
+                with pytest.raises(ContactdError, match="in another running event loop"):
                     await asyncio.to_thread(lambda: asyncio.run(client.health()))
                 return await client.health()
 
@@ -379,7 +379,7 @@ def test_arrays_too_large_are_refused_before_they_are_sent(tmp_path):
     async def act(client):
         gap = np.zeros((40, 40))
         problem = ContactProblem(grid=Grid(40, 40, 1, 1), upper=STEEL, gap=gap, approach=1, friction=Friction(0.3, rigid_shift=(0, 0)))
-        with pytest.raises(contactd.InvalidArgument, match="has 1600 numbers; the daemon takes at most 1000"):
+        with pytest.raises(contactd.InvalidArgument, match="has 1600 numbers, but the daemon accepts at most 1000"):
             await client.solve(problem)
 
     _, requests = run(lambda request: [request.result(answers.INFO)], act, tmp_path)
@@ -408,7 +408,7 @@ def test_what_is_no_endpoint_is_named(endpoint):
         async with AsyncClient(endpoint) as client:
             await client.health()
 
-    with pytest.raises(ConnectionFailed, match="is no endpoint one can connect to"):
+    with pytest.raises(ConnectionFailed, match="is not a valid endpoint"):
         asyncio.run(act())
 
 

@@ -134,7 +134,7 @@ LAYERS = LayeredBody([Layer(G=1, nu=0.49, thickness=0.1)], base=steel)
         (np.zeros((3, 3)), {}, "gap is neither a Paraboloid nor SemiAxes"),
         (HalfEllipses(1, 1, 1), {}, "gap is neither"),
         (Paraboloid(Rx=50), {}, "gap.Ry is None"),
-        (Paraboloid(50, -80), {}, "gap has a negative radius, and a saddle has no ellipse"),
+        (Paraboloid(50, -80), {}, "gap has a negative radius, and a saddle has no contact ellipse"),
         (BALL, {"ics": FemIcs()}, "ics is not that of half-spaces"),
         (BALL, {"ics": AnalyticIcs(line_contact=LineContact(10))}, "ics is not that of half-spaces"),
         (BALL, {"lower": LAYERS}, "lower is a LayeredBody"),

@@ -106,34 +106,34 @@ ROW = line_of(1, 0)
     ("line", "text", "says"),
     [
         (0, "3 1", "line 1 announces 3 tables"),
-        (0, "1", "line 1 holds too few numbers"),
+        (0, "1", "line 1 contains too few numbers"),
         (0, "1 5", "line 1 names the convex body 5"),
-        (1, "1 312", r"line 2 holds 1 where the column definition \(0 312\) must have 0"),
-        (1, "0 123", "line 2 holds 123"),
-        (2, "1 1", r"line 3 holds 1 where the symmetry \(1 0\) must have 0"),
-        (3, "4 3 0.06", "line 4 holds too few numbers"),
-        (3, "4 3 0.06 0", 'line 4 holds "0"; it must hold .* positive'),
-        (3, "4.5 3 1 1", 'line 4 holds "4.5"'),
+        (1, "1 312", r"line 2 contains 1 where the column definition \(0 312\) must have 0"),
+        (1, "0 123", "line 2 contains 123"),
+        (2, "1 1", r"line 3 contains 1 where the symmetry \(1 0\) must have 0"),
+        (3, "4 3 0.06", "line 4 contains too few numbers"),
+        (3, "4 3 0.06 0", 'line 4 contains "0"; it must contain .* positive'),
+        (3, "4.5 3 1 1", 'line 4 contains "4.5"'),
         (3, "0 3 1 1", "line 4 announces 0 x 3"),
         (3, "99999 99999 1 1", "line 4 announces 99999 x 99999"),
-        (3, "400 300 1 1", "lines must follow; there are 30"),
+        (3, "400 300 1 1", "lines must follow, but there are 30"),
         (3, "4 2 0.06 0.11", "line 5 announces the y offset -2; by the extent in the header it must be -1"),
         (3, "4 3 0.0601 0.11", r"line 8 has x 0\.06; it must be ix dx, 0\.0601"),
         (3, "4 3 0.06 0.1101", r"line 5 has y -0\.22; by the element size in the header it must be -0\.2202"),
-        (10, "% offset iy = -1, y = -0.11; sums over both bodies, times G = 3200", "line 11 tells the modulus 3200; .* 320"),
-        (ROW, "1 0.06 1 2 3", f"line {ROW + 1} holds 5 numbers; it must hold eleven"),
-        (ROW, "1 0.06 1 2 3 4 5 6 7 8 9 10", f"line {ROW + 1} holds 12 numbers"),
-        (ROW, "1 0.06 1 2 3 4 5 6 7 8 nine", f'line {ROW + 1} holds "nine"; it must be a finite number'),
-        (ROW, "1 0.06 1 2 3 4 5 6 7 8 nan", f'line {ROW + 1} holds "nan"'),
-        (ROW, "1 0.06 1 2 3 4 5 6 7 8 1_0", f'line {ROW + 1} holds "1_0"'),
-        (ROW, "1 0.06 1 2 3 4 5 6 7 8 1e999", f'line {ROW + 1} holds "1e999"'),
-        (ROW, "1 0.06 1 2 3 4 5 6 7 8 ******", f'line {ROW + 1} holds "\\*\\*\\*\\*\\*\\*"'),
+        (10, "% offset iy = -1, y = -0.11; sums over both bodies, times G = 3200", "line 11 gives the modulus 3200, .* 320"),
+        (ROW, "1 0.06 1 2 3", f"line {ROW + 1} contains 5 numbers; it must contain eleven"),
+        (ROW, "1 0.06 1 2 3 4 5 6 7 8 9 10", f"line {ROW + 1} contains 12 numbers"),
+        (ROW, "1 0.06 1 2 3 4 5 6 7 8 nine", f'line {ROW + 1} contains "nine"; it must be a finite number'),
+        (ROW, "1 0.06 1 2 3 4 5 6 7 8 nan", f'line {ROW + 1} contains "nan"'),
+        (ROW, "1 0.06 1 2 3 4 5 6 7 8 1_0", f'line {ROW + 1} contains "1_0"'),
+        (ROW, "1 0.06 1 2 3 4 5 6 7 8 1e999", f'line {ROW + 1} contains "1e999"'),
+        (ROW, "1 0.06 1 2 3 4 5 6 7 8 ******", f'line {ROW + 1} contains "\\*\\*\\*\\*\\*\\*"'),
         (ROW, "2 0.06 1 2 3 4 5 6 7 8 9", f"line {ROW + 1} has ix 2"),
         (ROW, "1 0.12 1 2 3 4 5 6 7 8 9", f"line {ROW + 1} has x 0.12"),
         (ROW, "1 0.06 1 2 9 4 5 6 7 8 9", f"line {ROW + 1} has 9 for Czy; it must vanish at the y offset 0"),
         (line_of(0, 0), "0 0 1 9 0 0 1 0 0 0 1", f"line {line_of(0, 0) + 1} has 9 for Czx; .* vanish at ix = 0"),
-        (line_of(1, 1), "1 0.06 1 2 9 4 5 6 7 8 9", f"line {line_of(1, 1) + 1} .* line {line_of(1, -1) + 1} has"),
-        (ROW - 3, "0 0 1 2 3 4 5 6 7 8 9", f"line {ROW - 2} holds numbers; it must be one of the two comment lines"),
+        (line_of(1, 1), "1 0.06 1 2 9 4 5 6 7 8 9", f"line {line_of(1, 1) + 1} .* the value of line {line_of(1, -1) + 1} "),
+        (ROW - 3, "0 0 1 2 3 4 5 6 7 8 9", f"line {ROW - 2} contains numbers; it must be one of the two comment lines"),
     ],
 )  # fmt: skip
 def test_a_broken_line_is_named(tmp_path, line, text, says):
@@ -146,7 +146,7 @@ def test_a_broken_line_is_named(tmp_path, line, text, says):
 
 def test_what_follows_the_last_offset_is_no_table(tmp_path):
     lines = pair().to_contact_text().split("\n")[:-1]
-    with pytest.raises(TableFileError, match=f"line {len(lines) + 1} stands behind the last y offset"):
+    with pytest.raises(TableFileError, match=f"line {len(lines) + 1} follows the last y offset"):
         load_table(write(tmp_path, [*lines, lines[-1]]))
 
 
@@ -176,7 +176,7 @@ def test_opposite_offsets_may_differ_as_much_as_one_allows(tmp_path):
     words[2] = str(float(words[2]) * 1.01)
     lines[line_of(2, -1)] = " ".join(words)
     path = write(tmp_path, lines)
-    with pytest.raises(TableFileError, match="for Czz; it must be what line"):
+    with pytest.raises(TableFileError, match="for Czz; it must be the value of line"):
         TableIcs.from_contact_text(path)
     read = TableIcs.from_contact_text(path, tolerance=0.1)
     assert read["zz"][1, 2] == pytest.approx(1.005 * pair()["zz"][1, 2], rel=1e-12)

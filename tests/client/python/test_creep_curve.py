@@ -142,7 +142,7 @@ def test_a_curve_draws_itself_over_what_varies(client):
     assert [line.get_label() for line in axes.get_lines()] == ["$-F_x/F_n$", "$-F_y/F_n$"]
     assert axes.get_lines()[1].get_ydata() == pytest.approx(-curve.Fy / 80e3)
     matplotlib.pyplot.close("all")
-    with pytest.raises(ValueError, match="single dimension"):
+    with pytest.raises(ValueError, match="one dimension"):
         client.creep_curve(WHEEL, steel, Fn=80e3, friction=FRICTION, xi=[[0, 1e-3]]).plot()
     assert repr(curve).startswith("<CreepCurve of 5 points on 40 x 40 elements: xi 0.0001")
 

@@ -20,7 +20,7 @@ def test_a_picture_is_drawn_into_a_name_with_blanks(tmp_path):
     assert (tmp_path / "a \u00e4.png").read_bytes().startswith(b"\x89PNG")
 
 
-@pytest.mark.parametrize(("picture", "sentence"), [("a.foo", "ends in .png, .pdf, .svg"), (".", "ends in .png"), ("file/a.png", "The demo failed.")])
+@pytest.mark.parametrize(("picture", "sentence"), [("a.foo", "must end in .png, .pdf, .svg"), (".", "must end in .png"), ("file/a.png", "The demo failed.")])
 def test_a_picture_that_cannot_be_is_told_in_a_sentence(tmp_path, picture, sentence):
     (tmp_path / "file").touch()
     ended = subprocess.run([*DEMO, picture], cwd=tmp_path, env=HERE, capture_output=True, text=True, check=False)

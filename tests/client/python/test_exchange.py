@@ -194,7 +194,7 @@ def test_nobody_listening_is_a_failed_connection(tmp_path):
 
 @pytest.mark.parametrize("endpoint", ["nonsense", "tcp://127.0.0.1", "carrier-pigeon://x"])
 def test_an_endpoint_that_is_none_is_a_failed_connection(endpoint):
-    with Client(endpoint) as client, pytest.raises(ConnectionFailed, match=r"no endpoint .* read like tcp://"):
+    with Client(endpoint) as client, pytest.raises(ConnectionFailed, match=r"not a valid endpoint .* have the form tcp://"):
         client.health()
 
 
@@ -202,7 +202,7 @@ def test_a_daemon_that_dies_during_a_call_is_noticed_at_once(tmp_path):
     server = FakeServer(tmp_path, lambda request: [])
     closing = threading.Thread(target=lambda: (_until(lambda: server.requests), server.__exit__()))
     closing.start()
-    with Client(server.endpoint, timeout=30) as client, pytest.raises(ConnectionFailed, match="went away"):
+    with Client(server.endpoint, timeout=30) as client, pytest.raises(ConnectionFailed, match="disconnected during"):
         client.health()
     closing.join()
 

@@ -74,7 +74,7 @@ def test_a_curve_gives_back_the_values_that_it_was_made_with():
 @pytest.mark.parametrize("unit", [1.0, 1e6])  # coefficients, and mN
 def test_forces_that_are_no_part_of_the_normal_force_are_doubted(unit):
     found = contactd.fit(Closed(tanh), PROBLEM, CREEPAGE, unit * curve(tanh), BOUNDS, quantity="force")
-    assert any("of the normal force, 1000 N. Forces are in N: not in kN" in one for one in found.warnings)
+    assert any("of the normal force, 1000 N. Give forces in N, not in kN" in one for one in found.warnings)
     sound = contactd.fit(Closed(tanh), PROBLEM, CREEPAGE, 1000 * curve(tanh), BOUNDS, quantity="force")
     assert sound.warnings == ()
 
@@ -131,7 +131,7 @@ def test_parameters_that_cannot_be_told_apart_are_warned_of():
     found = contactd.fit(Closed(lambda mu, layer, xi: mu * layer * xi), PROBLEM, CREEPAGE, 6e-3 * CREEPAGE, {MU: (0.05, 0.8), FLEXIBILITY: (1e-3, 1)})
     assert found[MU].value * found[FLEXIBILITY].value == pytest.approx(6e-3)
     assert [one.interval for one in found.parameters] == [None, None]
-    assert any("friction.mu and friction.layer.flexibility cannot be told apart" in sentence for sentence in found.warnings)
+    assert any("friction.mu and friction.layer.flexibility cannot be determined separately" in sentence for sentence in found.warnings)
 
 
 def test_parameters_that_can_hardly_be_told_apart_are_warned_of():
@@ -140,7 +140,7 @@ def test_parameters_that_can_hardly_be_told_apart_are_warned_of():
 
     noisy = curve(law, 0.3, 0.2) + np.random.default_rng(0).normal(0, 1e-7, len(CREEPAGE))
     found = contactd.fit(Closed(law), PROBLEM, CREEPAGE, noisy, {MU: (0.05, 0.8), FLEXIBILITY: (0.01, 1)})
-    assert any("can hardly be told apart" in sentence for sentence in found.warnings)
+    assert any("can hardly be determined separately" in sentence for sentence in found.warnings)
     assert found.correlation[0, 1] < -0.98
 
 
@@ -148,14 +148,14 @@ def test_a_parameter_that_changes_nothing_is_warned_of():
     found = contactd.fit(Closed(lambda mu, _, xi: mu * xi), PROBLEM, CREEPAGE, 0.3 * CREEPAGE, BOUNDS)
     assert found[MU].value == pytest.approx(0.3)
     assert found[FLEXIBILITY].standard_error is None
-    assert any(sentence.startswith("friction.layer.flexibility changes nothing") for sentence in found.warnings)
+    assert any(sentence.startswith("friction.layer.flexibility has no effect") for sentence in found.warnings)
 
 
 def test_as_many_parameters_as_points_have_no_errors():
     found = contactd.fit(Closed(tanh), PROBLEM, CREEPAGE[[2, -1]], curve(tanh)[[2, -1]], BOUNDS)
     assert found[MU].value == pytest.approx(0.3, rel=1e-5)
     assert found[MU].interval is None
-    assert any("nothing is left that tells their errors" in sentence for sentence in found.warnings)
+    assert any("so their errors cannot be estimated" in sentence for sentence in found.warnings)
 
 
 def test_the_search_turns_back_where_curves_cannot_be_computed():
@@ -179,7 +179,7 @@ def test_a_search_that_gets_stuck_everywhere_fails():
     def law(mu: float, flexibility: float, xi: float) -> Any:
         return None if flexibility < 1e-4 else tanh(mu, flexibility, xi)
 
-    with pytest.raises(FitFailed, match="The search cannot go on from friction.mu"):
+    with pytest.raises(FitFailed, match="The search cannot continue from friction.mu"):
         contactd.fit(Closed(law), PROBLEM, CREEPAGE, curve(tanh), BOUNDS)
 
 
@@ -193,7 +193,7 @@ def test_a_start_without_a_curve_says_why():
 def test_a_search_that_is_cut_short_says_so():
     found = contactd.fit(Closed(tanh), PROBLEM, CREEPAGE, curve(tanh), BOUNDS, start={FLEXIBILITY: 5e-4}, max_evaluations=2)
     assert not found.converged
-    assert found.warnings[0] == "The search did not converge: the bound of its evaluations was reached."
+    assert found.warnings[0] == "The search did not converge: the largest number of evaluations was reached."
     assert "converged NO" in repr(found)
 
 
@@ -236,21 +236,21 @@ def test_an_interrupt_ends_it():
     ("changes", "error", "said"),
     [
         ({"creepage": []}, InvalidArgument, "creepage has shape"),
-        ({"creepage": CREEPAGE[1:]}, InvalidArgument, "measured has 22 values, and creepage 21"),
-        ({"measured": ["a"] * 22}, InvalidArgument, "measured is no list of numbers"),
+        ({"creepage": CREEPAGE[1:]}, InvalidArgument, "measured has 22 values, but creepage has 21"),
+        ({"measured": ["a"] * 22}, InvalidArgument, "measured is not a list of numbers"),
         ({"measured": np.full(22, np.nan)}, InvalidArgument, r"measured\[0\] is nan; every value must be finite"),
         ({"measured": np.zeros(22)}, InvalidArgument, "measured is zero everywhere"),
         ({"measured": -curve(tanh)}, InvalidArgument, "negative where the creepage is positive"),
         ({"measured": 9600 * curve(tanh)}, InvalidArgument, 'traction coefficients are below 2. For forces in N set quantity to "force"'),
         ({"uncertainty": np.zeros(22)}, InvalidArgument, r"uncertainty\[0\] is 0; standard uncertainties must be above 0"),
         ({"uncertainty": [1.0]}, InvalidArgument, "uncertainty has 1 values"),
-        ({"parameters": {}}, InvalidArgument, "parameters has none"),
+        ({"parameters": {}}, InvalidArgument, "parameters is empty"),
         ({"parameters": {MU: 0.3}}, InvalidArgument, "it must be two numbers, the bounds"),
         ({"parameters": {MU: (0.5, 0.1)}}, InvalidArgument, "two finite numbers, the lower one first"),
-        ({"parameters": {"mu mu": (0.1, 0.5)}}, InvalidArgument, "no path of a field"),
+        ({"parameters": {"mu mu": (0.1, 0.5)}}, InvalidArgument, "not the path of a field"),
         ({"parameters": {"friction.rolling.xi": (0.1, 0.5)}}, InvalidArgument, "which is the creepage of the curve"),
-        ({"start": {"friction.nu": 0.3}}, InvalidArgument, "friction.nu, which is none of the parameters"),
-        ({"start": {MU: 0.9}}, InvalidArgument, "outside of its bounds 0.05 to 0.8"),
+        ({"start": {"friction.nu": 0.3}}, InvalidArgument, "friction.nu, which is not one of the parameters"),
+        ({"start": {MU: 0.9}}, InvalidArgument, "outside its bounds 0.05 to 0.8"),
         ({"creepage": [1e-3], "measured": [0.1]}, InvalidArgument, "1 points for 2 parameters"),
         ({"by": "zeta"}, ValueError, '"xi", "eta", "phi", or a path'),
         ({"quantity": "stress"}, ValueError, '"coefficient" or "force"'),
@@ -258,7 +258,7 @@ def test_an_interrupt_ends_it():
         ({"confidence": 95}, ValueError, "between 0 and 1"),
         ({"starts": 0}, ValueError, "starts is 0"),
         ({"max_evaluations": 0}, ValueError, "max_evaluations is 0"),
-        ({"problem": {"setup": {}, "state": {}}}, InvalidArgument, "problem has setup, as wheelrail.solve takes it"),
+        ({"problem": {"setup": {}, "state": {}}}, InvalidArgument, "problem has setup, as for wheelrail.solve"),
         ({"problem": 3}, TypeError, "problem is 3"),
         ({"client": "tcp://"}, TypeError, "client is 'tcp://'"),
     ],

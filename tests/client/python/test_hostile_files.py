@@ -69,8 +69,8 @@ def test_what_is_told_arrives_as_it_was():
     ("read", "says"),
     [
         (readers.takes_memory, "it takes more memory than any file of contactd"),
-        (readers.ends, "it ends the library of HDF5 by the signal SIGSEGV"),
-        (readers.gives_objects, "it holds arrays of object; those of contactd are of numbers"),
+        (readers.ends, "the HDF5 library crashes while reading it, by the signal SIGSEGV"),
+        (readers.gives_objects, "it contains arrays of object; arrays of contactd contain numbers"),
     ],
 )
 def test_what_goes_wrong_is_told(read, says):
@@ -85,7 +85,7 @@ def test_a_process_that_does_not_start_is_no_fault_of_the_file(monkeypatch):
     with pytest.raises(ContactdError, match="which cannot be started"):
         read_apart(readers.tells_all, b"")
     monkeypatch.setattr(sys, "executable", "")
-    with pytest.raises(ContactdError, match="sys.executable names none"):
+    with pytest.raises(ContactdError, match="sys.executable is not set"):
         read_apart(readers.tells_all, b"")
 
 

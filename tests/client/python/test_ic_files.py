@@ -167,17 +167,17 @@ def test_an_archive_is_plain_numpy_and_json(tmp_path):
 @pytest.mark.parametrize(
     ("members", "says"),
     [
-        ({}, 'must be an array "array"'),
+        ({}, 'must have an array "array"'),
         ({"array": np.ones(3)}, "of shape"),
         ({"array": np.full((3, 3, 1, 1), "x")}, "of shape"),
         ({"array": made_up()}, 'lacks "spec"'),
-        ({"array": made_up(), "spec": "{", "evidence": "{}"}, '"spec" is no JSON'),
+        ({"array": made_up(), "spec": "{", "evidence": "{}"}, '"spec" is not JSON'),
         ({"array": made_up(), "spec": "{}", "evidence": "{}"}, "spec lacks material"),
-        ({"array": made_up(), "pair": "{}"}, '"pair" must hold dx and dy'),
-        ({"array": made_up(), "pair": "[]"}, '"pair" must hold dx and dy'),
-        ({"array": with_hole(), "pair": '{"dx": 1, "dy": 1}'}, r"holds nan for xz at the offset \(1, 2\)"),
-        ({"array": with_hole(np.inf), "pair": '{"dx": 1, "dy": 1}'}, r"holds inf for xz at the offset \(1, 2\)"),
-        ({"array": with_hole(), "spec": SPEC, "evidence": '{"source": "analytic"}'}, "holds nan for xz"),
+        ({"array": made_up(), "pair": "{}"}, '"pair" must contain dx and dy'),
+        ({"array": made_up(), "pair": "[]"}, '"pair" must contain dx and dy'),
+        ({"array": with_hole(), "pair": '{"dx": 1, "dy": 1}'}, r"contains nan for xz at the offset \(1, 2\)"),
+        ({"array": with_hole(np.inf), "pair": '{"dx": 1, "dy": 1}'}, r"contains inf for xz at the offset \(1, 2\)"),
+        ({"array": with_hole(), "spec": SPEC, "evidence": '{"source": "analytic"}'}, "contains nan for xz"),
         ({"array": made_up(), "spec": SPEC.replace("0.06", "-1"), "evidence": '{"source": "analytic"}'}, "dx = -1"),
         ({"array": made_up(), "spec": SPEC.replace("200", "0"), "evidence": '{"source": "analytic"}'}, "G = 0"),
         ({"array": made_up(), "spec": SPEC.replace("0.42", "7"), "evidence": '{"source": "analytic"}'}, "nu = 7"),
@@ -196,7 +196,7 @@ def test_an_archive_of_something_else(tmp_path, members, says):
 def test_an_archive_whose_parts_do_not_fit_together(tmp_path):
     table = dataclasses.replace(ic_table(), array=made_up(nx=NX + 1))
     save_table(tmp_path / "table.npz", table)
-    with pytest.raises(TableFileError, match=r"array has shape \[3, 3, 3, 5\]; spec.grid says \[3, 4\]"):
+    with pytest.raises(TableFileError, match=r"array has shape \[3, 3, 3, 5\]; spec.grid requires \[3, 4\]"):
         load_table(tmp_path / "table.npz")
 
 
@@ -204,11 +204,11 @@ def test_files_that_are_no_archive(tmp_path):
     path = tmp_path / "table.npz"
     for content in (b"", b"PK\x03\x04 broken", b"\x00" * 100, b"plain text"):
         path.write_bytes(content)
-        with pytest.raises(TableFileError, match=r"table\.npz is no archive of numpy"):
+        with pytest.raises(TableFileError, match=r"table\.npz is not an archive of numpy"):
             load_table(path)
     with path.open("wb") as file:
         np.save(file, made_up())
-    with pytest.raises(TableFileError, match="holds no table"):
+    with pytest.raises(TableFileError, match="contains no table"):
         load_table(path)
 
 
@@ -243,7 +243,7 @@ def test_hdf5_without_h5py_says_what_to_install(tmp_path, monkeypatch):
 def test_damaged_hdf5_files_are_not_parsed(tmp_path):
     path, image = tmp_path / "table.h5", b"anything but HDF5"
     path.write_bytes(b"\x89HDF\r\n\x1a\n" + bytes(600))
-    with pytest.raises(TableFileError, match="is no IC file of contactd"):
+    with pytest.raises(TableFileError, match="is not an IC file of contactd"):
         load_table(path)
     head = b"contactd ic table, format 1, sha256 of the bytes after this block: "
     path.write_bytes((head + b"0" * 64).ljust(512, b"\0") + image)
@@ -251,5 +251,5 @@ def test_damaged_hdf5_files_are_not_parsed(tmp_path):
         load_table(path)
     digest = hashlib.sha256(image).hexdigest().encode()
     path.write_bytes((head + digest).ljust(512, b"\0") + image)
-    with pytest.raises(TableFileError, match="no IC file that this version can read"):
+    with pytest.raises(TableFileError, match="not an IC file that this version can read"):
         load_table(path)

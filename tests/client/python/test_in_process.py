@@ -148,7 +148,7 @@ def test_a_configuration_that_is_none_is_refused():
 
 def test_a_folder_that_cannot_be_used_is_named(tmp_path):
     (tmp_path / "file").touch()
-    with pytest.raises(DaemonFailed, match="/file/store cannot be made or read"), contactd.local(in_process=True, folder=tmp_path / "file"):
+    with pytest.raises(DaemonFailed, match="/file/store cannot be created or read"), contactd.local(in_process=True, folder=tmp_path / "file"):
         pass
 
 

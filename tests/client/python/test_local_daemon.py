@@ -58,7 +58,7 @@ def test_a_program_that_does_not_exist_is_named(tmp_path):
 
 
 def test_a_program_that_is_not_on_the_path_is_named_with_what_to_do():
-    with pytest.raises(DaemonFailed, match=r"^no-such-program cannot be started: .*\. Put it on PATH, or name it"):
+    with pytest.raises(DaemonFailed, match=r"^no-such-program cannot be started: .*\. Put it on PATH, or give its path"):
         LocalDaemon("no-such-program")
 
 

@@ -171,7 +171,7 @@ def test_a_session_that_wants_no_retries_gets_none_and_the_same_steps_go_on(fake
 
 def test_a_session_stands_once(fake):
     first, second, _ = fake.sessions
-    with pytest.raises(InvalidArgument, match=r"steps\[2\]\.session is that of steps\[0\]") as refused:
+    with pytest.raises(InvalidArgument, match=r"steps\[2\]\.session is also that of steps\[0\]") as refused:
         fake.client.step_many([(first, {}), (second, {}), (first, {})])
     assert refused.value.violations[0].field == "steps[2].session"
     assert fake.asked == []
@@ -180,7 +180,7 @@ def test_a_session_stands_once(fake):
 def test_a_session_of_another_client_is_refused(fake):
     with Client(fake.server.endpoint) as other:
         own = fake.open(other)
-        with pytest.raises(InvalidArgument, match=r"steps\[1\]\.session is of another client"):
+        with pytest.raises(InvalidArgument, match=r"steps\[1\]\.session belongs to another client"):
             fake.client.step_many([(fake.sessions[0], {}), (own, {})])
     assert fake.asked == []
 
@@ -188,10 +188,10 @@ def test_a_session_of_another_client_is_refused(fake):
 @pytest.mark.parametrize(
     ("step", "problem"),
     [
-        (lambda session: session, r"steps\[0\] must be a session and what its step says, such as \(session, \{\"Fn\": 9e3\}\)"),
+        (lambda session: session, r"steps\[0\] must be a session and the input of its step, such as \(session, \{\"Fn\": 9e3\}\)"),
         (lambda session: (session, 3), r"steps\[0\] must be"),
         (lambda session: (session.name, {}), r"steps\[0\] must be [^0]*\(session"),
-        (lambda session: (session, {"Fm": 1, "timeout": 3}), r"steps\[0\] says Fm, timeout, which Session\.step does not"),
+        (lambda session: (session, {"Fm": 1, "timeout": 3}), r"steps\[0\] has Fm, timeout, which Session\.step does not"),
     ],
 )
 def test_what_is_no_step_of_a_session_is_refused(fake, step, problem):
@@ -212,7 +212,7 @@ def test_answers_that_are_none_break_the_protocol(fake, result):
 
 
 def test_arrays_that_were_asked_for_and_are_not_there_break_the_protocol(fake):
-    with pytest.raises(ProtocolError, match="lacks pressure, which was asked for"):
+    with pytest.raises(ProtocolError, match="lacks the requested pressure"):
         all_of(fake, {"fields": "pressure"})
 
 
@@ -231,7 +231,7 @@ def test_a_session_that_is_in_use_holds_up_the_whole_and_leaves_none_locked(fake
     saving = threading.Thread(target=fake.sessions[2].save)
     saving.start()
     begun.wait(5)
-    with pytest.raises(ContactdError, match="in another thread or in the progress callback"):
+    with pytest.raises(ContactdError, match="in another thread or around this progress callback"):
         all_of(fake, {}, {}, {})
     go_on.set()
     saving.join()

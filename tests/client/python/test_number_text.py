@@ -39,7 +39,7 @@ def test_a_comma_between_two_numbers_parts_them():
     [
         ("1 2\n3 x\n", "line 2 has 'x'"),
         ("y z\n1 2\ny z\n", "line 3 has 'y'"),
-        ("1 2\n\n3\n", "line 3 has 1 numbers, and the first 2"),
+        ("1 2\n\n3\n", "line 3 has 1 numbers, but the first has 2"),
         ("1;;2\n", "line 1 has ''"),
         ("1,5 2\n3,5\n", "line 2 has 1 numbers"),
         ("nan 1\n", "line 1 has 'nan'"),
@@ -75,7 +75,7 @@ def test_a_table_has_cells_below_names(text):
 
 
 def test_a_row_of_another_length_is_refused():
-    with pytest.raises(ValueError, match="line 3 has 3 columns, and the first 2"):
+    with pytest.raises(ValueError, match="line 3 has 3 columns, but the first has 2"):
         table_of("a;b\n1;2\n1;2;3\n")
 
 
@@ -83,7 +83,7 @@ def test_a_table_names_each_column_once():
     with pytest.raises(ValueError, match="line 2 names Fn twice"):
         table_of("% steps\nFn, xi, Fn\n1, 2, 3\n")
     for headless in ("1, 1, 0.3\n2, 1, 0.3\n", "0,5;1\n0,6;2\n", "Fn, 3\n1, 2\n"):
-        with pytest.raises(ValueError, match=r"line 1 has the number [0-9,.]+ in place of the name of a column; put a line with the names"):
+        with pytest.raises(ValueError, match=r"line 1 has the number [0-9,.]+ instead of the name of a column; add a line with the names"):
             table_of(headless)
     with pytest.raises(ValueError, match="line 1 has no name for column 2"):
         table_of("Fn;;xi\n1;2;3\n")

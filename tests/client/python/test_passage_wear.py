@@ -131,7 +131,7 @@ def test_a_rail_wears_by_passages():
 
 
 def test_without_laws_or_profiles_there_is_no_such_wear(tmp_path):
-    with pytest.raises(InvalidArgument, match="wear was not asked for"):
+    with pytest.raises(InvalidArgument, match="wear was not requested"):
         wheel_rail(SETUP, **STATE, fields=[]).wear()
     solution = solved(EnergyWear(C, source="our test"))
     solution.save(tmp_path / "wheel.h5")

@@ -128,7 +128,7 @@ def test_a_force_takes_the_place_of_the_approach():
     ("load", "problem"), [({}, "lacks approach or Fn"), ({"approach": 0.02, "Fn": 1.0}, "has both approach and Fn")]
 )
 def test_either_the_approach_or_the_force_is_given(load, problem):
-    with pytest.raises(TypeError, match=rf"^ContactProblem\(\) {problem}; it takes either approach or Fn"):
+    with pytest.raises(TypeError, match=rf"^ContactProblem\(\) {problem}; give either approach or Fn"):
         ContactProblem(grid=GRID, upper=STEEL, gap=Paraboloid(Rx=50), **load)
 
 
@@ -235,8 +235,8 @@ def test_a_material_of_youngs_modulus_goes_out_as_one_of_the_shear_modulus():
 @pytest.mark.parametrize(
     ("arguments", "error", "message"),
     [
-        ({"nu": 0.3}, TypeError, "lacks G or E; it takes either G, the shear modulus, or E"),
-        ({"G": 1, "E": 1, "nu": 0.3}, TypeError, "has both G and E; it takes either G, the shear modulus, or E"),
+        ({"nu": 0.3}, TypeError, "lacks G or E; give either G, the shear modulus, or E"),
+        ({"G": 1, "E": 1, "nu": 0.3}, TypeError, "has both G and E; give either G, the shear modulus, or E"),
         ({"E": 1}, TypeError, "lacks nu"),
         ({"E": 0, "nu": 0.3}, InvalidArgument, "^E is 0; it must be a positive"),
         ({"E": -1.0, "nu": 0.3}, InvalidArgument, r"^E is -1\.0; it must be a positive"),

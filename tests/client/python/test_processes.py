@@ -202,7 +202,7 @@ def test_a_session_belongs_to_the_process_that_opened_it(session):
 
 def test_a_session_is_handed_on_by_its_name_and_not_in_a_pickle(session):
     _, opened = session
-    with pytest.raises(TypeError, match=r"hand on session\.name, and join it by client\.join_session"):
+    with pytest.raises(TypeError, match=r"pass session\.name, and join it by client\.join_session"):
         pickle.dumps(opened)
 
 
@@ -220,7 +220,7 @@ def test_two_threads_do_not_take_the_same_step(tmp_path):
         saving = threading.Thread(target=opened.save)
         saving.start()
         begun.wait(5)
-        with pytest.raises(ContactdError, match="in another thread or in the progress callback"):
+        with pytest.raises(ContactdError, match="in another thread or around this progress callback"):
             opened.step()
         go_on.set()
         saving.join()
@@ -246,9 +246,9 @@ def test_a_forked_process_does_not_end_its_parents_daemon(tmp_path):
         assert in_fork(leave) is None
         error = in_fork(daemon.stop)
         assert isinstance(error, DaemonFailed)
-        assert f"process {os.getpid()}, which alone can end it" in str(error)
+        assert f"process {os.getpid()}, and only that process can end it" in str(error)
         assert daemon.process.poll() is None
         assert daemon.folder.exists()
-        with pytest.raises(TypeError, match="hand on its endpoint"):
+        with pytest.raises(TypeError, match="pass its endpoint"):
             pickle.dumps(daemon)
     assert not daemon.folder.exists()

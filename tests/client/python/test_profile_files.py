@@ -57,7 +57,7 @@ def test_a_file_whose_reading_fails_is_named():
 
 def test_an_empty_file_is_an_invalid_argument(tmp_path):
     (tmp_path / "head.csv").touch()
-    with pytest.raises(InvalidArgument, match=r"^file = .*head\.csv: the file is empty\. Name a file"):
+    with pytest.raises(InvalidArgument, match=r"^file = .*head\.csv: the file is empty\. Give a file"):
         read_profile_text(tmp_path / "head.csv")
     with pytest.raises(InvalidArgument, match="the file is empty"):
         ProfileFile(tmp_path / "head.csv")

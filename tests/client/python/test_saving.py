@@ -176,9 +176,9 @@ def test_what_is_loaded_can_be_a_history(tmp_path):
 @pytest.mark.parametrize(
     ("told", "wrong"),
     [
-        ({"type": "Nonsense"}, "the value is of the type 'Nonsense', which this version does not know"),
-        ({"type": "Grid", "nx": 1, "my": 2}, "the value has my, which Grid does not know"),
-        ({"type": "ContactProblem", "gap": {"type": "SemiAxes", "a": 1}}, "gap is no SemiAxes: .*missing.*'b'"),
+        ({"type": "Nonsense"}, "the value is of the type 'Nonsense', which this version does not support"),
+        ({"type": "Grid", "nx": 1, "my": 2}, "the value has my, which Grid does not have"),
+        ({"type": "ContactProblem", "gap": {"type": "SemiAxes", "a": 1}}, "gap is not a valid SemiAxes: .*missing.*'b'"),
         ({"type": "ContactProblem", "layers": [{"type": "?"}]}, r"layers\[0\] is of the type '\?'"),
     ],
 )
@@ -190,7 +190,7 @@ def test_a_dictionary_that_makes_no_value_is_told_where(told, wrong):
 def test_what_is_no_value_is_refused(tmp_path):
     with pytest.raises(TypeError, match="is a socket|is a object"):
         to_dict(object())
-    with pytest.raises(TypeError, match=r"is a list; save\(\) takes a problem"):
+    with pytest.raises(TypeError, match=r"is a list; save\(\) accepts problems"):
         save(tmp_path / "x.h5", [PROBLEM])
     assert not list(tmp_path.iterdir())
 
@@ -198,7 +198,7 @@ def test_what_is_no_value_is_refused(tmp_path):
 def test_a_file_of_something_else_is_refused(tmp_path):
     path = tmp_path / "kept.h5"
     PROBLEM.save(path)
-    with pytest.raises(SavedFileError, match=r"kept\.h5 holds a ContactProblem, not a ContactSolution"):
+    with pytest.raises(SavedFileError, match=r"kept\.h5 contains a ContactProblem, not a ContactSolution"):
         ContactSolution.load(path)
     whole = path.read_bytes()
     for content in (b"", b"rubbish", whole[: len(whole) // 2]):
@@ -213,7 +213,7 @@ def test_a_file_of_hdf5_that_is_not_ours_is_refused(tmp_path):
     h5py = pytest.importorskip("h5py")
     with h5py.File(tmp_path / "other.h5", "w") as file:
         file.attrs["x"] = 1
-    with pytest.raises(SavedFileError, match="is no file of contactd's problems and solutions"):
+    with pytest.raises(SavedFileError, match="is not a file of contactd's problems and solutions"):
         load(tmp_path / "other.h5")
 
 

@@ -58,7 +58,7 @@ def test_a_session_takes_a_whole_problem_as_solve_does(fake):
 def test_a_problem_and_fields_are_not_taken_together_nor_anything_else(fake, call):
     _, client = fake
     problem = ContactProblem(grid=GRID, upper=STEEL, gap=Paraboloid(1, 1), Fn=5)
-    with pytest.raises(TypeError, match="takes a ContactProblem or its fields, not both: Fn"):
+    with pytest.raises(TypeError, match="accepts a ContactProblem or its fields, not both: Fn"):
         call(client, problem, Fn=3)
     with pytest.raises(TypeError, match="problem is Grid.*; it must be of type ContactProblem"):
         call(client, GRID)

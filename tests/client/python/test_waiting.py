@@ -122,9 +122,9 @@ def test_a_wait_for_a_build_that_ends_says_that_the_build_goes_on(tmp_path, refu
         with pytest.raises(DeadlineExceeded if refused else TimeoutExpired) as caught:
             client.get_ic(STEEL, GRID, FemIcs(), timeout=0.2)
     text = str(caught.value)
-    assert f"as job {job}: jobs() shows how far it is, cancel_job('{job}') ends it" in text if job else "A build" in text
-    assert "goes on in the daemon" in text
-    assert "the same call again joins it" in text
+    assert f"as job {job}. jobs() reports its progress, cancel_job('{job}') ends it" in text if job else "The build that it waited for" in text
+    assert "continues in the daemon" in text
+    assert "repeating the call joins it" in text
 
 
 def test_a_wait_for_anything_else_says_nothing_of_builds(tmp_path):
@@ -165,7 +165,7 @@ def test_progress_shows_iterations_and_states():
     [("x", TypeError), (True, TypeError), (None, TypeError), (-1e-6, ValueError), (1.5, ValueError), (float("nan"), ValueError)],
 )  # fmt: skip
 def test_a_spin_that_is_none_is_named_with_what_is_right(value, error):
-    with pytest.raises(error, match=r"^spin is .*; it must be a number of seconds, 0 \(as if left out\) to 1"):
+    with pytest.raises(error, match=r"^spin is .*; it must be a number of seconds from 0, the default, to 1"):
         Client("ipc:///nowhere", spin=value)
 
 

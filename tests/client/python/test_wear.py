@@ -58,7 +58,7 @@ def test_pieces_and_zones_are_tuples_in_the_order_of_their_fields():
 
 
 def test_a_piece_that_is_no_triple_is_refused():
-    with pytest.raises(ValueError, match="they are from, value, slope"):
+    with pytest.raises(ValueError, match="it must have from, value, slope"):
         sent(WearRequest([WearLaw("br", "a test", "lower", (0, 1), br=BrWear([(0, 1)]))]))
 
 

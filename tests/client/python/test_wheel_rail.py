@@ -159,7 +159,7 @@ def test_an_answer_is_read():
 
 def test_arrays_that_do_not_fit_their_grid_are_no_answer():
     answer = copy.deepcopy(ANSWER)
-    with pytest.raises(ProtocolError, match="lacks pressure"):
+    with pytest.raises(ProtocolError, match="lacks the requested pressure"):
         read_wheel_rail(["pressure"], False, answer)
     answer["patches"][0]["gap"] = np.zeros((2, 2))
     with pytest.raises(ProtocolError, match="gap of patch 0"):
@@ -188,5 +188,5 @@ def test_both_wheels_of_an_answer_are_read():
     assert solution.right.forces.track.Fx == 973.1
     assert "left" in repr(solution)
     answer["right"] = ANSWER
-    with pytest.raises(ProtocolError, match="lacks pressure"):
+    with pytest.raises(ProtocolError, match="lacks the requested pressure"):
         read_wheelset(["pressure"], False, answer)

@@ -254,7 +254,7 @@ TEST_CASE("derivatives that are not known are refused", "[derivatives]") {
         auto& transient = std::get<Rolling>(problem.motion);
         transient.kind = RollingKind::transient;
         transient.steps = 3;
-        CHECK(refused("one by one"));
+        CHECK(refused("step by step"));
         transient.steps = 1;
         CHECK(solve_half_spaces(problem).derivatives);
     }

@@ -106,7 +106,7 @@ TEST_CASE("a line contact of layers is refused with the way round it") {
         for (const Body& upper : {Body{steel, line}, layered}) {
             if (lower == layered && upper == layered) continue;
             problem.bodies = {upper, lower};
-            CHECK_THROWS_WITH(validate(problem), ContainsSubstring("take one row of long elements: grid.ny 1"));
+            CHECK_THROWS_WITH(validate(problem), ContainsSubstring("use one row of long elements, with grid.ny = 1"));
         }
 }
 

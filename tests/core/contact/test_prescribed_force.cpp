@@ -109,7 +109,7 @@ TEST_CASE("forces below the largest are reached, at it every slip would do and t
         FAIL("no error");
     } catch (const InvalidArgument& error) {
         CHECK(error.field() == "friction.rolling.force");
-        CHECK(std::string(error.what()).find("less than 3 N") != std::string::npos);
+        CHECK(std::string(error.what()).find("At 3 N, the sum of the friction bounds") != std::string::npos);
     }
     CHECK_THROWS_AS(find(forces(std::nan(""), {}), sphere), InvalidArgument);
 }

@@ -184,7 +184,7 @@ TEST_CASE("Models of virtual penetration tell where they leave what they are mad
 TEST_CASE("What goes against pressures of virtual penetration is refused", "[penetration]") {
     ContactProblem problem = given_case(NormalModel::kpec);
     problem.model = Model::hertz;
-    CHECK_THROWS_WITH(solved(problem), ContainsSubstring("model hertz has pressures of its own"));
+    CHECK_THROWS_WITH(solved(problem), ContainsSubstring("model hertz, which has its own pressures"));
     problem = given_case(NormalModel::kpec);
     problem.derivatives = true;
     CHECK_THROWS_WITH(solved(problem), ContainsSubstring("derivatives"));
@@ -251,7 +251,7 @@ TEST_CASE("Two half ellipses that no pressures are prescribed over are refused",
     problem.gap = HalfEllipses{4, 2, 0};
     CHECK_THROWS_WITH(solved(problem), ContainsSubstring("gap.half_ellipses.b_positive"));
     problem.gap = std::vector<double>(problem.grid.size(), 0.0);
-    CHECK_THROWS_WITH(solved(problem), ContainsSubstring("has no ellipse"));
+    CHECK_THROWS_WITH(solved(problem), ContainsSubstring("has no contact ellipse"));
     problem.gap = Paraboloid{300, -300};
     CHECK_THROWS_WITH(solved(problem), ContainsSubstring("flat or concave"));
 }

@@ -184,7 +184,7 @@ TEST_CASE("Damage follows its pieces, and a contact beyond their range has a war
     CHECK_THAT(solution.fatigue->T_gamma, WithinRel(0.02 * 0.3 * 20000, 1e-3));
     CHECK_THAT(solution.fatigue->damages.at(0).value, WithinRel((solution.fatigue->T_gamma - 15) * 2e-7, 1e-12));
     REQUIRE_FALSE(solution.warnings.empty());
-    CHECK_THAT(solution.warnings.front(), ContainsSubstring("function of damage ours was fitted from 0 to 10 N"));
+    CHECK_THAT(solution.warnings.front(), ContainsSubstring("damage function ours was fitted from 0 to 10 N"));
 }
 
 TEST_CASE("Requests of fatigue that make no sense are refused by name") {

@@ -259,7 +259,7 @@ TEST_CASE("Without the module that meshes sections only sections are missed, by 
     CHECK(folder.run("./contactd-ic spec.json --output table.h5") == 0);
     folder.write("spec.json", section);
     CHECK(folder.run("./contactd-ic spec.json --output table.h5") == 1);
-    CHECK_THAT(folder.last_line(), ContainsSubstring("contactd-gmsh.so, which is missing"));
+    CHECK_THAT(folder.last_line(), ContainsSubstring("contactd-gmsh.so, which meshes sections, is missing"));
     CHECK(folder.run(program + " spec.json --output table.h5") == 0);
     folder.write("contactd-gmsh.so", "no module");
     CHECK(folder.run("./contactd-ic spec.json --output table.h5") == 1);

@@ -221,5 +221,5 @@ TEST_CASE("the environment chooses among the lanes of the processor", "[fft]") {
         CHECK_THROWS_AS(lanes_by_name(asked), InvalidArgument);
     }
     CHECK_THROWS_WITH(lanes_by_name("3"),
-                      ContainsSubstring("CONTACTD_LANES of the environment is '3'; on this processor it must be"));
+                      ContainsSubstring("CONTACTD_LANES in the environment is '3'; on this processor it must be"));
 }

@@ -50,8 +50,9 @@ TEST_CASE("A quotient becomes a count where it is one") {
         CAPTURE(quotient);
         CHECK_THROWS_AS(count_of(quotient, rows), InvalidArgument);
     }
-    CHECK_THROWS_WITH(count_of(7.2e7, rows),
-                      "patches.locus_step is 1e-09, which makes 7.2e+07 rows; 100 are the most, make it larger");
+    CHECK_THROWS_WITH(
+        count_of(7.2e7, rows),
+        "patches.locus_step is 1e-09, which results in 7.2e+07 rows; at most 100 are allowed: make it larger");
 }
 
 TEST_CASE("Rows of the search that no memory holds are refused by the step that makes them") {

@@ -93,7 +93,7 @@ TEST_CASE("A rail that curves along the track is a body with two radii") {
     CHECK_THAT(solution.patches[0].solution.pmax, WithinRel(hertz.pmax, 0.01));
     CHECK_THAT(solution.patches[0].solution.approach, WithinRel(hertz.approach, 0.01));
     CHECK_THAT(1 / solution.patches[0].place.radii.rail_along, WithinAbs(1 / radius, 2e-5));
-    CHECK(!warns(solution, "curves along the track"));
+    CHECK(!warns(solution, "curvature of the rail along the track"));
 }
 
 TEST_CASE("The search along the locus says where the rail curves too much for it") {
@@ -102,7 +102,7 @@ TEST_CASE("The search along the locus says where the rail curves too much for it
     setup.patches.search = ContactSearch::locus;
     WheelRailState state;
     state.Fz = 30000;
-    CHECK(warns(solve(setup, state), "choose patches.search mesh"));
+    CHECK(warns(solve(setup, state), "Set patches.search to mesh"));
 }
 
 TEST_CASE("A wheel above a dip rests on both of its sides") {

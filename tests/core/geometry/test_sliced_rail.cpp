@@ -151,8 +151,9 @@ TEST_CASE("Slices with other parts than the first one are refused") {
     REQUIRE(make_profile(kinked).curve.kinks().size() == 1);
     WheelRailSetup setup = cylinder_on_arc(300);
     setup.rail_slices = {{0, smooth}, {50, smooth}, {100, kinked}};
-    CHECK_THROWS_WITH(WheelRailContact(setup), ContainsSubstring("rail_slices[2].profile has 2 parts between kinks, "
-                                                                 "and the first slice has 1;"));
+    CHECK_THROWS_WITH(
+        WheelRailContact(setup),
+        ContainsSubstring("rail_slices[2].profile has 2 parts between kinks, but the first slice has 1;"));
     setup.rail_slices = {{0, kinked}, {50, kinked}};
     CHECK_NOTHROW(WheelRailContact(setup));
 }

@@ -169,7 +169,7 @@ TEST_CASE("A file that names a field or its keyword otherwise is damaged, and sa
     std::string message;
     SECTION("a keyword") {
         contents.attributes.at("spec/body") = std::string("prism");
-        message = "spec/body of the file is not known.";
+        message = "spec/body of the file is not supported.";
     }
     SECTION("a field") {
         auto field = contents.attributes.extract("spec/stopping_criterion");

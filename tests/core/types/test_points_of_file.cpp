@@ -131,8 +131,8 @@ TEST_CASE("a file of which nothing shows which way z points is refused until tha
         {rail, "-40 0\n0 0\n40 0\n"},
     }));
     ProfileFile file{.name = "cone.txt", .text = text};
-    refused(file, kind, "profile.file", "cone.txt: its points do not show which way z points");
-    refused(file, kind, "profile.file", "give mirror_z, true where z points upwards");
+    refused(file, kind, "profile.file", "cone.txt: its points do not determine the direction of z");
+    refused(file, kind, "profile.file", "give mirror_z, true if z points upwards");
     file.mirror_z = GENERATE(false, true);
     const ProfileCurve curve = make_profile({kind, file}).curve;
     CHECK_THAT(curve.at(0).z, WithinAbs((*file.mirror_z ? -1 : 1) * (text.starts_with("-40 2") ? 2 : 0), 1e-12));
@@ -147,7 +147,7 @@ TEST_CASE("points in no order are refused as such, whatever z is", "[profile]") 
     std::string shuffled;
     for (const std::string& line : lines) shuffled += line;
     const ProfileFile file{.name = "a.txt", .text = shuffled};
-    refused(file, kind, "profile.file", "do not lie side by side in the file: the line through them runs to and fro");
+    refused(file, kind, "profile.file", "are out of order in the file: the line through them runs back and forth");
     refused(file, kind, "profile.file", "order them along the profile, from one end to the other");
 }
 
@@ -156,17 +156,18 @@ TEST_CASE("a refusal names the file and the line, and not where the file lies", 
     refused({.name = "a.whl", .text = rows(rail)}, rail, "profile.file", "is the file of a wheel");
     refused({.name = "a.whl", .text = rows(wheel, -1, 1)}, wheel, "profile.file", "change mirror_y");
     refused({.name = "a.mpt", .text = "[FileInfo]\nMPD1=L 27.1 -43.5 27.3 -42.9\n"}, rail, "profile.file", "a.mpt");
-    refused({.name = "a.csv", .text = "y;z\n"}, rail, "profile.file", "are 0");
+    refused({.name = "a.csv", .text = "y;z\n"}, rail, "profile.file", "has 0 entries");
     refused({.name = "a.csv", .text = {}}, rail, "profile.file.text", "1 to 2097152 bytes");
     refused({.name = "a.csv", .text = std::string((2 << 20) + 1, ' ')}, rail, "profile.file.text", "2097152");
     refused({.name = "", .text = "0 0\n"}, rail, "profile.file.name", "is empty");
     refused({.name = "a", .text = "0 0\n", .unit = 0}, rail, "profile.file.unit", "is 0");
     refused({.name = "a", .text = "0 0\n", .shift_z = NAN}, rail, "profile.file.shift_z", "is nan");
     refused({.name = "a", .text = "0 0\n", .smoothing_length = -1}, rail, "profile.file.smoothing_length", "is -1");
-    refused({.name = "a", .text = "0 0\n", .smoothing_order = 1}, rail, "profile.file.smoothing_order", "2, for");
+    refused({.name = "a", .text = "0 0\n", .smoothing_order = 1}, rail, "profile.file.smoothing_order",
+            "2 to penalize the curvature");
     refused({.name = "a", .text = "0 0\n", .smoothing_lambda = -1}, rail, "profile.file.smoothing_lambda", "is -1");
     refused({.name = "a", .text = "0 0\n", .smoothing_length = 5, .smoothing_lambda = 1}, rail,
-            "profile.file.smoothing_lambda", "in the place of both");
+            "profile.file.smoothing_lambda", "cannot be combined with smoothing_length");
     refused({.name = "a", .text = "0 0\n", .kinks = {.angle = 30}}, rail, "profile.file.kinks.angle", "in rad");
     refused({.name = "a", .text = "0 0\n", .kinks = {.width = -1}}, rail, "profile.file.kinks.width", "is -1");
 }
@@ -184,7 +185,7 @@ TEST_CASE("the points of a file make the same curve in its place", "[profile]") 
     CHECK(with_points(by_points) == by_points);
     const ProfileFile by_lambda{.name = "a.txt", .text = rows(wheel), .smoothing_lambda = 1};
     CHECK_THROWS_MATCHES(with_points({wheel, by_lambda}), InvalidArgument,
-                         MessageMatches(ContainsSubstring("leave them out and take smoothing_length")));
+                         MessageMatches(ContainsSubstring("remove them and use smoothing_length")));
 }
 
 TEST_CASE("smoothing tells its cut-off, and keeps kinks by the rule that is given", "[profile]") {
@@ -232,7 +233,7 @@ TEST_CASE("points that scatter are told of, with a smoothing length that suits t
         return all;
     };
     CHECK_THAT(warned(0.2, 1, 0), ContainsSubstring("points of the rail scatter by about") &&
-                                      ContainsSubstring("smoothing_length, about 4 mm"));
+                                      ContainsSubstring("smoothing_length of about 4 mm"));
     CHECK(warned(0.2, 1, 4) == "");
     CHECK(warned(0.2, 0, 0) == "");
     CHECK(warned(2, 1, 0) == "");  // too far apart for that

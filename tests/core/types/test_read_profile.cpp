@@ -184,34 +184,34 @@ TEST_CASE("Simpack's files have comments of both kinds, and end where their spli
 }
 
 TEST_CASE("what is wrong with a file is said with its line", "[profile]") {
-    refused("1 2\n3 x\n", "a.txt", "a.txt, line 2, has \"x\" where a number should stand");
+    refused("1 2\n3 x\n", "a.txt", "a.txt, line 2, has \"x\" instead of a number");
     refused("1 2\n3 nan\n", "a.txt", "a.txt, line 2, has \"nan\"");
     refused("1 1e400\n", "a.txt", "a.txt, line 1, has \"1e400\"");
-    refused("1,5,2,5\n", "a.txt", "a.txt, line 1, has 4 numbers; a point has two");
-    refused("1 2\ny z\n", "a.txt", "a.txt, line 2, has \"y\" where a number should stand");
+    refused("1,5,2,5\n", "a.txt", "a.txt, line 1, has 4 numbers, but a point has two");
+    refused("1 2\ny z\n", "a.txt", "a.txt, line 2, has \"y\" instead of a number");
     refused("\"1\",\"x\"\n1 2\n", "a.txt", "a.txt, line 1, has");
     refused("1.234,5 1.234,5\n", "a.txt", "a.txt, line 1, has 4 numbers");
-    refused("1 \xff\x01\n", "a.txt", "has \"??\" where");
-    refused(std::string("1 2\n\0\n", 6), "a.txt", "a.txt is no text");
+    refused("1 \xff\x01\n", "a.txt", "has \"??\" instead");
+    refused(std::string("1 2\n\0\n", 6), "a.txt", "a.txt is not a text file");
     refused(std::string(5000, '1'), "a.txt", "a.txt, line 1, has 5000 characters");
-    refused(std::string(most_profile_bytes + 1, '\n'), "a.txt", "16 MiB at most");
+    refused(std::string(most_profile_bytes + 1, '\n'), "a.txt", "at most 16 MiB");
     std::string many;
     for (std::size_t i = 0; i <= most_profile_points; ++i) many += "1 2\n";
-    refused(many, "a.txt", "line 20001, is one point more than the 20000");
-    refused("1 2\n", "a.prr", "a.prr is the file of a rail, and a wheel is asked for");
-    refused(simpack("", "1 2\n", 0), "a.prw", "a.prw, line 4, has the type \"0\", but the file's name says wheel");
+    refused(many, "a.txt", "line 20001, exceeds the limit of 20000");
+    refused("1 2\n", "a.prr", "a.prr is the file of a rail, but a wheel is requested");
+    refused(simpack("", "1 2\n", 0), "a.prw", "a.prw, line 4, has the type \"0\", but the file's name means wheel");
     refused(simpack("", "1\n"), "a.prw", "has 1 numbers; a point has two, y and z");
-    refused(simpack(" units.len.f = 0\n", "1 2\n"), "a.prw", "must be positive");
+    refused(simpack(" units.len.f = 0\n", "1 2\n"), "a.prw", "must be the positive number");
     refused(simpack(" shift.y = one\n", "1 2\n"), "a.prw", "a.prw, line 10, has \"one\"");
     refused(simpack(" bound.y.min = 5\n bound.y.max = 6\n", "1 2\n"), "a.prw", "no points within its bounds");
     refused("header.begin\n", "a.prw", "has no line point.begin");
     refused("spline.begin\npoint.begin\n1 2\n", "a.prw", "ends within its points");
-    refused("point.begin\npoint.end\npoint.begin\n", "a.prw", "line 3, begins points a second time");
-    refused("PK\x03\x04\n", "a.prw", "outside of point.begin and point.end");
+    refused("point.begin\npoint.end\npoint.begin\n", "a.prw", "line 3, begins a second list of points");
+    refused("PK\x03\x04\n", "a.prw", "outside point.begin and point.end");
     refused("ColumnDef=A,Y\n1 2\n", "a.whl", "a.whl, line 1, has the columns \"A,Y\"; X and Y must be among them");
     refused("ColumnDef=X,Y,A\n1 2\n", "a.whl", "a.whl, line 2, has 2 numbers; it must have 3");
-    refused("1 2\nXYPoints=1\n", "a.whl", "behind points");
-    refused("Date=1\n\n1,2,,3\n", "a.whl", "a.whl, line 3, has \"\" where a number should stand");
+    refused("1 2\nXYPoints=1\n", "a.whl", "after points");
+    refused("Date=1\n\n1,2,,3\n", "a.whl", "a.whl, line 3, has \"\" instead of a number");
     CHECK_THROWS_MATCHES(read_profile(std::string_view("1 2"), "a.txt"), InvalidArgument,
                          MessageMatches(ContainsSubstring("give the kind")));
     CHECK_THROWS_MATCHES(read_profile(std::filesystem::path("/nowhere/a.prw")), InvalidArgument,
@@ -222,7 +222,8 @@ TEST_CASE("what is wrong with a file is said with its line", "[profile]") {
 
 TEST_CASE("a file without points is left to what makes a profile", "[profile]") {
     const auto spec = read_profile(std::string_view("# nothing\n"), "a.txt", ProfileKind::wheel);
-    CHECK_THROWS_MATCHES(make_profile(spec), InvalidArgument, MessageMatches(ContainsSubstring("points are 0")));
+    CHECK_THROWS_MATCHES(make_profile(spec), InvalidArgument,
+                         MessageMatches(ContainsSubstring("points has 0 entries")));
 }
 
 TEST_CASE("damaged files neither crash nor hang, and are refused by a sentence or make a curve", "[profile]") {

@@ -93,17 +93,17 @@ TEST_CASE("Outlines are refused where their numbers stand", "[section]") {
     refuses(section, "section.outline.part is 4; the curve has the parts 0 to 3");
     section.part = 3;
     section.outside.parts.insert(section.outside.parts.begin(), most_outline_parts, OutlinePart{LineTo{{0, 0}}});
-    refuses(section, "section.outline.outside.parts[2000] is beyond the limit of 2000");
+    refuses(section, "section.outline.outside.parts[2000] exceeds the limit of 2000");
 }
 
 TEST_CASE("An unconstrained section must be declared free", "[section]") {
-    refuses(Disc{10, 0}, "section is clamped nowhere");
+    refuses(Disc{10, 0}, "section has no clamped part");
     OutlineSection section = square();
     section.outside.parts[2].clamped = false;
-    refuses(section, "section is clamped nowhere");
+    refuses(section, "section has no clamped part");
     CHECK_NOTHROW(validate(Section{Disc{10, 0}, 1, 0, true}, "section"));
     CHECK_THROWS_MATCHES(validate(Section{Disc{10, 1}, 1, 0, true}, "section"), InvalidArgument,
-                         MessageMatches(StartsWith("section.free is true, yet a part is clamped")));
+                         MessageMatches(StartsWith("section.free is true, but a part is clamped")));
 }
 
 TEST_CASE("Equal bodies in other units are equal sections", "[section]") {

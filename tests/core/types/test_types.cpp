@@ -259,15 +259,14 @@ TEST_CASE("layers of which no table can be made are refused by name, value and r
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
     CHECK(sentence([](Layers&) {}).empty());
     CHECK(sentence([](Layers& b) { b.layers.clear(); }).starts_with("bodies.lower.ics.layers is empty; give"));
-    CHECK(sentence([](Layers& b) { b.layers.resize(21, b.layers[0]); }).find("has 21 layers; at most 20") !=
+    CHECK(sentence([](Layers& b) { b.layers.resize(21, b.layers[0]); }).find("has 21 layers, but at most 20") !=
           std::string::npos);
     for (const double thickness : {0.0, -1.0, nan, infinite})
         CHECK(sentence([&](Layers& b) {
                   b.layers[1].thickness = thickness;
               }).starts_with("bodies.lower.ics.layers[1].thickness is "));
-    CHECK(sentence([](Layers& b) { b.layers[0].thickness = 1e-9; }).find("leave out a thinner layer") !=
-          std::string::npos);
-    CHECK(sentence([](Layers& b) { b.layers[0].thickness = 1e9; }).find("take a half-space for a thicker") !=
+    CHECK(sentence([](Layers& b) { b.layers[0].thickness = 1e-9; }).find("omit a thinner layer") != std::string::npos);
+    CHECK(sentence([](Layers& b) { b.layers[0].thickness = 1e9; }).find("use a half-space for a thicker") !=
           std::string::npos);
     for (const double nu : {-0.1, 0.500001, nan})
         CHECK(sentence([&](Layers& b) { b.layers[1].nu = nu; }).starts_with("bodies.lower.ics.layers[1].nu is "));
@@ -275,5 +274,5 @@ TEST_CASE("layers of which no table can be made are refused by name, value and r
         CHECK(sentence([&](Layers& b) { b.layers[0].G = G; }).starts_with("bodies.lower.ics.layers[0].G is "));
     CHECK(sentence([](Layers& b) { b.base.nu = 0.7; }).starts_with("bodies.lower.ics.base.nu is 0.7"));
     CHECK(sentence([](Layers& b) { b.base = {}; }).starts_with("bodies.lower.ics.base.G is 0"));
-    CHECK(sentence([](Layers& b) { b.base.G = 1e12; }).find("take a rigid base") != std::string::npos);
+    CHECK(sentence([](Layers& b) { b.base.G = 1e12; }).find("use a rigid base") != std::string::npos);
 }

@@ -232,7 +232,7 @@ TEST_CASE("A law beyond its range is told, and none within") {
         problem.wear->laws[0].range = range;
         const auto warnings = solve_half_spaces(problem).warnings;
         return std::ranges::any_of(warnings,
-                                   [](const std::string& text) { return text.starts_with("The law of wear energy"); });
+                                   [](const std::string& text) { return text.starts_with("The wear law energy"); });
     };
     CHECK_FALSE(warned({0, 100}));
     CHECK(warned({0, 5}));
@@ -247,8 +247,8 @@ TEST_CASE("Elements that are too large for single rows are told of, with the cur
         return std::string();
     };
     CHECK(
-        sentence(1.2).ends_with("N summed over the elements: the elements are too large for the depths of single rows. "
-                                "Give smaller elements."));
+        sentence(1.2).ends_with("N summed over the elements. The elements are too large for the depths of single rows; "
+                                "use smaller ones."));
     CHECK(sentence(0.2).empty());
 }
 

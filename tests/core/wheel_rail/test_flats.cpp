@@ -218,7 +218,7 @@ TEST_CASE("Mistakes in the slices of a wheel are refused by name") {
             "wheel_slices[1].profile.points");
     refused([](auto& setup) { setup.wheel_slices[1].profile.shape = ConeProfile{0, -40, 40}; },
             "wheel_slices[1].profile reaches from y = -40");
-    refused([](auto& setup) { setup.conformal = Conformal::fem; }, "conformal is fem, and the wheel has slices");
+    refused([](auto& setup) { setup.conformal = Conformal::fem; }, "conformal is fem, but the wheel has slices");
     const WheelRailContact contact{WheelRailSetup{}};
     WheelRailState state;
     state.position.pitch = INFINITY;

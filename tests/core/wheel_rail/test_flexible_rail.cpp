@@ -258,7 +258,7 @@ TEST_CASE("A warning tells of a rail that deflects by more than rails do") {
         const WheelRailSolution solution = solve(on_flexible_rail({}, z), under_force(0));
         REQUIRE(solution.converged());
         for (const std::string& warning : solution.warnings)
-            if (warning.starts_with("The rail deflects by 800 mm") && warning.ends_with("are in N/mm.")) return true;
+            if (warning.starts_with("The rail deflects by 800 mm") && warning.ends_with("in N/mm.")) return true;
         return false;
     };
     CHECK(reported(100));  // meant as kN/mm
@@ -277,7 +277,7 @@ TEST_CASE("Mistakes in springs and loads are refused by name") {
     refused(on_flexible_rail({}, INFINITY), {}, "track.springs.z is inf; it must be positive and at most");
     WheelRailState state;
     state.rail.Fy = 100;
-    refused(on_flexible_rail({}, 1e5), state, "state.rail.Fy is 100, and the rail is rigid in that direction");
+    refused(on_flexible_rail({}, 1e5), state, "state.rail.Fy is 100, but the rail is rigid in that direction");
     refused({}, state, "state.rail.Fy is 100");
     WheelsetState both;
     both.Fz_left = both.Fz_right = 1e4;
@@ -286,7 +286,7 @@ TEST_CASE("Mistakes in springs and loads are refused by name") {
     left.side = Side::left;
     Observer observer;
     CHECK_THROWS_WITH(solve_wheelset(WheelRailContact(left), WheelRailContact(WheelRailSetup{}), both, observer),
-                      ContainsSubstring("left_rail.Fz is 5, and the rail is rigid in that direction"));
+                      ContainsSubstring("left_rail.Fz is 5, but the rail is rigid in that direction"));
     state.rail.Fy = NAN;
     refused(on_flexible_rail(1e5, 1e5), state, "state.rail.Fy is nan");
 }

@@ -48,7 +48,7 @@ TEST_CASE("Bodies that are no half-spaces in closed form need a source, and a so
     WheelRailSetup setup = cylinder_on_arc(300);
     setup.dx = setup.dy = 1;
     std::get<Ics>(setup.bodies.upper.ics).source = IcSource::fem;
-    CHECK_THROWS_WITH(WheelRailContact(setup), ContainsSubstring("bodies are no half-spaces"));
+    CHECK_THROWS_WITH(WheelRailContact(setup), ContainsSubstring("bodies are not half-spaces"));
 
     setup = cylinder_on_arc(300);
     setup.dx = setup.dy = 1;

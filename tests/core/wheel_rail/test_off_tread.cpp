@@ -87,8 +87,7 @@ TEST_CASE("A state without a force and without a height is refused, and one with
     const WheelRailSetup setup = frictionless();
     WheelRailState state;
     const auto refused = Catch::Matchers::Message(
-        "state.Fz is missing, and so is position.z; give the vertical force Fz (N), which the height is found for, or "
-        "the height position.z (mm)");
+        "state.Fz is missing, and so is position.z; give the vertical force Fz (N), or the height position.z (mm)");
     CHECK_THROWS_MATCHES(solve(setup, state), InvalidArgument, refused);
     WheelRailEstimates estimates;
     Observer observer;

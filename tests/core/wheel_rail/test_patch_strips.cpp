@@ -171,7 +171,8 @@ TEST_CASE("Automatic contacts are rotated where they bend, and planes where they
 TEST_CASE("A planar contact that bends too much says what would follow it") {
     const WheelRailSolution plane = solve(throat_on_rail(Conformal::off), loaded(0, 60000));
     REQUIRE(!plane.warnings.empty());
-    CHECK_THAT(plane.warnings[0], ContainsSubstring("bends too much") && ContainsSubstring("Conformal rotated"));
+    CHECK_THAT(plane.warnings[0],
+               ContainsSubstring("too strongly curved") && ContainsSubstring("Set conformal to rotated"));
 }
 
 // The rows of a wheel's contact are the strips of any contact; what differs is what the approach is counted along.
@@ -274,7 +275,7 @@ TEST_CASE("What sections can not do is refused") {
     CHECK_THROWS_WITH(solve(setup, loaded(0, 60000)), ContainsSubstring("conformal is fem, whose tables"));
     setup.track.rail_origin = ProfilePoint{750, 0};
     setup.rail_slices = {{0, setup.rail}, {1000, setup.rail}};
-    CHECK_THROWS_WITH(validate(setup), ContainsSubstring("conformal is fem, and the rail has slices"));
+    CHECK_THROWS_WITH(validate(setup), ContainsSubstring("conformal is fem, but the rail has slices"));
     setup = throat_on_rail(Conformal::fem);
     setup.rail.shape = ArcProfile{of_rail, 0, -2.856, 2.856};  // half a strip less than its rows take, on both sides
     CHECK_THROWS_WITH(asked_by(setup, loaded(0, 60000)),

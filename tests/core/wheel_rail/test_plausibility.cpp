@@ -60,12 +60,12 @@ TEST_CASE("Points in inches are warned of") {
     SECTION("of a wheel") {
         setup.wheel.shape = shrunk(setup.wheel);
         CHECK_THAT(warnings_of(setup),
-                   ContainsSubstring("profile of the wheel is 5.") && ContainsSubstring("unit 25.4"));
+                   ContainsSubstring("profile of the wheel is 5.") && ContainsSubstring("unit to 25.4"));
     }
     SECTION("of a rail") {
         setup.rail.shape = shrunk(setup.rail);
         CHECK_THAT(warnings_of(setup),
-                   ContainsSubstring("profile of the rail is 2.") && ContainsSubstring("unit 25.4"));
+                   ContainsSubstring("profile of the rail is 2.") && ContainsSubstring("unit to 25.4"));
     }
 }
 

@@ -89,7 +89,7 @@ TEST_CASE("A wheelset does not run on a rail and a roller") {
     Observer observer;
     const WheelRailContact left(setup);
     CHECK_THROWS_WITH(solve_wheelset(left, wheel(Side::right), wheelset_state(manchester_cases[0]), observer),
-                      ContainsSubstring("left.track.roller_radius is given, and the right wheel runs on a rail"));
+                      ContainsSubstring("left.track.roller_radius is given, but the right wheel runs on a rail"));
 }
 
 TEST_CASE("What is wrong with one wheel of a wheelset is named by its side") {
@@ -211,7 +211,7 @@ TEST_CASE("A longitudinal force beyond friction is an answer that has not conver
     const WheelRailSolution solution = wheel(Side::left).solve(state, observer);
     CHECK_FALSE(solution.converged());
     REQUIRE_FALSE(solution.warnings.empty());
-    CHECK_THAT(solution.warnings.back(), ContainsSubstring("No pitch rate brings Fx = -5000 N"));
+    CHECK_THAT(solution.warnings.back(), ContainsSubstring("No pitch rate produces Fx = -5000 N"));
     state.velocity.x = 0;
     CHECK_THROWS_AS(wheel(Side::left).solve(state, observer), InvalidArgument);
 }

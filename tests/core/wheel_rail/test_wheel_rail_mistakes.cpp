@@ -95,7 +95,7 @@ TEST_CASE("Other units and other sides are refused by a sentence that says what 
         setup.track = {1.435, 0.014};
         refused("track.gauge_height", "check the unit");
         setup.track.gauge_height = 14;
-        refused("track.gauge", "the rails would lie in each other");
+        refused("track.gauge", "the rails would overlap");
     }
     SECTION("a wheel's radius in metres") {
         setup.wheelset.nominal_radius = 0.46;
@@ -122,7 +122,7 @@ TEST_CASE("A state in other units says so in a warning") {
     SECTION("a yaw in degrees") {
         state.position.yaw = 0.3;
         warned(
-            "position.yaw is 0.3 rad, and wheelsets on rails turn by hundredths of a radian. Give angles in rad, not "
+            "position.yaw is 0.3 rad, but wheelsets on rails rotate by hundredths of a radian. Give angles in rad, not "
             "in "
             "degrees. If it is in degrees, it is 0.005236 rad.");
     }
@@ -132,7 +132,7 @@ TEST_CASE("A state in other units says so in a warning") {
     }
     SECTION("a speed in metres") {
         state.velocity.x = 20;
-        warned("velocity.pitch is near -velocity.x/nominal_radius");
+        warned("velocity.pitch is close to -velocity.x/nominal_radius");
         warned("velocity.x = 20 mm/s fits that rate if it is in m/s: 20 m/s is 20000 mm/s.");
     }
     SECTION("a speed in kilometres per hour") {
@@ -161,11 +161,11 @@ TEST_CASE("A state in other units says so in a warning") {
     }
     SECTION("a position in metres") {
         state.position.y = 0.0061;
-        warned("position.y is 0.0061 mm, micrometres off the middle of the track. Give lengths in mm, not in m.");
+        warned("position.y is 0.0061 mm, micrometres from the track centre. Give lengths in mm, not in m.");
     }
     SECTION("a load in kN") {
         state.Fz = 60;
-        warned("Fz is 60 N, next to nothing for a wheel of radius 460 mm. Give forces in N, not in kN.");
+        warned("Fz is 60 N, very small for a wheel of radius 460 mm. Give forces in N, not in kN.");
     }
     SECTION("a distance of the wheels in metres") {
         setup.wheelset.flange_back_distance = 1.36;
@@ -258,7 +258,7 @@ TEST_CASE("Coefficients of friction in percent are warned of once") {
     const WheelRailSolution solution = solve(setup, state);
     CHECK(std::ranges::count_if(solution.warnings, [](const std::string& warning) {
               return warning.find(
-                         "friction.mu is up to 30, and coefficients of friction are below 2. Give it as a ratio, "
+                         "friction.mu is up to 30, but friction coefficients are below 2. Give it as a ratio, "
                          "not in percent. If it is in percent, it is 0.3.") != std::string::npos;
           }) == 1);
     CHECK(std::ranges::count_if(solution.warnings, [](const std::string& warning) {
@@ -297,7 +297,7 @@ TEST_CASE("Mistakes in a state are refused by name") {
     WheelRailState state;
     SECTION("a wheel far inside its rail") {
         state.position.z = 10;
-        refused(state, "state.position.z is 10; there the wheel is 9.");
+        refused(state, "state.position.z is 10, which is 9.");
         refused(state, "lift the wheelset, or prescribe Fz");
     }
     SECTION("degrees") {

@@ -129,7 +129,7 @@ TEST_CASE("Fields are named as in the request") {
         Ics ics;
         ics.source = IcSource::fem;
         setup.bodies.lower.ics = ics;
-        CHECK_THAT(refusal(), StartsWith("setup.bodies.lower is no half-space"));
+        CHECK_THAT(refusal(), StartsWith("setup.bodies.lower is not a half-space"));
     }
     SECTION("of the state") {
         state.rail.y = 1e9;
@@ -156,7 +156,7 @@ TEST_CASE("A patch of more elements than are allowed is refused before it is sol
         FAIL("It was solved.");
     } catch (const StatusError& error) {
         CHECK(error.status().reason == reason::limit_exceeded);
-        CHECK_THAT(error.status().message, StartsWith("setup.dx and dy make a patch of "));
+        CHECK_THAT(error.status().message, StartsWith("setup.dx and dy result in a patch of "));
     }
 }
 

@@ -112,7 +112,8 @@ TEST_CASE("A configuration that is no JSON, no object or no file is refused with
     std::ofstream(path) << "{\"workers\": ";
     CHECK_THROWS_MATCHES(config_from_file(path), contactd::Error, MessageMatches(ContainsSubstring(path.string())));
     std::ofstream(path) << "[]";
-    CHECK_THROWS_MATCHES(config_from_file(path), contactd::Error, MessageMatches(ContainsSubstring("no JSON object")));
+    CHECK_THROWS_MATCHES(config_from_file(path), contactd::Error,
+                         MessageMatches(ContainsSubstring("not a JSON object")));
     std::filesystem::remove(path);
     CHECK_THROWS_MATCHES(config_from_file(path.parent_path()), contactd::Error,
                          MessageMatches(ContainsSubstring("is a folder")));

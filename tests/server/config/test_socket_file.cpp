@@ -81,7 +81,7 @@ TEST_CASE("A socket that is in use is refused, one that was left is not") {
     CHECK(socket_file_problem(endpoint).empty());
     {
         const UnixSocket other(folder.path() / "s", SOCK_STREAM);
-        CHECK_THAT(socket_file_problem(endpoint), ContainsSubstring("another process listens there"));
+        CHECK_THAT(socket_file_problem(endpoint), ContainsSubstring("another process already listens there"));
     }
     CHECK(fs::exists(folder.path() / "s"));
     CHECK(socket_file_problem(endpoint).empty());

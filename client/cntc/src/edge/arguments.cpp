@@ -20,8 +20,8 @@ int length_of(const int* count, const char* name) {
 
 void require_length(int count, std::size_t least, const char* name) {
     if (static_cast<std::size_t>(count) < least)
-        throw Refused(error_code::input, std::string(name) + " has " + std::to_string(count) + " values; " +
-                                             std::to_string(least) + " are needed.");
+        throw Refused(error_code::input, std::string(name) + " has " + std::to_string(count) + " values, but " +
+                                             std::to_string(least) + " are required.");
 }
 
 }  // namespace

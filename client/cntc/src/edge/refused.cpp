@@ -27,7 +27,7 @@ Refused refused_of_exception() {
     } catch (const std::exception& error) {
         return {error_code::other, error.what()};
     } catch (...) {
-        return {error_code::other, "Something went wrong that says nothing of itself."};
+        return {error_code::other, "An unknown error occurred."};
     }
 }
 

@@ -35,7 +35,7 @@ InterfacialLayer layer_of(const std::vector<double>& given, const Units& units) 
     constexpr double never = 1e10;
     const double gg3 = given[4], thickness = given[5], tau_c0 = given[6] * units.stress(), k_tau = given[7];
     if (!(gg3 > 0) || !(thickness >= 0) || !(tau_c0 >= 0))
-        throw Refused(error_code::input, "An interfacial layer has gg3 above 0, and laythk and tau_c0 not below.");
+        throw Refused(error_code::input, "An interfacial layer requires gg3 > 0, laythk >= 0 and tau_c0 >= 0.");
     InterfacialLayer layer{thickness * units.length / (gg3 * units.stress())};
     if (tau_c0 == 0 || tau_c0 >= never) return layer;
     layer.yield_stress = tau_c0;
@@ -49,7 +49,7 @@ std::array<Viscoelasticity, 2> creep_of(const std::vector<double>& given) {
     const std::array<Viscoelasticity, 2> bodies{{{given[4], given[6]}, {given[5], given[7]}}};
     for (const auto& [f, tau] : bodies)
         if (!(f >= 0 && tau >= 0))
-            throw Refused(error_code::input, "Viscoelastic bodies have fg1, fg2, tc1 and tc2 not below 0.");
+            throw Refused(error_code::input, "Viscoelastic bodies require fg1, fg2, tc1 and tc2 of at least 0.");
     return bodies;
 }
 
@@ -58,7 +58,7 @@ SlopeReduction slope_of(const std::vector<double>& given) {
     constexpr double least_alpha = 1e-6;
     const double k0 = given[4], alpha = given[5], beta = given[6];
     if (!(k0 > 0 && alpha >= 0 && beta >= 0))
-        throw Refused(error_code::input, "A reduction of the slope has k0 above 0, and alpha and beta not below.");
+        throw Refused(error_code::input, "A reduction of the slope requires k0 > 0, alpha >= 0 and beta >= 0.");
     return {k0, std::max(alpha, least_alpha), beta};
 }
 

@@ -24,7 +24,8 @@ int answer(const char* function, const Work& work) noexcept {
 }
 
 inline int number_of(const int* handle) {
-    if (handle == nullptr) throw Refused(error_code::handle, "The number of a result element or problem is null.");
+    if (handle == nullptr)
+        throw Refused(error_code::handle, "The pointer to the number of a result element or problem is null.");
     return *handle;
 }
 
@@ -70,8 +71,8 @@ void set_basic(const char* function, const int* ire, const int* icp, const char*
         const int element = number_of(ire);
         if (Registry::of_process().is_wheel_rail(element))
             throw Refused(error_code::handle, "Result element " + std::to_string(element) +
-                                                  " is a wheel on a rail, of which this follows from its profiles, "
-                                                  "position and motion.");
+                                                  " is a wheel on a rail, for which this follows from profiles, "
+                                                  "position and motion. Remove the call.");
         for_each_settings(ire, icp, [&](Settings& settings) { set_part(settings, part, change); });
     });
 }

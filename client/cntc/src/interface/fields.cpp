@@ -167,8 +167,8 @@ extern "C" void cntc_getelementdivision(int* ire, int* icp, int* lenarr, int* di
         require(division, "division");
         const int length = integer(lenarr, "lenarr");
         if (length < 0 || static_cast<std::size_t>(length) < found.size())
-            throw Refused(error_code::input, "division has " + std::to_string(length) + " values; " +
-                                                 std::to_string(found.size()) + " are needed.");
+            throw Refused(error_code::input, "division has " + std::to_string(length) + " values, but " +
+                                                 std::to_string(found.size()) + " are required.");
         std::ranges::transform(found, division, [](ElementState state) { return static_cast<int>(state); });
     });
 }

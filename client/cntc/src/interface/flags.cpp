@@ -25,7 +25,7 @@ void set_global(int code, int value) {
 Units units_of(int code) {
     for (const Units& units : {units_mm_on_body_1, units_m_on_body_2, units_m_on_body_1})
         if (units.code == code) return units;
-    throw Refused(error_code::input, "Flag 1933 is " + std::to_string(code) + "; units are 1934, 1935 or 1936.");
+    throw Refused(error_code::input, "Flag 1933 is " + std::to_string(code) + "; it must be 1934, 1935 or 1936.");
 }
 
 void set_flag(Settings& settings, int code, int value) {
@@ -58,7 +58,7 @@ int flag_of(const Settings& settings, int code) {
     if (code == flag::most_elements) return settings.most_elements;
     ControlDigits::require_known(code);
     if (!settings.digits.knows(code))
-        throw Refused(error_code::input, "Flag " + std::to_string(code) + " has no effect, and is not kept.");
+        throw Refused(error_code::input, "Flag " + std::to_string(code) + " is not supported and is ignored.");
     return settings.digits(code);
 }
 
@@ -104,7 +104,7 @@ std::vector<double> parameters_of(const ContactCase& problem, int task) {
         case friction:
             return friction_back(problem.settings);
         default:
-            throw Refused(error_code::input, "itask is " + std::to_string(task) + "; it is 1, 2 or 3.");
+            throw Refused(error_code::input, "itask is " + std::to_string(task) + "; it must be 1, 2 or 3.");
     }
 }
 

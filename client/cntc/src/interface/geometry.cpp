@@ -13,7 +13,7 @@ namespace {
 
 [[noreturn]] void refuse_option(const char* name, int option, const char* covered) {
     throw Refused(error_code::discretisation,
-                  std::string(name) + " is " + std::to_string(option) + "; contactd has " + covered + ".");
+                  std::string(name) + " is " + std::to_string(option) + "; contactd supports " + covered + ".");
 }
 
 struct Elements {
@@ -23,9 +23,9 @@ struct Elements {
 Elements elements(const std::vector<double>& given) {
     const Elements result{whole(given[0], "mx"), whole(given[1], "my")};
     if (result.mx < 1 || result.my < 1 || static_cast<double>(result.mx) * result.my > double{max_grid_elements})
-        throw Refused(error_code::discretisation, "There are " + std::to_string(result.mx) + " x " +
-                                                      std::to_string(result.my) + " elements; 1 to " +
-                                                      std::to_string(max_grid_elements) + " are possible.");
+        throw Refused(error_code::discretisation,
+                      "There are " + std::to_string(result.mx) + " x " + std::to_string(result.my) +
+                          " elements; their number must lie between 1 and " + std::to_string(max_grid_elements) + ".");
     return result;
 }
 
@@ -60,7 +60,8 @@ Interval interval(int option, int elements, double from, double to) {
     const bool of_centres = option >= 3, by_size = option == 1 || option == 3;
     if (option == 4 && elements < 2)
         throw Refused(error_code::discretisation,
-                      "The centres of the first and the last element tell no size where there is but one.");
+                      "The centres of the first and the last element do not determine the size of a single element; "
+                      "use ipotcn 1, 2 or 3.");
     const double size = by_size ? to : (to - from) / (of_centres ? elements - 1 : elements);
     return {of_centres ? from - size / 2 : from, size};
 }
@@ -83,7 +84,8 @@ GivenElements rail_elements(int option, const std::vector<double>& given, const 
     elements.ds = positive(given[1], "ds") * mm;
     if (option == 0) return elements;
     for (const std::size_t i : {2, 3, 4})
-        if (given[i] < 0) throw Refused(error_code::discretisation, "a_sep, d_sep or d_comb is negative.");
+        if (given[i] < 0)
+            throw Refused(error_code::discretisation, "a_sep, d_sep or d_comb is negative; they must be at least 0.");
     elements.angle_separate = given[2];
     elements.separate = given[3] * mm;
     elements.combine = given[4] * mm;

@@ -43,10 +43,10 @@ extern "C" void cntc_settemperaturedata(int* ire, int* icp, int* imeth, int* npa
         if (method == given) {
             settings.heat = bodies_of(numbers(rparam, nparam, 8, "rparam"), settings.units);
         } else if (method != none && method != keep) {
-            throw Refused(error_code::input, "Method " + std::to_string(method) +
-                                                 " is asked for; it is 0 for none, 1 to keep what there is, or 3.");
+            throw Refused(error_code::input, "Temperature method " + std::to_string(method) +
+                                                 " is not supported; use 0 for none, 1 to keep the data, or 3.");
         } else if (method == keep && !settings.heat) {
-            throw Refused(error_code::input, "Method 1 keeps what there is, and nothing was set.");
+            throw Refused(error_code::input, "Method 1 keeps the data, but none was set; use method 3.");
         }
         settings.digits.set(flag::heat, method);
         settings.refused.erase("flag " + std::to_string(flag::heat));

@@ -40,7 +40,7 @@ void check(const FileCase& read, bool on_rails, const std::string& where) {
     if (read.module_number != module)
         throw Refused(error_code::input, where + "The case in line " + std::to_string(read.line) + " is of module " +
                                              std::to_string(read.module_number) +
-                                             ", and the result element was initialized for module " +
+                                             ", but the result element was initialized for module " +
                                              std::to_string(module) + ".");
 }
 
@@ -53,8 +53,9 @@ std::map<int, FileCase> cases_of(const std::string& name, int ire, bool on_rails
         if (read->reid.value_or(ire) != ire) continue;
         check(*read, on_rails, where);
         if (!cases.emplace(on_rails ? 1 : read->cpid.value_or(1), *read).second)
-            throw Refused(error_code::input, where + "A second case begins in line " + std::to_string(read->line) +
-                                                 "; a contact problem has one at a time. Give each a file of its own.");
+            throw Refused(error_code::input,
+                          where + "A second case begins in line " + std::to_string(read->line) +
+                              "; a contact problem has one case at a time. Write each case into a separate file.");
     }
     if (!reader.errors().empty()) throw Refused(error_code::input, where + reader.errors().front() + ".");
     if (cases.empty())
@@ -85,7 +86,7 @@ class BasicSetting : private FileSetting {
     void area() {
         int kind = integer("IPOTCN");
         const auto found = names_of_areas.find(kind);
-        if (found == names_of_areas.end()) refuse("IPOTCN = " + std::to_string(kind) + " is not covered.");
+        if (found == names_of_areas.end()) refuse("IPOTCN = " + std::to_string(kind) + " is not supported.");
         std::vector<double> values{double(integer("MX")), double(integer("MY"))};
         for (const char* name : found->second) values.push_back(real(name));
         int count = static_cast<int>(values.size());
@@ -96,7 +97,7 @@ class BasicSetting : private FileSetting {
 
     void distance() {
         if (integer("IPLAN") != 1)
-            refuse("A planform, IPLAN = " + std::to_string(integer("IPLAN")) + ", is not covered.");
+            refuse("A planform, IPLAN = " + std::to_string(integer("IPLAN")) + ", is not supported.");
         int base = integer("IBASE");
         std::vector<double> values;
         switch (base) {
@@ -122,7 +123,7 @@ class BasicSetting : private FileSetting {
     void motion() {
         if (digit("T") == 0) return;
         if (real("SPINXO") != 0 || real("SPINYO") != 0)
-            refuse("A centre of spin, SPINXO and SPINYO, is not covered; it is the origin.");
+            refuse("A centre of spin, SPINXO and SPINYO, other than the origin is not supported.");
         const int force = digit("F");
         double x = force == 0 ? real("CKSI") : 0, y = force == 2 ? 0 : real("CETA"), phi = real("CPHI");
         cntc_setcreepages(&ire_, &icp_, &x, &y, &phi);
@@ -145,7 +146,7 @@ class BasicSetting : private FileSetting {
     void roll() {
         const auto ahead = read_.values.find("FACPHI");
         if (ahead != read_.values.end() && std::abs(std::get<double>(ahead->second) - 1.0 / 6) > 1e-12)
-            refuse("FACPHI is not covered; spin is taken a sixth of a step ahead.");
+            refuse("FACPHI is not supported; the spin is evaluated a sixth of a step ahead.");
         double chi = real("CHI"), dq = real("DQ"), velocity = real("VELOC");
         cntc_setrollingstepsize(&ire_, &icp_, &chi, &dq);
         pass_on();
@@ -156,7 +157,7 @@ class BasicSetting : private FileSetting {
     void extra_slip() {
         const int kind = integer("EXRHS");
         if (kind == 0) return;
-        if (kind != 9) refuse("E = " + std::to_string(kind) + " is not covered; contactd has 0 and 9.");
+        if (kind != 9) refuse("E = " + std::to_string(kind) + " is not supported; use 0 or 9.");
         auto x = list("SLIP_X"), y = list("SLIP_Y");
         int count = static_cast<int>(x.size());
         cntc_setextrarigidslip(&ire_, &icp_, &count, x.data(), y.data());

@@ -33,9 +33,9 @@ extern "C" void cntc_initialize(int* ire, int* imodul, int* ifcver, int* ierror,
         Registry::of_process().initialize(number_of(ire), module);
         if (module != module_number::basic_contact && module != module_number::wheel_rail &&
             module != module_number::wheel_rail_inputs)
-            throw Refused(error_code::other, "Module " + std::to_string(module) +
-                                                 " was asked for; contactd has wheel on rail, modules 1 and 11, and "
-                                                 "basic contact, module 3.");
+            throw Refused(error_code::other,
+                          "Module " + std::to_string(module) +
+                              " is not supported; use 1 or 11 for wheel-rail contact, or 3 for basic contact.");
     });
     if (ifcver != nullptr) *ifcver = interface_version;
     if (ierror != nullptr) *ierror = code;

@@ -49,7 +49,7 @@ CONTACTD_FORTRAN_NAME(cntc_setpenetration)
 extern "C" void cntc_setnormalforce(int* ire, int* icp, double* fn) {
     set_basic("cntc_setnormalforce", ire, icp, "load", [&](Settings& settings) {
         const double force = number(fn, "fn");
-        if (force < 0) throw Refused(error_code::input, "fn is negative; bodies do not pull at each other.");
+        if (force < 0) throw Refused(error_code::input, "fn is negative; it must be at least 0.");
         settings.fn = force;
         settings.digits.set(flag::normal, 1);
     });

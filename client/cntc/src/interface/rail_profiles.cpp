@@ -40,8 +40,8 @@ ProfileOptions options_of(const Optional<int>& ints, const Optional<double>& rea
     options.mirror_z = ints(3, 0);
     options.smoother = ints(5, 0);
     if (options.smoother < 0 || options.smoother > 2)
-        throw Refused(error_code::profile, "iparam(6) is " + std::to_string(options.smoother) +
-                                               "; contactd has the smoothing methods 0, 1 and 2.");
+        throw Refused(error_code::profile,
+                      "iparam(6) is " + std::to_string(options.smoother) + "; use the smoothing method 0, 1 or 2.");
     options.scale = positive_or(reals(0, 0), units.length);
     options.smoothing = reals(1, 0);
     const KinkRule usual;
@@ -102,7 +102,7 @@ extern "C" void cntc_setprofileinputfname(int* ire, const char* name, int* len_n
     set_profile("cntc_setprofileinputfname", ire, nints, iparam, nreals, rparam, [&](const ProfileOptions& options) {
         const int length = integer(len_name, "len_name");
         require(name, "name");
-        if (length < 1) throw Refused(error_code::profile, "The name of the profile has no letters.");
+        if (length < 1) throw Refused(error_code::profile, "The name of the profile is empty.");
         std::string file(name, strnlen(name, static_cast<std::size_t>(length)));
         file.erase(file.find_last_not_of(' ') + 1);  // Fortran fills up
         return profile_from_file(file, options);
@@ -115,8 +115,9 @@ extern "C" void cntc_setprofileinputvalues(int* ire, int* npoint, double* values
     set_profile("cntc_setprofileinputvalues", ire, nints, iparam, nreals, rparam, [&](const ProfileOptions& options) {
         const int points = integer(npoint, "npoint");
         if (points < 2 || static_cast<std::size_t>(points) > most_profile_points)
-            throw Refused(error_code::profile, "A profile has " + std::to_string(points) + " points; 2 to " +
-                                                   std::to_string(most_profile_points) + " are possible.");
+            throw Refused(error_code::profile, "A profile has " + std::to_string(points) +
+                                                   " points; it must have 2 to " + std::to_string(most_profile_points) +
+                                                   ".");
         const int count = 2 * points;
         return profile_from_values(numbers(values, &count, count, "values"), options);
     });

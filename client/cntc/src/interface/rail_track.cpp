@@ -13,15 +13,16 @@ template <std::size_t most>
 std::array<double, most> given(const double* values, const int* count, int least) {
     const auto read = numbers(values, count, least, "rparam");
     if (read.size() > most)
-        throw Refused(error_code::input, "rparam has " + std::to_string(read.size()) + " values; " +
-                                             std::to_string(most) + " at most are read here.");
+        throw Refused(error_code::input, "rparam has " + std::to_string(read.size()) + " values, but at most " +
+                                             std::to_string(most) + " are read here.");
     std::array<double, most> all{};
     std::copy(read.begin(), read.end(), all.begin());
     return all;
 }
 
 [[noreturn]] void refuse_digit(const char* name, int digit, const char* possible) {
-    throw Refused(error_code::input, std::string(name) + " is " + std::to_string(digit) + "; it is " + possible + ".");
+    throw Refused(error_code::input,
+                  std::string(name) + " is " + std::to_string(digit) + "; it must be " + possible + ".");
 }
 
 using Six = std::array<double, 6>;
@@ -67,7 +68,8 @@ void set_both(RailSettings& rail, const double* values, const int* count, const 
 /// The fifth number is where another program's search begins.
 void set_springs(GivenTrack& track, const double* values, const int* count, const Units& units) {
     const auto all = given<5>(values, count, 4);
-    if (all[0] < 0 || all[2] < 0) throw Refused(error_code::input, "A stiffness of the rail's springs is negative.");
+    if (all[0] < 0 || all[2] < 0)
+        throw Refused(error_code::input, "A stiffness of the rail's springs is negative; it must be at least 0.");
     track.spring_y = all[0] / units.length;
     track.spring_force_y = all[1];
     track.spring_z = all[2] / units.length;

@@ -163,7 +163,7 @@ extern "C" void cntc_getsensitivities(int* ire, int* icp, int* lenout, int* leni
         require(values, "values");
         if (outs < 1 || ins < 1 || outs > 4 || ins > 4)
             throw Refused(error_code::input, "lenout and lenin are " + std::to_string(outs) + " and " +
-                                                 std::to_string(ins) + "; they are 1 to 4.");
+                                                 std::to_string(ins) + "; they must be 1 to 4.");
         solution_of(problem);
         Solved& solved = *problem.solved;
         // Those of a wheel on a rail are found when somebody reads them, patch by patch.
@@ -171,11 +171,11 @@ extern "C" void cntc_getsensitivities(int* ire, int* icp, int* lenout, int* leni
             if (const int digit = problem.settings.digits(flag::sensitivities); digit >= 2) {
                 if (solved.beyond != nullptr)
                     throw Refused(error_code::input,
-                                  std::string("There are no sensitivities of ") + solved.beyond + " on a rail.");
+                                  std::string("Sensitivities of ") + solved.beyond + " on a rail are not supported.");
                 solved.sensitivities = sensitivities(solved.problem, solved.solution, problem.solver, digit == 3);
             }
         if (!solved.sensitivities)
-            throw Refused(error_code::input, "No sensitivities were asked for; set flag 1988 before the solve.");
+            throw Refused(error_code::input, "No sensitivities were requested; set flag 1988 before the solve.");
         const Units& units = problem.settings.units;
         const bool rolls = std::holds_alternative<Rolling>(solved.problem.motion);
         // In all systems of units they are those of the forces on body 1 by the motion as it is set.

@@ -40,7 +40,7 @@ extern "C" void cntc_setsolverflags(int* ire, int* icp, int* gdigit, int* nints,
     set("cntc_setsolverflags", ire, icp, "solver flags", [&](Settings& settings) {
         const int method = integer(gdigit, "gdigit");
         if (method < usual || method > of_sensitivities)
-            throw Refused(error_code::input, "gdigit is " + std::to_string(method) + "; it is 0 to 6.");
+            throw Refused(error_code::input, "gdigit is " + std::to_string(method) + "; it must be 0 to 6.");
         if (method == keep) return;
         const auto ints = integers(iparam, nints, method == of_sensitivities ? 1 : 4, "iparam");
         const auto reals = list(rparam, nreals, 1, "rparam");

@@ -22,7 +22,7 @@ const SolvedBlock& solved_block(const ContactCase& problem, int number) {
     const GivenBlock& block = block_of(problem, number);
     const auto found = problem.blocks.find(number);
     if (found == problem.blocks.end() || found->second.given != block)
-        throw Refused(error_code::input, "There are no stresses of block " + std::to_string(number) +
+        throw Refused(error_code::input, "There are no stresses for block " + std::to_string(number) +
                                              "; call subs_calculate after cntc_calculate.");
     return found->second;
 }
@@ -41,7 +41,7 @@ extern "C" void subs_addblock(int* ire, int* icp, int* iblk, int* isubs, int* nx
                               double* y, double* z) {
     answer("subs_addblock", [&] {
         const int number = integer(iblk, "iblk");
-        if (number < 1) throw Refused(error_code::input, "Blocks are numbered from 1 on.");
+        if (number < 1) throw Refused(error_code::input, "Block numbers start at 1.");
         for_each_settings(ire, icp, [&](Settings& settings) {
             // It and those with larger numbers are forgotten, whatever becomes of it.
             settings.blocks.erase(settings.blocks.lower_bound(number), settings.blocks.end());
@@ -90,8 +90,8 @@ extern "C" void subs_getresults(int* ire, int* icp, int* iblk, int* lenarr, int*
         require(values, "values");
         const std::size_t points = block.points.size();
         if (length < 0 || static_cast<std::size_t>(length) < points)
-            throw Refused(error_code::input, "A column has " + std::to_string(length) + " values; " +
-                                                 std::to_string(points) + " are needed.");
+            throw Refused(error_code::input, "A column has " + std::to_string(length) + " values, but " +
+                                                 std::to_string(points) + " are required.");
         std::exception_ptr failed;
         for (std::size_t c = 0; c < columns.size(); ++c) try {
                 const auto column = block_column(block, columns[c], problem.settings.units);

@@ -23,6 +23,6 @@ def compared_rows(rows: Sequence[dict[str, Any]], printed: Sequence[PrintedCase]
 
 def _differences(row: dict[str, Any], theirs: PrintedCase | None) -> list[str]:
     if theirs is None:
-        return ["the file to compare with does not have it"]
+        return ["the file for comparison does not contain it"]
     numbers = row["answers"].get("numbers")
     return [] if numbers is None else case_differences(Compared(**numbers), theirs)

@@ -31,7 +31,7 @@ def case_params(case: Case, client: Client, profiles: ProfileFiles) -> dict[str,
     if isinstance(contact, str):
         raise click.UsageError(contact)
     if goes_on(case):
-        raise click.UsageError(f"Case {case.number} in line {case.line} goes on from the one before: convert to Python.")
+        raise click.UsageError(f"Case {case.number} in line {case.line} continues the previous case: convert to Python.")
     if isinstance(contact, RailContact):
         return {"setup": setup_params(contact.setup), "state": state_params(contact.state, "state")}
     return problem_params(contact.problem)
@@ -67,7 +67,7 @@ def _made(case: Case, client: Client, profiles: ProfileFiles) -> BasicContact | 
             return RailContact.of(case, profiles, "exact")
         return BasicContact.of(case, normal_force, coefficients=profiles.coefficients)
     except Missing as error:
-        return f"{where} needs what contactd does not have: {error}."
+        return f"{where} requires a feature that contactd does not support: {error}."
     except TableFileError as error:
         raise click.UsageError(f"{where}: {error}.") from None
     except OSError as error:

@@ -62,7 +62,7 @@ def bench(
         (method, f"{found['per_second']:.4g}", *(span(found[f"p{percent}"]) for percent in PERCENTILES), span(found["max"]))
         for method, found in measured.items()
     ]
-    title = f"{count} requests of each kind to {client.endpoint}, {clients} at a time"
+    title = f"{count} requests of each kind to {client.endpoint}, {clients} at the same time"
     emit(setting().json, {"count": count, "clients": clients, "requests": measured}, listing(title, columns, rows))
 
 

@@ -55,7 +55,7 @@ def compare(
     _check_outputs(plot, table)
     names = None if models is None else [name.strip() for name in models.split(",")]
     if unknown := [name for name in names or () if name not in combinations()]:
-        raise click.UsageError(f"--models {models}: {unknown[0]!r} is none of {', '.join(combinations())}.{did_you_mean(unknown[0], combinations())}")
+        raise click.UsageError(f"--models {models}: {unknown[0]!r} is not one of {', '.join(combinations())}.{did_you_mean(unknown[0], combinations())}")
     is_contact_file = file.endswith(".inp")
     if case is not None and not is_contact_file:
         raise click.UsageError(f"--case {case}: only input files of CONTACT (.inp) have several cases.")
@@ -83,7 +83,7 @@ def _left_out(found: ModelComparison) -> list[str]:
     for option in sorted(names):
         without = [one.name for one in found.computed if option in one.left_out and one.model not in (FULL, "hertz")]
         if without:
-            sentences.append(f"simplified.{option} is no option of {', '.join(without)}, and was left out there")
+            sentences.append(f"simplified.{option} is not an option of {', '.join(without)} and was ignored there")
     return sentences
 
 
@@ -100,7 +100,7 @@ def _case_of(file: Path, number: int | None, client: Client) -> dict[str, Any]:
     for sentence in found.errors:
         note(f"{file}: {sentence}")
     if number is None and len(cases) != 1:
-        raise click.UsageError(f"{file} has {len(cases)} cases: say which by --case.")
+        raise click.UsageError(f"{file} has {len(cases)} cases: choose one with --case.")
     if not 1 <= (number or 1) <= len(cases):
         raise click.UsageError(f"--case {number}: {file} has {len(cases)} cases.")
     return case_params(cases[(number or 1) - 1], client, ProfileFiles(file.parent, client, allowed_folders(file.parent)))
@@ -151,9 +151,9 @@ def _shown(found: ModelComparison, rows: list[dict[str, Any]]) -> list[Any]:
     columns = {**forces, "pmax (N/mm^2)": "pmax", "contact (mm^2)": "area"}
     largest = max((abs(row[name]) for row in computed for name in ("Fn", "Fz") if name in row), default=0.0)
     errors = [row.get("errors", {}) for row in computed]
-    off = {"off by (% of mu Fn)": "force"} if any(one.get("force") is not None for one in errors) else {"pmax off by (%)": "pmax"}
+    off = {"error (% of mu Fn)": "force"} if any(one.get("force") is not None for one in errors) else {"error of pmax (%)": "pmax"}
     if any(one.get("creepage") is not None for one in errors):
-        off["creepage off by (%)"] = "creepage"
+        off["error of creepage (%)"] = "creepage"
     lines = []
     for row, error in zip(computed, errors):
         cells = [above_rounding(row[name], largest) if name[0] == "F" else row[name] for name in columns.values()]
@@ -163,7 +163,7 @@ def _shown(found: ModelComparison, rows: list[dict[str, Any]]) -> list[Any]:
     shown: list[Any] = [listing(None, ["model", *columns, *off, "time (ms)", "converged"], lines)]
     if refused := [[row["name"], row["refusal"]] for row in rows if "converged" not in row]:
         shown += ["", listing("Not computed", ["model", "why"], refused)]
-    return [*shown, "", f"A request that computes nothing takes {span(found.request_seconds)} here."]
+    return [*shown, "", f"A request without computation takes {span(found.request_seconds)} here."]
 
 
 def _digits(value: Any, count: int = 5) -> Any:

@@ -77,14 +77,14 @@ def run(
     cases need unsupported features or are refused, 2 if the file has errors.
     """
     if wheel not in ("exact", "bilinear"):
-        raise click.UsageError(f"--wheel {wheel}: it is exact or bilinear.")
+        raise click.UsageError(f"--wheel {wheel}: it must be exact or bilinear.")
     surface: Literal["exact", "bilinear"] = "exact" if wheel == "exact" else "bilinear"
     if not file.name:  # A folder has no extension.
         raise click.UsageError(f"{file} is a folder; it must be an input file of CONTACT.")
     place = writable("--output", output or file.with_suffix(".out"))
     printed = None if compare is None else printed_cases(read_printed(compare))
     if printed is not None and not printed:
-        raise click.UsageError(f"--compare {compare}: no case is printed there; it must be an .out file of CONTACT.")
+        raise click.UsageError(f"--compare {compare}: the file has no printed case; give an .out file of CONTACT.")
     with connected(workers=workers, local_unless_named=True) as client:
         read_file = _read(file, client)
         cases = read_file.cases
@@ -125,7 +125,7 @@ def convert(
         if output.suffix == ".py":
             text = as_python(file, chosen, client, profiles)
         elif len(chosen) != 1:
-            raise click.UsageError(f"YAML holds one case, {file} has {len(chosen)}: say which by --case.")
+            raise click.UsageError(f"YAML can contain one case, but {file} has {len(chosen)}: choose one with --case.")
         else:
             text = as_yaml(chosen[0], client, profiles)
     write_text(place, text)
@@ -162,7 +162,7 @@ def _computed(
             try:
                 run_chains(runner, chains, options, journal, min(workers, max(1, len(chains))), files.keep, on_row)
             except BaseException:
-                note(f"{len(set(keys.values()) & journal.rows.keys())} of {total} cases are in {path}; the same command goes on.")
+                note(f"{len(set(keys.values()) & journal.rows.keys())} of {total} cases are in {path}; repeat the command to continue.")
                 raise
         return {case: journal.rows[key] for case, key in keys.items()}
 
@@ -180,7 +180,7 @@ def _show(rows: Sequence[dict[str, Any]], place: Path, differences: Sequence[lis
     counts = Counter(row["status"] for row in shown)
     remarks = [row for row in shown if row["why"]]
     answer = {"cases": [{**row, "numbers": full["answers"].get("numbers")} for row, full in zip(shown, rows)], "output": str(place)}
-    emit(setting().json, answer, *_listed(remarks, f"{_cases(len(rows))}: {_counted(counts)}. {place} has them."))
+    emit(setting().json, answer, *_listed(remarks, f"{_cases(len(rows))}: {_counted(counts)}. They are in {place}."))
     warn_of("case", ((case_name(row["values"]), sentence) for row in rows for sentence in row["answers"].get("warnings", ())))
     return [row["status"] for row in shown]
 
@@ -207,7 +207,7 @@ def _listed(remarks: Sequence[dict[str, Any]], last: str) -> list[Any]:
     columns = ["case", *named, "line", "module", "status", "why"]
     lines = [[row[name] for name in columns] for row in remarks[:_MOST_SHOWN]]
     heading = [_ELEMENTS.get(name, name) for name in columns]
-    more = [f"... {len(remarks) - _MOST_SHOWN} more: --json has them all"] if len(remarks) > _MOST_SHOWN else []
+    more = [f"... {len(remarks) - _MOST_SHOWN} more: --json lists all"] if len(remarks) > _MOST_SHOWN else []
     return [*([listing(None, heading, lines)] if lines else []), *more, last]
 
 

@@ -31,7 +31,7 @@ def dashboard(
     It has jobs, the last solves, tables, sessions, latency and configuration. The command prints the address to open.
     """
     if setting().local:
-        raise click.UsageError("dashboard shows a daemon, and --local has none; say where it is by --endpoint.")
+        raise click.UsageError("dashboard shows a daemon, but --local has none; give its address with --endpoint.")
     is_loopback = _is_loopback(address)
     try:
         from ..dashboard.serving import serve
@@ -41,14 +41,14 @@ def dashboard(
             raise
         raise click.UsageError('dashboard needs NiceGUI and matplotlib: pip install "contactd[dashboard]".') from None
     if not is_loopback:
-        note("warning: other machines can reach the dashboard. Nothing is encrypted; its token is all that keeps others out.")
+        note("warning: other machines can reach the dashboard. Its connections are not encrypted, and only its token restricts access.")
     with client_of(setting()) as client, Watcher(client, interval=interval) as watcher:
         try:
             serve(watcher, address, port, lambda link: emit(setting().json, {"address": link}, link), name or ())
         except OSError as error:
             raise Ended(Code.USAGE, f"{address} port {port}: {error.strerror or error}.") from None
         except SystemExit:  # raised by uvicorn
-            raise Ended(Code.DEFECT, "NiceGUI has ended; what it said is above.") from None
+            raise Ended(Code.DEFECT, "NiceGUI has ended; see its messages above.") from None
 
 
 def _is_loopback(address: str) -> bool:
@@ -56,5 +56,5 @@ def _is_loopback(address: str) -> bool:
         return ipaddress.ip_address(address).is_loopback
     except ValueError:
         raise click.UsageError(
-            f"--address is {address!r}; it must be an address of this machine in numbers, such as 127.0.0.1 or ::1."
+            f"--address is {address!r}; it must be a numerical address of this machine, such as 127.0.0.1 or ::1."
         ) from None

@@ -70,7 +70,7 @@ def fit(
     points = _points(measured, columns, percent)
     bounds = dict(_bounds(text) for text in parameter)
     if len(bounds) < len(parameter):
-        raise click.UsageError("--parameter: a field is there twice.")
+        raise click.UsageError("--parameter: a field is given twice.")
     begin = dict(_start(text) for text in start or ())
     params = changed(read_object(case), sets or ())
     between = _between(points[0]) if plot else None
@@ -118,14 +118,14 @@ def _points(file: Path, columns: str | None, percent: bool | None) -> list[np.nd
     except OSError as error:
         raise click.UsageError(f"{file} cannot be read: {error.strerror or error}.") from None
     except UnicodeDecodeError:
-        raise click.UsageError(f"{file} is no text in UTF-8.") from None
+        raise click.UsageError(f"{file} is not text in UTF-8.") from None
     except ValueError as error:
-        raise click.UsageError(f"{file} holds no curve: {error}.") from None
+        raise click.UsageError(f"{file} contains no curve: {error}.") from None
     if percent is None and (line := next(filter(_PERCENT.search, heading_of(text)), None)) is not None:
-        raise click.UsageError(f"{file}: its heading, {line.strip()[:60]!r}, states per cent. Give --percent, or --no-percent for creepages that are ratios.")
+        raise click.UsageError(f"{file}: its heading, {line.strip()[:60]!r}, states percent. Give --percent, or --no-percent if creepages are ratios.")
     chosen = list(range(min(3, rows.shape[1]))) if columns is None else _columns(columns, rows.shape[1], file)
     if len(chosen) < 2:
-        raise click.UsageError(f"{file} has one column; a curve has creepages and values.")
+        raise click.UsageError(f"{file} has one column; a curve requires creepages and values.")
     found = [rows[:, index] for index in chosen]
     if percent:
         found[0] = found[0] / 100

@@ -51,7 +51,7 @@ def cancel(
 ) -> None:
     """End jobs of the daemon; requests that wait for them fail with CANCELLED."""
     if bool(job) == every:
-        raise click.UsageError("Name the jobs to cancel, or say --all.")
+        raise click.UsageError("Name the jobs to cancel, or give --all.")
     ended, gone = [], []
     with connected() as client:
         for name in job or [found.job for found in client.jobs()]:

@@ -38,7 +38,7 @@ def new(
     NAME.key is public. Only NAME may read NAME.key_secret.
     """
     if not name or "/" in name or name.startswith("."):
-        raise click.UsageError(f"{name!r} is no name of a file; a name is letters and digits, such as alice.")
+        raise click.UsageError(f"{name!r} cannot be the name of a file; use letters and digits, such as alice.")
     folder.mkdir(parents=True, exist_ok=True)
     public_file, secret_file = folder / f"{name}.key", folder / f"{name}.key_secret"
     for file in (public_file, secret_file):
@@ -64,10 +64,10 @@ def show(file: Annotated[Path, typer.Argument(help="NAME.key or NAME.key_secret.
     except OSError as error:
         raise click.UsageError(f"{file} cannot be read: {error.strerror or error}.") from None
     except ValueError:
-        raise click.UsageError(f'{file} has no line public-key = "...": it is no key file.') from None
+        raise click.UsageError(f'{file} has no line public-key = "...": it is not a key file.') from None
     is_private = not file.stat().st_mode & 0o077
     given = {"public_key": public.decode(), "secret": secret is not None, "private": is_private}
-    secrecy = "none" if secret is None else ("for its owner alone" if is_private else f"OTHERS CAN READ IT: chmod 600 {file}")
+    secrecy = "none" if secret is None else ("for its owner only" if is_private else f"OTHERS CAN READ IT: chmod 600 {file}")
     emit(setting().json, given, facts(str(file), [("public key", public.decode()), ("secret key", secrecy)]))
 
 

@@ -102,7 +102,7 @@ def _file(
 
 def _kind(wheel: bool, rail: bool) -> Kind | None:
     if wheel and rail:
-        raise click.UsageError("--wheel and --rail: a file is that of one of them.")
+        raise click.UsageError("--wheel and --rail: a file can be that of one only.")
     return "wheel" if wheel else "rail" if rail else None
 
 
@@ -118,7 +118,7 @@ class _Found:
             width = float(np.ptp(self.points[:, 0]))
             is_wheel = _WIDTHS_OF_WHEELS[0] <= width <= _WIDTHS_OF_WHEELS[1]
         except InvalidArgument as error:
-            if not self.by_shape or "which way z points" not in str(error):
+            if not self.by_shape or "direction of z" not in str(error):
                 raise
             is_wheel = False
         if self.by_shape and not is_wheel:
@@ -139,7 +139,7 @@ class _Found:
 def _rows(found: _Found, smoothing: float) -> list[tuple[str, Any]]:
     evidence, reading = found.evidence, found.evidence.file
     formats = {"simpack": "Simpack", "miniprof": "MiniProf", "columns": "two columns"}
-    sources = {"file": "as the file says", "shape": "as its shape shows", "request": "as asked for"}
+    sources = {"file": "from the file", "shape": "from the shape", "request": "as requested"}
     (left, right), (top, low) = ((float(of.min()), float(of.max())) for of in found.points.T)
     rows: list[tuple[str, Any]] = [("profile of", f"a {found.kind}{', by its shape' if found.by_shape else ''}")]
     if reading is not None:
@@ -148,7 +148,7 @@ def _rows(found: _Found, smoothing: float) -> list[tuple[str, Any]]:
             ("unit", f"{number(float(reading.unit))} mm"),
             ("y", "turned" if reading.mirror_y else "as given"),
             ("z", f"{'turned' if reading.mirror_z else 'as given'}, {sources[reading.oriented_by]}"),
-            ("lines left out", reading.lines_left_out or None),
+            ("omitted lines", reading.lines_left_out or None),
         ]
     rows += [
         ("points", f"{evidence.points_kept} of {evidence.points_given}, {number(round(evidence.spacing, 4))} mm apart"),
@@ -162,7 +162,7 @@ def _rows(found: _Found, smoothing: float) -> list[tuple[str, Any]]:
         rows.append(("flange", ", ".join(f"{name} at ({at.y:.2f}, {at.z:.2f})" for name, at in places)))
     if smoothing:
         moved = f"{1e3 * evidence.largest_distance:.3g} um at most, {1e3 * evidence.rms_distance:.3g} um rms"
-        rows.append(("smoothing", f"half of a wave of {smoothing:g} mm stays; points moved by {moved}"))
+        rows.append(("smoothing", f"half the amplitude of a wave of {smoothing:g} mm remains; points moved by {moved}"))
     if len(found.points) > 2:
         outwards = curvature_of(found.points)[1] * (1 if found.kind == "rail" else -1)
         rows += [("smallest radius, outwards (mm)", _radius(outwards)), ("smallest radius, hollow (mm)", _radius(-outwards))]

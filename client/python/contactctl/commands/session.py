@@ -104,7 +104,7 @@ def _steps(file: str, history: dict[str, Any]) -> list[dict[str, Any]]:
     if isinstance(steps, str):
         steps = _steps_of_csv(named_file(steps, file))
     if not isinstance(steps, list) or not steps:
-        raise click.UsageError(f"{file} lacks steps, a list of what each step says, or the name of a CSV file.")
+        raise click.UsageError(f"{file} lacks steps, a list with the input of each step, or the name of a CSV file.")
     for number, step in enumerate(steps, 1):
         if not isinstance(step, dict) or step.keys() & {"session", "step", "again"}:
             raise click.UsageError(f"{file}: step {number} must be an object such as {{Fn: 1000}}, without session, step and again.")
@@ -117,9 +117,9 @@ def _steps_of_csv(path: Path) -> list[dict[str, Any]]:
     except OSError as error:
         raise click.UsageError(f"{path} cannot be read: {error.strerror}.") from None
     except UnicodeDecodeError:
-        raise click.UsageError(f"{path} is no text in UTF-8.") from None
+        raise click.UsageError(f"{path} is not text in UTF-8.") from None
     except ValueError as error:
-        raise click.UsageError(f"{path} is no CSV: {error}.") from None
+        raise click.UsageError(f"{path} is not a CSV file: {error}.") from None
     steps = []
     for number, (_, cells) in enumerate(rows, 1):
         step: dict[str, Any] = {}
@@ -134,7 +134,7 @@ def _number(path: Path, number: int, column: str, text: str) -> float | int:
     try:
         found = int(text) if text.strip().lstrip("+-").isdigit() else float(text)
     except ValueError:
-        raise click.UsageError(f"{path}: step {number} has {column} = {text[:40]!r}, which is no number.") from None
+        raise click.UsageError(f"{path}: step {number} has {column} = {text[:40]!r}, which is not a number.") from None
     if isinstance(found, float) and not math.isfinite(found):
         raise click.UsageError(f"{path}: step {number} has {column} = {text[:40]!r}; it must be finite.")
     return found

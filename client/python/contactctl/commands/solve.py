@@ -49,7 +49,7 @@ def solve(
         save(path, answer, lambda: _solution(params, answer))
     emit(setting().json, answer, facts(_title(params), contact_rows(answer)))
     if not answer["converged"]:
-        raise Ended(Code.NOT_CONVERGED, "a solver missed its tolerance; evidence says which.")
+        raise Ended(Code.NOT_CONVERGED, "a solver missed its tolerance; see evidence.")
 
 
 def requested_fields(params: dict[str, Any], fields: str | None, outputs: list[Path]) -> None:
@@ -57,7 +57,7 @@ def requested_fields(params: dict[str, Any], fields: str | None, outputs: list[P
     if fields is not None:
         names = [] if fields == "none" else list(ARRAYS) if fields == "all" else fields.split(",")
         if unknown := [name for name in names if name not in ARRAYS]:
-            raise click.UsageError(f"--fields {fields}: {unknown[0]!r} is none of {', '.join(ARRAYS)}; or say all or none.{did_you_mean(unknown[0], ARRAYS)}")
+            raise click.UsageError(f"--fields {fields}: {unknown[0]!r} is not one of {', '.join(ARRAYS)}, all or none.{did_you_mean(unknown[0], ARRAYS)}")
         params["fields"] = names
     elif not outputs and not setting().json:
         params["fields"] = []

@@ -55,7 +55,7 @@ def study(
     plan = read_plan(file)
     if rows is None:
         if file == "-":
-            raise click.UsageError("A study from standard input needs --rows, where its rows are kept.")
+            raise click.UsageError("A study from standard input requires --rows, the file for its rows.")
         rows = Path(f"{file}.rows")
     part = None if share is None else share_of(share)
     _check_output(part, table, arrays, plan)
@@ -79,7 +79,7 @@ def _check_output(part: Share | None, table: Path | None, arrays: Path | None, p
         if path is None:
             continue
         if part is not None:
-            raise click.UsageError(f"{option} takes all rows: leave it to the command without --share, when all shares are done.")
+            raise click.UsageError(f"{option} requires all rows. Give it to a command without --share when all shares are done.")
         writable(option, path, [*_columns(plan), "error"] if option == "--csv" else None)
     if arrays is not None:
         need("h5py", "HDF5 files", "hdf5")
@@ -104,7 +104,7 @@ def _solved(
     try:
         _solve(plan, [case for case in cases if case.key not in there], len(there), journal, workers, dask)
     except BaseException:
-        note(f"{reported()}; the same command goes on.")
+        note(f"{reported()}; repeat the command to continue.")
         raise
     found = best(journal.rows, there)
     return [found[case.key] for case in cases]
@@ -142,7 +142,7 @@ def _show(plan: Plan, rows: list[dict[str, Any]], table: Path | None, numbers: S
     unconverged = codes.pop(Code.NOT_CONVERGED, 0)
     given += f", {unconverged} not converged" if unconverged else ""
     given += f", {codes.total()} failed" if codes else ""
-    more = [f"... {len(rows) - _SHOWN} more rows: {table or '--csv FILE'} has them all"] if len(rows) > _SHOWN else []
+    more = [f"... {len(rows) - _SHOWN} more rows: {table or '--csv FILE'} lists all"] if len(rows) > _SHOWN else []
     emit(setting().json, {"rows": rows}, listing(None, columns, shown), *more, "", given)
     solved = [row["answers"] for row in rows if "answers" in row]
     warn(f"no answer has {name}" for name in answers if solved and all(found[name] is None for found in solved))

@@ -57,7 +57,7 @@ def build(
     params = table_params(file, as_given(G=G, E=E, nu=nu, nx=nx, ny=ny, dx=dx, dy=dy, accuracy=accuracy), sets)
     count = offsets_of(params)
     if count:
-        note(f"{count} offsets: the table takes {size(72 * count)} of memory, and as much in the store.")
+        note(f"{count} offsets: the table needs {size(72 * count)} of memory, and the same in the store.")
     # Only a row of one component is sent, so that a table of any size can be built.
     part = {**params, "components": ["zz"], "rows": {"first": 0, "count": 1}}
     with connected() as client:
@@ -142,8 +142,8 @@ def export(
 
 
 def import_tables(
-    files: Annotated[list[str], typer.Argument(metavar="FILE...", help="Files of ic export (.h5), or of another store.")],
-    store: Annotated[str | None, typer.Option("--store", help="A folder: files of another store are copied there, without a daemon.")] = None,
+    files: Annotated[list[str], typer.Argument(metavar="FILE...", help="Files from ic export (.h5), or of another store.")],
+    store: Annotated[str | None, typer.Option("--store", help="Folder of a store: copy files of another store there, without a daemon.")] = None,
 ) -> None:
     """Import tables from files into the daemon's store, or into the folder of a store.
 
@@ -180,11 +180,11 @@ def delete(
 def _whole_key(client: Client, beginning: str) -> str:
     """Returns the key with this beginning. Raises Ended if there is none, click.UsageError if there are several."""
     if not beginning:
-        raise click.UsageError("A key is empty; say at least its beginning, as ic list shows it.")
+        raise click.UsageError("A key is empty; give at least its beginning from ic list.")
     entries: list[StoredIc | QuarantinedIc] = [*client.stored_ics(), *client.quarantined_ics()]
     found = sorted({entry.key for entry in entries if entry.key.startswith(beginning)})
     if not found:
-        raise Ended(Code.REFUSED, f"No table and no failed build has a key {beginning!r}; ic list shows them.")
+        raise Ended(Code.REFUSED, f"No table and no failed build has a key that begins with {beginning!r}; see ic list.")
     if len(found) > 1:
-        raise click.UsageError(f"{len(found)} keys begin with {beginning!r}; say more of it.")
+        raise click.UsageError(f"{len(found)} keys begin with {beginning!r}; give more characters.")
     return found[0]

@@ -61,8 +61,8 @@ def _screen(endpoint: str, given: dict[str, Any], jobs: tuple[Job, ...]) -> Stac
     rates = facts(
         f"{endpoint}, running for {span(given['uptime_seconds'])}; Ctrl-C ends",
         [
-            ("requests", f"{given['requests_per_second']:.4g} a second, {given['open_requests']:.0f} open"),
-            ("solves", f"{given['solves_per_second']:.4g} a second, {given['solves_waiting']:.0f} waiting"),
+            ("requests", f"{given['requests_per_second']:.4g} per second, {given['open_requests']:.0f} open"),
+            ("solves", f"{given['solves_per_second']:.4g} per second, {given['solves_waiting']:.0f} waiting"),
             ("workers", f"{given['workers_busy']:.0f} of {given['workers']:.0f} busy"),
             ("builds", f"{given['builds_running']:.0f} running, {given['builds_waiting']:.0f} waiting"),
             ("sessions", f"{given['sessions']:.0f}, {size(given['session_bytes'])}"),

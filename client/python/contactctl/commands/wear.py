@@ -70,20 +70,20 @@ def wear(
         return
     part = None if share is None else share_of(share)
     if part is not None and dask is not None:
-        raise click.UsageError("--share and --dask share the states in two ways; take one of them.")
+        raise click.UsageError("--share and --dask divide the states in different ways; use one of them.")
     if output is None:
         if file == "-":
-            raise click.UsageError("A study from standard input needs --output, where its steps are kept.")
+            raise click.UsageError("A study from standard input requires --output, the file for its steps.")
         output = Path(f"{file}.h5")
     writable("--output", output)
     if is_along(file):
         if part is not None or dask is not None or profiles is not None or pictures is not None or profile is not None:
-            raise click.UsageError("A study along the track has a map, and neither profiles nor pictures, shares nor Dask.")
+            raise click.UsageError("A study along the track writes a map; it supports no profiles, pictures, shares or Dask.")
         wear_along(file, output)
         return
     dynamics = read_dynamics(file, Path(f"{output}.stages"), allow_program)
     if dynamics is not None and part is not None:
-        raise click.UsageError("--share shares states that a file has; dynamics tell them anew.")
+        raise click.UsageError("--share requires states from a file, but dynamics computes new ones.")
     study = read_study(file) if dynamics is None else _study_of(file, dynamics, fresh)
     if profile is not None:
         writable("--profile", profile)
@@ -99,14 +99,14 @@ def wear(
         measures = _evolve(study, steps, output, workers, part, longest_wait, dask, pictures is not None, dynamics)
     except BaseException:
         if len(steps) > 1:
-            note(f"{steps[-1].distance:g} of {study.until:g} {study.unit} are in {output}; the same command goes on.")
+            note(f"{steps[-1].distance:g} of {study.until:g} {study.unit} are in {output}; repeat the command to continue.")
         raise
     if profile is not None:
         write_text(profile, "".join([f"# {written_by()}\n", *(f"{y:.9g} {z:.9g}\n" for y, z in steps[-1].points)]))
     written = [] if profiles is None else write_profiles(profiles, study, steps)
     if pictures is not None:
         if len(steps) < 2:
-            raise Ended(Code.USAGE, "Nothing is worn yet; there is nothing to draw.")
+            raise Ended(Code.USAGE, "There is no wear yet, so there is nothing to draw.")
         written += write_pictures(pictures, study, steps, measures)
     for path in written:
         note(f"wrote {path}")
@@ -138,7 +138,7 @@ def _forget_stages(folder: Path) -> None:
         return
     for path in folder.iterdir():
         if path.is_symlink() or not (path / "distance.txt").is_file():
-            raise Ended(Code.USAGE, f"{path} is no stage that contactd has written; move it away, or name another file by --output.")
+            raise Ended(Code.USAGE, f"{path} is not a stage written by contactd; move it, or give another file with --output.")
     shutil.rmtree(folder)
 
 
@@ -160,9 +160,9 @@ def _before(output: Path, study: WearStudy, fresh: bool) -> list[WornStep]:
     except InvalidArgument as error:
         if len(read_record(output)) < 2:  # That study was refused, so nothing is lost.
             return []
-        raise Ended(Code.USAGE, f"{error} --fresh begins anew.") from None
+        raise Ended(Code.USAGE, f"{error} Use --fresh to start anew.") from None
     except (OSError, KeyError):
-        raise Ended(Code.USAGE, f"{output} holds no steps of wear; --fresh writes over it.") from None
+        raise Ended(Code.USAGE, f"{output} contains no steps of wear; use --fresh to overwrite it.") from None
 
 
 def _evolve(
@@ -204,7 +204,7 @@ def _solving(
 def _show(steps: list[WornStep], study: WearStudy) -> None:
     columns = ["step", study.unit, "largest depth, mm", "area, mm^2", "T gamma, N", "pmax, N/mm^2", "ended by"]
     rows = [[s.number, s.distance, float(s.depths.max()), s.area, s.T_gamma, s.pmax, s.ended_by or None] for s in steps[1:]]
-    more = [f"... {len(rows) - _SHOWN} steps before these are in the file"] if len(rows) > _SHOWN else []
+    more = [f"... {len(rows) - _SHOWN} earlier steps are in the file"] if len(rows) > _SHOWN else []
     totals = totals_of(study, steps)
     answer = {"steps": [_facts(step, study.unit) for step in steps], "total": totals}
     emit(setting().json, answer, *more, listing(None, columns, rows[-_SHOWN:]), "", *_sentences(steps, study, totals))
@@ -214,13 +214,13 @@ def _show(steps: list[WornStep], study: WearStudy) -> None:
 def _sentences(steps: list[WornStep], study: WearStudy, totals: dict[str, dict[str, float]]) -> list[str]:
     """Returns the sentences below the table: the depths after all steps, and the limits of shallow steps."""
     found = [
-        f"After {steps[-1].distance:g} {study.unit} the {part} is worn by {total['depth']:.4g} mm at most, at y = {total['y']:.2f} mm; "
+        f"After {steps[-1].distance:g} {study.unit} the {part} is worn by up to {total['depth']:.4g} mm, at y = {total['y']:.2f} mm; "
         f"the worn area is {total['area']:.4g} mm^2."
         for part, total in totals.items()
     ]
     if bounded := [step.number for step in steps if step.ended_by.startswith("stability")]:
         which = "All steps" if len(bounded) == len(steps) - 1 else f"{len(bounded)} of {len(steps) - 1} steps"
-        found.append(f"{which} ended by stability: they are less deep than step.depth = {study.depth:g} mm, at which grooves would grow.")
+        found.append(f"{which} limited by stability: they are less deep than step.depth = {study.depth:g} mm, at which grooves would grow.")
     return found
 
 

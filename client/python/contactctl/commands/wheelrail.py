@@ -61,7 +61,7 @@ def solve(
         save(path, answer, lambda: _solution(params, answer, profiles))
     emit(setting().json, answer, *_shown(answer))
     if not answer["converged"]:
-        raise Ended(Code.NOT_CONVERGED, "a solver or a search missed its tolerance; evidence says which.")
+        raise Ended(Code.NOT_CONVERGED, "a solver or a search missed its tolerance; see evidence.")
 
 
 def _profiles(client: Client, params: dict[str, Any]) -> PlacedProfiles | None:

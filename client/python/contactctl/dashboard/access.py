@@ -22,7 +22,7 @@ from .names import Names
 
 __all__ = ["Guard"]
 
-_OPEN = "Open the address that contactctl dashboard has printed, with its token."
+_OPEN = "Open the address that contactctl dashboard printed, including its token."
 #: Headers against frames in other pages, caching, and leaked addresses.
 _HEADERS = ((b"x-frame-options", b"DENY"), (b"content-security-policy", b"frame-ancestors 'none'"),
             (b"cross-origin-resource-policy", b"same-origin"), (b"referrer-policy", b"no-referrer"),
@@ -56,11 +56,11 @@ class Guard:
         hosts, origins = _values(scope, b"host"), _values(scope, b"origin")
         if len(hosts) != 1 or not self._names.hold(hosts[0]):
             asked = ", ".join(hosts)[:200]
-            return f"This dashboard answers to {self._names}, and was asked as {asked!r}. Where browsers reach it so, start it with --name."
+            return f"This dashboard accepts requests for {self._names}, not for {asked!r}. If browsers reach it by this name, start it with --name."
         if not origins and scope["type"] == "http" and scope["method"] in ("GET", "HEAD"):
             return ""  # Pages send none for reads from their own origin.
         if len(origins) != 1 or not self._names.is_origin(origins[0], hosts[0]):
-            return "Only the dashboard's own page may ask this: the request has another Origin, or none."
+            return "Only the dashboard's own page may send this request, which has a different Origin or none."
         return ""
 
     async def _open_door(self, scope: Any, send: Any) -> None:

@@ -22,9 +22,9 @@ class ConfigurationPanel(Panel):
 
     def __init__(self, watcher: Watcher) -> None:
         super().__init__(watcher)
-        self._table = table(_COLUMNS, "field", "The daemon tells none.").props("hide-pagination")
+        self._table = table(_COLUMNS, "field", "The daemon does not report any.").props("hide-pagination")
         self._table.pagination = {"rowsPerPage": 0}
-        ui.label("Keys, folders, programs and addresses are told to nobody.").classes("text-gray-600 text-sm")
+        ui.label("Keys, folders, programs and addresses are not shown.").classes("text-gray-600 text-sm")
 
     async def show(self, view: View) -> None:
         rows = [{"field": name, "value": value} for name, value in _fields(view.config or {})]

@@ -18,7 +18,7 @@ __all__ = ["JobsPanel"]
 
 
 _MOMENT = 0.3  #: Seconds; shorter jobs cannot be cancelled in time.
-_WORK = {"build": "It builds a table", "solve": "It solves", "subsurface": "It computes stresses", "step": "It takes a step"}
+_WORK = {"build": "It is building a table", "solve": "It solves", "subsurface": "It is computing stresses", "step": "It is taking a step"}
 
 
 class JobsPanel(Panel):
@@ -29,7 +29,7 @@ class JobsPanel(Panel):
         self._lines: dict[str, _Line] = {}
         with ui.card().classes("w-full jobs p-3 gap-2"):
             ui.label("Jobs").classes("font-medium")
-            self._none = ui.label("There are none.").classes("text-gray-600")
+            self._none = ui.label("There are no jobs.").classes("text-gray-600")
             self._place = ui.column().classes("w-full gap-3")
         self._question = _Question(watcher)
 
@@ -73,9 +73,9 @@ class _Line:
         if job.memory_bytes is not None:
             remarks.append(f"about {size(job.memory_bytes)}")
         if job.callers != 1:
-            remarks.append(f"{job.callers} wait for it")
+            remarks.append(f"{job.callers} waiting requests")
         self._remark.text = ", ".join(remarks)
-        words = [job.description, f"for {_users(job)}" if job.callers else "for nobody who still waits"]
+        words = [job.description, f"for {_users(job)}" if job.callers else "no waiting requests"]
         self._what.text = "; ".join(filter(None, words))
 
     def remove(self) -> None:
@@ -115,9 +115,9 @@ class _Question:
         work = _WORK.get(job.kind, f"It is a {job.kind}")
         self._what.text = f"{work}: {job.description}." if job.description else f"{work}."
         if job.callers:
-            self._whose.text = f"It is for {_users(job)}. What waits for it ends with an error: {counted(job.callers, 'request')}."
+            self._whose.text = f"It belongs to {_users(job)}. Waiting requests end with an error: {counted(job.callers, 'request')}."
         else:
-            self._whose.text = "All requests for it are abandoned."
+            self._whose.text = "No request waits for it any more."
 
     async def _cancel(self) -> None:
         name = self._job
@@ -128,4 +128,4 @@ class _Question:
 
 
 def _users(job: Job) -> str:
-    return ", ".join(job.users) or "somebody whom the daemon does not name"
+    return ", ".join(job.users) or "a user without a name"

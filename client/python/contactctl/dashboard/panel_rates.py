@@ -16,7 +16,7 @@ __all__ = ["RatesPanel"]
 
 _FIGURES = ("running for", "workers", "waiting", "builds", "sessions", "tables in memory", "store", "connections", "memory", "processor")
 
-_CHARTS = (("Throughput", throughput_chart), ("Latency, from receiving a request to its answer", latency_chart))
+_CHARTS = (("Throughput", throughput_chart), ("Latency from receiving a request to its answer", latency_chart))
 
 
 class RatesPanel(Panel):

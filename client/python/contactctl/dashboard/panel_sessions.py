@@ -21,7 +21,7 @@ class SessionsPanel(Panel):
     def __init__(self, watcher: Watcher) -> None:
         super().__init__(watcher)
         self._table = table(_COLUMNS, "number", "No session is open.")
-        ui.label("The name of a session is the key to it and is not shown.").classes("text-gray-600 text-sm")
+        ui.label("Names of sessions are not shown, because they give access to them.").classes("text-gray-600 text-sm")
 
     async def show(self, view: View) -> None:
         self._table.rows = [

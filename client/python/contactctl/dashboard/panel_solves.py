@@ -29,8 +29,8 @@ class SolvesPanel(Panel):
     def __init__(self, watcher: Watcher) -> None:
         super().__init__(watcher)
         self._shown: tuple[RecentSolve, ...] = ()
-        ui.label("Those of the user as whom this dashboard connects. Press a line for its picture.").classes("text-gray-600")
-        self._table = table(_COLUMNS, "number", "There are none, or the daemon keeps none (recent_solves.count).")
+        ui.label("Solves of the user of this dashboard, one row per solve. Click a row to plot its pressures.").classes("text-gray-600")
+        self._table = table(_COLUMNS, "number", "There are no solves, or the daemon keeps none (recent_solves.count).")
         self._table.classes("solves cursor-pointer").on("row-click", self._draw, js_handler="(event, row) => emit(row.number)")
         with ui.dialog() as self._dialog, ui.card().classes("max-w-full"):
             self._title = ui.label().classes("font-medium")
@@ -46,10 +46,10 @@ class SolvesPanel(Panel):
     async def _draw(self, event: Any) -> None:
         found = next((solve for solve in self._shown if solve.number == event.args), None)
         if found is None:
-            ui.notify("This solve is not among the last ones any more.")
+            ui.notify("This solve is no longer among the recent ones.")
             return
         if not found.has_pressures:
-            ui.notify("Its pressures are not kept: it has no contact, or more elements than recent_solves.max_bytes leaves room for.")
+            ui.notify("Its pressures are not kept, because it has no contact, or more elements than recent_solves.max_bytes allows.")
             return
         patches = await answer_of(self.watcher, self.watcher.pressures, found.number)
         if patches is None:

@@ -38,6 +38,6 @@ class StatePanel(Panel):
         if view.info is not None:
             self._version.text = f"{view.info.version} ({view.info.commit})"
         self._away.visible = view.state == AWAY
-        self._why.text = f"The daemon has not answered for {span(time.time() - view.since)}. It is asked again and again. {view.why}"
+        self._why.text = f"The daemon has not answered for {span(time.time() - view.since)}. The dashboard keeps trying. {view.why}"
         self._warned.visible = bool(view.warnings) and view.is_there
         self._warnings.text = "\n".join(view.warnings)

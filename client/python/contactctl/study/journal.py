@@ -38,14 +38,14 @@ class Journal:
     def __init__(self, path: Path) -> None:
         self.path = path
         if path.is_symlink() and not path.exists():
-            raise Ended(Code.USAGE, f"{path} is a link to nothing; name another file by --rows.")
+            raise Ended(Code.USAGE, f"{path} is a broken link; give another file with --rows.")
         self.rows: dict[str, dict[str, Any]] = {}
         self._file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC, 0o644)
         try:
             fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
             os.close(self._file)
-            raise Ended(Code.USAGE, f"{path} belongs to a study that runs; wait for it, or name another file by --rows.") from None
+            raise Ended(Code.USAGE, f"{path} belongs to a running study; wait for it, or give another file with --rows.") from None
         self._read()
         self._synced = time.monotonic()
 
@@ -115,9 +115,9 @@ def rows_in(path: Path, content: bytes) -> dict[str, dict[str, Any]]:
             rows.setdefault(row["key"], row)
     rest = content[content.rfind(b"\n") + 1 :]
     if not rows and (damaged or not _can_begin_a_line(rest)):
-        raise Ended(Code.USAGE, f"{path} is no file with rows of a study; name another one by --rows.")
+        raise Ended(Code.USAGE, f"{path} is not a file with rows of a study; give another one with --rows.")
     if damaged:
-        note(f"warning: {damaged} damaged lines of {path} are left out, and their rows solved again.")
+        note(f"warning: {damaged} damaged lines of {path} are ignored, and their rows are solved again.")
     return rows
 
 

@@ -91,7 +91,7 @@ def read_plan(path: str) -> Plan:
         raise click.UsageError(f"{path}: method is {method!r}; it must be {' or '.join(METHODS)}.{meant}")
     problem = _problem(path, inputs.get("problem"))
     if problem.get("fields"):
-        raise click.UsageError(f"{path}: problem.fields asks for arrays, of which a row has none; leave it out.")
+        raise click.UsageError(f"{path}: problem.fields requests arrays, but rows have none; remove it.")
     problem["fields"] = []
     axes = _axes(path, named)
     answers = inputs.get("answers", USUAL[method])
@@ -121,13 +121,13 @@ def _axes(path: str, inputs: dict[str, Any]) -> list[dict[str, list[Any]]]:
     if not isinstance(vary, dict) or not isinstance(together, dict) or not (vary or together):
         raise click.UsageError(f"{path} lacks vary, an object of paths and their values, such as Fn: [1000, 2000].")
     if both := vary.keys() & together.keys():
-        raise click.UsageError(f"{path}: {min(both)} is in vary and in together.")
+        raise click.UsageError(f"{path}: {min(both)} is in both vary and together.")
     axes = [{name: values_of(path, name, values)} for name, values in vary.items()]
     if together:
         group = {name: values_of(path, name, values) for name, values in together.items()}
         lengths = {name: len(values) for name, values in group.items()}
         if len(set(lengths.values())) > 1:
-            raise click.UsageError(f"{path}: the fields of together have numbers of values that differ: {lengths}.")
+            raise click.UsageError(f"{path}: the fields of together have different numbers of values: {lengths}.")
         axes.append(group)
     if math.prod(len(next(iter(axis.values()))) for axis in axes) > MOST:
         raise click.UsageError(f"{path} has more than {MOST} rows.")

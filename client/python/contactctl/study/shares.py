@@ -72,7 +72,7 @@ def check_ended(rows: Path) -> None:
             try:
                 fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
             except OSError:
-                raise Ended(Code.USAGE, f"{path} belongs to a share that runs; wait for it, or solve a --share.") from None
+                raise Ended(Code.USAGE, f"{path} belongs to a running share; wait for it, or solve another --share.") from None
 
 
 def _files(rows: Path) -> list[Path]:

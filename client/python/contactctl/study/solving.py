@@ -53,7 +53,7 @@ def row_of(
     found = {path: plain_json(get(answer, path)) for path in answers}
     if unknown := [path for path, value in found.items() if value is None and not may_answer(method, path)]:
         meant = did_you_mean(unknown[0], _paths_in(answer))
-        raise Ended(Code.USAGE, f"answers has {', '.join(unknown)}, which no answer has; it has {', '.join(sorted(answer))}.{meant}")
+        raise Ended(Code.USAGE, f"answers has {', '.join(unknown)}, which the answer does not have; it has {', '.join(sorted(answer))}.{meant}")
     row = {"code": int(code), "answers": found, "seconds": time.monotonic() - began}
     return {**row, "warnings": sentences} if sentences else row
 

@@ -24,14 +24,14 @@ def values_of(path: str, name: str, given: Any) -> list[Any]:
         try:
             json.dumps(given, allow_nan=False)
         except (TypeError, ValueError):
-            raise click.UsageError(f"{path}: the values of {name} must be what JSON has; every number must be finite.") from None
+            raise click.UsageError(f"{path}: the values of {name} must be valid in JSON; every number must be finite.") from None
         return given
     if not isinstance(given, dict) or not given.keys() <= {"from", "to", "count", "step", "scale"}:
         raise click.UsageError(f"{path}: the values of {name} must be {right}.")
     start, end = (given.get(name, "") for name in ("from", "to"))
     numbers = [start, end, given.get("step", 1), given.get("count", 1)]
     if not all(map(_is_finite, numbers)):
-        raise click.UsageError(f"{path}: the values of {name} must be {right}; all are finite numbers.")
+        raise click.UsageError(f"{path}: the values of {name} must be {right}, and all must be finite numbers.")
     return _range(path, name, float(start), float(end), given)
 
 
@@ -59,5 +59,5 @@ def _range(path: str, name: str, start: float, end: float, given: dict[str, Any]
     with np.errstate(all="ignore"):
         found = [float(value) for value in space(start, end, given["count"])]
     if not all(map(math.isfinite, found)):
-        raise click.UsageError(f"{path}: {name} goes from {start:g} to {end:g}, which is too far.")
+        raise click.UsageError(f"{path}: {name} goes from {start:g} to {end:g}, which is too large a range.")
     return found

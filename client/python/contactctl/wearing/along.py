@@ -42,10 +42,10 @@ def wear_along(file: str, output: Path) -> None:
     if missing := [name for name in ("setup", "states", "law", "until") if name not in given]:
         raise click.UsageError(f"{file}: {', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing.")
     if given.get("wears", "rail") != "rail":
-        raise click.UsageError(f"{file}: wears is {given['wears']!r}; along the track the rail wears.")
+        raise click.UsageError(f"{file}: wears is {given['wears']!r}; along the track it must be rail.")
     law = given["law"]
     if not (isinstance(law, dict) and law.get("name") and law.get("source")):
-        raise click.UsageError(f"{file}: law has no name or no source; say what it is called, and where its coefficients come from.")
+        raise click.UsageError(f"{file}: law has no name or no source; give its name, and the source of its coefficients.")
     x, y = (_edges(file, given["along"], name) for name in ("x", "y"))
     until = given["until"]
     if isinstance(until, bool) or not isinstance(until, (int, float)) or not 0 < until < math.inf:
@@ -53,7 +53,7 @@ def wear_along(file: str, output: Path) -> None:
     if not isinstance(given["setup"], dict):
         raise click.UsageError(f"{file}: setup is {given['setup']!r}; it must be an object, fields with their values.")
     if (len(x) - 1) * (len(y) - 1) > _MOST_CELLS:
-        raise click.UsageError(f"{file}: along has {len(x) - 1} times {len(y) - 1} cells; it may have {_MOST_CELLS}.")
+        raise click.UsageError(f"{file}: along has {len(x) - 1} times {len(y) - 1} cells, but at most {_MOST_CELLS} are allowed.")
     setup = copied({"setup": given["setup"]})
     put_into_words(setup)
     states = states_of(named_file(str(given["states"]), file))
@@ -79,7 +79,7 @@ def _edges(file: str, along: Any, name: str) -> np.ndarray[Any, np.dtype[np.floa
         raise click.UsageError(f"{file}: along.{name} is {value!r}; it must be [from, to, step] in mm, as [0, 200, 10].")
     count = round((value[1] - value[0]) / value[2])
     if count > _MOST:
-        raise click.UsageError(f"{file}: along.{name} has {count} pieces; it may have {_MOST}.")
+        raise click.UsageError(f"{file}: along.{name} has {count} pieces, but at most {_MOST} are allowed.")
     return np.asarray(np.linspace(float(value[0]), float(value[1]), count + 1), dtype=np.float64)
 
 

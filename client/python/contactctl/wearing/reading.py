@@ -47,7 +47,7 @@ def read_study(file: str, states: Sequence[WeightedState] | None = None) -> Wear
     for name in ("law", "rail_law"):
         law = _object(file, given, name) if name in given else None
         if law is not None and not (law.get("source") and law.get("name")):
-            raise click.UsageError(f"{file}: {name} has no name or no source; say what it is called, and where its coefficients come from.")
+            raise click.UsageError(f"{file}: {name} has no name or no source; give its name, and the source of its coefficients.")
     named = {name: given[name] for name in _NAMED if name in given}
     if "fatigue" in named:
         _object(file, given, "fatigue")
@@ -55,7 +55,7 @@ def read_study(file: str, states: Sequence[WeightedState] | None = None) -> Wear
         raise click.UsageError(f"{file}: symmetric is {named['symmetric']!r}; it must be true or false.")
     path = given.get("states")
     if states is None and not isinstance(path, str):
-        raise click.UsageError(f"{file}: states is the name of a file: CSV, HDF5 or Parquet.")
+        raise click.UsageError(f"{file}: states must be the name of a file: CSV, HDF5 or Parquet.")
     for name in ("until", "spacing", "passages_per_km"):
         _number(file, name, given.get(name))
     for name in ("depth", "distance"):
@@ -90,7 +90,7 @@ def read_dynamics(file: str, folder: Path, allow_program: bool) -> Dynamics | No
     dynamics = _dynamics_object(file, given)
     program = dynamics["program"]
     if not allow_program:
-        raise click.UsageError(f"{file}: dynamics.program = {program!r:.300}: a study runs no program by itself. Look at it, and give --allow-program.")
+        raise click.UsageError(f"{file}: dynamics.program = {program!r:.300}: a study does not run a program by itself. Check it, and give --allow-program.")
     others = {name: dynamics[name] for name in ("depth", "conicity", "distance") if name in dynamics}
     try:
         words = shlex.split(program) if isinstance(program, str) else [str(word) for word in program]
@@ -98,18 +98,18 @@ def read_dynamics(file: str, folder: Path, allow_program: bool) -> Dynamics | No
     except InvalidArgument as error:
         raise click.UsageError(f"{file}: {error.message}") from None
     except ValueError as error:  # an unpaired quotation mark
-        raise click.UsageError(f"{file}: dynamics.program is {program!r}, which is no command: {error}.") from None
+        raise click.UsageError(f"{file}: dynamics.program is {program!r}, which is not a command: {error}.") from None
 
 
 def _dynamics_object(file: str, given: dict[str, Any]) -> dict[str, Any]:
     if "states" in given:
-        raise click.UsageError(f"{file}: states and dynamics are given; dynamics tell the states.")
+        raise click.UsageError(f"{file}: states and dynamics are given, but dynamics computes the states; remove one of them.")
     dynamics = _object(file, given, "dynamics")
     if unknown := dynamics.keys() - {"program", "depth", "conicity", "distance"}:
         meant = did_you_mean(min(unknown), ("program", "depth", "conicity", "distance"))
         raise click.UsageError(f"{file}: dynamics has no {', '.join(sorted(unknown))}; it has program, depth, conicity and distance.{meant}")
     if not dynamics.get("program") or not isinstance(dynamics["program"], (str, list)):
-        raise click.UsageError(f"{file}: dynamics.program is missing; it is a command, which is called with the name of a folder.")
+        raise click.UsageError(f"{file}: dynamics.program is missing; give a command, which is called with the name of a folder.")
     for name in ("depth", "conicity", "distance"):
         _number(file, f"dynamics.{name}", dynamics.get(name))
     return dynamics

@@ -56,7 +56,7 @@ class ShareFiles:
         content = json.dumps({"study": self._study, "answers": answers}).encode()
         path = self.path(step, self._share.index)
         if not can_be_written_over(path):
-            raise Ended(Code.USAGE, f"{path} is there, and contactd has not written it; name another file by --output.")
+            raise Ended(Code.USAGE, f"{path} exists, and contactd did not write it; give another file with --output.")
         write_whole(path, lambda into: into.write(content))
 
     def wait(self, step: int, index: int) -> Answers:
@@ -64,7 +64,7 @@ class ShareFiles:
         until = time.monotonic() + self._longest_wait
         while (answers := self.read(step, index)) is None:
             if time.monotonic() > until:
-                raise Ended(Code.TIMEOUT, f"Share {index}/{self._share.count} has not answered for {self._longest_wait:g} s; start it, too.")
+                raise Ended(Code.TIMEOUT, f"Share {index}/{self._share.count} has not answered for {self._longest_wait:g} s; start it as well.")
             time.sleep(_PAUSE)
         return answers
 
@@ -108,5 +108,5 @@ def work(
             done, until = last.number, time.monotonic() + longest_wait
             on_step(last.distance)
         elif time.monotonic() > until:
-            raise Ended(Code.TIMEOUT, f"{record} has had no new step for {longest_wait:g} s; start share 0/{share.count}, too.")
+            raise Ended(Code.TIMEOUT, f"{record} has had no new step for {longest_wait:g} s; start share 0/{share.count} as well.")
         time.sleep(_PAUSE)

@@ -61,7 +61,7 @@ class AnySession(Shown):
 
     def __reduce__(self) -> Any:
         raise TypeError(
-            f"a {type(self).__name__} cannot be pickled; hand on session.name, and join it by client.{self._joins}"
+            f"a {type(self).__name__} cannot be pickled; pass session.name, and join it by client.{self._joins}"
         )
 
     def _title(self) -> str:

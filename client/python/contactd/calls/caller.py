@@ -154,13 +154,13 @@ class Caller(Shown):
 
 def _check_limit(what: str, size: int, limit: int, unit: str) -> None:
     if size > limit:
-        raise invalid(what, f"has {size} {unit}; the daemon takes at most {limit}", "LIMIT_EXCEEDED")
+        raise invalid(what, f"has {size} {unit}, but the daemon accepts at most {limit}", "LIMIT_EXCEEDED")
 
 
 def check_shapes(answer: Any, names: list[str], shape: tuple[int, ...]) -> None:
     """Raises ProtocolError if an array of the answer has another shape."""
     for name in names:
         if (array := getattr(answer, name)) is None:
-            raise ProtocolError(f"The answer lacks {name}, which was asked for.")
+            raise ProtocolError(f"The answer lacks the requested {name}.")
         if array.shape != shape:
             raise ProtocolError(f"The answer's {name} has shape {list(array.shape)} instead of {list(shape)}.")

@@ -56,7 +56,7 @@ class SessionCalls(Caller, Generic[S, W]):
         if problem is not None:
             check_type("problem", problem, ContactProblem)
             if fields:
-                raise TypeError(f"session() takes a ContactProblem or its fields, not both: {', '.join(fields)}")
+                raise TypeError(f"session() accepts a ContactProblem or its fields, not both: {', '.join(fields)}")
         inputs: dict[str, Any] = vars(problem) if problem is not None else dict(fields)
         params = _opening(inputs, lease, accept_unconverged)
         reported = yield from self.asked(
@@ -77,7 +77,7 @@ class SessionCalls(Caller, Generic[S, W]):
         """
         reported = yield from self.asked("session.info", {"session": name}, timeout=timeout)
         if "side" in reported:
-            raise invalid("name", "is that of the session of a wheel on its rail; take join_wheel_rail_session")
+            raise invalid("name", "belongs to the session of a wheel on its rail; use join_wheel_rail_session")
         grid = read(Grid, reported.get("grid"), "result.grid")
         return self._session_kind(self, name, reported, grid, reported.get("motion") == "rolling")
 
@@ -106,7 +106,7 @@ class SessionCalls(Caller, Generic[S, W]):
         """
         reported = yield from self.asked("session.info", {"session": name}, timeout=timeout)
         if (side := reported.get("side")) not in ("left", "right"):
-            raise invalid("name", "is that of the session of a contact; take join_session")
+            raise invalid("name", "belongs to the session of a contact; use join_session")
         return self._wheel_rail_session_kind(self, name, reported, side, False)
 
     @asks
@@ -135,7 +135,7 @@ def _opening(fields: dict[str, Any], lease: float | None, accept_unconverged: bo
     given = {name: value for name, value in fields.items() if value is not None}
     check_field_types(ContactProblem, given)
     if given.keys() >= {"approach", "Fn"}:
-        raise TypeError("session() has both approach and Fn; it takes either approach or Fn")
+        raise TypeError("session() has both approach and Fn; give only one of them")
     return opening_params(given) | _lease_params(lease, accept_unconverged)
 
 

@@ -42,7 +42,7 @@ def stated_problem(
     if isinstance(problem, ContactProblem):
         names = [*(name for name, body in (("upper", upper), ("lower", lower)) if body is not None), *fields]
         if names:
-            raise TypeError(f"{call}() takes a ContactProblem or its fields, not both: {', '.join(names)}")
+            raise TypeError(f"{call}() accepts a ContactProblem or its fields, not both: {', '.join(names)}")
         return Stated(problem, False)
     by_place = {"gap": problem, "upper": upper, "lower": lower}
     given: dict[str, Any] = dict(fields)
@@ -50,7 +50,7 @@ def stated_problem(
         if value is None:
             continue
         if name in given:
-            raise TypeError(f"{call}() got {name} twice, by its place and by its name")
+            raise TypeError(f"{call}() got {name} twice, by position and by keyword")
         given[name] = value
     if given.get("grid") is not None:
         return Stated(ContactProblem(**given), False)

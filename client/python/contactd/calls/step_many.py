@@ -46,12 +46,12 @@ def _check(client: Caller, pairs: list[tuple[AnySession, Mapping[str, Any]]]) ->
     first: dict[str, int] = {}
     for i, pair in enumerate(pairs):
         if not (isinstance(pair, tuple) and len(pair) == 2 and isinstance(pair[0], AnySession) and isinstance(pair[1], Mapping)):
-            raise TypeError(f'steps[{i}] must be a session and what its step says, such as (session, {{"Fn": 9e3}})')
+            raise TypeError(f'steps[{i}] must be a session and the input of its step, such as (session, {{"Fn": 9e3}})')
         session, step = pair
         if unknown := step.keys() - session._steps.words:
             kind = type(session).__name__
-            raise TypeError(f"steps[{i}] says {', '.join(sorted(unknown))}, which {kind}.step does not know for one of many")
+            raise TypeError(f"steps[{i}] has {', '.join(sorted(unknown))}, which {kind}.step does not support for several sessions")
         if session._client is not client:
-            raise invalid(f"steps[{i}].session", "is of another client; it must be of the one that is asked")
+            raise invalid(f"steps[{i}].session", "belongs to another client; it must belong to the client of this call")
         if (other := first.setdefault(session.name, i)) != i:
-            raise invalid(f"steps[{i}].session", f"is that of steps[{other}]; each takes one step at a time")
+            raise invalid(f"steps[{i}].session", f"is also that of steps[{other}]; a session takes one step at a time")

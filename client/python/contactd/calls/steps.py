@@ -39,8 +39,7 @@ class Steps(ABC):
         """Raises ContactdError in a process that was forked."""
         if self._process != os.getpid():
             raise ContactdError(
-                f"This session belongs to process {self._process}, from which process {os.getpid()} was forked; open one "
-                "of your own, or take it over by client.join_session(session.name)."
+                f"This session belongs to process {self._process}, from which process {os.getpid()} was forked; open a " "new one, or take it over by client.join_session(session.name)."
             )
 
     @contextmanager
@@ -49,8 +48,7 @@ class Steps(ABC):
         self.check_process()
         if not self._in_use.acquire(blocking=False):
             raise ContactdError(
-                "A call of this session runs, in another thread or in the progress callback of this one; a session takes "
-                "one step at a time, in order. Open a session for each thread."
+                "A call of this session is already running, in another thread or around this progress callback; a session takes " "one step at a time, in order. Open a session for each thread."
             )
         try:
             yield

@@ -171,7 +171,7 @@ def fetch_in_pieces(
         result = yield from ask({**params, "components": names, "rows": {"first": first, "count": count}})
         part = result.pop("table", None)
         if not isinstance(part, np.ndarray) or part.shape != (len(names), count, grid.nx):
-            raise ProtocolError("A part of the table has another shape than was asked for.")
+            raise ProtocolError("A part of the table does not have the requested shape.")
         table[components, first : first + count] = part
         whole = whole or result
         if result.get("key") != whole.get("key"):

@@ -16,7 +16,7 @@ def seconds_of(name: str, value: Any) -> float:
     """Returns a timeout from the caller's argument (s); None is the maximum. Raises TypeError or ValueError."""
     if value is None:
         return LONGEST
-    right = f"it must be a number of seconds, more than 0 and at most {LONGEST:g}, or None, which is the latter"
+    right = f"it must be a number of seconds, more than 0 and at most {LONGEST:g}, or None for this maximum"
     if not isinstance(value, Real) or isinstance(value, bool):
         raise TypeError(f"{name} is {value!r}; {right}")
     seconds = float(value)
@@ -27,7 +27,7 @@ def seconds_of(name: str, value: Any) -> float:
 
 def spin_of(value: Any) -> float:
     """A time to look for answers without sleeping (s). Raises TypeError or ValueError."""
-    right = "it must be a number of seconds, 0 (as if left out) to 1"
+    right = "it must be a number of seconds from 0, the default, to 1"
     if not isinstance(value, Real) or isinstance(value, bool):
         raise TypeError(f"spin is {value!r}; {right}")
     seconds = float(value)
@@ -60,9 +60,9 @@ def _asks_for_finite_elements(problem: dict[str, Any]) -> bool:
 
 def say_that_the_build_goes_on(error: TimeoutExpired, job: str) -> None:
     """Adds to `error` what becomes of the build, `job` ("" where none is known), that the call has waited for."""
-    what = f"The build goes on in the daemon as job {job}" if job else "A build that it waited for goes on in the daemon"
+    what = f"The build continues in the daemon as job {job}" if job else "The build that it waited for continues in the daemon"
     end = f"cancel_job({job!r})" if job else "cancel_job()"
-    advice = f"{what}: jobs() shows how far it is, {end} ends it, and the same call again joins it or gets its table."
+    advice = f"{what}. jobs() reports its progress, {end} ends it, and repeating the call joins it or returns its table."
     if isinstance(error, StatusError):
         error.message = f"{error.message} {advice}"
     error.args = (f"{error.args[0]} {advice}",)

@@ -169,7 +169,7 @@ class WheelRailCalls(Caller):
         profiles = yield from self._of_wheelset(setup, left, "profiles", True, "profiles", timeout)
         found = read(ProfilesOfSides, profiles, "result.profiles")
         if any(points.ndim != 2 or points.shape[1] != 2 for side in (found.left, found.right) for points in (side.wheel, side.rail)):
-            raise ProtocolError("The answer to wheelrail.geometry has profiles whose points are no pairs.")
+            raise ProtocolError("The answer to wheelrail.geometry has profiles whose points are not pairs.")
         return found
 
     def _of_wheelset(

@@ -31,7 +31,7 @@ class WheelRailSteps(Steps):
 
     def _given(self, step: WheelRailStepInput) -> dict[str, Any]:
         if "state" not in step:
-            raise TypeError("a step of a wheel on its rail needs its state")
+            raise TypeError("a step of a wheel on its rail requires its state")
         given: dict[str, Any] = {"state": state_params(step["state"], "wheelrail.state")}
         if (friction := step.get("friction")) is not None:
             check_type("wheelrail.friction", friction, WheelRailFriction)

@@ -84,7 +84,7 @@ def _plain(value: Any) -> str:
         return ascii(value)
     if value is None or isinstance(value, (bool, int, float)):
         return repr(value)
-    raise TypeError(f"a {type(value).__name__} is no value of a case")
+    raise TypeError(f"a {type(value).__name__} is not a value of a case")
 
 
 def _call(value: Any, indent: int) -> str:

@@ -96,9 +96,9 @@ def _refusal(case: Case, broken: Case | None, most_elements: int) -> Outcome | N
     if found := mistakes(case):
         return Outcome(case, "wrong", f"{'; '.join(found)}.")
     if names := missing(case, most_elements):
-        return Outcome(case, "refused", f"contactd does not have: {', '.join(names)}.")
+        return Outcome(case, "refused", f"contactd does not support: {', '.join(names)}.")
     if broken is not None and goes_on(case):
-        return Outcome(case, "follows", f"It goes on from case {broken.number} in line {broken.line}, which is not computed.")
+        return Outcome(case, "follows", f"It continues case {broken.number} in line {broken.line}, which is not computed.")
     return None
 
 
@@ -132,7 +132,7 @@ class Runner:
             began = time.monotonic()
             outcome = _refusal(case, broken, self._most_elements)
             if outcome is None and case.digits["R"] in (2, 3):
-                yield Outcome(case, "read", "It is read and not computed (R = 2, 3).")
+                yield Outcome(case, "read", "It is read but not computed (R = 2, 3).")
                 continue
             start = before if case.digits.get("P") == 3 else last
             if outcome is None:
@@ -152,7 +152,7 @@ class Runner:
         try:
             result = self._on_rails(case, steps) if case.module == 1 else self._basic(case, start)
         except Missing as error:
-            return Outcome(case, "refused", f"contactd does not have: {error}.")
+            return Outcome(case, "refused", f"contactd does not support: {error}.")
         except InvalidArgument as error:
             return Outcome(case, "refused", in_words_of(case, error))
         except (StatusError, TimeoutExpired) as error:
@@ -160,7 +160,7 @@ class Runner:
         except TableFileError as error:
             return Outcome(case, "wrong", f"{error}.")
         except OSError as error:
-            return Outcome(case, "wrong", f"{error.filename or 'A file that it names'}: {error.strerror or error}.")
+            return Outcome(case, "wrong", f"{error.filename or 'A file of this case'}: {error.strerror or error}.")
         is_complete = result.is_converged
         status: Status = "solved" if is_complete else "not converged"
         sentence = "" if is_complete else "A solver or a search missed its tolerance."
@@ -205,7 +205,7 @@ class _RailSteps:
             self._session = self._client.wheel_rail_session(contact.setup, accept_unconverged=True)
             self._opened = common
         elif common != self._opened:
-            raise Missing("a step that goes on with other profiles, track, materials or elements")
+            raise Missing("a step that continues with other profiles, track, materials or elements")
         state = replace(contact.state, displacements=contact.setup.model is None)
         friction, fields = contact.setup.friction, get_args(Field)
         solution = self._session.step(state, friction=friction, fields=fields, gap=True, again=again)

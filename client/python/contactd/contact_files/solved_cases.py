@@ -119,7 +119,7 @@ class ComparedCase:
 
     def __str__(self) -> str:
         if not self.is_printed:
-            return f"case {self.case.number}: not printed there"
+            return f"case {self.case.number}: not printed in this file"
         if self.case.solution is None:
             return f"case {self.case.number}: {self.case.status}. {self.case.sentence}"
         return f"case {self.case.number}: {'; '.join(self.differences) or 'agrees'}"
@@ -190,7 +190,7 @@ class SolvedCases(Sequence[SolvedCase], Shown):
         """
         printed = printed_cases(text_of(path))
         if not printed:
-            raise invalid(os.fspath(path), "has no printed case; it must be an .out file of CONTACT")
+            raise invalid(os.fspath(path), "has no printed case; give an .out file of CONTACT")
         theirs = matched(((one.case.number, one.case.reid, one.case.cpid) for one in self.cases), printed)
         compared = []
         for case, other in zip(self.cases, theirs):

@@ -42,7 +42,7 @@ def run(picture: Path) -> int:
             friction=Friction(SPHERE.mu, (SPHERE.shift, 0)),
         )
         milliseconds = 1000 * (time.perf_counter() - began)
-        how = "in this process" if client.endpoint == "local" else "by a daemon of its own"
+        how = "in this process" if client.endpoint == "local" else "by a private daemon"
     print(f"contactd {__version__}: a sphere of {SPHERE.radius:g} mm pressed {SPHERE.approach:g} mm into a plane, and shifted.")
     print(f"{GRID.nx} x {GRID.ny} elements, solved {how} in {milliseconds:.0f} ms.\n")
     print(f"{'':24}{'contactd':>12}{'closed form':>14}")
@@ -64,10 +64,10 @@ def run(picture: Path) -> int:
 def main() -> int:
     """Reads the command line."""
     parser = argparse.ArgumentParser(prog="python -m contactd.demo", description=(__doc__ or "").split("\n\n")[0])
-    parser.add_argument("picture", nargs="?", type=Path, default=Path("contactd-demo.png"), help="where it goes: PNG, PDF or SVG (contactd-demo.png)")
+    parser.add_argument("picture", nargs="?", type=Path, default=Path("contactd-demo.png"), help="output file: PNG, PDF or SVG (contactd-demo.png)")
     picture = parser.parse_args().picture
     if picture.suffix.lower() not in _ENDINGS or picture.is_dir():
-        parser.error(f"{picture}: the name of a picture ends in {', '.join(_ENDINGS)}")
+        parser.error(f"{picture}: the name of a picture must end in {', '.join(_ENDINGS)}")
     try:
         status = run(picture)
         sys.stdout.flush()

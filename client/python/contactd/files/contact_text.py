@@ -122,14 +122,14 @@ class _Reader:
             rows[block] = self._read_block(nx, iy, dx)
         self._expect_end()
         if self._modulus is None:
-            raise TableFileError("G is missing; the text does not tell by which modulus its values are multiplied")
+            raise TableFileError("G is missing; the text does not contain the modulus by which its values are multiplied")
         array = self._symmetric_part(rows, nx, ny, tolerance)
         array /= self._modulus
         return array, dx, dy, self._modulus
 
     def _next(self, requested: str) -> str:
         if self._at == len(self._lines):
-            _fail(self._at + 1, f"is missing; it must hold {requested}")
+            _fail(self._at + 1, f"is missing; it must contain {requested}")
         self._at += 1
         return self._lines[self._at - 1]
 
@@ -143,7 +143,7 @@ class _Reader:
     def _whole(self, words: Sequence[str], n: int, requested: str) -> int:
         value = _number(words[n]) if n < len(words) else None
         if value is None or not value.is_integer():
-            _fail(self._at, f"holds {_shown(words, n)}; it must hold the {requested}")
+            _fail(self._at, f"contains {_shown(words, n)}; it must contain the {requested}")
         return int(value)
 
     def _read_kind(self) -> None:
@@ -155,7 +155,7 @@ class _Reader:
         if tables != 1:
             _fail(
                 self._at,
-                f"announces {tables} tables, one for each row of elements; only one that serves every row can be read",
+                f"announces {tables} tables, one for each row of elements; only a single table for all rows is supported",
             )
         if not 0 <= convex <= 2:
             _fail(self._at, f"names the convex body {convex}; it must be 1 or 2")
@@ -167,7 +167,7 @@ class _Reader:
             if value != constant:
                 _fail(
                     self._at,
-                    f"holds {value} where the {name} must have {constant}; no other kind of file can be read",
+                    f"contains {value} where the {name} must have {constant}; other kinds of files are not supported",
                 )
 
     def _read_extent(self) -> tuple[int, int, float, float]:
@@ -183,17 +183,17 @@ class _Reader:
         for n in (2, 3):
             size = _number(words[n]) if n < len(words) else None
             if size is None or size <= 0:
-                _fail(self._at, f"holds {_shown(words, n)}; it must hold the {requested}, the sizes positive")
+                _fail(self._at, f"contains {_shown(words, n)}; it must contain the {requested}, and the sizes must be positive")
             sizes.append(size)
         needed, there = (2 * ny - 1) * (nx + 2), len(self._lines) - self._at
         if there < needed:
-            _fail(self._at, f"announces {nx} x {ny} offsets, for which {needed} lines must follow; there are {there}")
+            _fail(self._at, f"announces {nx} x {ny} offsets, for which {needed} lines must follow, but there are {there}")
         return nx, ny, sizes[0], sizes[1]
 
     def _skip_comment(self, iy: int, dy: float) -> None:
         line = self._next("a comment")
         if len(_words(line)) >= _ROW:
-            _fail(self._at, "holds numbers; it must be one of the two comment lines before each y offset")
+            _fail(self._at, "contains numbers; it must be one of the two comment lines before each y offset")
         _, mark, rest = line.partition(_MARK)
         if mark:
             self._take_modulus(_words(rest))
@@ -204,9 +204,9 @@ class _Reader:
         """Reads the modulus from our own comments, which must agree. The caller's modulus takes precedence."""
         reported = _number(words[0]) if words else None
         if reported is None or reported <= 0:
-            _fail(self._at, 'does not tell the modulus behind "times G ="')
+            _fail(self._at, 'does not give the modulus after "times G ="')
         if self._reported not in (None, reported):
-            _fail(self._at, f"tells the modulus {reported:.17g}; the comments before tell {self._reported:.17g}")
+            _fail(self._at, f"gives the modulus {reported:.17g}, but earlier comments give {self._reported:.17g}")
         self._reported = reported
         if self._modulus is None:
             self._modulus = reported
@@ -246,21 +246,21 @@ class _Reader:
         if len(words) != _ROW:
             _fail(
                 number,
-                f"holds {len(words)} numbers; it must hold eleven, ix x Czz Czx Czy Cxz Cxx Cxy Cyz Cyx Cyy of the "
+                f"contains {len(words)} numbers; it must contain eleven, ix x Czz Czx Czy Cxz Cxx Cxy Cyz Cyx Cyy of the "
                 f"offset {offset}",
             )
         values: list[float] = []
         for at, word in enumerate(words):
             value = _number(word)
             if value is None:
-                _fail(number, f"holds {_shown(words, at)}; it must be a finite number")
+                _fail(number, f"contains {_shown(words, at)}; it must be a finite number")
             values.append(value)
         return values
 
     def _expect_end(self) -> None:
         for number, line in enumerate(self._lines[self._at :], self._at + 1):
             if _words(line):
-                _fail(number, "stands behind the last y offset; the fourth line of the header says where that is")
+                _fail(number, "follows the last y offset, which the fourth line of the header gives")
 
     def _line_of(self, nx: int, ny: int, k: int, iy: int) -> int:
         """Returns the line number of an offset, counted from the last one of the blocks."""
@@ -281,7 +281,7 @@ class _Reader:
             if len(wrong):
                 l, k = (int(index) for index in wrong[0])
                 name = f"C{'xyz'[i]}{'xyz'[j]}"
-                why = ", as contactd's tables are of bodies symmetric in x and y"
+                why = ", because contactd's tables are those of bodies symmetric in x and y"
                 if k == 0 and along_x < 0:
                     must = "it must vanish at ix = 0"
                 elif l == 0:
@@ -289,7 +289,7 @@ class _Reader:
                 else:
                     other = self._line_of(nx, ny, k, -l)
                     sign = "minus " if along_y < 0 else ""
-                    must = f"it must be {sign}what line {other} has for the opposite y offset, {minus[l, k, n]:.17g}"
+                    must = f"it must be {sign}the value of line {other} for the opposite y offset, {minus[l, k, n]:.17g}"
                 _fail(self._line_of(nx, ny, k, l), f"has {plus[l, k, n]:.17g} for {name}; {must}{why}")
             array[i, j] = part
         return array

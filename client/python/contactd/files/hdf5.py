@@ -16,7 +16,7 @@ def own_members(h5py: Any, group: Any) -> Iterator[tuple[str, Any]]:
     """
     for name in group:
         if not isinstance(group.get(name, getlink=True), h5py.HardLink):
-            raise ValueError(f"{name} is a link to somewhere else; these files have none")
+            raise ValueError(f"{name} is an external or soft link, which these files must not contain")
         if group.get(name, getclass=True) not in (h5py.Dataset, h5py.Group):
             raise ValueError(f"{name} is neither a dataset nor a group")
         yield name, group[name]

@@ -37,7 +37,7 @@ def read_apart(read: Callable[[bytes], Any], content: bytes) -> Any:
     contactd. Raises ContactdError if there is no Python program to run.
     """
     if not sys.executable:
-        raise ContactdError("HDF5 files are read by a Python program of its own, and sys.executable names none")
+        raise ContactdError("HDF5 files are read by a separate Python program, but sys.executable is not set")
     seconds = SECONDS + len(content) / _BYTES_A_SECOND
     command = [sys.executable, "-c", _PROGRAM, read.__module__, read.__qualname__, str(seconds), *sys.path]
     # Threads of linear algebra are not needed, but would reserve memory.
@@ -47,11 +47,11 @@ def read_apart(read: Callable[[bytes], Any], content: bytes) -> Any:
     except subprocess.TimeoutExpired:
         raise ValueError(_too_long(seconds)) from None
     except OSError as error:
-        raise ContactdError(f"HDF5 files are read by a Python program of its own, which cannot be started: {error}") from None
+        raise ContactdError(f"HDF5 files are read by a separate Python program, which cannot be started: {error}") from None
     if ended.returncode < 0:
         if -ended.returncode in (signal.SIGXCPU, signal.SIGKILL):
             raise ValueError(_too_long(seconds))
-        raise ValueError(f"it ends the library of HDF5 by the signal {signal.Signals(-ended.returncode).name}")
+        raise ValueError(f"the HDF5 library crashes while reading it, by the signal {signal.Signals(-ended.returncode).name}")
     if ended.returncode > 0:
         last = ended.stderr.decode("utf-8", "replace").strip().rpartition("\n")[2]
         raise ContactdError(f"The Python program that reads HDF5 files failed: {last[:300]}")
@@ -59,7 +59,7 @@ def read_apart(read: Callable[[bytes], Any], content: bytes) -> Any:
 
 
 def _too_long(seconds: float) -> str:
-    return f"reading it takes longer than {seconds:.0f} s, which no file of contactd does"
+    return f"reading it takes longer than {seconds:.0f} s, longer than any file of contactd"
 
 
 def _unpacked(answer: bytes) -> Any:
@@ -97,7 +97,7 @@ def _packed(value: Any) -> bytes:
 
 def _archive(reported: Any, arrays: dict[str, np.ndarray[Any, Any]]) -> bytes:
     if strange := {str(array.dtype) for array in arrays.values() if array.dtype.kind not in "fiub"}:
-        raise ValueError(f"it holds arrays of {', '.join(sorted(strange))}; those of contactd are of numbers")
+        raise ValueError(f"it contains arrays of {', '.join(sorted(strange))}; arrays of contactd contain numbers")
     file = io.BytesIO()
     members: dict[str, Any] = {_REPORTED: np.frombuffer(json.dumps(reported).encode(), np.uint8), **arrays}
     np.savez(file, **members)

@@ -77,7 +77,7 @@ def contents_of_image(image: bytes) -> dict[str, Any]:
     except TableFileError:
         raise
     except (OSError, KeyError, ValueError, TypeError, IndexError, RuntimeError, OverflowError) as error:
-        raise TableFileError(f"this is no IC file that this version can read: {error}") from None
+        raise TableFileError(f"this is not an IC file that this version can read: {error}") from None
     return {"attributes": found.attributes, "datasets": found.datasets}
 
 
@@ -85,10 +85,10 @@ def _check_digest(name: str, content: bytes) -> None:
     head = content[:_USER_BLOCK]
     magic = _MAGIC.match(head)
     if magic is not None and int(magic[1]) > 1:
-        raise TableFileError(f"{name} was written by a newer contactd")
+        raise TableFileError(f"{name} was written by a newer version of contactd")
     _, mark, rest = head.partition(_DIGEST)
     if magic is None or not mark or len(content) <= _USER_BLOCK:
-        raise TableFileError(f"{name} is no IC file of contactd, or its beginning is lost")
+        raise TableFileError(f"{name} is not an IC file of contactd, or its beginning is lost")
     if hashlib.sha256(content[_USER_BLOCK:]).hexdigest().encode() != rest[:64]:
         raise TableFileError(f"{name} is damaged: it does not match its digest")
 
@@ -129,45 +129,45 @@ class _Reader:
     def read(self, file: Any) -> FileContents:
         number = self._value(file.attrs.get_id("contactd_format"), "contactd_format") if "contactd_format" in file.attrs else None
         if number != _FORMAT:  # first, because another format may contain anything
-            raise TableFileError(f"it has another format than {_FORMAT}, which this version reads")
+            raise TableFileError(f"its format differs from {_FORMAT}, which this version reads")
         self._group(file, "", 0)
         return self._found
 
     def _group(self, group: Any, prefix: str, depth: int) -> None:
         self._attributes(group, prefix)
         if len(group) > _MOST_LINKS:
-            raise TableFileError(f"{prefix or 'the file'} has more links than any group of these files")
+            raise TableFileError(f"{prefix or 'the file'} has more links than these files use")
         for name, member in own_members(self._h5py, group):
             path = prefix + name
             if not _PATH.fullmatch(path) or len(path) > _LONGEST_PATH:
-                raise TableFileError(f"{path[:100]!r} is no name in these files")
+                raise TableFileError(f"{path[:100]!r} is not a name in these files")
             self._take(len(name), path)
             if isinstance(member, self._h5py.Dataset):
                 self._dataset(member, path)
             elif depth < _DEEPEST:
                 self._group(member, path + "/", depth + 1)
             else:
-                raise TableFileError(f"{path} lies too deep")
+                raise TableFileError(f"{path} is nested too deeply")
 
     def _dataset(self, dataset: Any, path: str) -> None:
         plist, low = dataset.id.get_create_plist(), dataset.id
         if len(self._found.datasets) == _MOST_DATASETS:
-            raise TableFileError(f"{path} is one dataset too many")
+            raise TableFileError(f"{path} exceeds the largest number of datasets")
         if not has_own_data(self._h5py, dataset):
-            raise TableFileError(f"{path} keeps its data in other files")
+            raise TableFileError(f"{path} stores its data in other files")
         if plist.get_layout() != self._h5py.h5d.CONTIGUOUS or plist.get_nfilters() != 0:
-            raise TableFileError(f"{path} has chunks, filters or parts elsewhere; datasets of these files are one piece")
+            raise TableFileError(f"{path} is not stored contiguously; chunks, filters and external parts are not supported")
         if not low.get_type().equal(self._h5py.h5t.IEEE_F64LE):
-            raise TableFileError(f"{path} does not hold doubles")
+            raise TableFileError(f"{path} does not contain doubles")
         shape = dataset.shape
         if not shape or len(shape) > _MOST_AXES or min(shape) < 1:
-            raise TableFileError(f"{path} has a shape that none of these files has")
+            raise TableFileError(f"{path} has a shape that these files do not use")
         size = 8
         for extent in shape:
             size *= extent
         offset = low.get_offset()
         if offset is None or low.get_storage_size() != size or offset + size > self._size:
-            raise TableFileError(f"{path} was never written, or has a shape that the file has no room for")
+            raise TableFileError(f"{path} was not written, or has a shape larger than the file")
         self._take(size, path)
         self._attributes(dataset, path + "/")
         self._found.datasets[path] = np.asarray(dataset[()], dtype=np.float64)
@@ -178,21 +178,21 @@ class _Reader:
             attribute = self._h5py.h5a.open(at.id, index=index)
             path = prefix + attribute.name.decode("utf-8", "replace")
             if len(self._found.attributes) == _MOST_ATTRIBUTES or not _PATH.fullmatch(path) or len(path) > _LONGEST_PATH:
-                raise TableFileError(f"{path[:100]!r} is no attribute of these files, or one too many")
+                raise TableFileError(f"{path[:100]!r} is not an attribute of these files, or exceeds their largest number")
             self._found.attributes[path] = self._value(attribute, path)
 
     def _value(self, attribute: Any, path: str) -> Value:
         shape, kind = attribute.shape, attribute.get_type()
         if attribute.get_space().get_simple_extent_type() == self._h5py.h5s.NULL or len(shape) > 1:
-            raise TableFileError(f"{path} has no value, or one of too many axes")
+            raise TableFileError(f"{path} has no value, or a value with too many axes")
         count = shape[0] if shape else 1
         if not 1 <= count <= _LONGEST_LIST:
-            raise TableFileError(f"{path} is an empty list, or too long a one")
+            raise TableFileError(f"{path} is a list that is empty or too long")
         self._take(8 * count, path)
         is_text = isinstance(kind, self._h5py.h5t.TypeStringID) and kind.is_variable_str()
         is_number = kind.equal(self._h5py.h5t.IEEE_F64LE) or (not shape and kind.equal(self._h5py.h5t.STD_I64LE))
         if not (is_text or is_number) or (is_text and count > _MOST_TEXTS):
-            raise TableFileError(f"{path} is neither a number, a text, nor a list of them as these files have them")
+            raise TableFileError(f"{path} is neither a number, a string, nor a supported list of them")
         values = np.empty(shape, dtype=kind.dtype)
         attribute.read(values)
         if not is_text:
@@ -203,14 +203,14 @@ class _Reader:
 
     def _text(self, value: Any, path: str) -> str:
         if not isinstance(value, bytes | str):
-            raise TableFileError(f"{path} is a text that was never written")
+            raise TableFileError(f"{path} is a string that was not written")
         text = value if isinstance(value, str) else value.decode("utf-8", "replace")
         if len(text) > _LONGEST_TEXT:
-            raise TableFileError(f"{path} is too long a text")
+            raise TableFileError(f"{path} is a string that is too long")
         self._take(len(text), path)
         return text
 
     def _take(self, size: int, path: str) -> None:
         if size > self._left:
-            raise TableFileError(f"{path} is more than the file has room for")
+            raise TableFileError(f"{path} exceeds the size of the file")
         self._left -= size

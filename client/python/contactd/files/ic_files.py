@@ -57,9 +57,9 @@ def imported_contents(path: str | os.PathLike[str]) -> FileContents:
     contents = contents_of(read_whole(path, MOST_BYTES), os.fspath(path))
     warnings = contents.attributes.get("evidence/warnings", [])
     if not isinstance(warnings, list):
-        raise TableFileError(f"{os.fspath(path)}: evidence/warnings is no list")
+        raise TableFileError(f"{os.fspath(path)}: evidence/warnings is not a list")
     kept = [str(warning) for warning in warnings if not str(warning).startswith(_IMPORTED)]
-    sentence = f"{_IMPORTED}; that its numbers are those of its builder nobody has checked."
+    sentence = f"{_IMPORTED}. Its numbers have not been verified."
     contents.attributes |= {"evidence/imported": 1, "evidence/warnings": [*kept, sentence]}
     return contents
 
@@ -73,17 +73,17 @@ def _read(path: str | os.PathLike[str], read: Callable[[FileContents, str], T]) 
     except (KeyError, ValueError, TypeError, IndexError) as error:
         if isinstance(error, TableFileError):
             raise
-        raise TableFileError(f"{name} is no IC file that this version can read: {error}") from None
+        raise TableFileError(f"{name} is not an IC file that this version can read: {error}") from None
 
 
 def _table(file: FileContents, name: str) -> IcTable:
     spec = file.at("spec")
     if spec.get("any_nu"):
-        raise TableFileError(f"{name} holds a family of tables; ask the daemon for the one of a material (export_ic)")
+        raise TableFileError(f"{name} contains a family of tables; request the table of one material from the daemon (export_ic)")
     is_uniform = spec.get("body") == "longitudinally_uniform"
     if is_uniform and "influence_coefficients" not in file.datasets:
         raise TableFileError(
-            f"{name} holds the transform of a longitudinally uniform body; give it to a daemon (import_ic), which makes tables of it"
+            f"{name} contains the transform of a longitudinally uniform body; import it into a daemon (import_ic), which computes tables from it"
         )
     array = file.datasets["influence_coefficients"]
     if array.ndim != 4 + is_uniform or array.shape[:2] != (3, 3):
@@ -102,14 +102,14 @@ def _table(file: FileContents, name: str) -> IcTable:
 def _stored_extent(file: FileContents, name: str) -> tuple[int, int]:
     spec = file.at("spec")
     if "dx" in spec:
-        raise TableFileError(f"{name} is in mm^3/N, as ic.export writes it; a store's files are for dx = 1 and G = 1")
+        raise TableFileError(f"{name} is in mm^3/N, as written by ic.export, but files of a store are for dx = 1 and G = 1")
     if spec.get("body") != "longitudinally_uniform":
         ny, nx = file.datasets["influence_coefficients"].shape[2:]
         return ny, nx
     transform, columns = file.datasets["transform"], len(file.datasets["frames"])
     pairs = 3 * columns * (3 * columns + 1) // 2
     if columns < 1 or transform.ndim != 2 or transform.shape[1] != pairs or not np.isfinite(transform).all():
-        raise TableFileError(f"{name} holds no transform of {columns} columns: of {pairs} finite numbers for each wavenumber")
+        raise TableFileError(f"{name} contains no transform of {columns} columns, with {pairs} finite numbers for each wavenumber")
     return columns, _MOST_ELEMENTS // columns
 
 

@@ -41,9 +41,9 @@ def rows_of(text: str) -> list[list[float]]:
             if not rows and all(number_in(word) is None and word for word in words):
                 continue
             wrong = next(word for word in words if number_in(word) is None)
-            raise ValueError(f"line {number} has {wrong[:40]!r} in the place of a number")
+            raise ValueError(f"line {number} has {wrong[:40]!r} instead of a number")
         if rows and len(values) != len(rows[0]):
-            raise ValueError(f"line {number} has {len(values)} numbers, and the first {len(rows[0])}")
+            raise ValueError(f"line {number} has {len(values)} numbers, but the first has {len(rows[0])}")
         rows.append(values)
     if not rows:
         raise ValueError("it has none")
@@ -72,14 +72,14 @@ def table_of(text: str) -> tuple[list[str], list[tuple[int, list[str]]]]:
             _check(names, number)
             continue
         if len(cells) != len(names):
-            raise ValueError(f"line {number} has {len(cells)} columns, and the first {len(names)}")
+            raise ValueError(f"line {number} has {len(cells)} columns, but the first has {len(names)}")
         rows.append((number, [cell.strip() if between == "," else cell.strip().replace(",", ".") for cell in cells]))
     return names, rows
 
 
 def _check(names: list[str], line: int) -> None:
     if number := next((name for name in names if number_in(name.replace(",", ".")) is not None), None):
-        raise ValueError(f"line {line} has the number {number:.40} in place of the name of a column; put a line with the names of all columns above")
+        raise ValueError(f"line {line} has the number {number:.40} instead of the name of a column; add a line with the names of all columns at the top")
     if "" in names:
         raise ValueError(f"line {line} has no name for column {names.index('') + 1}")
     if doubled := next((name for name, count in Counter(names).items() if count > 1), None):
@@ -89,7 +89,7 @@ def _check(names: list[str], line: int) -> None:
 def _problem_of(line: str, between: str) -> str:
     longest = max(map(len, line.split(between)))
     if longest > csv.field_size_limit():
-        return f"has a cell of {longest} characters; a cell has a number or a short text"
+        return f"has a cell of {longest} characters; a cell must contain a number or a short text"
     return "has quotation marks that do not enclose a cell as a whole"
 
 

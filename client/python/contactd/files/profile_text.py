@@ -26,7 +26,7 @@ def read_profile_text(path: str | os.PathLike[str]) -> bytes:
     """
     content = read_whole(path, _MOST_BYTES)
     if not content:
-        raise invalid("file", f"= {os.fspath(path)}: the file is empty. Name a file with the points of a profile, y and z")
+        raise invalid("file", f"= {os.fspath(path)}: the file is empty. Give a file with the points of a profile, y and z")
     return content
 
 

@@ -23,5 +23,5 @@ def check_within(path: str | os.PathLike[str], folders: Iterable[str | os.PathLi
         top = os.path.realpath(folder)
         if place == top or place.startswith(top.rstrip(os.sep) + os.sep):
             return
-    problem = "it lies outside of the folder of the file that names it; allow its folder by --allow-folder, in Python by allow_folders"
+    problem = "it is outside the folder of the file that names it; allow its folder with --allow-folder, in Python with allow_folders"
     raise OSError(errno.EACCES, problem, os.fspath(path))

@@ -34,7 +34,7 @@ def save(path: PathLike, value: Saved) -> None:
     The file is first written under another name, so it is never incomplete.
     """
     if not isinstance(value, Saved):
-        raise TypeError(f"{value!r:.80} is a {type(value).__name__}; save() takes a problem, a solution or the like")
+        raise TypeError(f"{value!r:.80} is a {type(value).__name__}; save() accepts problems, solutions and similar values")
     content = io.BytesIO()
     with _h5py().File(content, "w") as file:
         file.attrs["contactd_saved"] = _FORMAT
@@ -58,7 +58,7 @@ def load(path: PathLike) -> Any:
     try:
         return from_dict(_protect(reported))
     except ValueError as error:
-        raise SavedFileError(f"{name} holds nothing that can be loaded: {error}") from None
+        raise SavedFileError(f"{name} contains nothing that can be loaded: {error}") from None
 
 
 def content_of(content: bytes) -> Any:
@@ -73,11 +73,11 @@ def content_of(content: bytes) -> Any:
             if found == _FORMAT and is_here:
                 return _read(file["value"], _LARGEST_GAIN * len(content))
     except (OSError, KeyError, ValueError, RuntimeError) as error:
-        raise ValueError(f"it holds nothing that can be loaded: {error}") from None
+        raise ValueError(f"it contains nothing that can be loaded: {error}") from None
     if found == _FORMAT:
-        raise ValueError("it has its value somewhere else; save() writes files that have all in them")
+        raise ValueError("its value is in another file, but files of save() contain everything")
     other = "of contactd's problems and solutions" if found is None else f"of format {_FORMAT} but {found}"
-    raise ValueError(f"it is no file {other}; Client.export_ic's are read by load_table")
+    raise ValueError(f"it is not a file {other}; read files of Client.export_ic with load_table")
 
 
 def _h5py() -> Any:
@@ -125,7 +125,7 @@ def _read(group: Any, most_bytes: int) -> Any:
         if isinstance(member, h5py.Group):
             found[name] = _read(member, most_bytes)
         elif not has_own_data(h5py, member) or member.nbytes > most_bytes:
-            raise ValueError(f"{name} keeps its data in other files, or is larger than this file can have packed")
+            raise ValueError(f"{name} stores its data in other files, or is larger than this file can contain")
         else:
             found[name] = member[()]
     if group.attrs[_GROUP] == "sequence":

@@ -42,7 +42,7 @@ def save_table(path: PathLike, table: IcTable | TableIcs, *, G: float | None = N
     suffix = _suffix(path)
     if isinstance(table, IcTable) and table.frames is not None and suffix == ".txt":
         raise ValueError(
-            f"{os.fspath(path)!r} would be a text of offsets along x and y, and a longitudinally uniform body has columns: take .npz"
+            f"{os.fspath(path)!r} would be a text of offsets along x and y, but a longitudinally uniform body has columns: use .npz"
         )
     if suffix == ".npz":
         return write_whole(path, lambda file: np.savez(file, **_members(table)))
@@ -77,7 +77,7 @@ def load_table(path: PathLike, *, G: float | None = None) -> IcTable | TableIcs:
 def _suffix(path: PathLike) -> str:
     suffix = Path(path).suffix.lower()
     if suffix not in (".npz", ".txt", ".h5"):
-        raise ValueError(f"{os.fspath(path)!r} must end in .npz, .txt or .h5, which says what the file is.")
+        raise ValueError(f"{os.fspath(path)!r} must end in .npz, .txt or .h5, which determines the format.")
     return suffix
 
 
@@ -97,19 +97,19 @@ def _read_npz(path: PathLike) -> IcTable | TableIcs:
     try:
         members = {} if content.getvalue().startswith(_ONE_ARRAY) else arrays_of(content)
     except Exception:  # zipfile and numpy may raise any exception for a damaged archive.
-        raise TableFileError(f"{name} is no archive of numpy, or damaged; save_table writes one that can be read") from None
+        raise TableFileError(f"{name} is not an archive of numpy, or is damaged; use a file of save_table") from None
     array = members.get("array")
     frames = members.get("frames")
     shape = "[3, 3, ny, nx]" if frames is None else "[3, 3, ny, ny, nx], with frames"
     if array is None or array.dtype.kind != "f" or array.ndim != 4 + (frames is not None) or array.shape[:2] != (3, 3):
-        raise TableFileError(f'{name} holds no table; there must be an array "array" of shape {shape}')
+        raise TableFileError(f'{name} contains no table; it must have an array "array" of shape {shape}')
     if "pair" in members:
         pair = _json(members, "pair", name)
         try:
             dx, dy, G = float(pair["dx"]), float(pair["dy"]), pair.get("G")
             G = None if G is None else float(G)
         except (KeyError, TypeError, ValueError, AttributeError):
-            raise TableFileError(f'{name}: "pair" must hold dx and dy, and G or null') from None
+            raise TableFileError(f'{name}: "pair" must contain dx and dy, and G or null') from None
         try:
             return TableIcs(array, dx, dy, G)
         except ValueError as error:
@@ -120,7 +120,7 @@ def _read_npz(path: PathLike) -> IcTable | TableIcs:
     except ProtocolError as error:
         raise TableFileError(f"{name}: {str(error).replace('answer', 'file')}") from None
     if array.shape[-2:] != spec.grid.shape or (frames is not None and array.shape[2] != spec.grid.ny):
-        raise TableFileError(f"{name}: array has shape {list(array.shape)}; spec.grid says {list(spec.grid.shape)}")
+        raise TableFileError(f"{name}: array has shape {list(array.shape)}; spec.grid requires {list(spec.grid.shape)}")
     if frames is not None and (frames.dtype.kind != "f" or frames.shape != (spec.grid.ny, 3) or not np.isfinite(frames).all()):
         raise TableFileError(f'{name}: "frames" must be finite and of shape [ny, 3], ny = {spec.grid.ny}')
     _check(array, spec, name)
@@ -143,8 +143,8 @@ def _check(array: np.ndarray[Any, Any], spec: IcSpec, name: str) -> None:
 
 def _json(members: dict[str, Any], member: str, name: str) -> Any:
     if member not in members:
-        raise TableFileError(f'{name} lacks "{member}", JSON that says what the array is')
+        raise TableFileError(f'{name} lacks "{member}", JSON that describes the array')
     try:
         return json.loads(str(members[member]))
     except ValueError:
-        raise TableFileError(f'{name}: "{member}" is no JSON') from None
+        raise TableFileError(f'{name}: "{member}" is not JSON') from None

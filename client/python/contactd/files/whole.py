@@ -36,7 +36,7 @@ def read_whole(path: str | os.PathLike[str], most: int) -> bytes:
         # Opening a named pipe could also wait.
         opened = os.open(name, os.O_RDONLY | _OPENED)
     except ValueError:  # The name contains a null character.
-        raise OSError(errno.EINVAL, "this is no name of a file", name) from None
+        raise OSError(errno.EINVAL, "this is not the name of a file", name) from None
     try:
         status = os.fstat(opened)
         if stat.S_ISDIR(status.st_mode):
@@ -58,10 +58,10 @@ def read_whole(path: str | os.PathLike[str], most: int) -> bytes:
                 pieces.append(piece)
                 size, requested = sum(map(len, pieces)), _PIECE
         if size > most:
-            raise OSError(errno.EFBIG, f"it has {size} bytes or more; at most {most} are read", name)
+            raise OSError(errno.EFBIG, f"it has {size} bytes or more, but at most {most} are read", name)
         return b"".join(pieces)
     except MemoryError:
-        raise OSError(errno.ENOMEM, f"it has {size} bytes or more, and memory has no room for them", name) from None
+        raise OSError(errno.ENOMEM, f"it has {size} bytes or more, which do not fit into memory", name) from None
 
 
 def _piece(file: IO[bytes], count: int, name: str) -> bytes:
@@ -89,19 +89,19 @@ def check_npy(file: IO[bytes], size: int, kinds: str = "fiub") -> None:
     npy: Any = np.lib.format
     version = npy.read_magic(file)
     if version not in ((1, 0), (2, 0)):
-        raise ValueError(f"it has the version {version[0]}.{version[1]}, which is that of no array of numbers")
+        raise ValueError(f"it has the version {version[0]}.{version[1]}, which arrays of numbers do not use")
     read = npy.read_array_header_1_0 if version == (1, 0) else npy.read_array_header_2_0
     try:
         shape, _, dtype = read(file)
     except Exception:  # numpy and Python's parser may raise any exception.
-        raise ValueError("its header is none of numpy's") from None
+        raise ValueError("its header is not one of numpy") from None
     if dtype.kind not in kinds:
-        raise ValueError(f"its type is {dtype}; it must be one of real numbers")
+        raise ValueError(f"its type is {dtype}; it must be a type of real numbers")
     if any(extent < 0 for extent in shape):
-        raise ValueError(f"its header says the shape {list(shape)}")
+        raise ValueError(f"its header has the invalid shape {list(shape)}")
     promised, there = math.prod(shape) * dtype.itemsize, size - file.tell()
     if promised != there:
-        raise ValueError(f"its header says {promised} bytes of shape {list(shape)}, and {there} follow")
+        raise ValueError(f"its header announces {promised} bytes of shape {list(shape)}, but {there} follow")
 
 
 def arrays_of(archive: IO[bytes]) -> dict[str, np.ndarray[Any, Any]]:
@@ -115,7 +115,7 @@ def arrays_of(archive: IO[bytes]) -> dict[str, np.ndarray[Any, Any]]:
     with zipfile.ZipFile(archive) as opened:
         members = opened.infolist()
         if sum(member.file_size for member in members) > 1_000_000 + 100 * size:
-            raise ValueError("it would take more than a hundred times its size")
+            raise ValueError("it would need more than a hundred times its size")
         for member in members:
             with opened.open(member) as file:
                 check_npy(file, member.file_size, "fiubU")

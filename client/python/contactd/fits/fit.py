@@ -83,7 +83,7 @@ def fit(
     check_type("problem", problem, ContactProblem, Mapping)
     params = problem_params(problem) if isinstance(problem, ContactProblem) else dict(problem)
     if "setup" in params:
-        raise invalid("problem", "has setup, as wheelrail.solve takes it; a curve is fitted by one contact, as of contact.solve")
+        raise invalid("problem", "has setup, as for wheelrail.solve, but a curve is fitted with a single contact, as for contact.solve")
     points = MeasuredCurve.of(creepage, measured, uncertainty)
     fields = varied(parameters, start or {}, params)
     response = Response.of(by, force, quantity)
@@ -113,7 +113,7 @@ def _check(
     fields: list[VariedParameter], points: MeasuredCurve, response: Response, confidence: float, starts: int | None, most: int
 ) -> None:  # fmt: skip
     if len(points.creepage) < len(fields):
-        raise invalid("measured", f"has {len(points.creepage)} points for {len(fields)} parameters; there must be as many at least")
+        raise invalid("measured", f"has {len(points.creepage)} points for {len(fields)} parameters; give at least as many points as parameters")
     if not 0 < confidence < 1:
         raise ValueError(f"confidence is {confidence}; it must be between 0 and 1, such as 0.95")
     if starts is not None and (not isinstance(starts, int) or starts < 1):
@@ -121,7 +121,7 @@ def _check(
     if not isinstance(most, int) or most < 1:
         raise ValueError(f"max_evaluations is {most!r}; it must be a whole number, 1 or more")
     if any(one.path == response.by for one in fields):
-        raise invalid("parameters", f"has {response.by}, which is the creepage of the curve")
+        raise invalid("parameters", f"has {response.by}, which is the creepage of the curve and cannot be fitted")
 
 
 def _made(
@@ -131,14 +131,14 @@ def _made(
     values = search.values(found.places)
     computed, sentences = curves.curve_with_warnings(values, points.creepage)
     if not np.all(np.isfinite(computed)):
-        raise FitFailed(f"The curve of the values found cannot be computed again: {curves.trouble}")
+        raise FitFailed(f"The curve of the fitted values cannot be recomputed: {curves.trouble}")
     residuals = points.residuals(computed)
     certainty = certainty_of(fields, found.places, found.jacobian * points.weight[:, None], residuals, confidence)
     own = [*certainty.sentences, *unlikely_forces(points, response, curves.problem(values))]
     if not found.converged:
         own.insert(0, f"The search did not converge: {found.reason}.")
     if found.trouble:
-        own.append(f"Curves on the way could not be computed, and the search turned back there: {found.trouble}.")
+        own.append(f"Some curves could not be computed, and the search avoided them: {found.trouble}.")
     return Fit(
         parameters=tuple(_parameter(index, fields, found, certainty) for index in range(len(fields))),
         correlation=certainty.correlation(), creepage=points.creepage, measured=points.value, computed=computed,

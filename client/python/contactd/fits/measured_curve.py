@@ -32,20 +32,20 @@ class MeasuredCurve:
         """Creates the curve. Raises InvalidArgument for invalid values."""
         x, value = _numbers(creepage, "creepage"), _numbers(measured, "measured")
         if len(x) != len(value):
-            raise invalid("measured", f"has {len(value)} values, and creepage {len(x)}; they must be as many")
+            raise invalid("measured", f"has {len(value)} values, but creepage has {len(x)}; their numbers must be equal")
         scale = float(np.max(np.abs(value)))
         if scale == 0:
-            raise invalid("measured", "is zero everywhere; there is nothing to be fitted")
+            raise invalid("measured", "is zero everywhere, so there is nothing to fit")
         if float(np.sum(x * value)) < 0:
             raise invalid(
                 "measured",
-                "is negative where the creepage is positive; give it as a coefficient of traction, positive against the slip",
+                "is negative where the creepage is positive; give it as a traction coefficient, positive against the slip",
             )
         if uncertainty is None:
             return MeasuredCurve(x, value, np.full(len(x), 1 / scale))
         sigma = _numbers(uncertainty, "uncertainty")
         if len(sigma) != len(x):
-            raise invalid("uncertainty", f"has {len(sigma)} values, and creepage {len(x)}; they must be as many")
+            raise invalid("uncertainty", f"has {len(sigma)} values, but creepage has {len(x)}; their numbers must be equal")
         if not np.all(sigma > 0):
             index = int(np.argmax(sigma <= 0))
             raise invalid(f"uncertainty[{index}]", f"is {sigma[index]:g}; standard uncertainties must be above 0")
@@ -60,7 +60,7 @@ def _numbers(given: npt.ArrayLike, name: str) -> Array:
     try:
         found = np.asarray(given, dtype=float)
     except (TypeError, ValueError):
-        raise invalid(name, "is no list of numbers") from None
+        raise invalid(name, "is not a list of numbers") from None
     if found.ndim != 1 or not len(found):
         raise invalid(name, f"has shape {list(found.shape)}; it must be a list of numbers")
     if not np.all(np.isfinite(found)):

@@ -69,9 +69,9 @@ def varied(
     the bounds. Raises InvalidArgument.
     """
     if not parameters:
-        raise invalid("parameters", "has none; name at least one field with its bounds, such as friction.mu: (0.1, 0.6)")
+        raise invalid("parameters", "is empty; give at least one field with its bounds, such as friction.mu: (0.1, 0.6)")
     if unknown := [path for path in start if path not in parameters]:
-        raise invalid("start", f"has {unknown[0]}, which is none of the parameters {', '.join(parameters)}.{did_you_mean(unknown[0], parameters)}")
+        raise invalid("start", f"has {unknown[0]}, which is not one of the parameters {', '.join(parameters)}.{did_you_mean(unknown[0], parameters)}")
     return [_varied(path, bounds, start.get(path), params) for path, bounds in parameters.items()]
 
 
@@ -79,7 +79,7 @@ def _varied(path: str, bounds: Any, start: float | None, params: Mapping[str, An
     try:
         parts(path)
     except ValueError as error:
-        raise invalid("parameters", f"has a name that is none: {error}") from None
+        raise invalid("parameters", f"has an invalid name: {error}") from None
     try:
         low, high = (float(bound) for bound in bounds)
     except (TypeError, ValueError):
@@ -88,7 +88,7 @@ def _varied(path: str, bounds: Any, start: float | None, params: Mapping[str, An
         raise invalid(f"parameters[{path!r}]", f"is {low:g} to {high:g}; it must be two finite numbers, the lower one first")
     if start is not None:
         if not low <= start <= high:
-            raise invalid(f"start[{path!r}]", f"is {start:g}, outside of its bounds {low:g} to {high:g}")
+            raise invalid(f"start[{path!r}]", f"is {start:g}, outside its bounds {low:g} to {high:g}")
         return VariedParameter(path, low, high, float(start))
     there = get(params, path)
     is_number = isinstance(there, (int, float)) and not isinstance(there, bool)

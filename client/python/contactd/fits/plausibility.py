@@ -23,8 +23,8 @@ def check_coefficients(points: MeasuredCurve, response: Response) -> None:
     if response.is_coefficient and largest > _LARGEST_COEFFICIENT:
         raise invalid(
             "measured",
-            f"reaches {largest:g}, and traction coefficients are below {_LARGEST_COEFFICIENT:g}. For forces in N set quantity to "
-            '"force"; divide coefficients in per cent by 100',
+            f"reaches {largest:g}, but traction coefficients are below {_LARGEST_COEFFICIENT:g}. For forces in N set quantity to "
+            '"force"; divide coefficients in percent by 100',
         )
 
 
@@ -37,6 +37,5 @@ def unlikely_forces(points: MeasuredCurve, response: Response, params: Mapping[s
     if _LEAST_COEFFICIENT * Fn <= largest <= _LARGEST_COEFFICIENT * Fn:
         return []
     return [
-        f"measured reaches {largest:g} N, {largest / Fn:.2g} of the normal force, {Fn:g} N. Forces are in N: not in kN, and no "
-        'coefficients, for which quantity is "coefficient".'
+        f"measured reaches {largest:g} N, {largest / Fn:.2g} of the normal force, {Fn:g} N. Give forces in N, not in kN. For " 'coefficients set quantity to "coefficient".'
     ]

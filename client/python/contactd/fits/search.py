@@ -21,11 +21,11 @@ _STEPS = (1.0, -1.0, 0.25, -0.25)  #: Fractions of the step of differences that 
 _ATTEMPTS = 4  #: Largest number of starts from which the search continues.
 _STUCK = 0.05  #: Cosine between residuals and the change by a parameter, far above errors of differences.
 _REASONS = {
-    0: "the bound of its evaluations was reached",
-    1: "the residuals cannot become smaller in any direction",
-    2: "the sum of squares changes no more",
-    3: "the parameters change no more",
-    4: "sum of squares and parameters change no more",
+    0: "the largest number of evaluations was reached",
+    1: "the residuals do not decrease in any direction",
+    2: "the sum of squares no longer changes",
+    3: "the parameters no longer change",
+    4: "sum of squares and parameters no longer change",
 }
 
 
@@ -98,7 +98,7 @@ class Search:
         trouble, converged = self._curves.trouble, ended.status > 0
         if trouble and converged and self._is_stuck(ended.x, jacobian, ended.fun):
             raise FitFailed(
-                f"The search cannot go on from {self._where(ended.x)}, where no neighbouring curve can be computed: {trouble}. Give "
+                f"The search cannot continue from {self._where(ended.x)}, where no neighbouring curve can be computed: {trouble}. Give "
                 "narrower bounds, another start, or more starts."
             )
         reason = _REASONS.get(int(ended.status), str(ended.message))
@@ -121,7 +121,7 @@ class Search:
             point, index = divmod(int(np.isnan(found).argmax()), len(places))
             raise FitFailed(
                 f"The derivative by {self._parameters[index].path} cannot be computed at creepage {creepage[point]:g}, neither "
-                f"upwards nor downwards: {self._curves.trouble}. Where answers are not unique, narrower bounds help."
+                f"upwards nor downwards: {self._curves.trouble}. If solutions are not unique, give narrower bounds."
             )
         return found
 
@@ -181,7 +181,7 @@ class Search:
         found = self._known_derivatives(places, self._curve.creepage)
         has_all = np.all(np.isfinite(found), axis=1)
         if np.count_nonzero(has_all) < len(places):
-            raise FitFailed(f"The search cannot go on from {self._where(places)}: {self._curves.trouble}.")
+            raise FitFailed(f"The search cannot continue from {self._where(places)}: {self._curves.trouble}.")
         self._is_partial = not np.all(has_all)
         return -np.where(has_all[:, None], found, 0.0) * self._curve.weight[:, None]
 
@@ -200,7 +200,7 @@ class Search:
         if not found:
             raise FitFailed(
                 f"No curve can be computed at the start, {self._where(first)}: {self._curves.trouble}. Give other starts or bounds, "
-                "or leave out points that cannot be computed."
+                "or omit points that cannot be computed."
             ) from self._curves.refusal
         return [place for _, _, place in sorted(found, key=lambda one: one[:2])]
 
@@ -208,7 +208,7 @@ class Search:
 def _spread(count: int, dimensions: int) -> list[Array]:
     """Returns Halton's points, which fill the box more evenly than random points."""
     if dimensions > len(_PRIMES):
-        raise invalid("parameters", f"has {dimensions} fields; at most {len(_PRIMES)} can be fitted")
+        raise invalid("parameters", f"has {dimensions} fields, but at most {len(_PRIMES)} can be fitted")
     return [np.array([_radical_inverse(index + 1, base) for base in _PRIMES[:dimensions]]) for index in range(max(0, count))]
 
 

@@ -83,7 +83,7 @@ def certainty_of(
             covariance[np.ix_(free, free)] = inverse
             sentences += _close_sentences(names, inverse, untold)
         else:
-            sentences.append(f"There are {len(residuals)} points and {int(free.sum())} parameters: nothing is left that tells their errors.")
+            sentences.append(f"There are {len(residuals)} points and {int(free.sum())} parameters, so their errors cannot be estimated.")
             known[:] = False
     quantile = float(stdtrit(freedom, 0.5 + confidence / 2)) if freedom > 0 else None
     certainty = Certainty(covariance, quantile, at_bound, tuple(bool(one) for one in known), tuple(sentences))
@@ -103,15 +103,14 @@ def _untold(sizes: Array, ways: Array, count: int) -> Array:
 def _bound_sentence(one: VariedParameter, side: str) -> str:
     value = one.low if side == "low" else one.high
     return (
-        f"{one.path} is at its {'lower' if side == 'low' else 'upper'} bound, {value:g}: the curve may ask for more, or not tell it. "
-        "It has no error, and the errors of the others are those for this value."
+        f"{one.path} is at its {'lower' if side == 'low' else 'upper'} bound, {value:g}: the best value may lie beyond it, or the curve may not determine it. " "It has no error, and the errors of the others are those for this value."
     )
 
 
 def _untold_sentence(names: list[str]) -> str:
     if len(names) == 1:
-        return f"{names[0]} changes nothing at the measured creepages: leave it out, or measure where it matters."
-    return f"{' and '.join(names)} cannot be told apart by this curve: one can be changed with the others and nothing is seen. Leave some out."
+        return f"{names[0]} has no effect at the measured creepages: remove it, or measure where it matters."
+    return f"{' and '.join(names)} cannot be determined separately by this curve: a change of one can be compensated by the others. Remove some of them."
 
 
 def _close_sentences(names: list[str], covariance: Array, untold: Array) -> list[str]:
@@ -124,8 +123,7 @@ def _close_sentences(names: list[str], covariance: Array, untold: Array) -> list
             correlation = covariance[i, j] / (sizes[i] * sizes[j])
             if abs(correlation) > _CLOSE:
                 found.append(
-                    f"{names[j]} and {first} can hardly be told apart by this curve: their errors have a correlation of "
-                    f"{correlation:.4f}."
+                    f"{names[j]} and {first} can hardly be determined separately by this curve: their errors have a correlation of " f"{correlation:.4f}."
                 )
     return found
 
@@ -136,5 +134,5 @@ def _uncertain_sentences(parameters: Sequence[VariedParameter], certainty: Certa
     uncertain = []
     for one, variance, known in zip(parameters, np.diag(certainty.covariance), certainty.is_known):
         if known and certainty.quantile * np.sqrt(variance) > 0.5:
-            uncertain.append(f"The confidence interval of {one.path} is wider than its bounds: this curve hardly tells it.")
+            uncertain.append(f"The confidence interval of {one.path} is wider than its bounds: this curve hardly determines it.")
     return uncertain

@@ -174,7 +174,7 @@ def _draw_costs(axes: Axes, shown: tuple[ComparedModel, ...], comparison: ModelC
     axes.xaxis.set_minor_formatter("")
     axes.set_ylim(bottom=-0.03 * axes.get_ylim()[1])
     axes.set(
-        xlabel="time of a request (ms); dotted: one that computes nothing",
+        xlabel="time of a request (ms); dotted: a request without computation",
         ylabel="error of the force, % of $\\mu F_n$" if has_friction else "error of the largest pressure, %",
         title="Errors against the full theory, and costs",
     )

@@ -60,7 +60,7 @@ def draw_section(solution: Solution[Any, Any], y: float = 0.0, axes: Axes | None
 def grid_of(solution: Solution[Any, Any]) -> Grid:
     """Returns the grid. Raises ValueError if it is unknown."""
     if solution.grid is None:
-        raise ValueError("grid is None; a solution that is drawn must be one of a client, which knows its grid")
+        raise ValueError("grid is None; only solutions of a client, which have a grid, can be drawn")
     return solution.grid
 
 
@@ -73,7 +73,7 @@ def title_of(solution: Solution[Any, Any]) -> str:
 
 def _check(solution: Solution[Any, Any], *names: str) -> None:
     if missing := [name for name in names if getattr(solution, name) is None]:
-        raise ValueError(f"{', '.join(missing)} is None; name it in `fields` when you ask for the solution")
+        raise ValueError(f"{', '.join(missing)} is None; include it in `fields` when you request the solution")
 
 
 def _add_tractions(axes: Axes, grid: Grid, solution: Solution[Any, Any]) -> None:
@@ -92,7 +92,7 @@ def _add_tractions(axes: Axes, grid: Grid, solution: Solution[Any, Any]) -> None
     if axes.get_aspect() == "auto":  # The arrows fit into the space in both directions.
         of_x, of_y = (np.abs(traction[pick]).max() for traction in (solution.traction_x, solution.traction_y))
         scale = max(of_x / (1.4 * steps[1] * grid.dx), of_y / (1.4 * steps[0] * grid.dy)) or scale
-    label = f"traction on the upper body, {size.max():.4g} N/mm$^2$ at most"
+    label = f"traction on the upper body, up to {size.max():.4g} N/mm$^2$"
     axes.quiver(
         x[pick][shown], y[pick][shown], solution.traction_x[pick][shown], solution.traction_y[pick][shown],
         color=INK, angles="xy", scale_units="xy", scale=scale, pivot="middle",

@@ -59,7 +59,7 @@ def plot_creep_curves(
 def draw_creep_curve(curve: CreepCurve, axes: Axes | None = None) -> Axes:
     """Implements CreepCurve.plot."""
     if curve.xi.ndim != 1:
-        raise ValueError(f"the curve has shape {list(curve.xi.shape)}; only one of a single dimension can be drawn")
+        raise ValueError(f"the curve has shape {list(curve.xi.shape)}; only a curve of one dimension can be drawn")
     by = max(_CREEPAGES, key=lambda name: _extent(getattr(curve, name)))
     axes = axes_or_new(axes)
     for (force, color), style in zip((("Fx", COLOURS[0]), ("Fy", COLOURS[1])), _STYLES):
@@ -80,6 +80,6 @@ def _extent(values: Array) -> float:
 
 def _creepage(solution: Solution[Any, Any], by: str, index: int) -> float:
     if not isinstance(solution.motion, Rolling):
-        raise ValueError(f"solutions[{index}] tells no creepage, as it does not roll; name the creepages")
+        raise ValueError(f"solutions[{index}] has no creepage because it does not roll; give the creepages")
     value: float = getattr(solution.motion, by)
     return value

@@ -34,9 +34,9 @@ def draw_stress(
     if component not in get_args(Component):
         raise ValueError(f"component is {component!r}; it must be one of {', '.join(get_args(Component))}")
     if getattr(stress, component) is None:
-        raise ValueError(f"component is {component!r}, which the stresses lack: ask for them with invariants=True")
+        raise ValueError(f"component is {component!r}, which the stresses lack: request it with invariants=True")
     if stress.block is None:
-        raise ValueError("the stresses are those of single points; a picture needs those of a StressBlock")
+        raise ValueError("the stresses are those of single points; a picture requires those of a StressBlock")
     places = {name: np.atleast_1d(np.asarray(getattr(stress.block, name), dtype=float)) for name in _AXES}
     cut = _cut(places, {"x": x, "y": y, "z": z}, stress)
     index = tuple(cut.get(name, slice(None)) for name in _AXES)
@@ -65,7 +65,7 @@ def _cut(places: dict[str, Any], requested: dict[str, float | None], stress: Sub
     if not cut:
         cut["y"] = int(np.argmin(np.abs(places["y"] - stress.largest.y)))
     if len(cut) == len(places):
-        raise ValueError("x, y and z leave one point, which is no picture; name fewer of them")
+        raise ValueError("x, y and z leave a single point, which cannot be drawn; give fewer of them")
     return cut
 
 

@@ -67,7 +67,7 @@ def draw_groups(axes: Any, steps: Sequence[WornStep], unit: str = "km") -> None:
     """Plots the area removed by each group of states against the distance. With many groups, small ones are summed."""
     sums = _sums_of_groups(steps)
     axes.stackplot([step.distance for step in steps], *sums.values(), labels=list(sums), colors=COLOURS[: len(sums)], alpha=0.75)
-    axes.set(xlabel=unit, ylabel="area taken off (mm$^2$)")
+    axes.set(xlabel=unit, ylabel="worn area (mm$^2$)")
     axes.margins(x=0)
     axes.legend(loc="upper left", frameon=False)
 
@@ -99,7 +99,7 @@ def draw_competition(axes: Any, steps: Sequence[WornStep], function: str) -> Any
         centres = 0.5 * (step.edges[1:] + step.edges[:-1]) / step.edges[-1]
         sums += np.interp(_shares(first), centres, step.fatigue.damages[function])
     if not found:
-        raise invalid("steps", f"have no damage by {function}; ask for fatigue with such a function")
+        raise invalid("steps", f"have no damage by {function}; request fatigue with this function")
     axes.fill_between(y, np.maximum(sums, 0), color=COLOURS[0], alpha=0.35, linewidth=0)
     axes.fill_between(y, np.minimum(sums, 0), color=COLOURS[2], alpha=0.35, linewidth=0)
     axes.plot(y, sums, color=COLOURS[0])
@@ -140,7 +140,7 @@ def draw_shakedown(axes: Any, steps: Sequence[WornStep], step: int = 1) -> None:
     """
     tired = steps[step].fatigue
     if tired is None or np.isnan(tired.contacts[:, 1]).all():
-        raise invalid("steps", "have no loads; ask for fatigue with a strength")
+        raise invalid("steps", "have no loads; request fatigue with a strength")
     mu, load, limit, share = tired.contacts.T
     coefficients = np.linspace(0, max(0.5, float(mu.max()) * 1.1), 100)
     axes.plot(coefficients, shakedown_limit(coefficients), color=INK, linewidth=1, label="line contact in full slip")
@@ -167,7 +167,7 @@ def draw_measures(axes: Any, distances: Sequence[float], measures: dict[str, Seq
 
 def _ends(steps: Sequence[WornStep]) -> tuple[WornStep, WornStep]:
     if len(steps) < 2:
-        raise invalid("steps", "are fewer than two; nothing is worn")
+        raise invalid("steps", "are fewer than two, so there is no wear")
     return steps[0], steps[-1]
 
 

@@ -126,7 +126,7 @@ class Connection:
         try:
             self._socket.send_multipart(request.message(), flags=zmq.DONTWAIT)
         except zmq.Again:
-            raise ConnectionFailed(f"The daemon at {self.endpoint} went away.") from None
+            raise ConnectionFailed(f"The daemon at {self.endpoint} disconnected.") from None
 
     def _wait_until_connected(self, deadline: float) -> None:
         """Ignores events of earlier connections; raises an exception with the reason if there is no connection."""
@@ -174,7 +174,7 @@ class Connection:
             if remaining <= 0:
                 raise too_late(self.endpoint, method)
             if not self.is_of_this_process:  # A progress callback has forked; this is the child process.
-                raise ConnectionFailed(f"This process was forked from the one that gets the answer to {method}.")
+                raise ConnectionFailed(f"This process was forked from the one that receives the answer to {method}.")
             poller.poll(milliseconds(remaining))
             # Read the answer first: a stopping daemon answers before it closes the connection.
             event = self._next_event()

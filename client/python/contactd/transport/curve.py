@@ -45,13 +45,13 @@ def load_curve_keys(server_key: str | Path | None, own_key: str | Path | None) -
         return None
     if server_key is None or own_key is None:
         missing = "server_key" if server_key is None else "own_key"
-        raise ValueError(f"{missing} is missing: an encrypted connection needs the daemon's public key and an own one.")
+        raise ValueError(f"{missing} is missing: an encrypted connection requires the daemon's public key and your own key.")
     server, _ = _load(server_key)
     public, secret = _load(own_key)
     if secret is None:
-        raise ValueError(f"{own_key} holds no secret key; own_key is the file NAME.key_secret.")
+        raise ValueError(f"{own_key} contains no secret key; set own_key to the file NAME.key_secret.")
     if Path(own_key).stat().st_mode & 0o077:
-        raise ValueError(f"{own_key} holds a secret that others can get at; run: chmod 600 {own_key}")
+        raise ValueError(f"{own_key} contains a secret that other users can read; run: chmod 600 {own_key}")
     return CurveKeys(server, public, secret)
 
 
@@ -65,5 +65,5 @@ def _load(path: str | Path) -> tuple[bytes, bytes | None]:
         raise ValueError(f'The key file {path} has no line public-key = "...".') from None
     for key in (public, secret):
         if key is not None and len(key) != 40:
-            raise ValueError(f"The key file {path} holds no key of 40 characters of Z85.")
+            raise ValueError(f"The key file {path} contains no key of 40 characters of Z85.")
     return public, secret

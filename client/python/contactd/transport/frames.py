@@ -60,7 +60,7 @@ def encode(value: Any, field: str, frames: Frames) -> Any:
         raise invalid(field, f"is {value}; it must be finite")
     if value is None or isinstance(value, (bool, int, float, str)):
         return value
-    raise invalid(field, f"is a {type(value).__name__}, which has no form in JSON")
+    raise invalid(field, f"is a {type(value).__name__}, which JSON cannot represent")
 
 
 def _is_json(value: Any) -> bool:
@@ -76,12 +76,12 @@ def _encode_array(array: np.ndarray[Any, Any], field: str, frames: Frames) -> An
 
 def _bytes_of(array: np.ndarray[Any, Any], field: str) -> bytes:
     if array.dtype.kind not in "fiub":
-        raise invalid(field, f"has dtype {array.dtype}; it must hold real numbers", "ARRAY_INVALID")
+        raise invalid(field, f"has dtype {array.dtype}; it must contain real numbers", "ARRAY_INVALID")
     data = np.ascontiguousarray(array, dtype="<f8")
     finite = np.isfinite(data)
     if not finite.all():
         first = tuple(int(i) for i in np.argwhere(~finite)[0])
-        raise invalid(field, f"holds {data[first]} at {list(first)}; every value must be finite", "ARRAY_INVALID")
+        raise invalid(field, f"contains {data[first]} at {list(first)}; every value must be finite", "ARRAY_INVALID")
     return data.tobytes()
 
 
@@ -102,11 +102,11 @@ def _decode_array(reference: Any, frames: Sequence[Buffer]) -> np.ndarray[Any, A
         if not all(type(n) is int and n >= 0 for n in [number, *shape]):
             raise ValueError
     except (KeyError, TypeError, ValueError):
-        raise ProtocolError(f"The answer holds an array reference that cannot be read: {reference!r:.200}") from None
+        raise ProtocolError(f"The answer contains an array reference that cannot be read: {reference!r:.200}") from None
     if not 1 <= number <= len(frames):
-        raise ProtocolError(f"The answer refers to array frame {number}; it came with {len(frames)}.")
+        raise ProtocolError(f"The answer refers to array frame {number}, but it has {len(frames)} frames.")
     frame, needed = frames[number - 1], math.prod(shape) * dtype.itemsize
     if len(frame) != needed:
-        raise ProtocolError(f"Array frame {number} holds {len(frame)} bytes; its shape {shape} needs {needed}.")
+        raise ProtocolError(f"Array frame {number} has {len(frame)} bytes, but its shape {shape} requires {needed}.")
     array: np.ndarray[Any, Any] = np.frombuffer(frame, dtype=dtype).reshape(shape)
     return array

@@ -30,9 +30,9 @@ def can_solve_here() -> bool:
     except ModuleNotFoundError as error:
         if error.name == "contactd_local":
             return False
-        raise DaemonFailed(f"contactd_local is installed and cannot be loaded: {error}.") from error
+        raise DaemonFailed(f"contactd_local is installed but cannot be loaded: {error}.") from error
     except ImportError as error:
-        raise DaemonFailed(f"contactd_local is installed and cannot be loaded: {error}.") from error
+        raise DaemonFailed(f"contactd_local is installed but cannot be loaded: {error}.") from error
     return True
 
 

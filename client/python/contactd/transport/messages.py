@@ -32,7 +32,7 @@ Buffer = bytes | memoryview  #: Types of received arrays and envelopes.
 
 
 def _refuse(word: str) -> Any:
-    raise ValueError(f"{word} is no number of JSON")
+    raise ValueError(f"{word} is not a number in JSON")
 
 
 _READER = json.JSONDecoder(parse_constant=_refuse)
@@ -97,10 +97,10 @@ def parsed(text: Buffer) -> dict[str, Any]:
     try:
         answer = _READER.decode(str(text, "utf-8"))
     except (ValueError, RecursionError):
-        raise ProtocolError(f"The answer is no JSON: {bytes(text[:80])!r}") from None
+        raise ProtocolError(f"The answer is not JSON: {bytes(text[:80])!r}") from None
     version = answer.get("contactd") if isinstance(answer, dict) else None
     if type(version) is not int:
-        raise ProtocolError(f"The answer is no message of contactd's protocol: {bytes(text[:80])!r}")
+        raise ProtocolError(f"The answer is not a message of contactd's protocol: {bytes(text[:80])!r}")
     if version != PROTOCOL_VERSION:
         side = "client (the Python package contactd)" if version > PROTOCOL_VERSION else "daemon"
         raise ProtocolError(

@@ -71,8 +71,7 @@ def connected_socket(context: ZmqContext, endpoint: str, curve: CurveKeys | None
     except zmq.ZMQError as error:
         close(socket, monitor)
         raise ConnectionFailed(
-            f"{endpoint!r} is no endpoint one can connect to ({zmq.strerror(error.errno or 0)}); "
-            "it must read like tcp://127.0.0.1:5555 or ipc:///path."
+            f"{endpoint!r} is not a valid endpoint ({zmq.strerror(error.errno or 0)}); " "it must have the form tcp://127.0.0.1:5555 or ipc:///path."
         ) from None
     return socket, monitor
 
@@ -114,12 +113,12 @@ def close(socket: ZmqSocket, monitor: ZmqSocket) -> None:
 
 def no_daemon(endpoint: str) -> ConnectionFailed:
     """Returns the exception for an endpoint without a daemon."""
-    return ConnectionFailed(f"No daemon answers at {endpoint}. The program contactd is one; contactd.local() and contactctl --local need none.")
+    return ConnectionFailed(f"No daemon answers at {endpoint}. Start the program contactd, or use contactd.local() or contactctl --local, which need no daemon.")
 
 
 def went_away(endpoint: str, method: str) -> ConnectionFailed:
     """Returns the exception for a lost connection."""
-    return ConnectionFailed(f"The daemon at {endpoint} went away while it worked on {method}.")
+    return ConnectionFailed(f"The daemon at {endpoint} disconnected during {method}.")
 
 
 def too_late(endpoint: str, method: str) -> TimeoutExpired:
@@ -136,22 +135,21 @@ class Handshakes:
     def judge(self, event: Event) -> Unauthenticated | ConnectionFailed | None:
         """Returns the exception for an event, or None while a connection is still possible."""
         if event.kind == zmq.EVENT_HANDSHAKE_FAILED_AUTH:
-            return self._refused("the daemon does not know this client's key; ask who runs it to allow own_key")
+            return self._refused("the daemon does not accept this client's key; ask its administrator to allow own_key")
         if event.kind == zmq.EVENT_HANDSHAKE_FAILED_PROTOCOL:
             if event.value != zmq.PROTOCOL_ERROR_ZMTP_MECHANISM_MISMATCH:
-                return ConnectionFailed(f"What listens at {self._endpoint} is no contactd daemon.")
+                return ConnectionFailed(f"The program that listens at {self._endpoint} is not a contactd daemon.")
             if self._encrypted:
-                return self._refused("the daemon does not use encryption; leave server_key and own_key out")
-            return self._refused("the daemon takes encrypted connections only; give server_key and own_key")
+                return self._refused("the daemon does not use encryption; remove server_key and own_key")
+            return self._refused("the daemon accepts encrypted connections only; give server_key and own_key")
         self._silent_ends += 1
         if self._silent_ends < _SILENT_ENDS:
             return None
         if self._encrypted:
             return self._refused(
-                "it cannot read what this client says; either server_key is not the daemon's key, or the daemon does "
-                "not use encryption"
+                "it cannot read this client's messages; either server_key is not the daemon's key, or the daemon does " "not use encryption"
             )
-        return self._refused("it hangs up; if it takes encrypted connections only, give server_key and own_key")
+        return self._refused("it closes the connection; if it accepts encrypted connections only, give server_key and own_key")
 
     def _refused(self, why: str) -> Unauthenticated:
         return Unauthenticated(f"No connection to {self._endpoint}: {why}.", reason="HANDSHAKE_FAILED")

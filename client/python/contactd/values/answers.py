@@ -125,7 +125,7 @@ def _maker(kind: Any) -> Callable[[dict[str, Any]], Any]:
 
 
 def _misplaced(value: Any) -> _Unreadable:
-    return _Unreadable(f"is a {type(value).__name__}, which does not belong there")
+    return _Unreadable(f"is a {type(value).__name__}, which is not allowed here")
 
 
 @functools.cache

@@ -104,8 +104,7 @@ def traction_params(tractions: Estimate | ContactSolution, field: str) -> dict[s
     missing = [name for name, array in arrays.items() if array is None and name not in _FRICTION_STATE]
     if missing and not isinstance(tractions, Estimate):
         raise TypeError(
-            f"{field} has no {', '.join(missing)}: name them in `fields` when you ask for it, or make an Estimate, in "
-            "which they are zero"
+            f"{field} has no {', '.join(missing)}: include them in `fields` when you request it, or use an Estimate, in " "which they are zero"
         )
     return {name: array_of(array) for name, array in arrays.items() if array is not None}
 
@@ -113,7 +112,7 @@ def traction_params(tractions: Estimate | ContactSolution, field: str) -> dict[s
 def ics_params(ics: Ics) -> dict[str, Any]:
     """Returns `ics` of ic.get, ic.export and contact.solve."""
     if isinstance(ics, AnalyticIcs) and ics.body == "layered":
-        raise TypeError("the ics of layers say no more than load_shape; give the layers as a LayeredBody")
+        raise TypeError("the ics of layers may contain load_shape only; give the layers as a LayeredBody")
     given: dict[str, Any] = params_of(ics)
     return given if ics.section is None else {**given, "section": _section_params(ics.section)}
 
@@ -133,7 +132,7 @@ def layered_params(body: LayeredBody, ics: Ics | TableIcs) -> dict[str, Any]:
     forms.
     """
     if isinstance(ics, TableIcs):
-        raise TypeError("a table says all of a body; give it with a Material instead of a LayeredBody")
+        raise TypeError("a table describes a body completely; give it with a Material instead of a LayeredBody")
     kept: dict[str, Any] = params_of(AnalyticIcs(load_shape=ics.load_shape, line_contact=getattr(ics, "line_contact", None)))
     return {**kept, **body.params()}
 
@@ -175,7 +174,7 @@ def subsurface_params(
         raise invalid("pressure", "is missing; it must be that of a solution")
     params = {"grid": params_of(problem.grid), **_ics_of(problem, body), "body": body, **tractions}
     if nu is not None and isinstance(_material_of(problem, body), LayeredBody):
-        raise invalid("nu", f"is {nu}, and body {body!r} has layers; layers have their own")
+        raise invalid("nu", f"is {nu}, but body {body!r} has layers with their own values; remove it")
     params["nu"] = _nu_of(problem, body) if nu is None else nu
     if problem.columns is not None:  # Angles are those of normals, from z towards y.
         angles = np.asarray(problem.columns.frames, dtype=np.float64)[:, 2]
@@ -199,10 +198,10 @@ def shear_modulus_of(problem: ContactProblem, body: Literal["lower", "upper"]) -
     material = _material_of(problem, body)
     if isinstance(material, ViscoelasticBody):
         raise invalid(
-            "displacements", f"are wanted, and body {body!r} creeps; below the surface only its stresses are known"
+            "displacements", f"are requested, but body {body!r} is viscoelastic, for which only stresses are available below the surface"
         )
     if not isinstance(material, Material):
-        raise invalid("displacements", f"are wanted, and body {body!r} is no half-space; its displacements are not known")
+        raise invalid("displacements", f"are requested, but body {body!r} is not a half-space, so its displacements are not available")
     return material.G
 
 
@@ -216,8 +215,7 @@ def _ics_of(problem: ContactProblem, body: str) -> dict[str, Any]:
     if isinstance(ics, TableIcs):
         raise invalid(
             name,
-            "is a table of one's own, which may be of any body; the closed form of the stresses is that of the "
-            "half-space. If it is one, ask with problem.replace(ics=AnalyticIcs(), upper=..., lower=...)",
+            "is a table, which may be that of any body, but the closed form of the stresses is that of the " "half-space. If it is one, use problem.replace(ics=AnalyticIcs(), upper=..., lower=...)",
         )
     material = _material_of(problem, body)
     params = layered_params(material, ics) if isinstance(material, LayeredBody) else ics_params(ics)
@@ -233,6 +231,6 @@ def _nu_of(problem: ContactProblem, body: Literal["lower", "upper"]) -> float:
         raise invalid("body", f'is {body!r}; it must be "lower" or "upper"')
     material = _material_of(problem, body)
     if isinstance(material, RigidBody):
-        raise invalid("body", f"is {body!r}, which is rigid; only an elastic body has stresses to be computed")
+        raise invalid("body", f"is {body!r}, which is rigid; only an elastic body has stresses")
     assert material is not None  # only with a table, which is refused
     return material.layers[0].nu if isinstance(material, LayeredBody) else material.nu

@@ -41,7 +41,7 @@ def to_dict(value: Any) -> Any:
         return value.item()
     if value is None or isinstance(value, (bool, int, float, str, np.ndarray)):
         return value
-    raise TypeError(f"{value!r:.80} is a {type(value).__name__}, which is no value of contactd")
+    raise TypeError(f"{value!r:.80} is a {type(value).__name__}, which is not a value of contactd")
 
 
 @public
@@ -57,13 +57,13 @@ def _value_of(told: Any, path: str) -> Any:
             return parts
         kind = _kinds().get(told["type"])
         if kind is None:
-            raise ValueError(f"{path or 'the value'} is of the type {told['type']!r}, which this version does not know")
+            raise ValueError(f"{path or 'the value'} is of the type {told['type']!r}, which this version does not support")
         if unknown := parts.keys() - {field.name for field in fields(kind)}:
-            raise ValueError(f"{path or 'the value'} has {', '.join(sorted(unknown))}, which {told['type']} does not know")
+            raise ValueError(f"{path or 'the value'} has {', '.join(sorted(unknown))}, which {told['type']} does not have")
         try:
             return kind(**parts)
         except TypeError as error:
-            raise ValueError(f"{path or 'the value'} is no {told['type']}: {error}") from None
+            raise ValueError(f"{path or 'the value'} is not a valid {told['type']}: {error}") from None
     if isinstance(told, list):
         return tuple(_value_of(item, f"{path}[{i}]") for i, item in enumerate(told))
     return told
@@ -106,5 +106,5 @@ class Saved(HasDict):
         """Returns the value of this class written by `save`. Raises SavedFileError, also for another class."""
         value = extra("Saved.load")(path)
         if not isinstance(value, cls):
-            raise SavedFileError(f"{os.fspath(path)} holds a {type(value).__name__}, not a {cls.__name__}")
+            raise SavedFileError(f"{os.fspath(path)} contains a {type(value).__name__}, not a {cls.__name__}")
         return value

@@ -46,7 +46,7 @@ class ContactFatigueMethods:
         """Returns the damage of a passage by a function, by its name. Raises KeyError if it was not requested."""
         found = {one.name: one.value for one in self.damages}
         if function not in found:
-            raise KeyError(f"{function} is no function of this fatigue; it has {', '.join(found) or 'none'}.")
+            raise KeyError(f"{function} is not a function of this fatigue; it has {', '.join(found) or 'none'}.")
         return float(found[function])
 
 

@@ -19,7 +19,7 @@ def parts(path: str) -> list[str | int]:
         matched = _PART.fullmatch(piece)
         if matched is None:
             shown = path if len(path) < _MOST_SHOWN else f"{path[:_MOST_SHOWN]}..."
-            raise ValueError(f"{shown!r} is no path of a field; one is like friction.rolling.xi or ics.layers[0].G.")
+            raise ValueError(f"{shown!r} is not the path of a field, such as friction.rolling.xi or ics.layers[0].G.")
         found.append(matched[1])
         found.extend(int(index) for index in re.findall(r"\d+", matched[2]))
     return found
@@ -67,5 +67,5 @@ def _member(at: Any, part: str | int, path: str) -> Any:
     try:
         return at[part]
     except (KeyError, IndexError, TypeError):
-        what = f"no [{part}]" if isinstance(part, int) else f"nothing that has {part}"
-        raise ValueError(f"{path} cannot be set: there is {what} on the way.") from None
+        what = f"entry [{part}]" if isinstance(part, int) else f"object with {part}"
+        raise ValueError(f"{path} cannot be set: there is no {what} on its path.") from None

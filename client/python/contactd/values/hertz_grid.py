@@ -59,14 +59,14 @@ def _why_unknown(fields: Mapping[str, Any]) -> str:
     if not isinstance(gap, Paraboloid | SemiAxes):
         return "gap is neither a Paraboloid nor SemiAxes"
     if isinstance(gap, Paraboloid) and (gap.Rx is None or gap.Ry is None):
-        return f"gap.{'Rx' if gap.Rx is None else 'Ry'} is None, and a flat direction has no ellipse of contact"
+        return f"gap.{'Rx' if gap.Rx is None else 'Ry'} is None, and a flat direction has no contact ellipse"
     if isinstance(gap, Paraboloid) and any(_is_number(radius) and radius < 0 for radius in vars(gap).values()):
-        return "gap has a negative radius, and a saddle has no ellipse of contact"
+        return "gap has a negative radius, and a saddle has no contact ellipse"
     if not isinstance(ics, AnalyticIcs) or ics.line_contact is not None or ics.section is not None:
         return "ics is not that of half-spaces in closed form"
     for body in ("upper", "lower"):
         if not isinstance(fields.get(body), Material | RigidBody | ViscoelasticBody | None):
-            return f"{body} is a {type(fields[body]).__name__}, no half-space"
+            return f"{body} is a {type(fields[body]).__name__}, not a half-space"
     named = [name for name in _ARRAYS if fields.get(name) is not None]
     return f"{named[0]} is given for the elements of a grid" if named else ""
 

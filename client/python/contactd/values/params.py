@@ -184,7 +184,7 @@ def _writer_of_tuples(hint: Any, keys: tuple[str, ...]) -> Convert:
 
     def write(values: Any, field: str) -> dict[str, Any]:
         if len(values) not in lengths:
-            raise ValueError(f"{field} has {len(values)} parts; they are {', '.join(keys)}")
+            raise ValueError(f"{field} has {len(values)} parts; it must have {', '.join(keys)}")
         pairs = zip(values, writers, strict=False)
         return {key: plain(item) if convert is None else convert(item, f"{field}.{key}") for item, (key, convert) in pairs}
 
@@ -261,6 +261,6 @@ def _checked(kind: type) -> list[tuple[str, tuple[type, ...], bool, bool, Any]]:
 def whole(array: np.ndarray[Any, Any], field: str) -> np.ndarray[Any, Any]:
     """Returns `array`. Raises InvalidArgument for masked elements, which contact problems do not support."""
     if np.ma.is_masked(array):
-        problem = f"has {np.count_nonzero(np.ma.getmaskarray(array))} masked values; every value must be there, as in array.filled(...)"
+        problem = f"has {np.count_nonzero(np.ma.getmaskarray(array))} masked values; replace them, as in array.filled(...)"
         raise invalid(field, problem, "ARRAY_INVALID")
     return array

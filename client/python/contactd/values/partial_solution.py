@@ -39,7 +39,7 @@ def check_arrays(solution: Solution[Any, Any], names: Iterable[str], grid: Grid)
         if array is None and name in _MAY_LACK:
             continue
         if array is None:
-            raise ProtocolError(f"The answer lacks {name}, which was asked for.")
+            raise ProtocolError(f"The answer lacks the requested {name}.")
         if array.shape != grid.shape:
             raise ProtocolError(f"The answer's {name} has shape {list(array.shape)} instead of {list(grid.shape)}.")
 

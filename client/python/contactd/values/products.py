@@ -30,7 +30,7 @@ def displacements_by(table: Array, tractions: npt.ArrayLike) -> Array:
         most = f"at most [{ny}, {nx}]" if table.ndim == 4 else f"[{ny}, nx], nx at most {nx}"
         raise invalid("tractions", f"has shape {list(given.shape)}; it must be [ny, nx], {most}, or [3, ny, nx]", "ARRAY_INVALID")
     if not np.isfinite(loads).all():
-        raise invalid("tractions", "has numbers that are not finite", "ARRAY_INVALID")
+        raise invalid("tractions", "contains numbers that are not finite", "ARRAY_INVALID")
     axes = [_NORMAL] if is_pressure else [0, 1, 2]
     found = np.zeros_like(loads)
     for row, i in enumerate(axes):

@@ -18,5 +18,5 @@ class RegionMethods(HasParams):
     def _write_shares(shares: npt.ArrayLike, field: str) -> list[float]:
         matrix = array_of(shares)
         if matrix.ndim == 2 and matrix.shape[0] != matrix.shape[1]:
-            raise TypeError(f"{field} has the shape {matrix.shape}; it must be square, a row and a column of each region")
+            raise TypeError(f"{field} has the shape {matrix.shape}; it must be square, with a row and a column for each region")
         return [float(share) for share in np.ravel(matrix)]

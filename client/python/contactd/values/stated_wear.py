@@ -30,7 +30,7 @@ def _law_of(kind: Any) -> WearLaw:
     check_type("wear", kind, WearLaw, *_KINDS)
     name, key = type(kind).__name__, _KINDS[type(kind)]
     if kind.source is None:
-        raise TypeError(f'{name} has no source: say where its coefficients come from, as in {name}(..., source="our twin-disc test").')
+        raise TypeError(f'{name} has no source: give the source of its coefficients, as in {name}(..., source="our twin-disc test").')
     body = kind.body or "wheel"
     if body not in _BODIES:
         raise TypeError(f'{name}.body is {kind.body!r}; it must be "wheel" or "rail".')

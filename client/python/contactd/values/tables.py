@@ -36,8 +36,7 @@ __all__ = ["IcSpec", "IcTable", "TableIcs", "check_finite", "combined_modulus"]
 _AXES = "xyz"
 #: Advice for the table of a longitudinally uniform body.
 _IMPORT = (
-    "export it where it was built (export_ic) and give the file to the daemon that solves (import_ic), where FemIcs with its "
-    "section asks for it"
+    "export it where it was built (export_ic), import the file into the daemon that solves (import_ic), and request it there by FemIcs with its " "section"
 )
 #: Largest relative difference of element sizes that counts as rounding.
 _SIZE_TOLERANCE = 1e-6
@@ -164,7 +163,7 @@ class IcTable(HasDict, Shown):
     def __getitem__(self, component: str) -> Array:
         """Returns one component, shape [ny, nx]: ``table["xz"]`` is the displacement along x for a load along z."""
         if len(component) != 2 or not set(component) <= set(_AXES):
-            raise KeyError(f"{component!r} is no component; one is two of the letters x, y and z.")
+            raise KeyError(f"{component!r} is not a component; give two of the letters x, y and z.")
         part: Array = self.array[_AXES.index(component[0]), _AXES.index(component[1])]
         return part
 
@@ -192,7 +191,7 @@ def check_finite(array: Array) -> None:
     for at in np.argwhere(~np.isfinite(array))[:1]:
         i, j, *rows, k = at
         place = f"the offset ({k}, {rows[0]})" if len(rows) == 1 else f"the columns {rows[0]} and {rows[1]}, offset {k}"
-        raise ValueError(f"array holds {array[tuple(at)]} for {_AXES[i] + _AXES[j]} at {place}; every coefficient must be finite")
+        raise ValueError(f"array contains {array[tuple(at)]} for {_AXES[i] + _AXES[j]} at {place}; every coefficient must be finite")
 
 
 def _require_offsets(table: IcTable) -> None:
@@ -265,7 +264,7 @@ class TableIcs(Shown):
     def __getitem__(self, component: str) -> Array:
         """Returns one component, shape [ny, nx]: ``ics["zx"]`` is the displacement along z for a load along x."""
         if len(component) != 2 or not set(component) <= set(_AXES):
-            raise KeyError(f"{component!r} is no component; one is two of the letters x, y and z.")
+            raise KeyError(f"{component!r} is not a component; give two of the letters x, y and z.")
         part: Array = self.array[_AXES.index(component[0]), _AXES.index(component[1])]
         return part
 
@@ -283,7 +282,7 @@ class TableIcs(Shown):
         for name in ("dx", "dy"):
             size, of_other = getattr(grid, name), getattr(other, name)
             if abs(size - of_other) > _SIZE_TOLERANCE * size:
-                raise ValueError(f"the tables have different {name}, {size} and {of_other}; a pair must have the same")
+                raise ValueError(f"the tables have different {name}, {size} and {of_other}; both tables of a pair must have the same")
         ny = min(upper.array.shape[2], lower.array.shape[2])
         nx = min(upper.array.shape[3], lower.array.shape[3])
         array = lower.array[:, :, :ny, :nx] + upper.array[:, :, :ny, :nx]
@@ -318,6 +317,6 @@ class TableIcs(Shown):
         """
         modulus = self.G if G is None else G
         if modulus is None:
-            raise ValueError("G is None; CONTACT's text holds coefficients times the combined modulus of the bodies")
+            raise ValueError("G is None; CONTACT's text contains coefficients times the combined modulus of the bodies")
         text: str = extra("TableIcs.to_contact_text")(self.array, self.dx, self.dy, modulus)
         return text

@@ -29,13 +29,12 @@ def temperature_params(
     needed = _ARRAYS if solution.plastic_power is None else _ARRAYS + _OF_LAYERS
     if missing := [name for name in needed if getattr(solution, name) is None]:
         raise TypeError(
-            f"solution has no {', '.join(missing)}: name them in `fields` when you ask for it; slip is that of problems "
-            "with friction"
+            f"solution has no {', '.join(missing)}: include them in `fields` when you request it; only problems with friction have " "slip"
         )
     if not isinstance(solution.motion, Rolling) or solution.motion.kind == "transient":
-        raise invalid("solution", "does not roll steadily; temperatures are those of steady rolling")
+        raise invalid("solution", "does not roll steadily, which temperatures require")
     if solution.grid is None:
-        raise TypeError("solution has no grid, which the client tells those that it answers")
+        raise TypeError("solution has no grid; use a solution of a client")
     rolling = solution.motion
     params: dict[str, Any] = {
         "grid": params_of(solution.grid),

@@ -44,6 +44,6 @@ class ContactWearMethods:
         """
         names = [one.name for one in self.laws]
         if law not in names:
-            raise KeyError(f"{law} is no law of this wear; it has {', '.join(names) or 'none'}.")
+            raise KeyError(f"{law} is not a law of this wear; it has {', '.join(names) or 'none'}.")
         index = names.index(law)
         return np.array([row.depths[index] for row in self.rows])

@@ -121,7 +121,7 @@ def states_of_stage(dynamics: Dynamics, stage: int, points: Mapping[str, Array],
     if ended.returncode != 0:
         last = " ".join(ended.stderr.splitlines()[-_LINES:])
         path.unlink(missing_ok=True)
-        raise invalid("dynamics", f"ended with {ended.returncode}: {' '.join(program)}: {last or 'it wrote nothing'}")
+        raise invalid("dynamics", f"ended with {ended.returncode}: {' '.join(program)}: {last or 'no output'}")
     if not path.is_file():
         raise invalid("dynamics", f"wrote no states: {' '.join(program)} must leave {path}")
     try:
@@ -134,7 +134,7 @@ def states_of_stage(dynamics: Dynamics, stage: int, points: Mapping[str, Array],
 def write_states(path: Path, states: Sequence[WeightedState]) -> None:
     """Writes a CSV file for read_states, with the columns in which a state differs from the default."""
     if not states:
-        raise invalid("states", "are none; give one state at least")
+        raise invalid("states", "are empty; give at least one state")
     rows = [_flat(one.state) for one in states]
     if any(row["position.z"] is not None for row in rows):
         for row in rows:
@@ -143,7 +143,7 @@ def write_states(path: Path, states: Sequence[WeightedState]) -> None:
     plain = _flat(type(states[0].state)())
     names = [name for name in rows[0] if any(row[name] != plain[name] for row in rows)]
     if mixed := next((name for name in names if len({row[name] is None for row in rows}) > 1), None):
-        raise invalid("states", f"have {mixed} in some and not in others; a file has a column for all of them")
+        raise invalid("states", f"have {mixed} in some states only; a file has a column for all of them")
     written = io.StringIO()
     table = csv.writer(written, lineterminator="\n", quoting=csv.QUOTE_NONNUMERIC)  # for any group name
     table.writerow([*names, "weight", "group", "mu"])
@@ -157,7 +157,7 @@ def _write(path: Path, text: str) -> None:
     """Writes a file. Raises InvalidArgument if a file of another kind exists."""
     is_number = path.name == "distance.txt" and path.is_file() and number_in(path.read_text(errors="replace")[:_LONGEST_NUMBER].strip()) is not None
     if path.is_symlink() or not (is_number or can_be_written_over(path)):
-        raise invalid("dynamics", f"would write {path}, which is there, and which contactd has not written; move it away")
+        raise invalid("dynamics", f"would overwrite {path}, which contactd did not write; move it")
     write_whole(path, lambda into: into.write(text.encode()))
 
 

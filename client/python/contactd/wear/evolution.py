@@ -111,7 +111,7 @@ def next_step(first: WornStep, last: WornStep, study: WearStudy, place: StudyPla
     """
     wear = {part: Contributions.of(answers, Section(last.of(part).points, part), study, place, part) for part in study.parts}
     if not any(one.areas.sum() > 0 for one in wear.values()):
-        raise invalid("states", "wear nothing off: no contact of them slips, or the law is zero there")
+        raise invalid("states", "cause no wear: none of their contacts slips, or the law is zero there")
     parts = {part: PartStep(one.rates.sum(axis=0), one.size, one.contacts, place.modulus, study.depth, study.smoothing) for part, one in wear.items()}
     distance, ended_by = common_distance(parts, study.until - last.distance, study.distance)
     T_gamma = T_gamma_with_spin = pmax = 0.0
@@ -139,7 +139,7 @@ def next_step(first: WornStep, last: WornStep, study: WearStudy, place: StudyPla
             )
         )  # fmt: skip
         if _is_carried_by_few(wear[part].areas):
-            sentence = f"A tenth of the states carry more than {_MOST_BY_FEW:.0%} of what the step takes off: take more of them."
+            sentence = f"A tenth of the states carry more than {_MOST_BY_FEW:.0%} of the wear of the step: use more states."
             made[-1] = made[-1].warned(sentence)
     return made[0] if len(made) == 1 else made[0].beside(made[1])
 
@@ -174,7 +174,7 @@ def _off_tread(answers: Sequence[dict[str, Any]], study: WearStudy) -> list[str]
             states = sorted({study.given_index(i) for i in off})
             share = sum(study.shares[i] for i in off)
             sentences.append(
-                f"The wheel {words} in {len(states)} of {len(study.states)} states, {share:.2g} of all by weight: {_listed(states)}. Check their positions, or leave them out."
+                f"The wheel {words} in {len(states)} of {len(study.states)} states, {share:.2g} of all by weight: {_listed(states)}. Check their positions, or omit them."
             )
     return sentences
 

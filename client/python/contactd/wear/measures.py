@@ -65,11 +65,11 @@ def wheel_gauge(points: npt.ArrayLike, back: float = _BACK) -> WheelGauge:
         raise invalid("points", f"reach from y = {y.min():.4g} to {y.max():.4g} mm; the tape circle, y = 0, must be among them")
     tread, tip = float(np.interp(0.0, y, z)), int(z.argmax())
     if y[tip] > 0 and z[tip] - tread > _BELOW_TREAD:
-        raise invalid("points", f"have the flange at y = {y[tip]:.4g} mm; y grows to the field side: give y with the other sign")
+        raise invalid("points", f"have the flange at y = {y[tip]:.4g} mm, but y points to the field side: reverse the sign of y")
     check_run(np.column_stack([y, z])[tip:], "points")
     below, above = tread + _BELOW_TREAD, float(z[tip]) - _BELOW_TIP
     if not above > below:
-        raise invalid("points", f"have a flange of {z[tip] - tread:.4g} mm; its thickness is measured {_BELOW_TREAD:g} mm below the tape circle")
+        raise invalid("points", f"have a flange of {z[tip] - tread:.4g} mm, but its thickness is measured {_BELOW_TREAD:g} mm below the tape circle")
     face = crossing(y[tip:], z[tip:], below, "points")
     return WheelGauge(float(z[tip]) - tread, face - back, face - crossing(y[tip:], z[tip:], above, "points"))
 

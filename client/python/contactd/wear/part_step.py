@@ -66,8 +66,7 @@ class PartStep:
         warnings = []
         if not self._is_free and not stiffness.is_stable(depth, length):
             warnings.append(
-                f"In a step of {depth:.3g} mm under {stiffness.pressure:.3g} N/mm^2 grooves grow that smoothing by {length:g} mm leaves: "
-                "take smaller steps, or smoothing auto."
+                f"In a step of {depth:.3g} mm under {stiffness.pressure:.3g} N/mm^2 grooves grow that smoothing by {length:g} mm does not remove: " "use smaller steps, or smoothing auto."
             )
         return np.asarray(taken * distance), float(length), warnings
 

@@ -27,7 +27,7 @@ def passage_wear(solution: WheelRailSolution, body: str | None, law: str | None)
     origin = origin_of(solution)
     profiles = None if origin is None else origin.profiles()
     if origin is None or profiles is None:
-        raise invalid("solution", "is from a file, or nobody can be asked for its profiles any more; solve it again")
+        raise invalid("solution", "is from a file, or its client is closed, so its profiles are not available; solve it again")
     worn = [patch for patch in solution.patches if patch.solution.wear is not None]
     spacing = min([_SPACING, *(patch.place.grid.dy for patch in worn)])
     section = Section.of(getattr(profiles, part), part, spacing)
@@ -58,15 +58,15 @@ def _law_of(solution: WheelRailSolution, body: str | None, law: str | None) -> t
     if body not in (None, "wheel", "rail"):
         raise invalid("body", f'is {body!r}; it must be "wheel" or "rail"')
     if solution.patches and all(patch.solution.wear is None for patch in solution.patches):
-        raise invalid("wear", "was not asked for; give the laws, as in contactd.wheel_rail(..., wear=EnergyWear(...))")
+        raise invalid("wear", "was not requested; give the laws, as in contactd.wheel_rail(..., wear=EnergyWear(...))")
     answers = [patch.solution.wear.laws for patch in solution.patches if patch.solution.wear is not None]
     if not answers:
-        raise invalid("solution", "has no contact; nothing wears")
+        raise invalid("solution", "has no contact, so there is no wear")
     named = [(number, one.name, _PARTS[one.body]) for number, one in enumerate(answers[0])]
     found = [one for one in named if body in (None, one[2]) and law in (None, one[1])]
     if len(found) != 1:
         there = ", ".join(f"{name} of the {part}" for _, name, part in named) or "none"
-        raise invalid("law", f"must be one of those of the answer: {there}. Name it by body and law")
+        raise invalid("law", f"must be one of those of the answer: {there}. Give body and law")
     return found[0]
 
 

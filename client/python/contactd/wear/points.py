@@ -20,9 +20,9 @@ def ordered(points: npt.ArrayLike, name: str) -> Array:
     """Returns the points as an array [n, 2] in ascending order of y of their ends."""
     array = np.asarray(points, dtype=np.float64)
     if array.ndim != 2 or array.shape[1] != 2 or len(array) < 3:
-        raise invalid(name, f"have the shape {array.shape}; they are (y, z) of three points at least")
+        raise invalid(name, f"have the shape {array.shape}; give (y, z) of at least three points")
     if not np.isfinite(array).all():
-        raise invalid(name, "are not all finite; leave out points that were not measured")
+        raise invalid(name, "are not all finite; omit points that were not measured")
     return array[::-1] if array[0, 0] > array[-1, 0] else array
 
 
@@ -40,11 +40,11 @@ def check_gauge_side(new: Array, worn: Array, depth: float) -> None:
     """
     beside = _top_beside_middle(new)
     if beside is not None and beside < -_LEAN:
-        raise invalid("new", f"leans to y > 0, its top {-beside:.3g} mm from the middle; the gauge side lies at y < 0: give y with the other sign")
+        raise invalid("new", f"leans to y > 0, its top {-beside:.3g} mm from the middle, but the gauge side must lie at y < 0: reverse the sign of y")
     lost = [_side(worn, depth, sign) - _side(new, depth, sign) for sign in (1, -1)]
     if lost[1] > max(lost[0], 0.0) + _WORN:
         raise invalid(
-            "worn", f"has lost {lost[1]:.3g} mm at y > 0 and {lost[0]:.3g} mm at y < 0, where the gauge side lies; give y with the other sign"
+            "worn", f"has lost {lost[1]:.3g} mm at y > 0 and {lost[0]:.3g} mm at y < 0, the gauge side; reverse the sign of y"
         )
 
 
@@ -52,7 +52,7 @@ def crossing(y: Array, z: Array, level: float, name: str) -> float:
     """Returns y of the first point where z falls below a level."""
     falls = np.flatnonzero((z[:-1] >= level) & (z[1:] < level))
     if not len(falls):
-        raise invalid(name, f"never pass z = {level:.4g} mm on the side that is measured; give a longer profile")
+        raise invalid(name, f"never pass z = {level:.4g} mm on the measured side; give a longer profile")
     i = int(falls[0])
     return float(y[i] + (level - z[i]) / (z[i + 1] - z[i]) * (y[i + 1] - y[i]))
 

@@ -74,7 +74,7 @@ def read_record(path: str | os.PathLike[str], study: WearStudy | None = None) ->
     with h5py.File(path, "r") as file:
         if study is not None and (described := _described(study)) != file.attrs["study"]:
             names = _differences(json.loads(described), json.loads(file.attrs["study"]))
-            raise invalid("study", f"differs in {', '.join(names)} from the one whose steps {os.fspath(path)} has; name another file")
+            raise invalid("study", f"differs in {', '.join(names)} from the one whose steps are in {os.fspath(path)}; give another file")
         steps = _read(file)
         return [one.beside(rail) for one, rail in zip(steps, _read(file["rail"]))] if "rail" in file else steps
 

@@ -37,9 +37,9 @@ class Section:
         """
         given = np.array(points, dtype=np.float64)
         if given.ndim != 2 or given.shape[1] != 2 or len(given) < 3:
-            raise invalid("points", f"has shape {list(given.shape)}; a section has three points (y, z) at least", "ARRAY_INVALID")
+            raise invalid("points", f"has shape {list(given.shape)}; a section has at least three points (y, z)", "ARRAY_INVALID")
         if not np.isfinite(given).all():
-            raise invalid("points", "has numbers that are not finite", "ARRAY_INVALID")
+            raise invalid("points", "contains numbers that are not finite", "ARRAY_INVALID")
         if given[-1, 0] < given[0, 0]:
             given = given[::-1]
         if (np.linalg.norm(np.diff(given, axis=0), axis=1) == 0).any():
@@ -82,7 +82,7 @@ class Section:
         best = distances.argmin(axis=1)
         rows = np.arange(len(needed))
         if len(rows) and (farthest := distances[rows, best].max()) > _FARTHEST:
-            raise invalid("rows", f"lie up to {farthest:.3g} mm from the section; they are not in its coordinates")
+            raise invalid("rows", f"lie up to {farthest:.3g} mm from the section; give them in its coordinates")
         return np.asarray(self.lengths[best] + along[rows, best] * np.sqrt(squares[best]))
 
     def resampled(self, spacing: float) -> Section:
@@ -148,8 +148,8 @@ def deposit(edges: npt.ArrayLike, centres: npt.ArrayLike, width: float, depths: 
     if beyond.any():
         raise invalid(
             "profile",
-            f"ends at {ends[0]:.4g} and {ends[-1]:.4g} mm of its length, and the contact reaches from {low[beyond].min():.4g} to "
-            f"{high[beyond].max():.4g} mm; give a longer profile, or leave the state out",
+            f"ends at {ends[0]:.4g} and {ends[-1]:.4g} mm of its length, but the contact reaches from {low[beyond].min():.4g} to "
+            f"{high[beyond].max():.4g} mm; give a longer profile, or omit the state",
         )
     covered = np.clip(ends[None, :], low[:, None], high[:, None])
     return np.asarray((taken[:, None] * np.diff(covered, axis=1)).sum(axis=0) / np.diff(ends))

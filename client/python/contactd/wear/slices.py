@@ -68,7 +68,7 @@ def depths_along(
     along, across = (_edges(values, name) for values, name in ((x_edges, "x_edges"), (y_edges, "y_edges")))
     given = params_of(law, "law") if isinstance(law, WearLaw) else with_objects(WearLaw, law, "law")
     if given.get("body") != "upper":
-        raise invalid("law.body", f"is {given.get('body')}; the rail's law is one of upper")
+        raise invalid("law.body", f"is {given.get('body')}; the rail's law must have body upper")
     plain = setup_params(setup) if isinstance(setup, WheelRailSetup) else dict(setup)
     params: Mapping[str, Any] = {**plain, "wear": {"energy": energy, "laws": [given]}}
     depths, weights = np.zeros((len(along) - 1, len(across) - 1)), np.zeros(len(along) - 1)
@@ -76,7 +76,7 @@ def depths_along(
     for i, one in enumerate(states):
         piece = int(np.searchsorted(along, one.state.position.x, side="right")) - 1
         if not 0 <= piece < len(pmax):
-            raise invalid(f"states[{i}].position.x", f"is {one.state.position.x:g}, beyond the pieces, {along[0]:g} to {along[-1]:g} mm")
+            raise invalid(f"states[{i}].position.x", f"is {one.state.position.x:g}, outside the pieces, {along[0]:g} to {along[-1]:g} mm")
         own = params if one.mu is None else {**params, "friction": {**(params.get("friction") or {}), "mu": one.mu}}
         with collected() as sentences:
             answer = client.call("wheelrail.solve", {"setup": own, "state": state_params(one.state, f"states[{i}]"), "fields": []})
@@ -94,7 +94,7 @@ def depths_along(
                 share = covered / (2 * half) if half > 0 else np.zeros(len(covered))
                 depths[piece] += one.weight * row["depths"][0] * dy * share / np.diff(across)
     if worn and not depths.any():
-        raise invalid("y_edges", f"reach from {across[0]:g} to {across[-1]:g} mm, and contacts wear from {min(worn):g} to {max(worn):g} mm: nothing is there")
+        raise invalid("y_edges", f"reach from {across[0]:g} to {across[-1]:g} mm, but contacts wear from {min(worn):g} to {max(worn):g} mm: extend them")
     give(warnings)
     return DepthMap(along, across, depths / np.where(weights > 0, weights, 1.0)[:, None], pmax)
 
@@ -102,5 +102,5 @@ def depths_along(
 def _edges(values: npt.ArrayLike, name: str) -> Array:
     found = np.asarray(values, dtype=np.float64)
     if found.ndim != 1 or len(found) < 2 or not np.isfinite(found).all() or not (np.diff(found) > 0).all():
-        raise invalid(name, "must be two finite numbers or more that ascend")
+        raise invalid(name, "must be at least two finite numbers in ascending order")
     return found

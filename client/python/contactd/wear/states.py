@@ -64,11 +64,11 @@ def read_states(path: str | os.PathLike[str], on_progress: OnProgress | None = N
             on_progress(0.0)
         head, rows = table_of(content.decode("utf-8-sig"))
     except UnicodeDecodeError:
-        raise invalid("states", "are no text in UTF-8; they are a file of CSV, or of HDF5 (.h5) or Parquet (.parquet)") from None
+        raise invalid("states", "are not text in UTF-8; give a CSV file, or one of HDF5 (.h5) or Parquet (.parquet)") from None
     except ValueError as error:
         raise invalid("states", f"cannot be read: {error}") from None
     if not head:
-        raise invalid("states", "are empty; the first line names the columns, such as position.y, Fz, weight")
+        raise invalid("states", "are empty; the first line must name the columns, such as position.y, Fz, weight")
     return states_of_columns({column: [cells[i] for _, cells in rows] for i, column in enumerate(head)}, on_progress)
 
 
@@ -80,7 +80,7 @@ def states_of_columns(columns: Mapping[str, Iterable[Any]], on_progress: OnProgr
     weights = [name for name in ("weight", "distance") if name in table]
     if len(weights) != 1:
         which = "both weight and distance" if weights else "neither weight nor distance"
-        raise invalid("states", f"have {which}; one column says how much of all each state is")
+        raise invalid("states", f"have {which}; give one of these columns with the share of each state")
     count = len(table[weights[0]])
     numbers = {name: _numbers(values, name) for name, values in table.items() if name not in ("group", "mu")}
     if (least := min(numbers[weights[0]], default=0.0)) < 0:
@@ -94,7 +94,7 @@ def states_of_columns(columns: Mapping[str, Iterable[Any]], on_progress: OnProgr
         own = None if mu is None or mu[row] in ("", None) else _number(mu[row], f"states[{row}].mu")
         states.append(WeightedState(state_of(row), numbers[weights[0]][row], "" if group is None else str(group[row]), own))
     if not sum(one.weight for one in states) > 0:
-        raise invalid("states", f"have a {weights[0]} of 0 each; give one of them at least a positive {weights[0]}")
+        raise invalid("states", f"all have a {weights[0]} of 0; give at least one of them a positive {weights[0]}")
     give(_in_metres(numbers.get("position.y", [])))
     return states
 
@@ -104,7 +104,7 @@ def _in_metres(positions: Sequence[float]) -> Iterator[str]:
     largest = max(map(abs, positions), default=0.0)
     if _MICROMETRES[0] <= largest <= _MICROMETRES[1]:
         yield (
-            f"states: position.y is at most {largest:g} mm, micrometres off the middle of the track, in all of them. Give lengths in mm, not in m. "
+            f"states: position.y is at most {largest:g} mm, micrometres from the track centre, in all of them. Give lengths in mm, not in m. "
             f"If it is in m, it is up to {1000 * largest:g} mm."
         )
 
@@ -171,7 +171,7 @@ def _check(value: Any, name: str, path: list[str]) -> None:
     part = getattr(value, path[0])
     is_object = hasattr(part, "__dataclass_fields__")
     if is_object != (len(path) > 1):
-        raise invalid("states", f"have a column {name:.60}, which is no number of a state")
+        raise invalid("states", f"have a column {name:.60}, which is not a number of a state")
     if is_object:
         _check(part, name, path[1:])
 
@@ -190,13 +190,13 @@ def _parquet_columns(path: str | os.PathLike[str]) -> dict[str, list[Any]]:
     try:
         from pyarrow import parquet  # type: ignore[import-not-found]
     except ImportError:
-        raise invalid("states", f"are in {os.fspath(path)}, and Parquet is read by pyarrow, which is missing: pip install pyarrow, or write CSV") from None
+        raise invalid("states", f"are in {os.fspath(path)}, but reading Parquet requires pyarrow: pip install pyarrow, or write CSV") from None
     import pyarrow
 
     try:
         table = parquet.read_table(os.fspath(path))
     except pyarrow.ArrowException as error:
-        raise invalid("states", f"are no file of Parquet: {error}") from None
+        raise invalid("states", f"are not a Parquet file: {error}") from None
     return {str(name): table.column(name).to_pylist() for name in table.column_names}
 
 
@@ -208,8 +208,8 @@ def _hdf5_columns(path: str | os.PathLike[str]) -> dict[str, list[Any]]:
     try:
         with h5py.File(path, "r") as file:
             if wrong := next((name for name in file if getattr(file[name], "ndim", 0) != 1), None):
-                raise invalid("states", f"have {wrong}, which is no column; a dataset with one number or word a state is one")
+                raise invalid("states", f"have {wrong}, which is not a column; a column is a dataset with one number or word for each state")
             columns = {name: file[name][()] for name in file}
     except OSError as error:
-        raise invalid("states", f"are no file of HDF5 that can be read: {error}") from None
+        raise invalid("states", f"are not a readable HDF5 file: {error}") from None
     return {name: [v.decode(errors="replace") if isinstance(v, bytes) else v for v in values.tolist()] for name, values in columns.items()}

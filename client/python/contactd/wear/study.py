@@ -68,49 +68,49 @@ class WearStudy:
     def __post_init__(self) -> None:
         """Raises InvalidArgument naming an invalid field."""
         if self.wears not in ("wheel", "rail", "both"):
-            raise invalid("wears", f"is {self.wears!r}; it must be wheel or rail, where the other one stays as it is, or both")
+            raise invalid("wears", f"is {self.wears!r}; it must be wheel, rail or both")
         self._check_laws()
         for name in ("until", "depth", "spacing", "distance", "passages_per_km"):
             value = getattr(self, name)
             if value is not None and not (math.isfinite(value) and value > 0):
                 raise invalid(name, f"is {value}; it must be positive")
         if self.distance is not None and self.until / self.distance > _MOST_STEPS:
-            raise invalid("distance", f"is {self.distance:g} {self.unit}, which makes more than {_MOST_STEPS} steps of {self.until:g}")
+            raise invalid("distance", f"is {self.distance:g} {self.unit}, which results in more than {_MOST_STEPS} steps of {self.until:g}")
         if not _SPACINGS[0] <= self.spacing <= _SPACINGS[1]:
             raise invalid("spacing", f"is {self.spacing:g} mm; it must lie in [{_SPACINGS[0]:g}, {_SPACINGS[1]:g}]")
         if self.smoothing not in ("auto", "exponential_step") and not _is_length(self.smoothing):
             raise invalid("smoothing", f"is {self.smoothing!r}; it must be auto, exponential_step, or a wavelength (mm)")
         if not self.states:
-            raise invalid("states", "are none; give one state at least")
+            raise invalid("states", "are empty; give at least one state")
         for i, one in enumerate(self.states):
             if not (math.isfinite(one.weight) and one.weight >= 0):
                 raise invalid(f"states[{i}].weight", f"is {one.weight:g}; it must be at least 0, and finite")
             if one.state.motion != "steady_rolling":
-                raise invalid(f"states[{i}].motion", f"is {one.state.motion}; wear is that of steady rolling")
+                raise invalid(f"states[{i}].motion", f"is {one.state.motion}, but wear requires steady rolling")
             wheel = one.state.wheel
             if wheel.x or wheel.y or wheel.z or wheel.roll or wheel.yaw or one.state.rail.roll:
-                raise invalid(f"states[{i}]", "moves the wheel on its axle, or turns the rail; rows are placed without that")
+                raise invalid(f"states[{i}]", "moves the wheel on its axle, or rotates the rail, which wear does not support")
         if sum(one.weight for one in self.states) == 0:
-            raise invalid("states", "have a weight of 0 each; give one of them at least a positive weight")
+            raise invalid("states", "all have a weight of 0; give at least one of them a positive weight")
         if {"rail_slices", "wheel_slices"} & self.setup_params().keys():
-            raise invalid("setup", "has slices; profiles that are the same along the track, or round the wheel, can wear")
+            raise invalid("setup", "has slices; wear requires profiles that are constant along the track and round the wheel")
 
     def _check_laws(self) -> None:
         for name, part in zip(("law", "rail_law"), self.parts) if self.wears == "both" else (("law", self.parts[0]),):
             if getattr(self, name) is None:
-                raise invalid(name, f"is missing; wheel and rail wear, and the {part} needs a law of its own")
+                raise invalid(name, f"is missing; wheel and rail wear, and the {part} requires its own law")
             body = "lower" if part == "wheel" else "upper"
             if (of_law := self._law(name).get("body")) != body:
-                raise invalid(f"{name}.body", f"is {of_law}, and the {part} wears; its law is one of {body}")
+                raise invalid(f"{name}.body", f"is {of_law}, but the {part} wears; its law must have body {body}")
         if self.wears == "both" and self._law("law").get("name") == self._law("rail_law").get("name"):
-            raise invalid("rail_law.name", f"is {self._law('law').get('name')}, as that of the wheel's law; answers tell laws by their names")
+            raise invalid("rail_law.name", f"is {self._law('law').get('name')}, which the wheel's law already has; answers identify laws by their names")
         if self.wears == "both" and self.passages_per_km is None:
-            raise invalid("passages_per_km", "is missing; say how many wheels pass the rail while a wheel runs a km")
+            raise invalid("passages_per_km", "is missing; give the number of wheels that pass the rail while a wheel runs a km")
         for name in ("rail_law", "passages_per_km"):
             if self.wears != "both" and getattr(self, name) is not None:
-                raise invalid(name, f"is given, and only the {self.wears} wears; it goes with wears both")
+                raise invalid(name, f"is given, but only the {self.wears} wears; it requires wears = both")
         if self.fatigue is not None and self.tired_part not in self.parts:
-            raise invalid("fatigue.body", f"is that of the {self.tired_part}, and the {self.wears} wears; what it bears moves along it")
+            raise invalid("fatigue.body", f"is that of the {self.tired_part}, but the {self.wears} wears; fatigue requires the part that wears")
 
     @property
     def parts(self) -> tuple[WornPart, ...]:

@@ -104,7 +104,7 @@ class _Wheel:
         except fmi1.FMICallException as error:
             sentence = self._given[-1] if self._given else str(error)
             # Other errors, such as the limit of a step, do not affect the motion.
-            raise (InvalidArgument if "no elastic contact" in sentence else RuntimeError)(sentence) from None
+            raise (InvalidArgument if "elastic contact allows" in sentence else RuntimeError)(sentence) from None
         self._time += STEP
         get = self._slave.getReal if self._is_fmi2 else self._slave.getFloat64
         answers: list[float] = get(self._answers)

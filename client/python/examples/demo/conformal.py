@@ -142,7 +142,7 @@ def throat_checks(solutions: dict[str, WheelRailSolution]) -> list[Check]:
     pmax = {way: solution.patches[0].solution.pmax for way, solution in solutions.items()}
     missed = max(abs(solution.forces.track.Fz / FZ - 1) for solution in solutions.values())
     rotated = abs(pmax["rotated"] / pmax["fem"] - 1)
-    warned = any("bends too much" in warning for warning in solutions["off"].warnings)
+    warned = any("too strongly curved" in warning for warning in solutions["off"].warnings)
     converged = all(solution.converged for solution in solutions.values())
     return [
         (converged, f"{'solvers of the throat converged':42} {converged!s:>8}"),

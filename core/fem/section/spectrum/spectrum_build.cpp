@@ -193,8 +193,8 @@ class Builder {
         if (bytes <= static_cast<double>(max_memory_bytes_)) return;
         std::array<char, 240> text{};
         std::snprintf(text.data(), text.size(),
-                      "The build would take about %.2g GB of memory for %lld unknowns, and may use %llu bytes "
-                      "(builds.max_memory_bytes): take a coarser accuracy.",
+                      "The build would take about %.2g GB of memory for %lld unknowns, but may use %llu bytes "
+                      "(builds.max_memory_bytes). Use a coarser accuracy.",
                       bytes / 1e9, model.unknowns(), static_cast<unsigned long long>(max_memory_bytes_));
         throw OutOfMemory("ics.accuracy", text.data());
     }
@@ -271,9 +271,9 @@ class Builder {
         const SpectrumErrors& errors = result_.errors;
         std::array<char, 400> text{};
         std::snprintf(text.data(), text.size(),
-                      "The accuracy of %g is not reached: coefficients may be off by %.2g, of which %.2g are the "
-                      "mesh's of order %d, and %.2g those of %zu wavenumbers. Ask for a coarser accuracy, or for "
-                      "narrower strips that keep away from an edge.",
+                      "The accuracy of %g was not reached: coefficients may have an error of %.2g, of which the mesh "
+                      "of order %d contributes %.2g, and the %zu wavenumbers %.2g. Request a coarser accuracy, or use "
+                      "narrower strips farther from an edge.",
                       accuracy_, errors.numerical(), errors.mesh, result_.order, errors.wavenumbers + errors.end,
                       result_.spectrum.nodes.size());
         throw NotConverged(text.data());

@@ -124,17 +124,16 @@ void warn(const ContactProblem& problem, const RollingModel& model, double mu, s
     const SlopeReduction& slope = problem.simplified.slope;
     if (slope.k0 > 1)
         warnings.push_back("simplified.slope.k0 is " + number_text(slope.k0) +
-                           ": a reduction makes Kalker's slope smaller, and lies in (0, 1].");
+                           ", but a reduction of Kalker's slope lies in (0, 1].");
     if (slope.alpha > 1)
         warnings.push_back("simplified.slope.alpha is " + number_text(slope.alpha) +
-                           ": the slope would rise with creepage, and a reduction has alpha up to 1.");
+                           ", so the slope increases with creepage. Use at most 1.");
     if (problem.model != Model::fastrip || !(mu > 0)) return;
     const double S = strip_spin(model.theory(), std::get<Rolling>(problem.motion).phi, mu);
     if (std::abs(S) > strips_end)
         warnings.push_back(
-            "Spin is too much for strip theory, which is meant for less than 1 of what makes strips "
-            "slip, and has " +
-            short_text(std::abs(S)) + " here: take model fastsim or full.");
+            "The spin is " + short_text(std::abs(S)) +
+            " times the spin at which strips slip, but strip theory requires less than 1. Use model fastsim or full.");
 }
 
 }  // namespace

@@ -10,9 +10,9 @@ ElementLines::ElementLines(const Grid& grid, const RollingFrame& frame)
     : grid_(grid), frame_(frame), rows_(frame.s == 0), forwards_((rows_ ? frame.c : frame.s) > 0) {
     if (frame.s != 0 && frame.c != 0)
         throw InvalidArgument("friction.rolling.chi",
-                              "is along no axis of the grid (cosine " + number_text(frame.c) +
-                                  "); simplified models on elements go along their rows or columns: take a multiple of "
-                                  "pi/2, or model full, which takes all");
+                              "is not along an axis of the grid (cosine " + number_text(frame.c) +
+                                  "); simplified models on elements roll along rows or columns: use a multiple of "
+                                  "pi/2, or model full, which supports any direction");
 }
 
 std::size_t ElementLines::element(int line, int place) const {

@@ -69,11 +69,11 @@ ElementPatch patch_of(const Grid& grid, const std::vector<double>& pressure, con
 KalkerCoefficients coefficients_of(const SemiAxes& rolling, double nu, CreepageCoefficients from) {
     const double ratio = rolling.a / rolling.b;
     if (!has_kalker_coefficients(ratio))
-        throw InvalidArgument("gap", "has a contact whose ellipse has semi-axes of " + number_text(rolling.a) +
-                                         " mm along and " + number_text(rolling.b) +
-                                         " mm across the rolling direction, a ratio of " + number_text(ratio) +
-                                         "; simplified models have Kalker's coefficients for 1/32 to 32: take model "
-                                         "full");
+        throw InvalidArgument(
+            "gap", "results in a contact ellipse with semi-axes of " + number_text(rolling.a) + " mm along and " +
+                       number_text(rolling.b) + " mm across the rolling direction, a ratio of " + number_text(ratio) +
+                       "; simplified models have Kalker's coefficients for ratios of 1/32 to 32: use model "
+                       "full");
     return from == CreepageCoefficients::printed ? printed_coefficients(ratio, nu) : kalker_coefficients(ratio, nu);
 }
 

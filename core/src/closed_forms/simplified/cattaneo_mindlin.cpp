@@ -84,8 +84,9 @@ class ShiftLaw {
 
 EllipticFriction cattaneo_mindlin(const Grid& grid, const EllipticContact& contact, double mu, const Shift& shift) {
     if (shift.rotation != 0)
-        throw InvalidArgument("friction.rotation", "is " + number_text(shift.rotation) +
-                                                       " rad; the closed form has none, the model full takes it");
+        throw InvalidArgument(
+            "friction.rotation",
+            "is " + number_text(shift.rotation) + " rad; the closed form does not support a rotation: use model full");
     const PrescribedForce prescribed{shift.force.Fx, shift.force.Fy, mu * contact.Fn};
     check_reach(prescribed, "friction.force");
     Shift motion = shift;

@@ -18,7 +18,7 @@ namespace {
 void validate(const FastsimSettings& settings) {
     const auto check = [](int value, const char* field) {
         if (value < 8 || value > 10'000)
-            throw InvalidArgument(field, "is " + std::to_string(value) + "; it must lie in 8 to 10000");
+            throw InvalidArgument(field, "is " + std::to_string(value) + "; it must lie in [8, 10000]");
     };
     check(settings.steps, "fastsim.steps");
     check(settings.slices, "fastsim.slices");
@@ -37,11 +37,11 @@ Pair estimate(const Pair& force, double bound, const Pair& slope) {
 Flexibilities flexibilities(const SemiAxes& axes, const Material& combined) {
     const double ratio = axes.a / axes.b;
     if (!has_kalker_coefficients(ratio))
-        throw InvalidArgument("gap", "has a contact ellipse with semi-axes of " + number_text(axes.a) +
+        throw InvalidArgument("gap", "results in a contact ellipse with semi-axes of " + number_text(axes.a) +
                                          " mm along and " + number_text(axes.b) +
                                          " mm across the rolling direction, a ratio of " + number_text(ratio) +
-                                         "; fastsim has Kalker's coefficients for 1/32 to 32. Take model full, or "
-                                         "hertz where there is no spin");
+                                         "; fastsim has Kalker's coefficients for ratios of 1/32 to 32: use model "
+                                         "full, or hertz if there is no spin");
     const KalkerCoefficients C = kalker_coefficients(ratio, combined.nu);
     const double unit = axes.a / combined.G;
     return {8 * unit / (3 * C.C11), 8 * unit / (3 * C.C22),

@@ -21,7 +21,7 @@ namespace {
 
 [[noreturn]] void unknown(const ContactProblem& problem, const char* field, const std::string& what) {
     throw InvalidArgument(
-        field, what + ", which model " + std::string(name_of(problem.model)) + " does not know; model full does");
+        field, what + ", which model " + std::string(name_of(problem.model)) + " does not support: use model full");
 }
 
 HertzContact line_hertz(const ContactProblem& problem, const LineContactSpec& line) {
@@ -40,7 +40,7 @@ HertzContact hertz(const ContactProblem& problem) {
 
 void check_is_elliptic(const ContactProblem& problem) {
     if (std::holds_alternative<std::vector<double>>(*problem.gap)) unknown(problem, "gap", "is an array");
-    if (problem.bodies.pair) unknown(problem, "ics", "holds a table of coefficients");
+    if (problem.bodies.pair) unknown(problem, "ics", "contains a table of coefficients");
 }
 
 void check_is_simple(const ContactProblem& problem) {
@@ -49,7 +49,7 @@ void check_is_simple(const ContactProblem& problem) {
     if (friction.kinetic && !rolls_on_elements(problem))
         unknown(problem, "friction.kinetic", "makes friction depend on the slip");
     if (friction.kinetic && friction.kinetic->memory)
-        unknown(problem, "friction.kinetic.memory", "is that of particles");
+        unknown(problem, "friction.kinetic.memory", "makes friction depend on the history of particles");
     if (friction.temperature) unknown(problem, "friction.temperature", "makes friction depend on the temperature");
     if (!problem.previous.empty()) unknown(problem, "previous", "starts from tractions");
     if (!problem.rigid_slip.empty()) unknown(problem, "friction.rigid_slip", "differs from element to element");
@@ -103,8 +103,8 @@ void take_no_friction(ContactSolution& solution) {
 
 void differentiate(const ContactProblem& problem, const EllipticContact& contact, ContactSolution& solution) {
     if (contact.empty() || !solution.converged()) {
-        solution.warnings.push_back(contact.empty() ? "There is no contact, and so there are no derivatives."
-                                                    : "The solution did not converge, and so it has no derivatives.");
+        solution.warnings.push_back(contact.empty() ? "There is no contact, so there are no derivatives."
+                                                    : "The solution did not converge, so it has no derivatives.");
         return;
     }
     const auto start = std::chrono::steady_clock::now();

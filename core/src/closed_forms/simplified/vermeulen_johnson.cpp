@@ -36,7 +36,7 @@ EllipticFriction vermeulen_johnson(const Grid& grid, const EllipticContact& cont
     if (rolling.phi != 0)
         throw InvalidArgument("friction.rolling.phi",
                               "is " + number_text(rolling.phi) +
-                                  " rad/mm; the closed form has no spin, the models fastsim and full have");
+                                  " rad/mm; the closed form does not support spin: use model fastsim or full");
     const PrescribedForce prescribed{rolling.force.Fx, rolling.force.Fy, mu * contact.Fn};
     check_reach(prescribed, "friction.rolling.force");
     Rolling motion = rolling;

@@ -82,9 +82,8 @@ std::vector<std::string> creep_warnings(const ContactProblem& problem, const Con
     };
     if (rolling->velocity == 1 && (creeps(problem.bodies.upper) || creeps(problem.bodies.lower)))
         warnings.push_back(
-            "friction.rolling.velocity is 1 mm/s, which is what it is where it is left out; what viscoelastic bodies "
-            "do "
-            "depends on it.");
+            "friction.rolling.velocity is 1 mm/s, the default, but the response of viscoelastic bodies depends on it. "
+            "Give the velocity of rolling.");
     const double contact = length_of_contact(problem.grid, solution.pressure);
     for (const auto& [body, name] : {std::pair(&problem.bodies.upper, "bodies.upper.viscoelastic.tau"),
                                      std::pair(&problem.bodies.lower, "bodies.lower.viscoelastic.tau")}) {
@@ -94,12 +93,12 @@ std::vector<std::string> creep_warnings(const ContactProblem& problem, const Con
                                   " s, in which the bodies roll " + short_text(l) + " mm: ";
         if (l < shortest_length * problem.grid.dx)
             warnings.push_back(rolls +
-                               "less than half an element, so that an elastic body of modulus G/(1 + f), which "
-                               "tau = 0 says, is as good.");
+                               "less than half an element. An elastic body of modulus G/(1 + f), which is tau = 0, has "
+                               "the same solution.");
         else if (l > longest_length * contact)
             warnings.push_back(rolls +
-                               "more than a hundred lengths of the contact, so that an elastic body of modulus "
-                               "G, which f = 0 says, is as good.");
+                               "more than a hundred times the length of the contact. An elastic body of modulus G, "
+                               "which is f = 0, has the same solution.");
     }
     return warnings;
 }

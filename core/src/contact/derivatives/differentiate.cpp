@@ -216,7 +216,7 @@ void differentiate(const ContactProblem& problem, const ContactInfluence& influe
     const bool has_contact =
         std::any_of(solution.pressure.begin(), solution.pressure.end(), [](double p) { return p > 0; });
     if (!has_contact) {
-        solution.warnings.push_back("There is no contact, and so there are no derivatives.");
+        solution.warnings.push_back("There is no contact, so there are no derivatives.");
         return;
     }
     Differentiation differentiation(problem, influence, solution, observer);
@@ -227,7 +227,8 @@ void differentiate(const ContactProblem& problem, const ContactInfluence& influe
         solution.derivatives = named(table, problem);
         return;
     }
-    solution.warnings.push_back("The equations of the derivatives did not reach their tolerance: there are none.");
+    solution.warnings.push_back(
+        "The equations of the derivatives did not reach their tolerance, so there are no derivatives.");
 }
 
 }  // namespace contactd

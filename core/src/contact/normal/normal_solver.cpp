@@ -202,7 +202,8 @@ struct Shifted {
 void check(const NormalTask& task, std::size_t size) {
     require_size(task.gap, size, task.pressure_sum ? "undeformed_distance" : "gap");
     if (task.pressure_sum && (!(*task.pressure_sum >= 0) || !std::isfinite(*task.pressure_sum)))
-        throw InvalidArgument("Fn", "must be finite and not negative: bodies in contact do not pull at each other");
+        throw InvalidArgument("Fn",
+                              "must be finite and not negative: contact without adhesion carries compression only");
 }
 
 }  // namespace

@@ -144,8 +144,8 @@ class BoundaryElements {
     void take_penetration() {
         if (influence_.coupled())
             throw InvalidArgument("normal_model",
-                                  "is given, and the bodies are dissimilar, so that pressures follow the tractions, "
-                                  "which those of normal_model do not: take like bodies, or leave it out");
+                                  "is given, but the bodies are dissimilar. Their pressures depend on the tractions, "
+                                  "which normal_model does not support: use similar bodies, or remove it");
         PenetrationContact found = penetration_contact(problem_, distance_);
         now_.pressure = std::move(found.pressure);
         solution_.approach = found.approach;
@@ -366,7 +366,7 @@ ContactSolution solve_boundary_elements(const ContactProblem& problem, const Con
     if (solution.converged())
         differentiate(problem, influence, observer, solution);
     else
-        solution.warnings.push_back("The solution did not converge, and so it has no derivatives.");
+        solution.warnings.push_back("The solution did not converge, so it has no derivatives.");
     return solution;
 }
 

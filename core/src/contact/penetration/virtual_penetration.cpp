@@ -170,14 +170,13 @@ void warn(const ContactProblem& problem, const PenetrationPressures& found, std:
     if (!found.is_beyond) return;
     if (problem.normal_model == NormalModel::kpec)
         warnings.emplace_back(
-            "normal_model kpec is beyond what it is made for: in some rows the overlap would have to exceed the "
-            "approach, "
-            "and is cut there. The surfaces are much flatter off the place where they are nearest: take model full.");
+            "The contact is outside the range of normal_model kpec: in some rows the overlap would exceed the approach "
+            "and is limited to it. The surfaces are much flatter away from the point of first contact. Remove "
+            "normal_model and use model full.");
     else
         warnings.emplace_back(
-            "normal_model analyn is beyond what it is made for: some rows in contact are flat or concave across, and "
-            "have "
-            "a curvature of 1e-4/mm in their place: take model full.");
+            "The contact is outside the range of normal_model analyn: some rows in contact are flat or concave across, "
+            "and a curvature of 1e-4/mm replaces theirs. Remove normal_model and use model full.");
 }
 
 }  // namespace
@@ -187,8 +186,9 @@ PenetrationContact penetration_contact(const ContactProblem& problem, std::span<
         return prescribed_contact(problem);
     const auto begin = std::chrono::steady_clock::now();
     if (problem.normal_model == NormalModel::analyn && problem.grid.ny < 3)
-        throw InvalidArgument("grid.ny", "is " + std::to_string(problem.grid.ny) +
-                                             "; normal_model analyn takes curvatures across from three rows at least");
+        throw InvalidArgument("grid.ny",
+                              "is " + std::to_string(problem.grid.ny) +
+                                  "; normal_model analyn computes lateral curvatures and requires at least three rows");
     Penetration penetration(problem, distance);
     PenetrationContact contact;
     contact.evidence.converged = true;

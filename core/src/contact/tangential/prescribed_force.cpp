@@ -202,11 +202,11 @@ void require_reachable(const PrescribedForces& prescribed, const SolverSettings&
     if (!std::isfinite(force)) throw InvalidArgument(prescribed.field, "is not a finite number");
     const double most = largest_force_with_a_slip(prescribed.largest, settings);
     if (force > 0 && force >= most)
-        throw InvalidArgument(prescribed.field,
-                              "is " + number_text(force) + " N; friction carries less than " +
-                                  number_text(prescribed.largest) + " N, the sum of its bounds, and from " +
-                                  number_text(most) +
-                                  " N on all slips, so that no force tells one slip from a longer one");
+        throw InvalidArgument(
+            prescribed.field,
+            "is " + number_text(force) + " N; it must be less than " + number_text(most) + " N. At " +
+                number_text(prescribed.largest) +
+                " N, the sum of the friction bounds, all elements slip, and the force no longer determines the slip");
 }
 
 Pair expected_rigid_slip(const PrescribedForces& prescribed) {

@@ -32,10 +32,10 @@ void check(std::span<const double> amplitudes, const ConicitySettings& settings)
 void check_rails(const WheelsetOnTrack& wheelset) {
     for (const auto& [side, name] : {std::pair(&wheelset.left, "left"), std::pair(&wheelset.right, "right")})
         if (side->roller_radius)
-            throw InvalidArgument(std::string(name) + ".track.roller_radius",
-                                  "is " + number_text(*side->roller_radius) +
-                                      "; the equivalent conicity is that of a wheelset that runs along rails, and on "
-                                      "rollers it does not: leave it out");
+            throw InvalidArgument(
+                std::string(name) + ".track.roller_radius",
+                "is " + number_text(*side->roller_radius) +
+                    "; the equivalent conicity is defined for a wheelset on rails, not on rollers: remove it");
 }
 
 /// A wheelset at the shifts that were looked at.
@@ -54,10 +54,10 @@ class Shifts {
     void refuse_ends(double centre, double amplitude) const {
         for (const double shift : at_ends_)
             if (std::abs(shift - centre) <= amplitude)
-                throw InvalidArgument("amplitudes", "reach " + number_text(amplitude) + " mm, and at the shift " +
-                                                        number_text(shift) +
-                                                        " mm a profile's end is in contact; take smaller ones, or "
-                                                        "profiles that go on");
+                throw InvalidArgument(
+                    "amplitudes",
+                    "reach " + number_text(amplitude) + " mm, but at the shift " + number_text(shift) +
+                        " mm the end of a profile is in contact; use smaller amplitudes or longer profiles");
     }
 
    private:

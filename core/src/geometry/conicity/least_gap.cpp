@@ -72,9 +72,9 @@ LeastGap refined(const Gap& gap, const LeastGap& before, const LeastGap& sample,
 
 /// Along the wheel, in small steps around the least gaps; with nothing beyond both ends.
 std::vector<LeastGap> samples_along(const Gap& gap, double length) {
-    const int count = count_of(std::ceil(length / step),
-                               {"wheel", "has a profile that is " + short_text(length) + " mm long",
-                                "places to look at", "leave out points that leap up and down", most_places});
+    const int count =
+        count_of(std::ceil(length / step), {"wheel", "has a profile that is " + short_text(length) + " mm long",
+                                            "sampling points", "omit points that jump up and down", most_places});
     std::vector<LeastGap> coarse;
     for (int i = 0; i <= count; ++i) coarse.push_back(gap.at(length * i / count));
     const double near = rivals + std::min_element(coarse.begin(), coarse.end(), [](const auto& a, const auto& b) {

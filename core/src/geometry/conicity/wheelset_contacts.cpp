@@ -23,10 +23,9 @@ constexpr double largest_roll = 0.2, precise_roll = 1e-13;  // rad
 LeastGap gap_of(const WheelOverRail& pair, double shift, double roll, double outwards) {
     const LeastGap found = geometry::least_gap(pair, outwards * shift, outwards * roll);
     if (std::isinf(found.gap))
-        throw InvalidArgument("shift",
-                              "is " + number_text(shift) + ", where the " + (outwards > 0 ? "right" : "left") +
-                                  " wheel is not above its rail; check gauge and flange_back_distance, or bring "
-                                  "the shift nearer to 0");
+        throw InvalidArgument(
+            "shift", "is " + number_text(shift) + ", where the " + (outwards > 0 ? "right" : "left") +
+                         " wheel is not above its rail; check gauge and flange_back_distance, or use a smaller shift");
     return found;
 }
 
@@ -60,8 +59,8 @@ WheelOverRail wheel_over_rail(const ProfileCurve& wheel, const ProfileCurve& rai
     validate(setup);
     const double width = rail.points().back().y - rail.points().front().y;
     if (!track.rail_origin && !(track.gauge > width))
-        throw InvalidArgument("track.gauge", "is " + number_text(track.gauge) + ", less than a rail is wide, " +
-                                                 short_text(width) + " mm: the rails would lie in each other");
+        throw InvalidArgument("track.gauge", "is " + number_text(track.gauge) + ", less than the width of a rail, " +
+                                                 short_text(width) + " mm: the rails would overlap");
     return {wheel,
             canted(rail, track.cant),
             wheelset.flange_back_distance / 2 - wheelset.flange_back_position,
@@ -91,8 +90,9 @@ WheelsetContacts contacts_at(const WheelsetOnTrack& wheelset, double shift, Whee
         const double usual = std::abs(at_low) / wheelset.right.wheel_origin;  // about twice what is needed
         for (double reach = std::max(1e-7, usual); at_low > 0 || at_high < 0; reach *= 2) {
             if (!(reach <= largest_roll))
-                throw InvalidArgument("shift", "is " + number_text(shift) +
-                                                   ", where no roll below 0.2 rad lets both wheels touch their rails");
+                throw InvalidArgument(
+                    "shift", "is " + number_text(shift) +
+                                 ", but no roll below 0.2 rad brings both wheels into contact with their rails");
             if (at_low > 0)
                 high = low, at_high = at_low, at_low = imbalance(low = -reach);
             else

@@ -30,7 +30,7 @@ bool go(std::size_t& cell, int step, std::size_t nodes) {
 std::size_t lines_within_bound(double columns, std::size_t rows) {
     const int most = most_nodes / static_cast<int>(std::clamp<std::size_t>(rows, 1, most_nodes));
     return static_cast<std::size_t>(
-        count_of(columns, {"dx", "is too small for a mesh of a wheel with " + std::to_string(rows) + " points across",
+        count_of(columns, {"dx", "is too small for a wheel with " + std::to_string(rows) + " points across",
                            "lines across it", "make it larger, or give the wheel fewer points", most}));
 }
 

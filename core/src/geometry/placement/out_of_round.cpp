@@ -27,7 +27,7 @@ OutOfRound::OutOfRound(std::vector<double> angles, const std::vector<ProfileCurv
     const auto pieces = static_cast<std::size_t>(
         count_of(std::ceil(first.end() / spacing),
                  {"wheel_slices[0].profile", "is " + short_text(first.end()) + " mm long",
-                  "stations, as many on each slice", "take fewer slices, or leave out points that leap up and down",
+                  "stations, the same number on each slice", "use fewer slices, or omit points that jump up and down",
                   most_stations / static_cast<int>(slices.size())}));
     for (std::size_t k = 0; k <= pieces; ++k)
         stations_.push_back(first.end() * static_cast<double>(k) / static_cast<double>(pieces));
@@ -65,7 +65,7 @@ std::vector<double> OutOfRound::radii_beside(const ProfileCurve& slice, const Pr
     const ProfilePoint first_from = first.points().front(), first_to = first.points().back();
     if (std::abs(from.y - first_from.y) > ends_differ || std::abs(to.y - first_to.y) > ends_differ)
         throw InvalidArgument(field, "reaches from y = " + short_text(from.y) + " to " + short_text(to.y) +
-                                         " mm, and the first slice from " + short_text(first_from.y) + " to " +
+                                         " mm, but the first slice from " + short_text(first_from.y) + " to " +
                                          short_text(first_to.y) + "; cut all slices at the same y");
     std::vector<double> radii;
     for (const double s : stations_) {
@@ -77,8 +77,8 @@ std::vector<double> OutOfRound::radii_beside(const ProfileCurve& slice, const Pr
         if (!(std::abs(radii.back()) <= largest))
             throw InvalidArgument(field, "differs by " + short_text(std::abs(radii.back())) +
                                              " mm from the first slice at y = " + short_text(here.y) +
-                                             " mm; a wheel is out of round by " + number_text(largest) +
-                                             " mm at most: check units, and that all slices have the same coordinates");
+                                             " mm; the largest supported out-of-roundness is " + number_text(largest) +
+                                             " mm: check the units, and that all slices use the same coordinates");
     }
     return radii;
 }

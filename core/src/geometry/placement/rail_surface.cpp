@@ -29,9 +29,9 @@ void check_gauge_side(const ProfileCurve& profile, double at_top, const Track& t
     if (gauge_side < 0.5 * track.gauge_height && field_side >= track.gauge_height)
         throw InvalidArgument(
             "track.gauge_height",
-            "is " + number_text(track.gauge_height) + ", and the rail's profile ends " + short_text(gauge_side) +
-                " mm below its top at y < 0, the gauge side, but goes on to " + short_text(field_side) +
-                " mm at y > 0: change mirror_y where the gauge face is there, or give track.rail_origin");
+            "is " + number_text(track.gauge_height) + ", but the rail's profile ends " + short_text(gauge_side) +
+                " mm below its top at y < 0, the gauge side, and reaches " + short_text(field_side) +
+                " mm at y > 0: change mirror_y if the gauge face is at y > 0, or give track.rail_origin");
 }
 
 }  // namespace

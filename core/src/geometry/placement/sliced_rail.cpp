@@ -37,9 +37,8 @@ std::vector<double> ends_at_features(const SlicedRail::Slice& slice, const std::
         const bool is_first = i == 0 || ends[i - 1] < 0;
         if (ends[i] > length || (!is_first && ends[i] >= 0 && ends[i] <= ends[i - 1]))
             throw InvalidArgument(field + "[" + std::to_string(i) + "]",
-                                  "is " + number_text(slice.features[i]) +
-                                      " mm, or the one before is, and the profile " + "ends at " + short_text(length) +
-                                      " mm; only the last feature may lie beyond");
+                                  "is " + number_text(slice.features[i]) + " mm, but the profile ends at " +
+                                      short_text(length) + " mm; only the last feature may lie beyond its end");
     }
     return ends;
 }
@@ -49,12 +48,12 @@ void check_kinks(const std::vector<std::vector<double>>& ends) {
     const std::size_t parts = ends.front().size() - 1;
     for (std::size_t i = 1; i < ends.size(); ++i)
         if (const std::size_t here = ends[i].size() - 1; here != parts)
-            throw InvalidArgument(of_slice(i, "profile"),
-                                  "has " + std::to_string(here) + (here == 1 ? " part" : " parts") +
-                                      " between kinks, and the first slice has " + std::to_string(parts) +
-                                      "; slices are joined part by part, so all need as many kinks (turns of more than "
-                                      "30 degrees at a point): give `features`, smooth what is noise, or cut the "
-                                      "slices alike");
+            throw InvalidArgument(
+                of_slice(i, "profile"),
+                "has " + std::to_string(here) + (here == 1 ? " part" : " parts") +
+                    " between kinks, but the first slice has " + std::to_string(parts) +
+                    "; slices are joined part by part, so all need the same number of kinks (turns of more than 30 "
+                    "degrees at a point): give `features`, smooth the noise, or trim the slices consistently");
 }
 
 bool has_kink_near(const ProfileCurve& curve, double length) {
@@ -88,7 +87,7 @@ SlicedRail::SlicedRail(const std::vector<Slice>& slices, SliceSpline spline) {
     for (std::size_t i = 0; i + 1 < slices.size(); ++i)
         if (std::ranges::none_of(stretches_, [i](const Stretch& at) { return at.first <= i && i < at.last; }))
             throw InvalidArgument(of_slice(i + 1, "features"),
-                                  "have no part in common with the slice before; there would be no rail between both");
+                                  "have no part in common with the previous slice, so there is no rail between them");
     find_steepest();
 }
 
@@ -100,7 +99,7 @@ void SlicedRail::join(const std::vector<Slice>& slices, const std::vector<Ends>&
     const int pieces = std::max(
         3, count_of(std::floor((longest + rounding) / spacing) + 1,
                     {"rail_slices", "have a part that is " + short_text(longest) + " mm long",
-                     "places along all slices together", "take fewer slices, or leave out points that leap up and down",
+                     "points along all slices together", "use fewer slices, or omit points that jump up and down",
                      most_places / static_cast<int>(slices.size())}));
     for (std::size_t first = 0, last; first < slices.size(); first = last + 1) {
         last = first;

@@ -121,7 +121,7 @@ Profile of_points(const ProfilePoints& given, ProfileKind kind, const Fit& fit, 
         geometry::visible_part(fit.smooths() ? smoothed(rough, fit) : points, kinks, kind);
     if (visible.points.size() < 2)
         throw InvalidArgument(fit.lambda > 0 ? "profile.smoothing_lambda" : "profile.smoothing_length",
-                              "leaves nothing of the profile that is seen from above; take it smaller");
+                              "leaves no part of the profile visible from above; use a smaller one");
     Profile made{kind,
                  counted(ProfileCurve(visible.points, visible.kinks), points, kind),
                  {given.points.size(), visible.points.size()}};

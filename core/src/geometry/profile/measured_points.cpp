@@ -28,7 +28,7 @@ Points in_mm(const ProfilePoints& given) {
         if (!(std::abs(point.y) <= 1e5 && std::abs(point.z) <= 1e5))
             throw InvalidArgument("profile.points[" + std::to_string(i) + "]",
                                   "is " + text_of(given.points[i]) +
-                                      "; coordinates must be finite and, in mm, 1e5 at most: correct it, or the unit");
+                                      "; coordinates must be finite and at most 1e5 mm: correct the point or the unit");
     }
     if (points.size() > 1 && points.front().y > points.back().y) std::reverse(points.begin(), points.end());
     return points;
@@ -37,11 +37,10 @@ Points in_mm(const ProfilePoints& given) {
 /// Too little remains where a profile is not run through in order, or stands upright.
 void check_remainder(std::size_t kept, std::size_t given) {
     if (2 * kept < given)
-        throw InvalidArgument(
-            "profile.points",
-            "are " + std::to_string(given) + ", of which only " + std::to_string(kept) +
-                " lie side by side when seen from above; they must follow the profile from one end to "
-                "the other, y ascending or descending");
+        throw InvalidArgument("profile.points", "has " + std::to_string(given) + " entries, of which only " +
+                                                    std::to_string(kept) +
+                                                    " are in order when seen from above; they must follow the profile "
+                                                    "from one end to the other, with y ascending or descending");
 }
 
 void check_sense(const Points& points, ProfileKind kind) {
@@ -58,38 +57,39 @@ void check_sense(const Points& points, ProfileKind kind) {
         if (flange && flange->upwards)
             throw InvalidArgument("profile.points",
                                   "rise to z = " + number_text(upper->z) + " at y = " + number_text(upper->y) +
-                                      "; z points downwards, to the tip of the flange: change mirror_z");
+                                      ", but z points downwards, to the tip of the flange: change mirror_z");
         // What falls off evenly to one side is a cone, and no flange.
         const bool deep = lower->z - usual > std::max(flange_height, 2 * (usual - upper->z));
         if ((flange && !flange->is_left && shows_tread) || (deep && lower->y > centre))
             throw InvalidArgument("profile.points", "have the flange at y = " + number_text(lower->y) +
-                                                        "; y grows to the field side: change mirror_y");
+                                                        ", but y points to the field side: change mirror_y");
     } else if (const double half = (upper->z + lower->z) / 2; std::max(points.front().z, points.back().z) < half &&
                                                               usual > half && lower->z - upper->z > flange_height)
         throw InvalidArgument("profile.points", "have both ends near the top, z = " + number_text(upper->z) +
-                                                    ", and the others below; z points downwards: change mirror_z");
+                                                    ", and the others below, but z points downwards: change mirror_z");
 }
 
 }  // namespace
 
 Points measured_points(const ProfilePoints& given, ProfileKind kind) {
     if (given.points.size() < 2)
-        throw InvalidArgument("profile.points", "are " + std::to_string(given.points.size()) +
-                                                    "; a profile needs two at least, and a real one fifty");
+        throw InvalidArgument("profile.points",
+                              "has " + std::to_string(given.points.size()) +
+                                  " entries; a profile needs at least two points, and a measured one about fifty");
     // The mean of a zigzag may be its neighbour.
     const Points points = without_repetitions(without_zigzags(without_repetitions(in_mm(given))));
     if (const auto crossing = crossing_of(points); crossing.found())
-        throw InvalidArgument("profile.points", "cross themselves: the chord from " + text_of(points[crossing.first]) +
-                                                    " and the one from " + text_of(points[crossing.second]) +
-                                                    " meet (mm, cleaned); order the points along the profile, or leave "
-                                                    "out those of the loop");
+        throw InvalidArgument("profile.points",
+                              "cross themselves: the chord from " + text_of(points[crossing.first]) +
+                                  " and the one from " + text_of(points[crossing.second]) +
+                                  " meet (mm, cleaned); order the points along the profile, or omit those of the loop");
     const Points seen = points.empty() ? points : seen_from_above(points, kind);
     check_remainder(seen.size(), points.size());
     if (seen.size() < 2 || seen.back().y - seen.front().y < 1)
-        throw InvalidArgument("profile.points", "span less than 1 mm from side to side; check their unit");
+        throw InvalidArgument("profile.points", "span less than 1 mm laterally; check their unit");
     if (seen.back().y - seen.front().y > widest)
         throw InvalidArgument("profile.points", "span " + number_text(seen.back().y - seen.front().y) +
-                                                    " mm from side to side, and no wheel or rail is wider than " +
+                                                    " mm laterally, but no wheel or rail is wider than " +
                                                     number_text(widest) + "; check their unit");
     check_sense(seen, kind);
     return points;

@@ -21,7 +21,8 @@ constexpr double largest_coordinate = 1e5, narrowest = 1e-6;  // mm
 
 void check(const std::vector<ProfilePoint>& points, const std::vector<std::size_t>& kinks) {
     if (points.size() < 2)
-        throw InvalidArgument("points", "are " + std::to_string(points.size()) + "; a profile needs two at least");
+        throw InvalidArgument("points",
+                              "has " + std::to_string(points.size()) + " entries; a profile needs at least two points");
     // Rails that vary along the track make many profiles: nothing but the numbers is looked at where all is right.
     const auto field = [](std::size_t i) { return "points[" + std::to_string(i) + "]"; };
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -29,13 +30,13 @@ void check(const std::vector<ProfilePoint>& points, const std::vector<std::size_
         for (const double coordinate : {y, z})
             if (!(std::abs(coordinate) <= largest_coordinate))
                 throw InvalidArgument(field(i), "has the coordinate " + number_text(coordinate) +
-                                                    "; it must be finite and 1e5 mm at most");
+                                                    "; it must be finite and at most 1e5 mm");
         if (i == 0) continue;
         constexpr double nearest = 1e-9;  // mm
         const double aside = y - points[i - 1].y, up = z - points[i - 1].z;
         if (aside * aside + up * up < nearest * nearest)
-            throw InvalidArgument(field(i), "is the point before it, (" + number_text(y) + ", " + number_text(z) +
-                                                "); neighbours must differ, leave one of them out");
+            throw InvalidArgument(field(i), "equals the previous point, (" + number_text(y) + ", " + number_text(z) +
+                                                "); neighbours must differ: omit one of them");
     }
     for (std::size_t i = 0; i < kinks.size(); ++i) {
         const std::string kink = "kinks[" + std::to_string(i) + "]", is = "is " + std::to_string(kinks[i]);
@@ -44,7 +45,7 @@ void check(const std::vector<ProfilePoint>& points, const std::vector<std::size_
                                   is + "; it must be the index of a point that has neighbours on both sides, 1 to " +
                                       std::to_string(points.size() - 2));
         if (i > 0 && kinks[i] <= kinks[i - 1])
-            throw InvalidArgument(kink, is + ", behind " + std::to_string(kinks[i - 1]) + "; kinks must ascend");
+            throw InvalidArgument(kink, is + " after " + std::to_string(kinks[i - 1]) + "; kinks must ascend");
     }
 }
 

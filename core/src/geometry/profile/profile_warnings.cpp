@@ -22,8 +22,9 @@ void warn_of_width(const Profile& profile, const std::string& name, std::vector<
     const bool wheel = profile.kind == ProfileKind::wheel;
     const double width = width_of(profile.curve);
     if (width >= (wheel ? narrowest_wheel : narrowest_rail)) return;
-    warnings.push_back("The profile of the " + name + " is " + short_text(width) + " mm wide, where " +
-                       (wheel ? "130" : "70") + " mm are usual. Points in inches need unit 25.4, in metres unit 1000.");
+    warnings.push_back("The profile of the " + name + " is " + short_text(width) + " mm wide, but " +
+                       (wheel ? "130" : "70") +
+                       " mm are usual. Set unit to 25.4 for points in inches, or to 1000 for metres.");
 }
 
 /// What measuring errors leave of a curve: points are as far as this from cubics through their neighbours (mm).
@@ -60,8 +61,8 @@ bool warn_of_rounding(const Profile& profile, const std::string& name, std::vect
     if (step == 0 || step < much * apart * apart) return false;
     warnings.push_back("The points of the " + name + " are rounded to " + short_text(step) + " and " +
                        short_text(apart) +
-                       " mm apart, so that their curvature is mostly rounding, and pressures with it. Smooth them: "
-                       "smoothing_length, about 5 mm.");
+                       " mm apart, so rounding dominates their curvature and the pressures. Smooth them with a "
+                       "smoothing_length of about 5 mm.");
     return true;
 }
 
@@ -73,8 +74,8 @@ void warn_of_scatter(const Profile& profile, const std::string& name, std::vecto
     const double length = std::pow(29 * scatter * std::sqrt(apart) / much, 0.4);
     warnings.push_back("The points of the " + name + " scatter by about " + short_text(1e3 * scatter) +
                        " um where they are " + short_text(apart) +
-                       " mm apart, so that their curvature is mostly noise, and pressures with it. Smooth them: "
-                       "smoothing_length, about " +
+                       " mm apart, so noise dominates their curvature and the pressures. Smooth them with a "
+                       "smoothing_length of about " +
                        short_text(std::clamp(std::ceil(length), 2.0, 10.0)) + " mm.");
 }
 
@@ -85,7 +86,7 @@ void warn_of_smoothing(const Profile& profile, const std::string& name, std::vec
     if (!(moved > far)) return;
     warnings.push_back("Smoothing has moved points of the " + name + " by up to " + short_text(moved) +
                        " mm: smoothing_length " + short_text(profile.evidence.cut_off) +
-                       " mm takes away its arcs, not only the noise. About 5 mm suits measured profiles.");
+                       " mm removes its arcs as well as the noise. About 5 mm suits measured profiles.");
 }
 
 }  // namespace
@@ -105,8 +106,8 @@ std::vector<std::string> profile_warnings(const Profile& profile) {
 
 std::string gauge_side_warning(const std::string& name) {
     return "The " + name +
-           " appears to have its gauge side at y > 0: it leans to that side, or is measured down to the gauge on that "
-           "side only. The gauge side lies at y < 0, also of a left rail: change mirror_y.";
+           " appears to have its gauge side at y > 0: it leans to that side, or was measured down to the gauge on that "
+           "side only. The gauge side must lie at y < 0, also for a left rail. Change mirror_y.";
 }
 
 std::string bridge_warning(ProfileKind kind, const ProfilePoint& from, const ProfilePoint& to) {
@@ -114,7 +115,8 @@ std::string bridge_warning(ProfileKind kind, const ProfilePoint& from, const Pro
         return "(" + short_text(point.y) + ", " + short_text(point.z) + ")";
     };
     return "Between " + text(from) + " and " + text(to) + " the " + std::string(name_of(kind)) +
-           " is hidden from above, behind a lip. Its outline is upright there, and no contact is found behind the lip.";
+           " is hidden from above, behind a lip. Its outline is taken as vertical there, and no contact is found "
+           "behind the lip.";
 }
 
 }  // namespace contactd::geometry

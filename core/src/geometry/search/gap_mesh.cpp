@@ -25,8 +25,8 @@ constexpr int most_nodes = 10'000'000;     // 80 MB of gaps
 constexpr double unknown_dent = 0.5;       // of the square's width, where there is a corner without wheel or rail
 
 void check_nodes(double nodes, double step_x, double step_y) {
-    count_of(nodes, {"dx", "and dy make steps of " + number_text(step_x) + " and " + number_text(step_y) + " mm",
-                     "nodes along a wheel and a rail of these sizes", "make them larger", most_nodes});
+    count_of(nodes, {"dx", "and dy result in steps of " + number_text(step_x) + " and " + number_text(step_y) + " mm",
+                     "nodes along a wheel and a rail of these sizes", "increase them", most_nodes});
 }
 
 std::size_t squares_of(std::size_t lines) {

@@ -40,7 +40,7 @@ Locus::Locus(const WheelSurface& wheel, const RailSurface& rail, double step, co
     const auto count =
         static_cast<std::size_t>(
             count_of((seen.high - seen.low) / step, {"patches.locus_step", "times dy is " + number_text(step) + " mm",
-                                                     "rows along the rail", "make one of them larger", most_rows})) +
+                                                     "rows along the rail", "increase one of them", most_rows})) +
         1;
     rows_.assign(count, {0, infinite});
     wheel_s_.assign(count, 0);

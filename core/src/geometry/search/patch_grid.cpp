@@ -42,7 +42,7 @@ void check_elements(double elements, double dx, double dy, double length, double
     count_of(elements, {"dx",
                         "and dy are " + number_text(dx) + " and " + number_text(dy) + " mm, and the contact " +
                             short_text(length) + " by " + short_text(width) + " mm",
-                        "elements", "make them larger, or lift the wheelset (position.z)", most});
+                        "elements", "increase them, or lift the wheelset (position.z)", most});
 }
 
 double along_rail(const RailSurface& rail, double y) {

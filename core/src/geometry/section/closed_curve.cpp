@@ -25,7 +25,7 @@ ClosedCurve::ClosedCurve(const Outline& outline, const std::string& field) : beg
     if (!(open <= closed_within * length()))
         throw InvalidArgument(field, "is not closed: it ends at " + place_text(from) + ", " + short_text(open) +
                                          " mm from its start at " + place_text(outline.start) +
-                                         "; add a line to there");
+                                         "; add a line to its start");
 }
 
 double ClosedCurve::reduced(double s) const {

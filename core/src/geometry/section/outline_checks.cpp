@@ -95,8 +95,8 @@ std::optional<SectionPoint> close_point(const Chord& p, const Chord& q, double l
 void check_corners(const ClosedCurve& curve, const std::string& name) {
     for (std::size_t i = 0; i < curve.pieces().size(); ++i)
         if (std::abs(curve.turn_before(i)) > std::numbers::pi - 1e-6)
-            throw InvalidArgument(
-                name, "turns back on itself at " + place_text(curve.pieces()[i].place(0).at) + "; a body lies between");
+            throw InvalidArgument(name, "turns back on itself at " + place_text(curve.pieces()[i].place(0).at) +
+                                            "; the body must have a thickness there");
 }
 
 void check_crossings(const std::vector<Polygon>& polygons, const std::vector<std::string>& names) {
@@ -130,28 +130,28 @@ void check_crossings(const std::vector<Polygon>& polygons, const std::vector<std
             if (const auto at = common_point(p, q)) {
                 if (p.curve == q.curve)
                     throw InvalidArgument(names[p.curve], "crosses or touches itself at " + place_text(*at) +
-                                                              "; its parts may meet at their ends only");
+                                                              "; its parts may touch at their ends only");
                 throw InvalidArgument(names[std::max(p.curve, q.curve)],
                                       "crosses or touches " + names[std::min(p.curve, q.curve)] + " at " +
-                                          place_text(*at) + "; there must be some of the body between them");
+                                          place_text(*at) + "; the body must separate them");
             }
             if (p.curve == q.curve) continue;
             if (const auto at = close_point(p, q, least))
                 throw InvalidArgument(names[std::max(p.curve, q.curve)],
                                       "leaves less than " + short_text(least) + " mm of the body between it and " +
                                           names[std::min(p.curve, q.curve)] + " at " + place_text(*at) +
-                                          ", 2e-6 of its extent; leave more, or let the curves be one");
+                                          ", 2e-6 of its extent; increase the distance, or merge the curves");
         }
 }
 
 void check_sense(const Polygon& polygon, bool outside, const std::string& name) {
     const double area = turned_area(polygon);
-    if (area == 0) throw InvalidArgument(name, "encloses nothing; it begins at " + place_text(polygon.front()));
+    if (area == 0) throw InvalidArgument(name, "encloses no area; it begins at " + place_text(polygon.front()));
     if ((area > 0) == outside)
-        throw InvalidArgument(name, "runs " + std::string(outside ? "anticlockwise" : "clockwise") + " from " +
-                                        place_text(polygon.front()) +
-                                        ", so that the body would lie on its left; name its parts in reverse order, " +
-                                        "and the signs of radii");
+        throw InvalidArgument(
+            name, "runs " + std::string(outside ? "anticlockwise" : "clockwise") + " from " +
+                      place_text(polygon.front()) +
+                      ", so the body would lie on its left; reverse the order of its parts and the signs of radii");
 }
 
 }  // namespace
@@ -167,11 +167,11 @@ void check_outlines(const std::vector<ClosedCurve>& curves, const std::vector<st
         check_sense(polygons[i], i == 0, names[i]);
         const SectionPoint& point = polygons[i].front();
         if (i > 0 && !inside(point, polygons[0]))
-            throw InvalidArgument(names[i], "lies outside of the body, at " + place_text(point));
+            throw InvalidArgument(names[i], "lies outside the body, at " + place_text(point));
         for (std::size_t k = 1; k < i; ++k)
             if (inside(point, polygons[k]) || inside(polygons[k].front(), polygons[i]))
                 throw InvalidArgument(names[i], "overlaps " + names[k] + ": one lies within the other at " +
-                                                    place_text(point) + "; make one hole of them");
+                                                    place_text(point) + "; merge them into one hole");
     }
 }
 

@@ -20,8 +20,8 @@ double least_length(const SectionPoint& a, const SectionPoint& b) {
 double chord(const SectionPoint& from, const SectionPoint& to, const std::string& field) {
     const double length = std::hypot(to.y - from.y, to.z - from.z);
     if (!(length > least_length(from, to)))
-        throw InvalidArgument(field, "has no length: it begins and ends at " + place_text(from) +
-                                         "; leave it out, or let it end elsewhere");
+        throw InvalidArgument(
+            field, "has no length: it begins and ends at " + place_text(from) + "; remove it, or change its end");
     return length;
 }
 
@@ -47,10 +47,10 @@ void OutlinePiece::draw(const SectionPoint& from, const LineTo& line, const std:
 void OutlinePiece::draw(const SectionPoint& from, const ArcTo& arc, const std::string& field) {
     const double half = chord(from, arc.to, field) / 2, size = std::abs(arc.radius);
     if (half > size * (1 + 1e-9))
-        throw InvalidArgument(field + ".arc.radius", "is " + number_text(arc.radius) +
-                                                         ", too little for the way from " + place_text(from) + " to " +
-                                                         place_text(arc.to) + "; its size must be " + short_text(half) +
-                                                         " mm at least");
+        throw InvalidArgument(field + ".arc.radius", "is " + number_text(arc.radius) + ", too small for an arc from " +
+                                                         place_text(from) + " to " + place_text(arc.to) +
+                                                         "; its magnitude must be at least " + short_text(half) +
+                                                         " mm");
     const double sine = std::min(1.0, half / size), towards = arc.radius * std::sqrt((1 - sine) * (1 + sine));
     const SectionPoint right{(arc.to.z - from.z) / (2 * half), -(arc.to.y - from.y) / (2 * half)};
     const SectionPoint centre{(from.y + arc.to.y) / 2 + towards * right.y, (from.z + arc.to.z) / 2 + towards * right.z};
@@ -68,7 +68,7 @@ void OutlinePiece::draw(const SectionPoint& from, const SplineTo& spline, const 
         shape_ = std::move(curve);
     } catch (const InvalidArgument& error) {
         throw InvalidArgument(field + ".spline",
-                              std::string("can not be drawn: with points[0] where it begins, ") + error.what());
+                              std::string("cannot be drawn: if points[0] is its start, ") + error.what());
     }
 }
 

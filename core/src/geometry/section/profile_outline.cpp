@@ -60,9 +60,9 @@ Profile profile_of(const ProfileSection& section, const std::string& field) {
 // The sides and the cut are no profile any more.
 void check_from(const Surface& surface, double from, const std::string& field) {
     if (from >= -surface.before && from < surface.behind) return;
-    throw InvalidArgument(field, "is " + number_text(from) + "; from the point with y = 0 the profile reaches from " +
+    throw InvalidArgument(field, "is " + number_text(from) + "; strips must begin on the profile, which reaches from " +
                                      short_text(-surface.before) + " to " + short_text(surface.behind) +
-                                     " mm along its curve, and strips must begin on it");
+                                     " mm along its curve, measured from y = 0");
 }
 
 // Upright sides from the ends of the surface to a level cut.
@@ -95,7 +95,7 @@ OutlineSection outline_of(const ProfileSection& section, double, const std::stri
     for (const ProfilePoint& point : points)
         if (!((wheel ? -point.z : point.z) < section.depth))
             throw InvalidArgument(field + ".profile_section.depth",
-                                  "is " + number_text(section.depth) + ", where the profile reaches to " +
+                                  "is " + number_text(section.depth) + ", but the profile reaches " +
                                       place_text({point.y, -point.z}) + "; the cut must lie inside the body");
     Surface surface(profile.curve, wheel);
     check_from(surface, section.from, field + ".profile_section.from");

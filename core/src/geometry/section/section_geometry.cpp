@@ -17,8 +17,8 @@ constexpr int looks = 8;           // at the curvature of a strip
 
 void check_numbers(int strips, double ds, const std::string& field) {
     if (strips < 1 || strips > most_strips)
-        throw InvalidArgument(field, "has " + std::to_string(strips) + " strips; from 1 to " +
-                                         std::to_string(most_strips) + " are taken");
+        throw InvalidArgument(
+            field, "has " + std::to_string(strips) + " strips; it must have 1 to " + std::to_string(most_strips));
     if (!(ds >= 1e-9 && ds <= 1e9))
         throw InvalidArgument(
             field, "has strips of the width " + number_text(ds) + "; it must be a length between 1e-9 and 1e9 mm");
@@ -69,8 +69,8 @@ class StripCheck {
                     throw InvalidArgument(
                         field_, "has strips of " + short_text(section_.ds()) + " mm, too wide for the radius of " +
                                     short_text(1 / std::abs(here.curvature)) + " mm at " + place_text(here.at) +
-                                    " in strip " + std::to_string(strip) + "; take strips of " +
-                                    short_text(most_strip_turn / std::abs(here.curvature)) + " mm at most there");
+                                    " in strip " + std::to_string(strip) + "; use strips of at most " +
+                                    short_text(most_strip_turn / std::abs(here.curvature)) + " mm there");
             }
     }
 
@@ -82,15 +82,16 @@ class StripCheck {
         };
         const double length = curve_.length();
         if (std::abs(outline.from) > length)
-            refuse("it leads once round the curve, " + short_text(length) + " mm, and further: leave that out");
+            refuse("it exceeds the length of the curve, " + short_text(length) +
+                   " mm: reduce it by a multiple of that length");
         const double start = curve_.begin_of(outline.part), low = std::min(start, start + outline.from) + rounding,
                      high = std::max(start, start + outline.from) - rounding;
         for (const double lap : {-length, 0.0, length})
             for (std::size_t i = 0; i < curve_.pieces().size(); ++i) {
                 if (!curve_.pieces()[i].clamped() || i == outline.part) continue;
                 if (lap + curve_.begin_of(i) < high && lap + curve_.begin_of(i + 1) > low)
-                    refuse("it leads across what is clamped, at " + place_text(curve_.pieces()[i].place(0).at) +
-                           ", to strips that begin on another side of the body, at " +
+                    refuse("it crosses the clamped part at " + place_text(curve_.pieces()[i].place(0).at) +
+                           ", so strips would begin on another side of the body, at " +
                            place_text(curve_.place(section_.begin_of(0)).at));
             }
     }
@@ -114,13 +115,12 @@ class StripCheck {
         throw InvalidArgument(field_, "has a corner of " + degrees(turn) + " at " +
                                           place_text(curve_.pieces()[piece].place(0).at) + " in strip " +
                                           std::to_string(strip) + " of " + number() +
-                                          "; strips must end at a corner, take fewer of them or let them begin "
-                                          "elsewhere");
+                                          "; strips must end at a corner: use fewer of them, or change their start");
     }
     void refuse_clamped(double s) const {
-        throw InvalidArgument(field_, "is clamped at " + place_text(curve_.place(s).at) + " where its strip " +
+        throw InvalidArgument(field_, "is clamped at " + place_text(curve_.place(s).at) + " in its strip " +
                                           std::to_string(strip_at(s)) + " of " + number() +
-                                          " lies; strips must lie on parts that are free to move");
+                                          "; strips must lie on parts that are free to move");
     }
 
     const SectionGeometry& section_;

@@ -54,8 +54,8 @@ std::vector<std::vector<Point>> quadrature(const std::vector<double>& nodes, dou
     constexpr double waves = 5;
     const auto panels_of = [&](double width) {
         return 1 + count_of(width * longest / (2 * pi * waves),
-                            {"grid", "reaches " + short_text(longest) + " strips' widths along x",
-                             "panels of a quadrature", "take shorter elements along x, or fewer", 100'000});
+                            {"grid", "extends over " + short_text(longest) + " strip widths along x",
+                             "panels of a quadrature", "use shorter or fewer elements along x", 100'000});
     };
     const double step = std::asinh(nodes[1] / xi0);
     std::vector<std::vector<Point>> points(nodes.size());

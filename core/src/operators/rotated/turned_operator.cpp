@@ -28,7 +28,7 @@ class TurnedOperator::Boxes final : public ElementBoxes {
 
 TurnedOperator::TurnedOperator(std::shared_ptr<const InfluenceOperator> flat, RowRotations rotations)
     : flat_(std::move(flat)), rotations_(std::move(rotations)) {
-    if (flat_->size() != rotations_.size()) throw InvalidArgument("flat", "is on another number of elements");
+    if (flat_->size() != rotations_.size()) throw InvalidArgument("flat", "has a different number of elements");
     if (flat_->boxes() != nullptr) boxes_ = std::make_unique<Boxes>(*this);
 }
 

@@ -68,7 +68,7 @@ TurnedStep::TurnedStep(std::shared_ptr<const StepOperator> flat, std::shared_ptr
                        RowRotations rotations)
     : flat_(std::move(flat)), along_normal_(std::move(along_normal)), rotations_(std::move(rotations)) {
     if (flat_->size() != rotations_.size() || flat_->size() != along_normal_->size())
-        throw InvalidArgument("flat", "is on another number of elements");
+        throw InvalidArgument("flat", "has a different number of elements");
 }
 
 RowComponents TurnedStep::of_tangential(std::span<const double> px, std::span<const double> py,

@@ -31,7 +31,7 @@ class StripOperator::Boxes final : public ElementBoxes {
 StripOperator::StripOperator(std::shared_ptr<const StripParts> parts, const ElementBox& box,
                              std::shared_ptr<const InfluenceOperator> near)
     : parts_(std::move(parts)), box_(box), near_(std::move(near)), products_(parts_->on(box)) {
-    if (near_->size() != box_.size()) throw InvalidArgument("near", "is on another number of elements");
+    if (near_->size() != box_.size()) throw InvalidArgument("near", "has a different number of elements");
     if (near_->boxes() != nullptr) boxes_ = std::make_unique<Boxes>(*this);
 }
 

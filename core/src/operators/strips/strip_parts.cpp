@@ -12,7 +12,7 @@ StripParts::StripParts(std::shared_ptr<const StripCoefficients> coefficients, in
                        double left_out)
     : coefficients_(std::move(coefficients)), nx_(nx), parity_(parity), left_out_(left_out) {
     if (coefficients_->offsets() < nx)
-        throw InvalidArgument("grid", "needs offsets up to " + std::to_string(nx) + " along x; the table holds " +
+        throw InvalidArgument("grid", "needs offsets up to " + std::to_string(nx) + " along x; the table contains " +
                                           std::to_string(coefficients_->offsets()));
 }
 

@@ -19,7 +19,7 @@ StripStep::StripStep(std::shared_ptr<const StripParts> parts, const ElementBox& 
       near_(std::move(near)),
       natural_(increment_.natural->on(box)) {
     if (const int reach = increment_.natural->reach(), nx = increment_.natural->extent().nx; std::abs(ahead_) > reach)
-        throw InvalidArgument("ahead", "is " + std::to_string(ahead_) + " elements; the table holds " +
+        throw InvalidArgument("ahead", "is " + std::to_string(ahead_) + " elements; the table contains " +
                                            std::to_string(nx + reach) + " offsets along x, and the grid has " +
                                            std::to_string(nx) + " elements");
 }

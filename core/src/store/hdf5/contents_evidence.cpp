@@ -20,7 +20,7 @@ constexpr std::array<ErrorName, 3> error_names{{{"error_xx_origin", "error_xx_la
 Axis axis(const Group& at) {
     const int number = integer(at, "load_axis");
     if (number < static_cast<int>(Axis::x) || number > static_cast<int>(Axis::z))
-        throw DamagedTable("The load axis " + std::to_string(number) + " of the file is none.");
+        throw DamagedTable("The load axis " + std::to_string(number) + " of the file is invalid.");
     return static_cast<Axis>(number);
 }
 

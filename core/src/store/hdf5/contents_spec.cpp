@@ -38,7 +38,7 @@ Layers read_layers(const Group& group) {
     const std::vector<double> thickness = numbers(group, "thickness"), G = numbers(group, "G"),
                               nu = numbers(group, "nu");
     if (thickness.empty() || thickness.size() != G.size() || G.size() != nu.size())
-        throw DamagedTable("The layers of the file are not complete.");
+        throw DamagedTable("The layers of the file are incomplete.");
     for (std::size_t i = 0; i < G.size(); ++i) body.layers.push_back({thickness[i], G[i], nu[i]});
     body.base = group.has("base_G") ? Material{number(group, "base_G"), number(group, "base_nu")} : Material::rigid();
     return body;

@@ -42,7 +42,7 @@ StripSpectrum read_spectrum(const Group& at, double nu) {
     const FileContents::Array& frames = array(at, frames_name, 2);
     const std::size_t strips = frames.shape[0];
     if (strips < 1 || strips > most_strips || frames.shape[1] != 3)
-        throw DamagedTable("frames of the file has a shape that no section has.");
+        throw DamagedTable("The shape of frames in the file does not match its section.");
     const Group of_transform = at.below(transform_name);
     StripSpectrum spectrum;
     spectrum.strips = static_cast<int>(strips);
@@ -55,7 +55,7 @@ StripSpectrum read_spectrum(const Group& at, double nu) {
                       spectrum.xi0 > 0 &&
                       std::ranges::adjacent_find(spectrum.nodes, std::greater_equal()) == spectrum.nodes.end() &&
                       std::ranges::all_of(transform.values, [](double value) { return std::isfinite(value); });
-    if (!fits) throw DamagedTable("The transform of the file is not that of a section.");
+    if (!fits) throw DamagedTable("The shape of the transform in the file does not match its section.");
     spectrum.values.assign(transform.values.begin(), transform.values.end());
     for (std::size_t strip = 0; strip < strips; ++strip)
         spectrum.frames.push_back(

@@ -67,12 +67,12 @@ long long long_integer(const Group& at, const char* name) {
 int integer(const Group& at, const char* name) {
     const long long value = long_integer(at, name);
     if (value < std::numeric_limits<int>::min() || value > std::numeric_limits<int>::max())
-        refuse(at, name, "is too large a number");
+        refuse(at, name, "is too large");
     return static_cast<int>(value);
 }
 std::string text(const Group& at, const char* name) {
     const auto* found = std::get_if<std::string>(&value_of(at, name));
-    if (found == nullptr) refuse(at, name, "is not a text");
+    if (found == nullptr) refuse(at, name, "is not a string");
     return *found;
 }
 std::vector<double> numbers(const Group& at, const char* name) {
@@ -81,14 +81,14 @@ std::vector<double> numbers(const Group& at, const char* name) {
     const auto* found = std::get_if<std::vector<double>>(value);
     if (found == nullptr) refuse(at, name, "is not a list of numbers");
     for (const double one : *found)
-        if (!std::isfinite(one)) refuse(at, name, "has a number that is not finite");
+        if (!std::isfinite(one)) refuse(at, name, "contains a number that is not finite");
     return *found;
 }
 std::vector<std::string> texts(const Group& at, const char* name) {
     const FileContents::Value* value = find(at, name);
     if (value == nullptr) return {};
     const auto* found = std::get_if<std::vector<std::string>>(value);
-    if (found == nullptr) refuse(at, name, "is not a list of texts");
+    if (found == nullptr) refuse(at, name, "is not a list of strings");
     return *found;
 }
 

@@ -49,7 +49,7 @@ std::vector<std::string> texts(const Group& at, const char* name);
 template <HasWords Enum>
 Enum named(const Group& at, const char* name) {
     Enum value{};
-    if (!from_name(text(at, name), value)) throw DamagedTable(at.prefix + name + " of the file is not known.");
+    if (!from_name(text(at, name), value)) throw DamagedTable(at.prefix + name + " of the file is not supported.");
     return value;
 }
 

@@ -31,7 +31,8 @@ void check_collection(std::span<const unsigned char> image, std::size_t begin) {
     for (std::size_t at = begin + block_header_size; at + block_header_size <= end;) {
         const std::uint64_t room = room_of(number_at(image, at, 2), number_at(image, at + 8, 8));
         if (room == 0)
-            throw DamagedTable("The heap at " + std::to_string(begin) + " of the file has an object without room.");
+            throw DamagedTable("The heap at " + std::to_string(begin) +
+                               " of the file contains an object of invalid size.");
         if (room > end - at) return;
         at += room;
     }

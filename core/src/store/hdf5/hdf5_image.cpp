@@ -105,7 +105,7 @@ std::vector<unsigned char> to_hdf5(const FileContents& contents) {
         const ssize_t size = H5Fget_file_image(file.getId(), nullptr, 0);
         std::vector<unsigned char> image(size > 0 ? static_cast<std::size_t>(size) : 0);
         if (size <= 0 || H5Fget_file_image(file.getId(), image.data(), image.size()) != size)
-            throw StoreError("HDF5 gave no image of the table.");
+            throw StoreError("HDF5 did not return an image of the table.");
         return image;
     } catch (const H5::Exception& error) {
         throw StoreError("HDF5 cannot write the table: " + error.getDetailMsg() + ".");
@@ -121,7 +121,7 @@ FileContents from_hdf5(std::span<const unsigned char> image) {
         in_memory.setCore(core_increment, false);
         // HDF5 takes a pointer to what may be changed, and copies it.
         if (H5Pset_file_image(in_memory.getId(), const_cast<unsigned char*>(image.data()), image.size()) < 0)
-            throw StoreError("HDF5 does not take the image of the table.");
+            throw StoreError("HDF5 did not accept the image of the table.");
         const H5::H5File file("contactd-ic-table", H5F_ACC_RDONLY, H5::FileCreatPropList::DEFAULT, in_memory);
         return Hdf5Reader(image.size()).read(file);
     } catch (const H5::Exception& error) {

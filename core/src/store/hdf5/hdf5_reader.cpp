@@ -41,7 +41,7 @@ std::string name_of_link(const H5::Group& at, hsize_t index, const std::string& 
     const ssize_t size = ::H5Lget_name_by_idx(at.getId(), ".", H5_INDEX_NAME, H5_ITER_NATIVE, index, name.data(),
                                               name.size(), H5P_DEFAULT);
     if (size < 1 || static_cast<std::size_t>(size) + prefix.size() >= name.size())
-        refuse(prefix, "has a link without a name, or with one that is too long");
+        refuse(prefix, "has a link whose name is empty or too long");
     return {name.data(), static_cast<std::size_t>(size)};
 }
 
@@ -49,7 +49,7 @@ std::string name_of_link(const H5::Group& at, hsize_t index, const std::string& 
 std::vector<hsize_t> extents_of(const H5::DataSpace& space, const std::string& path, int most_axes) {
     const int axes = ::H5Sget_simple_extent_ndims(space.getId());
     if (::H5Sget_simple_extent_type(space.getId()) == H5S_NULL || axes < 0 || axes > most_axes)
-        refuse(path, "has more axes than anything in these files, or no values");
+        refuse(path, "has more axes than tables use, or no values");
     std::vector<hsize_t> extents(static_cast<std::size_t>(axes));
     if (axes > 0) ::H5Sget_simple_extent_dims(space.getId(), extents.data(), nullptr);
     return extents;
@@ -75,12 +75,12 @@ FileContents Hdf5Reader::read(const H5::H5File& file) {
 void Hdf5Reader::group(const H5::Group& at, const std::string& prefix, int depth) {
     attributes(at, prefix);
     const hsize_t links = at.getNumObjs();
-    if (links > most_links) refuse(prefix, "has more links than any group of these files");
+    if (links > most_links) refuse(prefix, "has more links than these files use");
     for (hsize_t index = 0; index < links; ++index) {
         const std::string name = name_of_link(at, index, prefix), path = prefix + name;
         H5L_info_t info;
         if (::H5Lget_info(at.getId(), name.c_str(), &info, H5P_DEFAULT) < 0 || info.type != H5L_TYPE_HARD)
-            refuse(path, "is a link to somewhere else; these files have none");
+            refuse(path, "is an external or soft link, which these files must not contain");
         take(name.size(), path);
         const H5O_type_t type = at.childObjType(name);
         if (type == H5O_TYPE_DATASET)
@@ -88,28 +88,28 @@ void Hdf5Reader::group(const H5::Group& at, const std::string& prefix, int depth
         else if (type == H5O_TYPE_GROUP && depth < deepest_group)
             group(at.openGroup(name), path + "/", depth + 1);
         else
-            refuse(path, "is neither a dataset nor a group, or lies too deep");
+            refuse(path, "is neither a dataset nor a group, or is nested too deeply");
     }
 }
 
 void Hdf5Reader::dataset(const H5::DataSet& at, const std::string& path) {
-    if (contents_.datasets.size() == most_file_datasets) refuse(path, "is one dataset too many");
+    if (contents_.datasets.size() == most_file_datasets) refuse(path, "exceeds the largest number of datasets");
     const H5::DSetCreatPropList how = at.getCreatePlist();
-    if (::H5Pget_external_count(how.getId()) != 0) refuse(path, "keeps its data in other files");
+    if (::H5Pget_external_count(how.getId()) != 0) refuse(path, "stores its data in other files");
     if (how.getLayout() != H5D_CONTIGUOUS || how.getNfilters() != 0)
-        refuse(path, "is not one piece of the file as it is; these files have no chunks, filters or virtual datasets");
-    if (!is_of(at.getDataType(), H5::PredType::IEEE_F64LE)) refuse(path, "does not hold doubles");
+        refuse(path, "is not stored contiguously; chunks, filters and virtual datasets are not supported");
+    if (!is_of(at.getDataType(), H5::PredType::IEEE_F64LE)) refuse(path, "does not contain doubles");
     const std::vector<hsize_t> extents = extents_of(at.getSpace(), path, static_cast<int>(most_file_axes));
     hsize_t size = 1;
     for (const hsize_t extent : extents) {
-        if (extent < 1 || extent > bytes_ / size) refuse(path, "has a shape that the file has no room for");
+        if (extent < 1 || extent > bytes_ / size) refuse(path, "has a shape larger than the file");
         size *= extent;
     }
-    if (extents.empty() || size > bytes_ / sizeof(double)) refuse(path, "has a shape that the file has no room for");
+    if (extents.empty() || size > bytes_ / sizeof(double)) refuse(path, "has a shape larger than the file");
     const hsize_t bytes = size * sizeof(double);
     const haddr_t offset = ::H5Dget_offset(at.getId());
     if (offset == HADDR_UNDEF || at.getStorageSize() != bytes || offset > bytes_ || bytes > bytes_ - offset)
-        refuse(path, "was never written, or lies outside the file");
+        refuse(path, "was not written, or lies outside the file");
     take(bytes, path);
     attributes(at, path + "/");
     FileContents::Array& array = contents_.datasets[path];
@@ -121,10 +121,11 @@ void Hdf5Reader::dataset(const H5::DataSet& at, const std::string& path) {
 void Hdf5Reader::attributes(const H5::H5Object& at, const std::string& prefix) {
     const int count = at.getNumAttrs();
     for (int index = 0; index < count; ++index) {
-        if (contents_.attributes.size() == most_file_attributes) refuse(prefix, "has more attributes than these files");
+        if (contents_.attributes.size() == most_file_attributes)
+            refuse(prefix, "has more attributes than these files use");
         const H5::Attribute attribute = at.openAttribute(static_cast<unsigned>(index));
         const std::string path = prefix + attribute.getName();
-        if (path.size() > longest_file_path) refuse(prefix, "has an attribute with too long a name");
+        if (path.size() > longest_file_path) refuse(prefix, "has an attribute whose name is too long");
         contents_.attributes[path] = value(attribute, path);
     }
 }
@@ -133,7 +134,7 @@ FileContents::Value Hdf5Reader::value(const H5::Attribute& at, const std::string
     const std::vector<hsize_t> extents = extents_of(at.getSpace(), path, 1);
     const bool is_list = !extents.empty();
     const std::size_t size = is_list ? extents[0] : 1;
-    if (size < 1 || size > longest_file_list) refuse(path, "is an empty list, or too long a one");
+    if (size < 1 || size > longest_file_list) refuse(path, "is a list that is empty or too long");
     take(size * sizeof(double), path);
     const H5::DataType type = at.getDataType();
     if (is_of(type, H5::PredType::STD_I64LE) && !is_list) {
@@ -148,19 +149,19 @@ FileContents::Value Hdf5Reader::value(const H5::Attribute& at, const std::string
         return numbers.front();
     }
     if (type.getClass() != H5T_STRING || ::H5Tis_variable_str(type.getId()) <= 0)
-        refuse(path, "is neither a number, a text, nor a list of them as these files have them");
+        refuse(path, "is neither a number, a string, nor a supported list of them");
     return texts(at, path, is_list, size);
 }
 
 FileContents::Value Hdf5Reader::texts(const H5::Attribute& at, const std::string& path, bool is_list,
                                       std::size_t size) {
-    if (size > most_texts) refuse(path, "is too long a list");
+    if (size > most_texts) refuse(path, "is a list that is too long");
     const Texts read(at, size);
     std::vector<std::string> result;
     for (const char* text : read.pointers()) {
-        if (text == nullptr) refuse(path, "is a text that was never written");
+        if (text == nullptr) refuse(path, "is a string that was not written");
         result.emplace_back(text);
-        if (result.back().size() > longest_file_text) refuse(path, "is too long a text");
+        if (result.back().size() > longest_file_text) refuse(path, "is a string that is too long");
         take(result.back().size(), path);
     }
     if (is_list) return result;
@@ -169,7 +170,7 @@ FileContents::Value Hdf5Reader::texts(const H5::Attribute& at, const std::string
 
 /// Data that several links or texts share is counted as often as it is read.
 void Hdf5Reader::take(std::size_t bytes, const std::string& path) {
-    if (bytes > bytes_ - taken_) refuse(path, "is more than the file has room for");
+    if (bytes > bytes_ - taken_) refuse(path, "exceeds the size of the file");
     taken_ += bytes;
 }
 

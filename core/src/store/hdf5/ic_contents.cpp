@@ -70,14 +70,14 @@ IcTable read_table(FileContents& contents) {
 /// Reads as many tables as `size`, each of the extent of `first`.
 std::vector<IcTable> read_family(const FileContents& contents, std::size_t size, const IcTable& first) {
     if (!contents.datasets.contains(family_name))
-        throw DamagedTable("The spec is that of a family, which the file does not hold.");
+        throw DamagedTable("The spec is that of a family, which the file does not contain.");
     const FileContents::Array& all = array({contents}, family_name, 5);
     std::vector<std::size_t> shape = shape_of(first);
     shape.insert(shape.begin(), size);
     if (size < 2 || size > most_tables || all.shape != shape)
         throw DamagedTable(
-            "The family does not have the shape [n, 3, 3, ny, nx] of two or more tables, one for each "
-            "of evidence/family_nu.");
+            "The family does not have the shape [n, 3, 3, ny, nx] with at least two tables, one for each entry of "
+            "evidence/family_nu.");
     std::vector<IcTable> family;
     auto next = all.values.begin();
     for (std::size_t n = 0; n < size; ++n) {
@@ -117,7 +117,7 @@ void check_format(long long found) {
     if (found == format_version) return;
     const std::string text =
         "The file has format " + std::to_string(found) + ", not " + std::to_string(format_version) + ".";
-    if (found > format_version) throw NewerFormat(text + " A newer contactd has written it.");
+    if (found > format_version) throw NewerFormat(text + " A newer version of contactd wrote it.");
     throw DamagedTable(text);
 }
 

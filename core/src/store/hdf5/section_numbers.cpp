@@ -72,7 +72,7 @@ class Reader {
     std::size_t count(std::size_t end) {
         const double value = number();
         if (!(value >= 0 && value < static_cast<double>(end)))
-            throw DamagedTable("The section of the file has a number that means nothing.");
+            throw DamagedTable("The section of the file contains an invalid number.");
         return static_cast<std::size_t>(value);
     }
 
@@ -92,7 +92,7 @@ Section section_from(const std::vector<double>& numbers) {
     Reader reader(numbers);
     Section section;
     reader.get(section);
-    if (!reader.at_end()) throw DamagedTable("The section of the file has more numbers than it should.");
+    if (!reader.at_end()) throw DamagedTable("The section of the file contains too many numbers.");
     return section;
 }
 

@@ -10,10 +10,10 @@ namespace contactd {
 void check_curved_size(const Grid& grid) {
     constexpr double most_values = 5e7;  // of each of nine components: 3.6 GB
     if (static_cast<double>(grid.nx) * grid.ny * grid.ny > most_values)
-        throw InvalidArgument("dy", "is " + number_text(grid.dy) + ", which makes a patch of " +
+        throw InvalidArgument("dy", "is " + number_text(grid.dy) + ", which results in a patch of " +
                                         std::to_string(grid.ny) + " rows of " + std::to_string(grid.nx) +
-                                        " elements; where coefficients differ from row to row, rows squared times "
-                                        "elements of a row may be at most 5e7");
+                                        " elements; if coefficients differ between rows, the square of the number of "
+                                        "rows times the elements of a row must not exceed 5e7");
 }
 
 }  // namespace contactd

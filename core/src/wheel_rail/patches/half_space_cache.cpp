@@ -36,14 +36,14 @@ bool is_closed_form(const Body& body) {
 HalfSpaceCache::HalfSpaceCache(Bodies bodies) : bodies_(std::move(bodies)) {
     if (bodies_.pair || !is_closed_form(bodies_.upper) || !is_closed_form(bodies_.lower))
         throw InvalidArgument("bodies",
-                              "are no half-spaces in closed form; for others give a source of their operators");
+                              "are not half-spaces in closed form; other bodies require a source of their operators");
 }
 
 ContactInfluence HalfSpaceCache::of(const ContactProblem& problem, const PatchStrips& strips,
                                     const Observer& observer) {
     if (strips.of_sections())
-        throw InvalidArgument("conformal",
-                              "is fem, whose tables take finite elements; give a source of operators that has them");
+        throw InvalidArgument(
+            "conformal", "is fem, whose tables require finite elements; give a source of operators that provides them");
     if (strips.along_loaded_row) return patch_influence(problem, strips, nullptr, nullptr, observer);
     const auto flat = [&] {
         const std::lock_guard lock(mutex_);

@@ -113,15 +113,15 @@ bool is_next_to_nothing(double phi, const Grid& grid) {
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
     if (field == "friction.rolling.phi" && problem.model == Model::hertz)
         throw InvalidArgument("model",
-                              "is hertz, whose closed form of friction has no spin, which a wheel has nearly "
-                              "everywhere; take fastsim or full, or no friction (friction null)");
+                              "is hertz, whose closed form of friction does not support spin, which occurs in nearly "
+                              "every position of a wheel; use fastsim or full, or no friction (friction null)");
     if (field == "friction.rolling.dq" || field == "shift_x" || field == "shift_y")
         throw InvalidArgument(rolling && rolling->dq == problem.grid.dx ? "dx" : "dq",
                               "as the step of rolling " + error.problem());
     if (field == "friction.duration" || field.starts_with("friction.rigid_shift") || field == "friction.rotation")
-        throw InvalidArgument("state.time_step", "as the shift that it makes, " + field + ", " + error.problem());
+        throw InvalidArgument("state.time_step", "results in a shift whose " + field + " " + error.problem());
     if (field == "friction.rolling.velocity")
-        throw InvalidArgument("state.velocity", "makes the velocity of rolling that " + error.problem());
+        throw InvalidArgument("state.velocity", "results in a velocity of rolling that " + error.problem());
     if (field == "derivatives" || field == "displacements") throw InvalidArgument("state." + field, error.problem());
     throw;
 }

@@ -26,7 +26,7 @@ class StripCarrier {
           zero_(is_60e1() ? curve.arc_length(curve.end()) / 2 : curve.arc_length(curve.s_at_y(0))) {
         const double length = curve.arc_length(curve.end());
         count_of(length / ds, {"dy", "is " + number_text(ds) + " mm along a profile of " + short_text(length) + " mm",
-                               "strips", "take longer elements, or conformal rotated", most_stations});
+                               "strips", "use longer elements, or conformal rotated", most_stations});
         first_ = static_cast<int>(std::ceil(-zero_ / ds + 0.5));
         last_ = static_cast<int>(std::floor((length - zero_) / ds - 0.5));
         double lowest = 0;
@@ -39,8 +39,8 @@ class StripCarrier {
         const int nearest = static_cast<int>(std::lround((first_row - zero_) / ds_));
         const int begin = std::clamp(nearest, first_, std::max(first_, last_ + 1 - rows)), end = begin + rows;
         if (std::abs(begin - nearest) > margin || end - 1 > last_)
-            throw InvalidArgument("conformal", "is fem, and the contact reaches the end of the profile of the " +
-                                                   name() + ", where its section has a corner: take rotated");
+            throw InvalidArgument("conformal", "is fem, but the contact reaches the end of the profile of the " +
+                                                   name() + ", where its section has a corner: use rotated");
         const int low = std::max(first_, floored(begin - margin)), high = std::min(last_ + 1, ceiled(end + margin));
         BodyStrips strips;
         static_cast<Ics&>(strips.spec) = ics(is_wheel() ? 0.5 - high : low - 0.5);
@@ -80,8 +80,8 @@ class StripCarrier {
         try {
             return geometry::outline_of(section, 0, "section");
         } catch (const InvalidArgument& error) {
-            throw InvalidArgument("conformal", "is fem, and the " + name() +
-                                                   " has no coefficients by its cross-section: " + error.what());
+            throw InvalidArgument(
+                "conformal", "is fem, but the cross-section of the " + name() + " cannot be used: " + error.what());
         }
     }
 

@@ -138,15 +138,15 @@ void check_cost(const WorkCost& cost, const Config& config) {
     const auto refuse = [](double is, const char* unit, double limit, const char* name, const char* cure) {
         const auto text = [](double value) { return std::to_string(static_cast<long long>(std::ceil(value))); };
         throw proto::StatusError(proto::StatusCode::invalid_argument, proto::reason::limit_exceeded,
-                                 "The request would take about " + text(is) + " " + unit + "; at most " + text(limit) +
+                                 "The request needs about " + text(is) + " " + unit + ", but at most " + text(limit) +
                                      " are allowed (limits." + name + "). " + cure);
     };
     if (cost.bytes > static_cast<double>(config.max_work_bytes))
         refuse(cost.bytes, "bytes of memory", static_cast<double>(config.max_work_bytes), "max_work_bytes",
-               "Take fewer elements, fewer strips of a longitudinally uniform body, or less at once.");
+               "Use fewer elements, fewer strips of a longitudinally uniform body, or fewer problems at once.");
     if (cost.seconds > config.max_work_seconds)
-        refuse(cost.seconds, "s of a processor", config.max_work_seconds, "max_work_seconds",
-               "Take fewer elements, or less at once.");
+        refuse(cost.seconds, "s of processor time", config.max_work_seconds, "max_work_seconds",
+               "Use fewer elements, or fewer problems at once.");
 }
 
 }  // namespace contactd::server

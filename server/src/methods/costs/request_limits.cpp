@@ -22,7 +22,7 @@ long long elements_of(const json& params, std::size_t most, const std::string& f
         if (count > static_cast<long long>(most))
             throw proto::invalid_field(
                 field + "grid." + side,
-                "is " + std::to_string(count) + "; nx times ny is at most " + std::to_string(most) + grid_limit,
+                "is " + std::to_string(count) + "; nx times ny must not exceed " + std::to_string(most) + grid_limit,
                 proto::reason::limit_exceeded);
         elements *= count;  // each at most 4e6
     }
@@ -40,7 +40,7 @@ void check_grid_limit(const json& params, std::size_t most) {
     const long long elements = elements_of(params, most);
     if (elements > static_cast<long long>(most))
         throw proto::invalid_field("grid.nx",
-                                   "times ny is " + std::to_string(elements) + " elements; at most " +
+                                   "times ny is " + std::to_string(elements) + " elements, but at most " +
                                        std::to_string(most) + " are allowed" + grid_limit,
                                    proto::reason::limit_exceeded);
 }
@@ -51,7 +51,7 @@ void check_grid_limits(const json& problems, std::size_t most) {
         elements += elements_of(problems[n], most, "problems[" + std::to_string(n) + "].");
     if (elements > static_cast<long long>(most))
         throw proto::invalid_field("problems",
-                                   "have " + std::to_string(elements) + " elements together; at most " +
+                                   "have " + std::to_string(elements) + " elements together, but at most " +
                                        std::to_string(most) + " are allowed" + grid_limit,
                                    proto::reason::limit_exceeded);
 }
@@ -86,9 +86,9 @@ void check_answer_fits(std::span<const ArrayAnswer> answers, proto::ArrayEncodin
         }
     const auto refuse = [](std::size_t is, const char* what, std::size_t limit, const char* name) {
         throw proto::invalid_field("grid.nx",
-                                   "and ny make an answer with " + std::to_string(is) + " bytes " + what +
-                                       "; at most " + std::to_string(limit) + " are allowed (limits." + name +
-                                       "): ask for fewer fields, take larger elements, or fewer problems at once",
+                                   "and ny result in an answer with " + std::to_string(is) + " bytes " + what +
+                                       ", but at most " + std::to_string(limit) + " are allowed (limits." + name +
+                                       "): request fewer fields, larger elements, or fewer problems at once",
                                    proto::reason::answer_too_large);
     };
     if (largest > limits.max_frame_bytes) refuse(largest, "in one frame", limits.max_frame_bytes, "max_frame_bytes");

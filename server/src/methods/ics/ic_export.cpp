@@ -74,30 +74,28 @@ void check_section(const IcExport& request, std::size_t most_bytes) {
     const IcSpec& spec = request.spec;
     if (request.format == FileFormat::contact)
         throw InvalidArgument("format",
-                              "is contact, whose text has offsets along x and y, and the table of a longitudinally "
-                              "uniform body has none along y; take "
-                              "hdf5");
+                              "is contact, a format with offsets along x and y, but the table of a longitudinally "
+                              "uniform body has none along y; use hdf5");
     if (spec.source == IcSource::analytic)
-        throw InvalidArgument("ics.source",
-                              "is analytic; half-spaces that are turned are quicker made than read, take ic.get");
+        throw InvalidArgument("ics.source", "is analytic, whose tables are faster to compute than to read: use ic.get");
     (void)strip_frames(spec);  // tells of a bad section in the lengths of the request
     constexpr double bytes_per_value = 9 * sizeof(double);
     const double size = bytes_per_value * spec.nx * table_rows(spec);
     if (size > static_cast<double>(most_bytes))
-        throw proto::invalid_field("grid.nx",
-                                   "and ny make a table of " + std::to_string(static_cast<long long>(size)) +
-                                       " bytes; at most " + std::to_string(most_bytes) +
-                                       " are allowed (limits.max_frame_bytes). Who imports the file is served whatever "
-                                       "its nx, 1 is enough",
-                                   proto::reason::limit_exceeded);
+        throw proto::invalid_field(
+            "grid.nx",
+            "and ny result in a table of " + std::to_string(static_cast<long long>(size)) + " bytes, but at most " +
+                std::to_string(most_bytes) +
+                " are allowed (limits.max_frame_bytes). The imported file serves every nx: set nx to 1",
+            proto::reason::limit_exceeded);
 }
 
 void check_size(const IcSpec& spec, std::size_t most_bytes) {
     const double size = contact_text_size(spec.nx, spec.ny);
     if (size > static_cast<double>(most_bytes))
         throw proto::invalid_field("grid.nx",
-                                   "and ny make a text of " + std::to_string(static_cast<long long>(size)) +
-                                       " bytes; at most " + std::to_string(most_bytes) +
+                                   "and ny result in a text of " + std::to_string(static_cast<long long>(size)) +
+                                       " bytes, but at most " + std::to_string(most_bytes) +
                                        " are allowed (limits.max_frame_bytes)",
                                    proto::reason::limit_exceeded);
 }

@@ -75,7 +75,7 @@ void delete_tables(const CallPtr& call, const DaemonParts& parts) {
     if (forgotten.tables == 0 && !forgotten.failures)
         throw proto::StatusError(
             proto::StatusCode::not_found, proto::reason::ic_unknown,
-            "There is neither a table nor a failed build with the key " + key + "; ic.list names those there are.");
+            "There is neither a table nor a failed build with the key " + key + "; call ic.list for existing keys.");
     call->succeed({{"key", key}, {"tables", forgotten.tables}, {"failures", forgotten.failures}});
 }
 

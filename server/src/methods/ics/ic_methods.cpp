@@ -38,7 +38,7 @@ void get_table(const CallPtr& call, const DaemonParts& parts) {
                 call->succeed(result, arrays.take_frames());
             } catch (const NotFinite&) {
                 throw proto::invalid_field("material.G",
-                                           "and grid.dx make coefficients that are beyond a double's range");
+                                           "and grid.dx result in coefficients that exceed the range of a double");
             }
         });
     };

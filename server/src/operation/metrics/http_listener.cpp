@@ -81,7 +81,7 @@ HttpListener::HttpListener(const std::string& address, Pages pages) {
         server_ = std::make_unique<Server>(address, std::move(pages));
     } catch (const CivetException&) {
         throw Error("http.address is \"" + address +
-                    "\"; it cannot be listened at: taken, or no address of this machine.");
+                    "\"; contactd cannot listen there: the address is in use, or does not belong to this machine.");
     }
 }
 

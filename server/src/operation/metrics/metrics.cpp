@@ -68,7 +68,7 @@ RequestMetrics::RequestMetrics(const std::vector<std::string>& methods)
                    .Register(registry_)),
       errors_(prometheus::BuildCounter()
                   .Name("contactd_request_errors_total")
-                  .Help("Requests answered with another status than OK, by reason.")
+                  .Help("Requests answered with a status other than OK, by reason.")
                   .Register(registry_)) {
     auto& seconds = prometheus::BuildHistogram()
                         .Name("contactd_request_duration_seconds")

@@ -48,7 +48,7 @@ def test_a_table_is_compared_with_the_finest_one(monkeypatch):
 
 
 def test_where_the_finest_is_refused_the_next_one_stands_in(monkeypatch):
-    found = measured(FakeClient(refusal="The accuracy of 0.0001 is not reached"), monkeypatch)
+    found = measured(FakeClient(refusal="The accuracy of 0.0001 was not reached"), monkeypatch)
     assert found["finest_asked"] == 1e-3
     assert found["found"] == pytest.approx(9e-3)
 

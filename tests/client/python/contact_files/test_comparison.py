@@ -91,7 +91,7 @@ def test_cases_of_contact_problems_that_number_alike_are_compared_with_their_own
         return {"values": {"number": 1, "reid": 4, "cpid": cpid}, "answers": {"numbers": {"numbers": {"FN": force}, "bound": 0.0}}}
 
     assert compared_rows([row(2, 200.0), row(1, 100.0)], printed) == [[], []]
-    assert compared_rows([row(3, 200.0)], printed) == [["the file to compare with does not have it"]]
+    assert compared_rows([row(3, 200.0)], printed) == [["the file for comparison does not contain it"]]
 
 
 def test_a_printed_case_is_taken_once_and_by_its_result_element():

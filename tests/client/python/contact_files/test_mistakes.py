@@ -36,8 +36,8 @@ SCHEMAS = Path(__file__).parents[4] / "proto" / "schema"
         ({"IPOTCN": -1, "A1": 1e-12, "B1": 1e12}, "A1/B1 is 1e-24"),
         ({"IPOTCN": -2, "A1": 0.001, "AOB": 1e7}, "AOB is 1e\\+07"),
         ({"IPOTCN": -4, "A1": 0.001, "BB": 0.0}, "BB is 0"),
-        ({"IPOTCN": 1, "IBASE": 9, "GAP": [0.0] * 35}, "IBASE = 9.* of 35 elements, and MX, MY are 12, 10; it must be read anew"),
-        ({"E": 1, "EXRHS": 9, "SLIP_X": [0.0] * 35}, "extra rigid slip .E = 9. is kept of 35 elements"),
+        ({"IPOTCN": 1, "IBASE": 9, "GAP": [0.0] * 35}, "IBASE = 9.* for 35 elements, but MX, MY are 12, 10; give it anew"),
+        ({"E": 1, "EXRHS": 9, "SLIP_X": [0.0] * 35}, "extra rigid slip .E = 9. is kept for 35 elements"),
     ],
 )
 def test_values_that_are_none_are_told_by_name(changes: dict[str, object], sentence: str) -> None:

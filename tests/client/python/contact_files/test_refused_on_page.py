@@ -28,7 +28,7 @@ def _features() -> set[str]:
 
 
 def test_the_page_lists_every_feature_that_is_refused() -> None:
-    of_nobody = "coefficients from a file (C = 9), which nobody reads here"  # the commands read them
+    of_nobody = "influence coefficients from a file (C = 9) in this call"  # the commands read them
     for name in (_features() | _raised()) - {of_nobody}:
         assert any(row.startswith(name) for row in LISTED), f"the page does not list: {name}"
 

@@ -66,7 +66,7 @@ def test_files_that_an_input_names_are_opened_where_they_may_be(client, folder):
     grid = contactd.Grid(60, 60, 2 * 1.1 * 7 / 60, 2 * 1.1 * 5.5 / 60)
     table = client.get_ic(contactd.steel, grid, contactd.AnalyticIcs())
     contactd.save_table(folder / "ics.txt", table)
-    with pytest.warns(ContactWarning, match="it lies outside of the folder"):
+    with pytest.warns(ContactWarning, match="it is outside the folder"):
         (refused,) = contact_files.run(folder / "below" / "c9.inp", client)
     assert refused.status == "wrong"
     (opened,) = contact_files.run(folder / "below" / "c9.inp", client, allow_folders=[folder])
@@ -82,7 +82,7 @@ def test_several_cases_are_told_apart_by_their_numbers(client, folder):
     assert [case.number for case in cases[1:]] == [2]
     compared = cases.compare("x.out")
     assert [one.agrees for one in compared] == [True, False]
-    assert str(compared).endswith("case 2: not printed there")
+    assert str(compared).endswith("case 2: not printed in this file")
 
 
 def test_a_run_by_several_threads_has_the_order_of_the_file(client, folder):

@@ -29,5 +29,5 @@ def test_what_follows_from_a_case_that_is_refused_is_told_and_others_go_on() -> 
     assert [outcome.case.line for outcome in outcomes] == [10, 20, 30, 40, 50, 60]
     assert [outcome.status for outcome in outcomes] == ["refused", "read", "follows", "read", "read", "wrong"]
     assert "viscoelastic bodies" in outcomes[0].sentence
-    assert outcomes[2].sentence == "It goes on from case 1 in line 10, which is not computed."
+    assert outcomes[2].sentence == "It continues case 1 in line 10, which is not computed."
     assert "line 61, column 3" in outcomes[5].sentence

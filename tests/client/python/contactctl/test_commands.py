@@ -192,7 +192,7 @@ def test_what_a_store_does_not_hold_is_not_put_into_it(own, daemons):
     folder, daemon_store = own.folder / "theirs", daemons.start("other").folder.parent / "daemon" / "store"
     folder.mkdir()
     (file,) = daemon_store.glob("*.h5")
-    wrong = {file.name: (own.folder / "uniform.h5", "ic.export writes it"), file.name.replace("x4.", "x5."): (file, "its name says 1000000 x 5")}
+    wrong = {file.name: (own.folder / "uniform.h5", "as written by ic.export"), file.name.replace("x4.", "x5."): (file, "its name states 1000000 x 5")}
     for name, (content, words) in wrong.items():
         own.folder.joinpath(name).write_bytes(content.read_bytes())
         refused = own("ic", "import", name, "--store", folder)

@@ -190,7 +190,7 @@ def test_a_file_of_another_program_is_never_written_over(ctl):
     ctl.write("two.out", "   --------\n   |  CONTACT - detailed investigation of 3D frictional contact problems  |\n")
     ended = ctl("contact", "run", "two.inp")
     assert ended.code == Code.USAGE
-    assert "contactd has not written it" in ended.err
+    assert "contactd did not write it" in ended.err
     assert "CONTACT - " in (ctl.folder / "two.out").read_text()
 
 
@@ -200,7 +200,7 @@ def test_files_of_elements_without_a_mark_are_written_over_only_when_asked_to(ct
     ctl.write("two.0002.mat", "% Meta-data\n  1.0  2.0  3.0\n")
     ended = ctl("contact", "run", "two.inp")
     assert ended.code == Code.USAGE
-    assert "two.0002.mat is there, and contactd has not written it. Name another file, or give --overwrite." in ended.err
+    assert "two.0002.mat exists, and contactd did not write it. Name another file, or give --overwrite." in ended.err
     assert "versions of contactd before 0.1.0 write .mat and .subs files without a mark." in ended.err
     assert not (ctl.folder / "two.out").exists()
     assert ctl("contact", "run", "two.inp", "--overwrite").code == Code.DONE
@@ -217,7 +217,7 @@ def test_a_run_that_was_killed_goes_on(ctl):
     process.send_signal(signal.SIGTERM)
     _, told = process.communicate(timeout=60)
     assert process.returncode == Code.TERMINATED
-    assert "the same command goes on" in told
+    assert "repeat the command to continue" in told
     assert not (ctl.folder / "many.out").exists()
     kept = rows.read_bytes().count(b"\n")
     ended = ctl("contact", "run", "many.inp")
@@ -252,7 +252,7 @@ def test_a_case_becomes_yaml_that_solves_to_the_same(ctl):
     solved = ctl("solve", "case.yaml", "--json").json
     cases = ctl("contact", "run", "two.inp", "--json").json["cases"]
     assert cases[1]["numbers"]["numbers"]["FX"] == solved["forces"]["Fx"]
-    assert "say which by --case" in ctl("contact", "convert", "two.inp", "case.yaml").err
+    assert "choose one with --case" in ctl("contact", "convert", "two.inp", "case.yaml").err
     assert "has 2 cases" in ctl("contact", "convert", "two.inp", "case.yaml", "--case", "3").err
 
 
@@ -299,7 +299,7 @@ def test_a_file_without_printed_cases_is_nothing_to_compare_with(ctl):
     ctl.write("two.inp", TWO)
     ctl.write("other.out", "Fn 5\n")
     ended = ctl("contact", "run", "two.inp", "--compare", "other.out")
-    assert ended.code == Code.USAGE and "no case is printed there" in ended.err
+    assert ended.code == Code.USAGE and "the file has no printed case" in ended.err
 
 
 @pytest.mark.parametrize("command", [("check",), ("run",), ("convert", "cases.py")])

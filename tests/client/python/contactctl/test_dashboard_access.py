@@ -113,7 +113,7 @@ def test_who_has_got_the_cookie_only_sees_nothing(running):
     for path in (POLLING, "/_nicegui/", f"/{running.token}/", "//", "/../", "/none/"):
         answer = running.ask(path, Cookie=running.cookie)
         assert answer.status == 403
-        assert answer.text.startswith("Open the address that contactctl dashboard has printed")
+        assert answer.text.startswith("Open the address that contactctl dashboard printed")
 
 
 def test_who_has_the_key_only_sees_nothing(running):
@@ -139,7 +139,7 @@ def test_names_that_others_may_point_here_are_refused(running, host):
         answer = running.ask(path, **everything)
         assert answer.status == 403
         assert "set-cookie" not in answer.headers
-        assert f"This dashboard answers to 127.0.0.1:{running.port}, localhost:{running.port}" in answer.text
+        assert f"This dashboard accepts requests for 127.0.0.1:{running.port}, localhost:{running.port}" in answer.text
         assert "--name" in answer.text
     assert running.shake_hands(f"/{running.key}{SOCKET}", **everything) == 403
 
@@ -175,7 +175,7 @@ def test_a_name_that_was_given_is_answered_to(lonely):
 def test_a_wrong_token_opens_nothing(running, given):
     answer = running.ask(f"/?{given.format(running.token)}")
     assert answer.status == 403
-    assert answer.text.startswith("Open the address that contactctl dashboard has printed")
+    assert answer.text.startswith("Open the address that contactctl dashboard printed")
 
 
 def test_a_prefix_that_somebody_sends_is_not_believed(running):

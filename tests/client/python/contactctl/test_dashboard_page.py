@@ -95,7 +95,7 @@ def test_a_build_is_followed_and_cancelled(page, shared, background):
     page.click(".job .cancel")
     page.wait_for(f"End {build}?", ".question")
     asked = page.text(".question")
-    assert "It builds a table: finite elements" in asked
+    assert "It is building a table: finite elements" in asked
     assert f"for uid:{os.getuid()}." in asked
     page.click(".question .keep")
     eventually(lambda: page.text(".question") == "")
@@ -103,7 +103,7 @@ def test_a_build_is_followed_and_cancelled(page, shared, background):
     page.click(".job .cancel")
     page.click(".question .end")
     page.wait_for(f"{build} is cancelled.")
-    page.wait_for("There are none.", ".jobs")
+    page.wait_for("There are no jobs.", ".jobs")
     assert waiting.exception(30).name == "CANCELLED"
     assert build not in page.text(".jobs")
 
@@ -141,7 +141,7 @@ def test_a_daemon_that_goes_away_and_comes_back(page_of_own, daemon, daemons, cl
     page.wait_for("contact.solve", ".solves")
     daemon.stop()
     page.wait_for("away", ".state")
-    page.wait_for("It is asked again and again.", ".away")
+    page.wait_for("The dashboard keeps trying.", ".away")
     daemons.start()
     page.wait_for("serving", ".state")
     eventually(lambda: "has not answered" not in page.text())
@@ -163,7 +163,7 @@ def test_the_page_is_there_while_its_daemon_does_not_answer(own, daemon, browser
     try:
         made = Dashboard(own)
         browser.open(made.link)
-        browser.wait_for("It is asked again and again.", ".away")
+        browser.wait_for("The dashboard keeps trying.", ".away")
     finally:
         daemon.process.send_signal(signal.SIGCONT)
     browser.wait_for("serving", ".state")

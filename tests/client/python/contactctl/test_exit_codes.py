@@ -49,16 +49,16 @@ def test_without_a_package_of_its_extra_it_says_what_to_install(ctl, tmp_path, p
         (["solve", "nowhere.yaml"], "nowhere.yaml cannot be read: No such file or directory"),
         (["solve", "contact.yaml", "-o", "a.doc"], "must end in .json, .h5, .png, .svg or .pdf"),
         (["solve", "contact.yaml", "-o", "nowhere/a.h5"], "there is no folder nowhere"),
-        (["solve", "contact.yaml", "--fields", "pressures"], "'pressures' is none of"),
+        (["solve", "contact.yaml", "--fields", "pressures"], "'pressures' is not one of"),
         (["solve", "contact.yaml", "--set", "mu"], "must be PATH=VALUE"),
-        (["solve", "contact.yaml", "--set", "a b=1"], "'a b' is no path of a field"),
+        (["solve", "contact.yaml", "--set", "a b=1"], "'a b' is not the path of a field"),
         (["solve", "contact.yaml", "--set", "approach.x=1"], "approach.x cannot be set"),
         (["solve", "contact.yaml", "--timeout", "0"], "0 is not in the range"),
-        (["solve", "contact.yaml", "--folder", "tables"], "--folder goes with --local"),
-        (["ic", "build"], "Say which table"),
-        (["ic", "build", "--E", "2e5"], "--E goes with --nu"),
+        (["solve", "contact.yaml", "--folder", "tables"], "--folder requires --local"),
+        (["ic", "build"], "Give a table"),
+        (["ic", "build", "--E", "2e5"], "--E requires --nu"),
         (["ic", "export", "quick.json", "-o", "table.csv"], "must end in .h5, .npz or .txt"),
-        (["ic", "import", "quick.json", "--store", "."], "is no file of a store"),
+        (["ic", "import", "quick.json", "--store", "."], "is not a file of a store"),
         (["ic", "import", "missing.h5"], "cannot be read"),
         (["ic", "show", "nowhere.h5"], "nowhere.h5 cannot be read"),
         (["solve", "."], ". cannot be read: Is a directory"),
@@ -66,13 +66,13 @@ def test_without_a_package_of_its_extra_it_says_what_to_install(ctl, tmp_path, p
         (["study", "study.yaml", "--csv", "nowhere/a.csv"], "--csv nowhere/a.csv: there is no folder nowhere"),
         (["study", "study.yaml", "--rows", "folder.h5"], "folder.h5: Is a directory"),
         (["ic", "build", "wrong.json"], "material is 5; it must be an object"),
-        (["ic", "build", "--E", "2e5", "--nu", "-1", "--nx", "3", "--dx", "1"], "--nu, which is above -1"),
+        (["ic", "build", "--E", "2e5", "--nu", "-1", "--nx", "3", "--dx", "1"], "--nu above -1"),
         (["ic", "delete", ""], "A key is empty"),
         (["keys", "new", "alice", "--to", "contact.yaml"], "contact.yaml: File exists"),
-        (["session", "wide.yaml"], "wide.csv is no CSV: line 2 has a cell of"),
-        (["cancel"], "Name the jobs to cancel, or say --all"),
-        (["keys", "show", "contact.yaml"], "it is no key file"),
-        (["keys", "new", "../bob"], "is no name of a file"),
+        (["session", "wide.yaml"], "wide.csv is not a CSV file: line 2 has a cell of"),
+        (["cancel"], "Name the jobs to cancel, or give --all"),
+        (["keys", "show", "contact.yaml"], "it is not a key file"),
+        (["keys", "new", "../bob"], "cannot be the name of a file"),
         (["session", "contact.yaml"], "a history has open and steps"),
         (["study", "contact.yaml"], "a study has answers"),
         (["completion", "tcsh"], "'tcsh' is not one of"),
@@ -109,12 +109,12 @@ def test_what_must_not_be_written_is_2_before_anything_is_solved(lonely, monkeyp
 
 def test_no_daemon_is_3(lonely):
     assert refused(lonely("info"), 3, "No daemon answers at ipc://", "contactctl --local")
-    assert refused(lonely("info", "-e", "nonsense"), 3, "is no endpoint")
+    assert refused(lonely("info", "-e", "nonsense"), 3, "is not a valid endpoint")
 
 
 def test_another_service_is_3(lonely):
     with FakeServer(lonely.folder, lambda request: [[b"hello"]]) as server:
-        assert refused(lonely("health", "-e", server.endpoint), 3, "is no JSON")
+        assert refused(lonely("health", "-e", server.endpoint), 3, "is not JSON")
 
 
 def test_a_daemon_that_ends_is_3(lonely):
@@ -134,7 +134,7 @@ def test_numbers_that_are_not_finite_name_their_field(ctl):
     ctl.write("nan.yaml", (ctl.folder / "contact.yaml").read_text().replace("2e-2", ".nan"))
     assert refused(ctl("solve", "nan.yaml"), 4, "approach is nan; it must be finite")
     ctl.write("nan.json", '{"approach": NaN}')
-    assert refused(ctl("solve", "nan.json"), 2, "NaN is no number")
+    assert refused(ctl("solve", "nan.json"), 2, "NaN is not a valid number")
 
 
 def test_no_convergence_is_5_with_the_answer(ctl):

@@ -39,20 +39,20 @@ def test_anchors_save_writing(file):
 @pytest.mark.parametrize(
     ("name", "text", "sentence"),
     [
-        ("a.json", "{", "is no JSON: .*line 1"),
-        ("a.json", '{"a": 1, "a": 2}', "the field a is there twice"),
-        ("a.json", '{"a": Infinity}', "Infinity is no number"),
-        ("a.json", "[1, 2]", "holds a list; it must hold an object"),
-        ("a.yaml", "a: 1\na: 2\n", "the field a is there twice"),
-        ("a.yaml", "a: [1, 2\nb: 3\n", "is no YAML: .*line 2"),
-        ("a.yaml", "a: 1\nb: \x07\n", r"is no YAML: line 2 has the character .\\x07., which no text has"),
+        ("a.json", "{", "is not valid JSON: .*line 1"),
+        ("a.json", '{"a": 1, "a": 2}', "the field a is given twice"),
+        ("a.json", '{"a": Infinity}', "Infinity is not a valid number"),
+        ("a.json", "[1, 2]", "contains a list; it must contain an object"),
+        ("a.yaml", "a: 1\na: 2\n", "the field a is given twice"),
+        ("a.yaml", "a: [1, 2\nb: 3\n", "is not valid YAML: .*line 2"),
+        ("a.yaml", "a: 1\nb: \x07\n", r"is not valid YAML: line 2 has the character .\\x07., which YAML does not allow"),
         ("a.yaml", "1: 2\n", "a field is called 1"),
-        ("a.yaml", "", "holds nothing"),
+        ("a.yaml", "", "contains nothing"),
         ("a.yaml", "a: !!python/object/apply:os.getcwd []\n", "could not determine a constructor"),
-        ("a.json", "[" * 100_000, "nested too deeply|is no JSON"),
+        ("a.json", "[" * 100_000, "nested too deeply|is not valid JSON"),
         ("a.yaml", "a: {$file: nowhere.npy}\n", "names .*nowhere.npy, which cannot be read"),
-        ("a.yaml", "a: {$file: a.yaml}\n", "which holds no array of numbers"),
-        ("a.yaml", "a: {$file: empty.npy}\n", "names .*empty.npy, which holds no array of numbers"),
+        ("a.yaml", "a: {$file: a.yaml}\n", "which contains no array of numbers"),
+        ("a.yaml", "a: {$file: empty.npy}\n", "names .*empty.npy, which contains no array of numbers"),
         ("a.yaml", "a: {$file: archive.npy}\n", "it is an archive of arrays"),
     ],
 )
@@ -66,13 +66,13 @@ def test_what_means_nothing_is_refused_with_its_place(tmp_path, file, name, text
 
 def test_arrays_of_objects_are_refused(tmp_path, file):
     np.save(tmp_path / "evil.npy", np.array([{}], dtype=object), allow_pickle=True)
-    with pytest.raises(click.UsageError, match="which holds no array of numbers"):
+    with pytest.raises(click.UsageError, match="which contains no array of numbers"):
         read_object(file("a.yaml", "a: {$file: evil.npy}\n"))
 
 
 @pytest.mark.parametrize("path", ["", "a..b", "a[-1]", "a[" + "1" * 5000 + "]", "a[١]"])
 def test_what_is_no_path_is_refused(path):
-    with pytest.raises(click.UsageError, match="is no path of a field"):
+    with pytest.raises(click.UsageError, match="is not the path of a field"):
         put({}, path, 1)
 
 

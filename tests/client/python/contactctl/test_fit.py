@@ -75,7 +75,7 @@ def test_a_heading_that_states_per_cent_asks_for_the_option(files, heading):
     files.write("rig.txt", heading + "\n" + "".join(f"{x:.6f} 0.2\n" for x in CREEPAGE))
     refused = files("fit", "rig.txt", "--case", "case.yaml", *MU)
     assert refused.code == Code.USAGE
-    assert "states per cent. Give --percent, or --no-percent" in refused.err
+    assert "states percent. Give --percent, or --no-percent" in refused.err
 
 
 @pytest.mark.parametrize("between", [";", " ; ", "  ", "\t"])
@@ -121,7 +121,7 @@ def test_a_parameter_at_its_bound_is_said(files):
 def test_a_search_that_is_cut_short_ends_with_its_code(files):
     ended = files("fit", "curve.csv", "--case", "case.yaml", *MU, *LAYER, "--start", "friction.layer.flexibility=9e-4", "--max-evaluations", 1)
     assert ended.code == Code.NOT_CONVERGED
-    assert "the search did not converge: the bound of its evaluations was reached." in ended.err
+    assert "the search did not converge: the largest number of evaluations was reached." in ended.err
     assert "NO" in ended.out
 
 
@@ -136,10 +136,10 @@ def test_curves_that_do_not_converge_end_with_their_code(files):
     [
         (("--parameter", "friction.mu"), Code.USAGE, "it must be PATH=LOW:HIGH"),
         (("--parameter", "friction.mu=a:b"), Code.USAGE, "it must be PATH=LOW:HIGH"),
-        ((*MU, *MU), Code.USAGE, "a field is there twice"),
+        ((*MU, *MU), Code.USAGE, "a field is given twice"),
         (("--parameter", "friction.mu=0.6:0.1"), Code.REFUSED, "the lower one first"),
         ((*MU, "--start", "friction.mu"), Code.USAGE, "it must be PATH=VALUE"),
-        ((*MU, "--start", "friction.mu=0.9"), Code.REFUSED, "outside of its bounds"),
+        ((*MU, "--start", "friction.mu=0.9"), Code.REFUSED, "outside its bounds"),
         ((*MU, "--columns", "1"), Code.USAGE, "two or three different columns, 1 to 2 in curve.csv"),
         ((*MU, "--columns", "1,3"), Code.USAGE, "two or three different columns"),
         ((*MU, "--columns", "2,2"), Code.USAGE, "two or three different columns"),
@@ -162,10 +162,10 @@ def test_what_cannot_be_fitted_is_refused(files, words, code, said):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("", "holds no curve: it has none"),
+        ("", "contains no curve: it has none"),
         ("1\n2\n", "has one column"),
-        ("1e-3 0.1\n2e-3\n", "line 2 has 1 numbers, and the first 2"),
-        ("1e-3 0.1\n2e-3 high\n", "line 2 has 'high' in the place of a number"),
+        ("1e-3 0.1\n2e-3\n", "line 2 has 1 numbers, but the first has 2"),
+        ("1e-3 0.1\n2e-3 high\n", "line 2 has 'high' instead of a number"),
     ],
 )
 def test_a_file_that_holds_no_curve_is_refused(files, text, said):

@@ -61,11 +61,11 @@ def check(there, words, names):
                 path.symlink_to(foreign)
             refused = there(*words)
             assert refused.code == 2, (name, refused)
-            assert f"{name} is there, and contactd has not written it. Name another file, or give --overwrite." in refused.err
+            assert f"{name} exists, and contactd did not write it. Name another file, or give --overwrite." in refused.err
             assert foreign.read_bytes() == FOREIGN
         path.unlink()
         path.symlink_to(there.folder / "nowhere")
-        assert "is a link to nothing" in there(*words).err
+        assert "is a broken link" in there(*words).err
         assert not (there.folder / "nowhere").exists()
         path.unlink()
         path.write_bytes(FOREIGN)
@@ -91,7 +91,7 @@ def test_what_others_have_written_is_left_alone_by_studies_of_wear(there, words,
 def test_a_file_that_has_no_rows_is_left_alone(there, words, content):
     (there.folder / "kept.rows").write_bytes(content)
     ended = there(*words)
-    assert ended.code == 2 and "is no file with rows of a study" in ended.err
+    assert ended.code == 2 and "is not a file with rows of a study" in ended.err
     assert (there.folder / "kept.rows").read_bytes() == content
 
 
@@ -107,7 +107,7 @@ def test_the_stages_of_a_study_are_removed_and_nothing_else(there):
     kept = there.folder / "wear.yaml.h5.stages" / "mine"
     kept.mkdir(parents=True)
     ended = there("wear", "wear.yaml", "--fresh", "--allow-program")
-    assert ended.code == 2 and "is no stage that contactd has written" in ended.err
+    assert ended.code == 2 and "is not a stage written by contactd" in ended.err
     assert kept.is_dir()
 
 

@@ -26,7 +26,7 @@ def test_show_says_what_a_file_is_taken_for(ctl, wheel):
     ctl.write("0815.WHL", "Stock=%Talent\nColumnDef=X,Y\n\n" + rows(wheel * (1, -1)))
     shown = ctl("profile", "show", "0815.WHL", "--smoothing", 5)
     assert shown.code == 0, shown.err
-    for said in ("a wheel", "MiniProf", "turned, as its shape shows", "lines left out", "half of a wave of 5 mm stays", "smallest radius, hollow"):
+    for said in ("a wheel", "MiniProf", "turned, from the shape", "omitted lines", "half the amplitude of a wave of 5 mm remains", "smallest radius, hollow"):
         assert said in shown.out
     assert "by its shape\n" not in shown.out
     told = ctl("profile", "show", "0815.WHL", "--json").json
@@ -44,7 +44,7 @@ def test_whose_profile_it_is_is_seen_by_its_shape(ctl, wheel):
     assert "a rail, by its shape" in ctl("profile", "show", "b.csv").out
     refused = ctl("profile", "show", "b.csv", "--wheel")
     assert refused.code == 4
-    assert "b.csv: its points do not show which way z points" in refused.err and "mirror_z" in refused.err
+    assert "b.csv: its points do not determine the direction of z" in refused.err and "mirror_z" in refused.err
     assert ctl("profile", "show", "b.csv", "--wheel", "--keep-z").code == 0
     assert ctl("profile", "show", "b.csv", "--wheel", "--rail").code == 2
 
@@ -102,7 +102,7 @@ def test_an_empty_profile_is_refused_as_any_other_one(ctl):
     ctl.write("blank.csv", " \n\n")
     ctl.write("empty.yaml", "{setup: {rail: {file: empty.csv}}, state: {Fz: 80e3}}")
     ended = ctl("profile", "show", "empty.csv")
-    assert ended.code == 4 and "file = empty.csv: the file is empty. Name a file with the points of a profile" in ended.err
+    assert ended.code == 4 and "file = empty.csv: the file is empty. Give a file with the points of a profile" in ended.err
     assert ctl("profile", "show", "blank.csv", "--rail").code == 4
     ended = ctl("wheelrail", "solve", "empty.yaml")
     assert ended.code == 4 and "empty.csv: the file is empty" in ended.err and "INVALID_ARGUMENT" in ended.err

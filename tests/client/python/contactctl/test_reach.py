@@ -22,7 +22,7 @@ RAIL_CASE = """\
  2000. 0. 0. 0. 0. -4.348
  0 MODULE
 """
-REFUSED = "lies outside of the folder of the file that names it; allow its folder by --allow-folder"
+REFUSED = "is outside the folder of the file that names it; allow its folder with --allow-folder"
 
 
 @pytest.fixture
@@ -79,7 +79,7 @@ def test_a_study_runs_no_program_by_itself(ctl):
     ctl.write("wear.yaml", STUDY.replace("states: states.csv", "dynamics: {program: [touch, ran]}"))
     ended = ctl("wear", "wear.yaml")
     assert ended.code == 2
-    assert "wear.yaml: dynamics.program = ['touch', 'ran']: a study runs no program by itself. Look at it, and give --allow-program." in ended.err
+    assert "wear.yaml: dynamics.program = ['touch', 'ran']: a study does not run a program by itself. Check it, and give --allow-program." in ended.err
     assert not (ctl.folder / "ran").exists() and not (ctl.folder / "wear.yaml.h5").exists()
     ctl("wear", "wear.yaml", "--allow-program")
     assert (ctl.folder / "ran").exists()

@@ -75,7 +75,7 @@ def test_arrays_that_vary_are_named_in_their_rows(ctl):
 @pytest.mark.parametrize(
     ("text", "sentence"),
     [
-        ("vary: {friction.mu: [0.1, 0.2, 0.3]}\nanswers: [forces.Fm, pmax]\n", "answers has forces.Fm, which no answer has; it has approach,"),
+        ("vary: {friction.mu: [0.1, 0.2, 0.3]}\nanswers: [forces.Fm, pmax]\n", "answers has forces.Fm, which the answer does not have; it has approach,"),
         ("vary: {friction.nu: [0.1, 0.2, 0.3]}\n", "vary has friction.nu, which is not a field of friction; known fields are duration,"),
     ],
 )
@@ -84,7 +84,7 @@ def test_a_name_that_is_of_no_row_stops_the_study_after_its_first_row(own, text,
     ended = own("study", "study.yaml", "--workers", "1")
     assert ended.code == 2
     assert sentence in ended.err
-    assert "0 of 3 rows are in study.yaml.rows; the same command goes on." in ended.err
+    assert "0 of 3 rows are in study.yaml.rows; repeat the command to continue." in ended.err
     with Client(own.endpoint) as client:
         assert client.info().counters["solves"] <= 1
 
@@ -101,7 +101,7 @@ def test_youngs_modulus_stands_in_for_the_shear_modulus(ctl):
     assert second["answers"]["forces.Fn"] == pytest.approx(first["answers"]["forces.Fn"], rel=1e-12)
     twice = ctl("solve", "contact.yaml", "--set", "bodies.upper.E=568")
     assert twice.code == 2
-    assert "bodies.upper.E stands beside G" in twice.err
+    assert "bodies.upper.E cannot be combined with G" in twice.err
 
 
 def test_a_range_by_steps_has_its_end(ctl):
@@ -150,13 +150,13 @@ def test_a_row_that_fails_is_a_row_and_an_exit_code(ctl):
         ("problem: contact.yaml\nvary: {approach: {from: 0, to: 2, step: -1}}", "does not lead from 0 to 2"),
         ("problem: contact.yaml\nvary: {approach: {from: 0, to: 2, count: 0}}", "count of approach"),
         ("problem: contact.yaml\nvary: {approach: [1, 1]}", "has a row twice"),
-        ("problem: contact.yaml\nvary: {approach: [1, .nan]}", "the values of approach must be what JSON has; every number must be finite"),
-        ("problem: contact.yaml\nvary: {approach: [!!binary aGk=]}", "the values of approach must be what JSON has"),
-        ("problem: contact.yaml\nvary: {approach: {from: -1e308, to: 1e308, count: 3}}", "which is too far"),
+        ("problem: contact.yaml\nvary: {approach: [1, .nan]}", "the values of approach must be valid in JSON; every number must be finite"),
+        ("problem: contact.yaml\nvary: {approach: [!!binary aGk=]}", "the values of approach must be valid in JSON"),
+        ("problem: contact.yaml\nvary: {approach: {from: -1e308, to: 1e308, count: 3}}", "which is too large a range"),
         ("problem: contact.yaml\nvary: {gap.array: [{$file: nowhere.npy}]}", "nowhere.npy, which cannot be read"),
         ("problem: contact.yaml\nvary: {approach.x: [1, 2]}", "approach.x cannot be set"),
-        ("problem: contact.yaml\nvary: {a: [1]}\ntogether: {a: [1]}", "a is in vary and in together"),
-        ("problem: contact.yaml\ntogether: {a: [1], b: [1, 2]}", "numbers of values that differ"),
+        ("problem: contact.yaml\nvary: {a: [1]}\ntogether: {a: [1]}", "a is in both vary and together"),
+        ("problem: contact.yaml\ntogether: {a: [1], b: [1, 2]}", "different numbers of values"),
         ("problem: contact.yaml\nvary: {approach: {from: 0, to: 1, count: 1000000}, Fn: [1, 2]}", "more than 1000000 rows"),
         ("problem: contact.yaml\nmethod: ic.get\nvary: {a: [1]}", "method is 'ic.get'"),
         ("problem: contact.yaml\nanswers: 3\nvary: {a: [1]}", "answers must be a list"),
@@ -227,7 +227,7 @@ def test_a_daemon_that_stays_away_ends_it_with_3_and_keeps_its_rows(daemons, own
         daemon.kill()
         _, err = running.communicate(timeout=60)
     assert running.returncode == 3, err
-    assert "the same command goes on" in err
+    assert "repeat the command to continue" in err
     assert own("study", "study.yaml").code == 0
 
 
@@ -237,7 +237,7 @@ def test_two_runs_of_one_study_do_not_meet(own):
         eventually((own.folder / "study.yaml.rows").exists)
         eventually(lambda: (own.folder / "study.yaml.rows").stat().st_size > 0)
         ended = own("study", "study.yaml")
-        assert (ended.code, "belongs to a study that runs" in ended.err) == (2, True)
+        assert (ended.code, "belongs to a running study" in ended.err) == (2, True)
         first.send_signal(signal.SIGTERM)
         first.communicate(timeout=30)
     assert first.returncode == 143
@@ -327,13 +327,13 @@ def test_a_damaged_row_is_solved_again(tmp_path, capsys):
 def test_a_row_that_is_none_is_damaged_whatever_its_checksum_says(tmp_path, text):
     path = tmp_path / "rows"
     path.write_bytes(b"%08x %s\n" % (zlib.crc32(text), text))
-    with pytest.raises(Ended, match="is no file with rows of a study"):
+    with pytest.raises(Ended, match="is not a file with rows of a study"):
         Journal(path)
 
 
 def test_a_file_of_something_else_is_left_alone(tmp_path):
     path = tmp_path / "rows"
     path.write_text("the notes of a year\n")
-    with pytest.raises(Ended, match="is no file with rows of a study"):
+    with pytest.raises(Ended, match="is not a file with rows of a study"):
         Journal(path)
     assert path.read_text() == "the notes of a year\n"

@@ -70,7 +70,7 @@ def test_a_study_waits_for_its_shares(own):
         running.kill()
         running.communicate()
     assert ended.code == 2
-    assert "study.yaml.rows.0-of-2 belongs to a share that runs" in ended.err
+    assert "study.yaml.rows.0-of-2 belongs to a running share" in ended.err
 
 
 @pytest.mark.parametrize("share", ["1", "2/2", "-1/2", "1/0", "a/b", "1/2/3", "0.5/2"])
@@ -86,7 +86,7 @@ def test_a_share_writes_no_table(lonely, option):
     lonely.write("study.yaml", STUDY)
     ended = lonely("study", "study.yaml", "--share", "0/2", option, "all")
     assert ended.code == 2
-    assert f"{option} takes all rows" in ended.err
+    assert f"{option} requires all rows" in ended.err
     ended = lonely("study", "study.yaml", option, "no/where")
     assert f"{option} no/where: there is no folder no." in ended.err
 

@@ -122,7 +122,7 @@ def test_a_study_has_a_live_bar_and_ends_with_ctrl_c(own):
         terminal.wait_for(r"[1-9]\d* of 20000 rows")
         terminal.press(b"\x03")
         assert terminal.ended() == 130
-        assert "the same command goes on" in terminal.text
+        assert "repeat the command to continue" in terminal.text
         assert "Traceback" not in terminal.text
         eventually(lambda: not client.jobs())
 

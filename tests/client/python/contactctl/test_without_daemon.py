@@ -80,13 +80,13 @@ def test_an_endpoint_is_asked_where_one_is_named(files):
 def test_where_nothing_solves_it_says_what_to_install(files):
     hidden = {"PYTHONPATH": f"{files.write_module('contactd_local')}:{files.environment['PYTHONPATH']}", "PATH": "/nowhere"}
     ended = files.alone("solve", "contact.yaml", **NOWHERE, **hidden)
-    assert ended.code == 3 and 'pip install "contactd[local]"' in ended.err and "by --endpoint" in ended.err
+    assert ended.code == 3 and 'pip install "contactd[local]"' in ended.err and "with --endpoint" in ended.err
     assert "LocalDaemon" not in ended.err
 
 
 def test_keys_need_a_daemon_that_has_them(files):
     ended = files("solve", "contact.yaml", "--server-key", "a.key", **NOWHERE)
-    assert ended.code == 2 and "name it by --endpoint" in ended.err
+    assert ended.code == 2 and "give its address with --endpoint" in ended.err
 
 
 def test_workers_of_a_cluster_have_the_same_rule(monkeypatch):

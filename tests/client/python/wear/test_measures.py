@@ -88,7 +88,7 @@ def test_points_that_are_no_pairs_or_not_finite_are_refused():
 
 def test_a_flange_at_positive_y_is_refused():
     for points in (WHEEL * (-1, 1), (WHEEL * (-1, 1))[::-1]):
-        with pytest.raises(InvalidArgument, match=r"flange at y = 5.* mm; y grows to the field side"):
+        with pytest.raises(InvalidArgument, match=r"flange at y = 5.* mm, but y points to the field side"):
             wheel_gauge(points)
 
 
@@ -105,7 +105,7 @@ def test_a_rail_that_has_worn_at_positive_y_is_refused():
     for depth in (0.5, 2.0):
         worn = new - np.outer(depth * (new[:, 0] > 25), (1, 0))
         assert rail_wear((new * (-1, 1))[::-1], (worn * (-1, 1))[::-1]).W2 == pytest.approx(depth)
-        with pytest.raises(InvalidArgument, match=f"lost {depth:g} mm at y > 0 and .* mm at y < 0, where the gauge side lies"):
+        with pytest.raises(InvalidArgument, match=f"lost {depth:g} mm at y > 0 and .* mm at y < 0, the gauge side"):
             rail_wear(new, worn)
 
 

@@ -82,7 +82,7 @@ def test_of_many_groups_those_are_told_apart_that_take_most():
 
 def test_what_is_not_there_is_not_drawn():
     axes = Figure().subplots()
-    with pytest.raises(InvalidArgument, match="nothing is worn"):
+    with pytest.raises(InvalidArgument, match="so there is no wear"):
         draw_worn(axes, STEPS[:1])
     with pytest.raises(InvalidArgument, match="no damage by theirs"):
         draw_competition(axes, STEPS, "theirs")

@@ -31,7 +31,7 @@ def test_a_row_covers_its_own_width():
 
 def test_rows_beyond_the_end_are_refused_where_they_wear():
     assert deposit([0.0, 1.0, 2.0], [2.5], 1.0, [0.0]).tolist() == [0, 0]
-    with pytest.raises(InvalidArgument, match=r"ends at 0 and 2 mm of its length, and the contact reaches from 1\.8 to 2\.8"):
+    with pytest.raises(InvalidArgument, match=r"ends at 0 and 2 mm of its length, but the contact reaches from 1\.8 to 2\.8"):
         deposit([0.0, 1.0, 2.0], [2.3], 1.0, [1e-6])
 
 

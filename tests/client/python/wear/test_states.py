@@ -68,7 +68,7 @@ def test_files_that_are_not_what_their_names_say_are_refused(tmp_path):
     pytest.importorskip("h5py")
     for name in ("states.csv", "states.h5"):
         (tmp_path / name).write_bytes(b"\x89\xff\x00 no text")
-        with pytest.raises(InvalidArgument, match="no text in UTF-8|no file of HDF5"):
+        with pytest.raises(InvalidArgument, match="not text in UTF-8|not a readable HDF5"):
             read_states(tmp_path / name)
         with pytest.raises(FileNotFoundError):
             read_states(tmp_path / "nothing" / name)
@@ -78,7 +78,7 @@ def test_what_is_no_column_of_hdf5_is_not_passed_over(tmp_path):
     h5py = pytest.importorskip("h5py")
     with h5py.File(tmp_path / "states.h5", "w") as file:
         file["position/y"], file["Fz"], file["weight"] = [1.0, 2.0], [8e4, 9e4], [1.0, 1.0]
-    with pytest.raises(InvalidArgument, match="have position, which is no column"):
+    with pytest.raises(InvalidArgument, match="have position, which is not a column"):
         read_states(tmp_path / "states.h5")
 
 
@@ -107,7 +107,7 @@ def test_parquet_has_columns_of_the_same_names(tmp_path):
 
 def test_parquet_without_its_library_is_refused_by_its_name(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "pyarrow", None)
-    with pytest.raises(InvalidArgument, match="pyarrow, which is missing"):
+    with pytest.raises(InvalidArgument, match="requires pyarrow"):
         read_states(tmp_path / "states.parquet")
 
 
@@ -127,12 +127,12 @@ def test_a_mirrored_state_turns_what_lies_across_the_track():
         ("position.y, Fz\n1, 2\n", "neither weight nor distance"),
         ("weight, distance\n1, 2\n", "both weight and distance"),
         ("position.q, weight\n1, 2\n", r"a column position\.q; a state has no q there"),
-        ("position, weight\n1, 2\n", "no number of a state"),
+        ("position, weight\n1, 2\n", "not a number of a state"),
         ("Fz, weight\nmany, 2\n", r"states\[0\]\.Fz is 'many'"),
         ("Fz, weight\n1, 2\n3, -1\n", r"states\[1\]\.weight is -1"),
-        ("Fz, weight\n1, 0\n2, 0\n", "states have a weight of 0 each; give one of them at least a positive weight"),
-        ("Fz, distance\n1, 0\n", "states have a distance of 0 each"),
-        ("Fz, weight\n1\n", "line 2 has 1 columns, and the first 2"),
+        ("Fz, weight\n1, 0\n2, 0\n", "states all have a weight of 0; give at least one of them a positive weight"),
+        ("Fz, distance\n1, 0\n", "states all have a distance of 0"),
+        ("Fz, weight\n1\n", "line 2 has 1 columns, but the first has 2"),
         ("Fz, weight, Fz\n1, 1, 2\n", "line 1 names Fz twice"),
         ("Fz, weight,\n1, 1,\n", "line 1 has no name for column 3"),
         ("", "are empty"),
@@ -146,25 +146,25 @@ def test_what_is_wrong_with_a_file_is_named(tmp_path, text, match):
 @pytest.mark.parametrize(
     ("changed", "match"),
     [
-        ({"wears": "axle"}, "must be wheel or rail"),
+        ({"wears": "axle"}, "must be wheel, rail or both"),
         ({"wears": "both"}, "rail_law is missing"),
-        ({"wears": "both", "rail_law": replace(RAIL, name="energy")}, "as that of the wheel's law"),
+        ({"wears": "both", "rail_law": replace(RAIL, name="energy")}, "which the wheel's law already has"),
         ({"wears": "both", "rail_law": RAIL}, "passages_per_km is missing"),
         ({"rail_law": RAIL}, "only the wheel wears"),
-        ({"fatigue": {"body": "upper"}}, "that of the rail, and the wheel wears"),
-        ({"wears": "rail"}, r"law\.body is lower, and the rail wears"),
+        ({"fatigue": {"body": "upper"}}, "that of the rail, but the wheel wears"),
+        ({"wears": "rail"}, r"law\.body is lower, but the rail wears"),
         ({"depth": 0.0}, "depth is 0"),
         ({"until": float("inf")}, "until is inf"),
         ({"smoothing": "much"}, "auto, exponential_step, or a wavelength"),
         ({"smoothing": True}, "auto, exponential_step, or a wavelength"),
         ({"smoothing": float("inf")}, "auto, exponential_step, or a wavelength"),
-        ({"distance": 1e-300}, "distance is 1e-300 km, which makes more than 1000000 steps"),
+        ({"distance": 1e-300}, "distance is 1e-300 km, which results in more than 1000000 steps"),
         ({"spacing": 1e-9}, r"spacing is 1e-09 mm; it must lie in \[0.01, 10\]"),
         ({"spacing": 1000.0}, r"spacing is 1000 mm; it must lie in \[0.01, 10\]"),
         ({"states": [STATE, replace(STATE, weight=-0.5)]}, r"states\[1\]\.weight is -0.5"),
         ({"states": [STATE, replace(STATE, weight=float("inf"))]}, r"states\[1\]\.weight is inf"),
-        ({"states": []}, "are none; give one state at least"),
-        ({"states": [WeightedState(WheelRailState(), 0.0)]}, "have a weight of 0 each"),
+        ({"states": []}, "are empty; give at least one state"),
+        ({"states": [WeightedState(WheelRailState(), 0.0)]}, "all have a weight of 0"),
         ({"states": [WeightedState(WheelRailState(motion="shift", time_step=1), 1.0)]}, "steady rolling"),
     ],
 )

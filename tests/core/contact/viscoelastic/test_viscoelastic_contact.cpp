@@ -174,7 +174,7 @@ TEST_CASE("resistance is largest where creep takes as long as the contact", "[vi
 
 TEST_CASE("creep that a limit says as well is warned of", "[viscoelastic]") {
     CHECK(warns(solved(spheres(20, 1, 1e-4)), "less than half an element"));
-    CHECK(warns(solved(spheres(20, 1, 10)), "more than a hundred lengths"));
+    CHECK(warns(solved(spheres(20, 1, 10)), "more than a hundred times the length"));
     const ContactSolution usual = solved(spheres(20, 1, 5e-3));
     CHECK_FALSE(warns(usual, "viscoelastic"));
 }
@@ -229,7 +229,7 @@ TEST_CASE("what is not known of bodies that creep is refused by its field", "[vi
     }
     SECTION("layers beside") {
         problem.bodies.lower = Body::of(Layers{{{1, 1000, 0.3}}, {1000, 0.3}});
-        refused("bodies.lower.ics.body", "the other one is viscoelastic");
+        refused("bodies.lower.ics.body", "the other body is viscoelastic");
     }
     SECTION("a rigid body") {
         problem.bodies.lower.material = Material::rigid();

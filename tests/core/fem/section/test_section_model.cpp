@@ -42,7 +42,7 @@ double mean_response(const WaveResponse& response, int strips, int i, int j) {
 TEST_CASE("An outline whose edges of elements cross is refused where they do", "[section]") {
     DividedOutline crossed{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {}, {0, 4}, 1};
     for (int i = 0; i < 4; ++i) crossed.edges.push_back({0, 0, 0, 1, -1, false, i, (i + 1) % 4});
-    REQUIRE_THROWS_WITH(triangulate(crossed, {}), ContainsSubstring("comes closer to itself"));
+    REQUIRE_THROWS_WITH(triangulate(crossed, {}), ContainsSubstring("has parts closer to each other"));
 }
 
 TEST_CASE("Strips all round a solid cylinder meet the closed form with Bessel functions", "[section]") {

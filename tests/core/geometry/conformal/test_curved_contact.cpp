@@ -50,7 +50,7 @@ TEST_CASE("Rows of a curved contact lie half-way between rail and wheel, along b
     REQUIRE(solution.patches.size() == 1);
     const ContactPlace& place = solution.patches[0].place;
     REQUIRE(static_cast<int>(place.rows.size()) == place.grid.ny);
-    CHECK(!warns(solution, "bends too much"));
+    CHECK(!warns(solution, "too strongly curved"));
     for (int iy = 0; iy < place.grid.ny; ++iy) {
         const ContactRow& row = place.rows[static_cast<std::size_t>(iy)];
         const double s = place.grid.y(iy), mean = 0.5 * (1 / of_rail + 1 / of_wheel) * s;
@@ -122,7 +122,7 @@ TEST_CASE("The sum of the turned tractions is the force that was asked for") {
     // In one plane the same contact warns, and its pressure is another.
     setup.conformal = Conformal::off;
     const WheelRailSolution plane = solve(setup, loaded(60000));
-    CHECK(warns(plane, "bends too much"));
+    CHECK(warns(plane, "too strongly curved"));
     CHECK(plane.patches.at(0).solution.pmax < 0.99 * patch.solution.pmax);
 }
 

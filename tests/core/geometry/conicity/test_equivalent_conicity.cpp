@@ -214,7 +214,7 @@ TEST_CASE("amplitudes beyond a profile's end are refused", "[conicity]") {
                                             make_profile({ProfileKind::rail, Rail60E1{1.0 / 40}}).curve);
     CHECK(equivalent_conicities(wheelset, std::vector{1.0}).front().integrated > 0.05);
     CHECK_THROWS_MATCHES(equivalent_conicities(wheelset, std::vector{6.0}), InvalidArgument,
-                         MessageMatches(ContainsSubstring("amplitudes reach 6 mm, and at the shift -")));
+                         MessageMatches(ContainsSubstring("amplitudes reach 6 mm, but at the shift -")));
 }
 
 TEST_CASE("amplitudes and settings that make no sense are refused", "[conicity]") {

@@ -176,7 +176,7 @@ TEST_CASE("a wheelset that does not fit the track is refused", "[conicity]") {
     const auto tread = wheel(S1002{});
     const auto head = rail(Rail60E1{1.0 / 40});
     refused([&] { return wheelset_on_track(tread, head, {.gauge = 50}); },
-            "track.gauge is 50, less than a rail is wide");
+            "track.gauge is 50, less than the width of a rail");
     refused([&] { return wheelset_on_track(tread, head, {.gauge = std::nan("")}); }, "track.gauge is nan");
     refused([&] { return wheelset_on_track(tread, head, {}, {.nominal_radius = 0}); }, "wheelset.nominal_radius is 0");
     refused([&] { return contacts_at(wheelset_on_track(tread, head, {.gauge = 1000}), 0); },

@@ -142,7 +142,7 @@ TEST_CASE("Slices that make no wheel are refused by name") {
         CHECK_THROWS_AS(OutOfRound({0, 1}, {line(0), second}), InvalidArgument);
         CHECK_THROWS_WITH(OutOfRound({0, 1}, {line(0), second}), ContainsSubstring(sentence));
     };
-    refused(line(0, 0, -30, 40), "wheel_slices[1].profile reaches from y = -30 to 40 mm, and the first slice from -40");
+    refused(line(0, 0, -30, 40), "wheel_slices[1].profile reaches from y = -30 to 40 mm, but the first slice from -40");
     refused(line(460), "wheel_slices[1].profile differs by 460 mm from the first slice at y = -40 mm");
 }
 

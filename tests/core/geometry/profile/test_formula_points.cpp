@@ -154,15 +154,16 @@ TEST_CASE("parameters that make no profile are refused", "[profile]") {
         CHECK_THROWS_MATCHES(validate({ProfileKind::rail, shape}), InvalidArgument,
                              MessageMatches(ContainsSubstring(what)));
     };
-    refused(Rail60E1{40}, "profile.rail_60e1.inclination is 40; it is a slope");
+    refused(Rail60E1{40}, "profile.rail_60e1.inclination is 40; it must be a slope");
     refused(Rail60E1{std::nan("")}, "inclination is nan");
     refused(ArcProfile{0}, "profile.arc.radius is 0");
-    refused(ArcProfile{20}, "profile.arc has the radius 20 and an end at y = -40");
+    refused(ArcProfile{20}, "profile.arc has the radius 20 and does not reach its end at y = -40");
     refused(ArcProfile{300, 10}, "profile.arc.slope is 10");
     refused(ConeProfile{0.05, 3, 3}, "profile.cone.to is 3");
     refused(ConeProfile{0.05, -1e9, 3}, "profile.cone.from is -1e+09");
     refused(ProfilePoints{{}, 0}, "profile.unit is 0");
     refused(ProfilePoints{{}, 1, false, false, -1}, "profile.smoothing_length is -1");
-    refused(ProfilePoints{std::vector<ProfilePoint>(20001)}, "profile.points are 20001; 20000 are the most");
+    refused(ProfilePoints{std::vector<ProfilePoint>(20001)},
+            "profile.points has 20001 entries, but at most 20000 are allowed");
     CHECK_NOTHROW(validate({ProfileKind::wheel, S1002{}}));
 }

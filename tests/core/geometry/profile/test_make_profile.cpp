@@ -136,8 +136,8 @@ TEST_CASE("nothing swings out below a lip, and what it hides has its part in smo
 
 TEST_CASE("points that make no profile are refused with what to do", "[profile]") {
     const auto good = measured(wheel);
-    refused(ProfileKind::wheel, {}, "profile.points are 0; a profile needs two");
-    refused(ProfileKind::rail, {{{1, 1}}}, "profile.points are 1; a profile needs two");
+    refused(ProfileKind::wheel, {}, "profile.points has 0 entries; a profile needs at least two");
+    refused(ProfileKind::rail, {{{1, 1}}}, "profile.points has 1 entries; a profile needs at least two");
     refused(ProfileKind::rail, {{{1, 1}, {1, 1}, {1, 1}}}, "span less than 1 mm");
     auto bad = good;
     bad.points[7].z = std::nan("");

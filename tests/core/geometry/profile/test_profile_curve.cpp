@@ -157,16 +157,19 @@ TEST_CASE("a mirrored curve has the other sign of y, and its kinks", "[profile]"
 TEST_CASE("points that make no curve are refused", "[profile]") {
     const auto refusal = [](const std::string& what) { return MessageMatches(ContainsSubstring(what)); };
     constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-    CHECK_THROWS_MATCHES(ProfileCurve({}), InvalidArgument, refusal("points are 0; a profile needs two"));
-    CHECK_THROWS_MATCHES(ProfileCurve({{1, 2}}), InvalidArgument, refusal("points are 1; a profile needs two"));
+    CHECK_THROWS_MATCHES(ProfileCurve({}), InvalidArgument,
+                         refusal("points has 0 entries; a profile needs at least two"));
+    CHECK_THROWS_MATCHES(ProfileCurve({{1, 2}}), InvalidArgument,
+                         refusal("points has 1 entries; a profile needs at least two"));
     CHECK_THROWS_MATCHES(ProfileCurve({{1, 2}, {3, nan}}), InvalidArgument,
                          refusal("points[1] has the coordinate nan"));
     CHECK_THROWS_MATCHES(ProfileCurve({{infinity, 2}, {3, 4}}), InvalidArgument, refusal("points[0] has"));
-    CHECK_THROWS_MATCHES(ProfileCurve({{0, 0}, {1e6, 0}}), InvalidArgument, refusal("1e5 mm at most"));
-    CHECK_THROWS_MATCHES(ProfileCurve({{0, 0}, {1, 1}, {1, 1}}), InvalidArgument, refusal("points[2] is the point"));
+    CHECK_THROWS_MATCHES(ProfileCurve({{0, 0}, {1e6, 0}}), InvalidArgument, refusal("at most 1e5 mm"));
+    CHECK_THROWS_MATCHES(ProfileCurve({{0, 0}, {1, 1}, {1, 1}}), InvalidArgument,
+                         refusal("points[2] equals the previous point"));
     const std::vector<ProfilePoint> four{{0, 0}, {1, 0}, {2, 0}, {3, 0}};
     CHECK_THROWS_MATCHES(ProfileCurve(four, {0}), InvalidArgument, refusal("kinks[0] is 0; it must be the index"));
     CHECK_THROWS_MATCHES(ProfileCurve(four, {3}), InvalidArgument, refusal("1 to 2"));
-    CHECK_THROWS_MATCHES(ProfileCurve(four, {2, 1}), InvalidArgument, refusal("kinks[1] is 1, behind 2"));
+    CHECK_THROWS_MATCHES(ProfileCurve(four, {2, 1}), InvalidArgument, refusal("kinks[1] is 1 after 2"));
     CHECK_THROWS_MATCHES(ProfileCurve({{0, 0}, {1, 0}}, {1}), InvalidArgument, refusal("kinks[0] is 1"));
 }

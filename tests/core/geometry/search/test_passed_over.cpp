@@ -27,7 +27,7 @@ WheelRailSolution pressed(const WheelRailSetup& setup) {
 
 std::string sentence_of_edge(const WheelRailSolution& solution) {
     for (const std::string& warning : solution.warnings)
-        if (warning.find("passes over: choose patches.search mesh.") != std::string::npos) return warning;
+        if (warning.find("misses. Set patches.search to mesh.") != std::string::npos) return warning;
     return "";
 }
 

@@ -52,5 +52,5 @@ TEST_CASE("A mesh of a wheel that is too fine is refused before any of its nodes
     for (const double dx : {1e-4, 1e-300})
         for (const WheelSurface* wheel : {&round, &sliced})
             CHECK_THROWS_MATCHES(search_nodes(*wheel, dx), InvalidArgument,
-                                 MessageMatches(ContainsSubstring("too small for a mesh of a wheel with")));
+                                 MessageMatches(ContainsSubstring("too small for a wheel with")));
 }

@@ -67,9 +67,9 @@ TEST_CASE("Outlines that enclose no body are refused with coordinates", "[sectio
     refuses({section}, "section.outline.outside", "runs anticlockwise from (y, z) = (-10, 0)");
     section = block();
     section.outside.parts[1] = {ArcTo{{10, -20}, 9}};
-    refuses({section}, "section.outline.outside.parts[1].arc.radius", "is 9, too little for the way from");
+    refuses({section}, "section.outline.outside.parts[1].arc.radius", "is 9, too small for an arc from");
     section.outside.parts[1] = {SplineTo{{{10, -10}, {10, -10}, {10, -20}}}};
-    refuses({section}, "section.outline.outside.parts[1].spline", "points[2] is the point before it");
+    refuses({section}, "section.outline.outside.parts[1].spline", "points[2] equals the previous point");
 }
 
 TEST_CASE("Holes that do not lie in the body are refused with coordinates", "[section]") {
@@ -81,7 +81,7 @@ TEST_CASE("Holes that do not lie in the body are refused with coordinates", "[se
     section.holes = {square_hole(-7, -6, 2), square_hole(-8, -5, 5)};
     refuses({section}, "section.outline.holes[1]", "overlaps section.outline.holes[0]");
     section.holes = {square_hole(20, -5, 5)};
-    refuses({section}, "section.outline.holes[0]", "lies outside of the body, at (y, z) = (20, -5)");
+    refuses({section}, "section.outline.holes[0]", "lies outside the body, at (y, z) = (20, -5)");
     section.holes = {square_hole(-2, -2e-5, 3)};
     refuses({section}, "section.outline.holes[0]",
             "leaves less than 4e-05 mm of the body between it and section.outline.outside at (y, z) = (");
@@ -100,7 +100,7 @@ TEST_CASE("Strips that do not lie on a smooth free part are refused with coordin
     refuses({section}, "section", "has a corner of 90 degrees at (y, z) = (-10, 0) in strip 2 of 4");
     section.part = 2;
     section.from = 3;
-    refuses({section}, "section", "is clamped at (y, z) = (7, -20) where its strip 0 of 4 lies");
+    refuses({section}, "section", "is clamped at (y, z) = (7, -20) in its strip 0 of 4");
     refuses({EdgeBlock{100, 50, 1}}, "section", "has a corner of 90 degrees at (y, z) = (-100, 0)", 10, 10);
     refuses({Groove{10, 10, 120, 70}}, "section", "has a corner of 90 degrees at (y, z) = (-10, 0) in strip 4 of 41",
             41, 1);
@@ -112,11 +112,11 @@ TEST_CASE("Strips that do not lie on a smooth free part are refused with coordin
 }
 
 TEST_CASE("Strips that begin on another side of the body than `from` is counted on are refused", "[section]") {
-    const std::string across = "leads across what is clamped, at (y, z) = (";
+    const std::string across = "crosses the clamped part at (y, z) = (";
     for (const double from : {200.0, 150.0, -150.0, -200.0})
         refuses({RailSection{0, RailSupport::cut, from}}, "section.rail_60e1.from", across);
-    refuses({RailSection{0, RailSupport::foot, 550}}, "section.rail_60e1.from", "is 550; it leads across");
-    refuses({RailSection{0, RailSupport::cut, 1000}}, "section.rail_60e1.from", "leads once round the curve");
+    refuses({RailSection{0, RailSupport::foot, 550}}, "section.rail_60e1.from", "is 550; it crosses");
+    refuses({RailSection{0, RailSupport::cut, 1000}}, "section.rail_60e1.from", "exceeds the length of the curve");
     OutlineSection section = block();
     section.from = 65;
     refuses({section}, "section.outline.from", across + "10, -20)");
@@ -126,11 +126,10 @@ TEST_CASE("Strips that begin on another side of the body than `from` is counted 
     CHECK_NOTHROW(SectionGeometry({section}, 4, 0.5));
     const ProfileSpec arc{ProfileKind::rail, ArcProfile{300, 0, -30, 30}};
     for (const double from : {31.0, -31.0, 500.0})
-        refuses({ProfileSection{arc, 40, from}}, "section.profile_section.from",
-                "the profile reaches from -30.1 to 30.1 mm");
+        refuses({ProfileSection{arc, 40, from}}, "section.profile_section.from", "reaches from -30.1 to 30.1 mm");
     CHECK_NOTHROW(SectionGeometry({ProfileSection{arc, 40, 20}}, 4, 0.5));
     for (const double from : {-100.0, 200.0})
-        refuses({WheelRimSection{.from = from}}, "section.rim_s1002.from", "must begin on it");
+        refuses({WheelRimSection{.from = from}}, "section.rim_s1002.from", "must begin on the profile");
     // Round bodies have no other side.
     OutlineSection disc{.outside = {{-10, 0}, {{ArcTo{{10, 0}, 10}}, {ArcTo{{-10, 0}, 10}}}}, .from = -5};
     disc.holes = {{{1, 0}, {{ArcTo{{-1, 0}, -1}, true}, {ArcTo{{1, 0}, -1}, true}}}};
@@ -157,7 +156,7 @@ TEST_CASE("A body ends with its strips at convex corners", "[section]") {
 
 TEST_CASE("Strips wider than the curvature allows are refused with coordinates", "[section]") {
     refuses({Groove{1, 1, 12, 7}}, "section", "too wide for the radius of 1 mm at (y, z) = (", 3, 0.6);
-    refuses({Disc{1, 0.1}}, "section", "take strips of 0.5 mm at most there", 3, 0.6);
+    refuses({Disc{1, 0.1}}, "section", "use strips of at most 0.5 mm there", 3, 0.6);
     refuses({RailSection{0, RailSupport::cut, 12}}, "section", "too wide for the radius of 13 mm", 3, 8);
 }
 
@@ -167,13 +166,14 @@ TEST_CASE("Numbers of strips that can not be are refused", "[section]") {
     refuses({EdgeBlock{100, 50, 0}}, "section", "has 1001 strips", 1001);
     refuses({EdgeBlock{100, 50, 0}}, "section", "has strips of the width nan", 4, nan);
     refuses({EdgeBlock{100, 50, 0}}, "section", "has strips of the width -1", 4, -1);
-    refuses({Disc{10, 0}}, "section", "is clamped nowhere");
+    refuses({Disc{10, 0}}, "section", "has no clamped part");
 }
 
 TEST_CASE("Profiles that do not fit their section are refused", "[section]") {
     refuses({ProfileSection{{ProfileKind::rail, ArcProfile{50, 0, -30, 30}}, 9, 0}}, "section.profile_section.depth",
-            "is 9, where the profile reaches to (y, z) = (-30, -10)");
-    refuses({ProfileSection{{ProfileKind::wheel, S1002{}}, 2, 0}}, "section.profile_section.depth", "is 2, where");
+            "is 9, but the profile reaches (y, z) = (-30, -10)");
+    refuses({ProfileSection{{ProfileKind::wheel, S1002{}}, 2, 0}}, "section.profile_section.depth",
+            "is 2, but the profile");
     ProfilePoints crossing;
     crossing.points = {{-20, 0}, {20, 0}, {20, -10}, {0, 10}, {-5, 20}};
     refuses({ProfileSection{{ProfileKind::rail, crossing}, 40, 0}}, "section.profile_section.profile.points", "cross");

@@ -61,5 +61,5 @@ TEST_CASE("All round a cylinder every strip has the same neighbours", "[rotated]
 TEST_CASE("A section that can not be is refused where it was given", "[rotated]") {
     CHECK_THROWS_MATCHES(
         rotated_strips({Disc{10, 0}}, Grid::of_elements(3, 5, 1, 1), steel, LoadShape::constant, 0, "ics.section"),
-        InvalidArgument, MessageMatches(StartsWith("ics.section is clamped nowhere")));
+        InvalidArgument, MessageMatches(StartsWith("ics.section has no clamped part")));
 }

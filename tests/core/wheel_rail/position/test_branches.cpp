@@ -74,7 +74,7 @@ TEST_CASE("A given height at which the force falls is warned of") {
     };
     const auto warned = [](const WheelRailSolution& solution) {
         return std::ranges::any_of(solution.warnings, [](const std::string& warning) {
-            return warning.starts_with("The vertical force falls while the wheel is lowered near z = ");
+            return warning.starts_with("The vertical force decreases while the wheel is lowered near z = ");
         });
     };
     const auto border = nearest_height([&](double z) { return regions_in(at(z)) < 3; }, apart, merged);

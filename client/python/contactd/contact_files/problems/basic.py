@@ -126,7 +126,7 @@ def _ics(case: Case, grid: Grid, pair: Pair, coefficients: ReadCoefficients | No
     if kind != _OF_FILE:
         return AnalyticIcs(load_shape="bilinear") if kind == _BILINEAR else AnalyticIcs()
     if coefficients is None:
-        raise Missing("coefficients from a file (C = 9), which nobody reads here")
+        raise Missing("influence coefficients from a file (C = 9) in this call")
     table = coefficients(case, pair.G)
     beyond = [max(0, there - here) for here, there in zip(table.shape, grid.shape)]
     # The program treats offsets beyond those of the file as zero.

@@ -61,7 +61,7 @@ def _too_slender(case: Case) -> list[str]:
     largest = _STEEPEST if kind == -1 else _SLENDEREST
     if 1 / largest <= ratio <= largest:
         return []
-    return [f"{name} is {ratio:g}; it must be from {1 / largest:g} to {largest:g}, and what is longer a line (IPOTCN = -4, -5)"]
+    return [f"{name} is {ratio:g}; it must be from {1 / largest:g} to {largest:g}; use a line contact (IPOTCN = -4, -5) for longer ones"]
 
 
 def _of_elements(case: Case) -> list[str]:
@@ -70,7 +70,7 @@ def _of_elements(case: Case) -> list[str]:
     acts = {"GAP": values["IPOTCN"] > 0 and values.get("IBASE") == 9, "SLIP_X": case.digits["E"] != 0 and values.get("EXRHS") == 9}
     columns, rows = values["MX"], values["MY"]
     return [
-        f"{what} is kept of {len(values[name])} elements, and MX, MY are {columns}, {rows}; it must be read anew"
+        f"{what} is kept for {len(values[name])} elements, but MX, MY are {columns}, {rows}; give it anew"
         for name, what in _OF_ELEMENTS
         if acts[name] and len(values[name]) != columns * rows
     ]

@@ -47,7 +47,7 @@ def model_names(models: Iterable[str] | None, has_friction: bool) -> list[str]:
     else:
         chosen = [models] if isinstance(models, str) else list(models)
     if unknown := [name for name in chosen if name not in known]:
-        raise ValueError(f"models has {unknown[0]!r}; it must be names of {', '.join(known)}")
+        raise ValueError(f"models has {unknown[0]!r}; it must contain names from {', '.join(known)}")
     return list(dict.fromkeys([FULL, *chosen]))
 
 

@@ -64,7 +64,7 @@ class PassageWear(Shown):
         `contactd.wear.evolve` for that.
         """
         if (km is None) == (passages is None):
-            raise TypeError("section() takes either km or passages")
+            raise TypeError("section() requires either km or passages")
         if km is not None:
             self._check_wheel("km")
         name, many = ("passages", passages) if km is None else ("km", km)
@@ -84,7 +84,7 @@ class PassageWear(Shown):
 
     def _check_wheel(self, name: str) -> None:
         if self.body == "rail":
-            raise invalid(name, "is that of a wheel; a rail wears by passages. Use depth_per_passage, or section(passages=...)")
+            raise invalid(name, "applies to wheels only; a rail wears by passages. Use depth_per_passage, or section(passages=...)")
 
     def _title(self) -> str:
         return f"PassageWear of the {self.body} by {self.law}"

@@ -25,7 +25,7 @@ class WheelRailSolutionMethods(Saved, Shown):
 
         def __getattr__(self, name: str) -> Any:
             if name == "patches":
-                raise AttributeError("patches were left out of this answer, as its step said by patches=False")
+                raise AttributeError("this answer has no patches, because its step was called with patches=False")
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
 
     @property
