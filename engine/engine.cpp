@@ -16,7 +16,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// One request for a table, and the thread that waits for its answer.
+/// Holds one request for a table and the thread that waits for its answer.
 class Awaited {
    public:
     IcCaller caller(const std::shared_ptr<Awaited>& self, const Observer& observer) const {
@@ -26,7 +26,7 @@ class Awaited {
                 {.client = {}, .abandoned = [self] { return self->given_up(); }, .user = std::string(observer.user())}};
     }
 
-    /// Throws StatusError where there is no table, and Cancelled, when the build ends with its last caller, unless it
+    /// Throws StatusError if there is no table, and Cancelled. The build ends with its last caller, unless it
     /// `keeps_building`.
     IcAnswer wait(JobTable& jobs, Observer& observer, bool keeps_building) {
         std::unique_lock lock(mutex_);
@@ -138,7 +138,7 @@ IcAnswers Engine::fetch(const ContactSetup& setup, Observer& observer) {
 
 IcReply Engine::table(const IcSpec& spec, Observer& observer) {
     validate(spec);
-    // Tells of a bad section in the lengths of the request, before anything is built.
+    // Reports an invalid section in the lengths of the request before anything is built.
     std::vector<StripFrame> frames = strip_frames(spec);
     const IcAnswer answer = fetch(spec, observer);
     return {

@@ -1,6 +1,6 @@
 // The daemon's work without its messages, as a library: tables, operators that are kept between solves, solves, and the
-// steps of a simulation. It has no sockets and no messages; threads and a folder of tables only once a table is wanted
-// that is not known in closed form.
+// steps of a simulation. It has no sockets and no messages. It starts threads and opens a folder of tables only when a
+// table without a closed form is needed.
 #pragma once
 
 #include <filesystem>
@@ -33,53 +33,53 @@ struct EngineSettings {
     std::size_t most_patch_bytes = std::size_t{1} << 32;  ///< of a patch's coefficients, where its rows differ
 };
 
-/// Safe to use from several threads at once. What waits, waits in the thread that calls, and ends when its observer
-/// says so.
+/// Can be used from several threads at once. Calls block the calling thread and end when their observer cancels them.
 class Engine {
    public:
     explicit Engine(EngineSettings settings);
     ~Engine();
 
-    /// Throws InvalidArgument, Cancelled, StoreError, and StatusError where a table cannot be had.
+    /// Solves a problem. Throws InvalidArgument, Cancelled, StoreError, and StatusError if a table is not available.
     SolveReply solve(const ContactProblem& problem, Observer& observer);
-    /// The table of one body (mm^3/N). Throws as solve.
+    /// Returns the table of one body (mm^3/N). Throws as solve.
     IcReply table(const IcSpec& spec, Observer& observer);
-    /// The steps of a simulation. Throws as solve.
+    /// Opens the steps of a simulation. Throws as solve.
     std::unique_ptr<ContactSteps> open(SessionSpec spec, Observer& observer);
-    /// One of them; see ContactSteps::solve.
+    /// Solves one step; see ContactSteps::solve.
     ContactSolution solve(ContactSteps& steps, const StepState& before, const ContactSteps::Overlay& overlay,
                           Observer& observer);
 
-    /// A wheel on its rail. Bodies are half-spaces in closed form; profiles and operators are kept for the next step
-    /// with an equal set-up. Throws InvalidArgument naming "setup.track.gauge", "state.position.z", ..., and Cancelled.
+    /// Solves a wheel on its rail. Bodies are half-spaces in closed form. Profiles and operators are kept for the next
+    /// step with an equal set-up. Throws InvalidArgument naming "setup.track.gauge", "state.position.z", ..., and
+    /// Cancelled.
     WheelRailSolution solve(const WheelRailSetup& setup, const WheelRailState& state, Observer& observer);
-    /// Both wheels, and the roll at which each has its force. Throws the same, naming "setup.", "left." (where that has
-    /// a set-up of its own), and "state.left_rail.y", ...
+    /// Solves both wheels, and finds the roll at which each has its force. Throws the same, naming "setup.", "left."
+    /// (if that has its own set-up), and "state.left_rail.y", ...
     WheelsetSolution solve(const WheelsetSetup& setup, const WheelsetState& state, Observer& observer);
-    /// The same within the tolerances, from where a step before has ended. `estimates` become those for the next step,
-    /// and mean nothing where this throws.
+    /// Does the same within the tolerances, starting from the end of the previous step. `estimates` are updated for the
+    /// next step, and are undefined if this throws.
     WheelsetSolution solve(const WheelsetSetup& setup, const WheelsetState& state, WheelsetEstimates& estimates,
                            Observer& observer);
-    /// The steps of a wheel on its rail. Throws the same.
+    /// Opens the steps of a wheel on its rail. Throws the same.
     std::unique_ptr<WheelRailSteps> open(const WheelRailSessionSpec& spec, const Observer& observer = {});
-    /// One of them; see WheelRailSteps::solve. Throws the same, naming "friction.mu", too.
+    /// Solves one step; see WheelRailSteps::solve. Throws the same, and also names "friction.mu".
     WheelRailSolution solve(WheelRailSteps& steps, const StepState& before, const WheelRailStepInput& input,
                             StepState& after, Observer& observer);
-    /// The search for contacts alone. Throws the same, naming "states[i].position.z".
+    /// Searches for contacts without solving them. Throws the same, naming "states[i].position.z".
     std::vector<WheelRailGeometry> locate(const WheelRailSetup& setup, std::span<const WheelRailState> states,
                                           Observer& observer);
 
-    // For those who cannot wait: first the tables, then the solve with them.
-    /// Service of tables by finite elements; opens the store when it is first asked for. Throws StoreError.
+    // For callers that must not block: first the tables, then the solve with them.
+    /// Returns the service of tables by finite elements, and opens the store at the first call. Throws StoreError.
     IcService& tables();
-    /// Solves a valid problem, whose tables are at hand.
+    /// Solves a valid problem with the given tables.
     SolveReply solve(const ContactProblem& problem, const IcAnswers& ics, Observer& observer);
     std::unique_ptr<ContactSteps> open(SessionSpec spec, const IcAnswers& ics, const Observer& observer = {});
 
     JobTable& jobs() { return jobs_; }
     EngineCounters& counters() { return counters_; }
     const InfluenceCache& influences() const { return influences_; }
-    /// Gives back operators beyond their budget that nobody has used for a while. Returns when to ask again.
+    /// Frees operators beyond their budget that have not been used for a while. Returns the time of the next call.
     InfluenceCache::Clock::time_point forget_unused(InfluenceCache::Clock::time_point now) {
         return influences_.forget_unused(now);
     }

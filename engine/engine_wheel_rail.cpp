@@ -13,13 +13,14 @@
 namespace contactd::engine {
 namespace {
 
-/// Tables are somewhat larger than needed: the next patch may be, too.
+/// Tables are somewhat larger than needed, because the next patch may be larger.
 int rounded_up(int count) {
     constexpr int step = 32;
     return (count + step - 1) / step * step;
 }
 
-/// Keys half-spaces that rotate from row to row: positions of a wheel that only its x tells apart have the same rows.
+/// Returns a key for half-spaces that rotate from row to row. Positions of a wheel that differ in x only have the same
+/// rows.
 std::string rotated_key(const ContactProblem& problem, const PatchStrips& strips) {
     std::string key = influence_key(problem, "rotated", "");
     for (const StripFrame& frame : strips.frames)
@@ -28,7 +29,7 @@ std::string rotated_key(const ContactProblem& problem, const PatchStrips& strips
     return key;
 }
 
-/// Grids are found with the contacts.
+/// Checks here, because grids are determined with the contacts.
 void check_patch(const Grid& grid, std::size_t most) {
     if (grid.size() > most)
         throw proto::invalid_field("setup.dx",
@@ -38,14 +39,14 @@ void check_patch(const Grid& grid, std::size_t most) {
                                    proto::reason::limit_exceeded);
 }
 
-/// Memory grows with the pairs of rows where coefficients differ from row to row.
+/// Limits the memory, which grows with the pairs of rows if coefficients differ between rows.
 void check_rows(const ContactProblem& problem, const PatchStrips& strips, std::size_t most_bytes) {
     const Grid& grid = problem.grid;
     const double elements = static_cast<double>(grid.size()), pairs = elements * grid.ny;
     double bytes = rotated_bytes(elements, pairs);
     if (strips.of_sections()) {
         const auto [rail, wheel] = problem.bodies.materials();
-        // Tables of sections are cut out of larger ones.
+        // Tables of sections are extracted from larger ones.
         const int tables = (rail.is_rigid() ? 0 : 1) + (wheel.is_rigid() ? 0 : 1) + 1;
         bytes = strip_bytes(pairs, tables, strip_rolling(step_of(problem)[0] / grid.dx));
     }
@@ -69,7 +70,7 @@ void check_half_spaces(const Bodies& bodies) {
     }
 }
 
-/// In the words of a request, before anything is built.
+/// Reports errors with the field names of the request, before anything is built.
 void check_section(const IcSpec& spec, const std::string& name) {
     try {
         validate(spec);
@@ -80,14 +81,15 @@ void check_section(const IcSpec& spec, const std::string& name) {
     }
 }
 
-/// Operators beyond their budget are a warning of the patch that is solved with them, also where an earlier solve of
-/// the search for a height has made them.
+/// Warns of operators beyond their budget at the patch that is solved with them, even if an earlier solve of the height
+/// search computed them.
 ContactInfluence with_warnings(CachedInfluence cached) {
     if (cached.use) cached.influence.warnings.push_back(operator_warning(*cached.use));
     return std::move(cached.influence);
 }
 
-/// The result of `solve`, which refuses fields of the set-up below `setup`; the core names those of a state "state.".
+/// Returns the result of `solve` and renames refused fields of the set-up to fields below `setup`; the core names those
+/// of a state "state.".
 template <class Solve>
 auto below_setup(const std::string& setup, const Solve& solve) {
     return renaming([&](const std::string& field) { return field.starts_with("state.") ? field : setup + "." + field; },
@@ -108,7 +110,7 @@ auto below_setups(bool left_has_own, const Solve& solve) {
 
 }  // namespace
 
-/// The tables are those of contact.solve: from memory, from the store, or built now while the thread waits.
+/// Gets tables as contact.solve does: from memory, from the store, or by a build for which the thread waits.
 ContactInfluence Engine::sections_influence(const ContactProblem& problem, const PatchStrips& strips,
                                             Observer& observer) {
     const auto table_of = [&](const std::optional<BodyStrips>& body, const char* name) {

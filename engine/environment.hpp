@@ -1,4 +1,4 @@
-// An engine for whoever links it: settings by the variables of the environment.
+// An engine for programs that link it, configured by environment variables.
 #pragma once
 
 #include <filesystem>
@@ -7,11 +7,12 @@
 
 namespace contactd::engine {
 
-/// ${XDG_CACHE_HOME:-~/.cache}/contactd/store, which daemons use too; empty when neither variable is set.
+/// Returns ${XDG_CACHE_HOME:-~/.cache}/contactd/store, which daemons also use, or an empty path if neither variable is
+/// set.
 std::filesystem::path default_store_folder();
 
 /// CONTACTD_STORE is the folder of tables (default_store_folder), CONTACTD_IC the builder (contactd-ic, as PATH finds
-/// it). The rest is what the daemon has without a configuration.
+/// it). All other settings are those of a daemon without a configuration.
 EngineSettings settings_of_environment();
 
 }  // namespace contactd::engine

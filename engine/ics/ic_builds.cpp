@@ -19,11 +19,11 @@ using proto::StatusCode;
 namespace {
 
 constexpr auto lock_sign_interval = std::chrono::seconds(1);
-/// Time after which a sign is surely seen on another machine, beyond the silence that is taken for a stall.
+/// Time for a sign of life to become visible on other machines, in addition to the silence that counts as a stall.
 constexpr auto lock_sign_delay = std::chrono::seconds(5);
 constexpr auto default_timeout = std::chrono::seconds(60);
 
-/// Notes what a build took, and what the store holds afterwards.
+/// Records the cost of a build and the resulting size of the store.
 class BuildClock {
    public:
     BuildClock(EngineCounters& counters, const std::filesystem::path& folder) : counters_(counters), folder_(folder) {}
@@ -42,7 +42,7 @@ class BuildClock {
     const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Summarises what was built and how good it is, for the log.
+/// Summarises a built table and its accuracy, for the log.
 std::string summary(const IcEvidence& evidence) {
     std::string text = std::format("{} unknowns", evidence.dofs);
     if (!evidence.family_nu.empty()) text += std::format(" and fewer, {} tables", evidence.family_nu.size());
@@ -82,12 +82,12 @@ void IcBuilds::run(const TableBuild& build) {
     Job& job = *build.job;
     if (job.cancelled()) return;  // while it was queued; its callers know
     try {
-        // Ended before anybody hears of the end, so that who asks then is told of this build, too.
+        // End the job before the end is reported, so that later requests already count this build.
         std::optional<BuildClock> clock(std::in_place, counters_, resilient_store_.store().folder());
         job.set_running();
         TableLock lock(resilient_store_.store().lock_of(build.key));
         wait_for_lock(build, lock);
-        // While this build waited for its turn, another one, of this daemon or of another, may have made the table.
+        // While this build waited for its turn, another build of this or another daemon may have built the table.
         if (auto found = resilient_store_.find(build.spec)) {
             ++counters_.disk_hits;
             clock.reset();
@@ -123,8 +123,8 @@ void IcBuilds::run(const TableBuild& build) {
     }
 }
 
-/// Waits while somebody else builds a table with this key. Where locks do not work, and when the
-/// holder gives no sign of life any more, the build goes on without: at worst it is done twice.
+/// Waits while another process builds a table with this key. If locks do not work, or the holder shows no sign of life,
+/// the build continues without the lock. At worst, the table is built twice.
 void IcBuilds::wait_for_lock(const TableBuild& build, TableLock& lock) {
     constexpr auto interval = std::chrono::milliseconds(100);
     const auto stall = settings_.command.stall;

@@ -1,5 +1,4 @@
-// Tables that have to be built: their turn among the builds of this process and of others, the builder, and what its
-// end means.
+// Tables to be built: their turn among the builds of this process and of others, the builder, and its result.
 #pragma once
 
 #include <functional>
@@ -18,8 +17,8 @@
 
 namespace contactd::engine {
 
-/// A table that is wanted, and who hears of it. Exactly one of `done`, `failed` and `cancelled` is called, unless the
-/// job is cancelled before the build begins; all are called from the threads of IcBuilds.
+/// A requested table and its callbacks. Exactly one of `done`, `failed` and `cancelled` is called, unless the job is
+/// cancelled before the build begins. All are called from the threads of IcBuilds.
 struct TableBuild {
     IcSpec spec;  ///< dimensionless
     std::string key;
@@ -31,7 +30,7 @@ struct TableBuild {
     std::function<std::vector<std::string>()> keys_in_use;  ///< whose tables are not evicted for this one
 };
 
-/// Thread-safe. Failures that may repeat themselves are kept in quarantine.
+/// Thread-safe. Repeatable failures are put into quarantine.
 class IcBuilds {
    public:
     struct Settings {
@@ -39,11 +38,11 @@ class IcBuilds {
         int concurrent = 1;
         BuildQuarantine::Settings quarantine = {};
     };
-    /// All three outlive this.
+    /// All three must outlive this object.
     IcBuilds(Settings settings, ResilientStore& resilient_store, EngineCounters& counters, const EngineLog& log);
 
     void queue(QueueTicket ticket, TableBuild build);
-    /// Waits for running builds, whose jobs were cancelled. Nothing begins afterwards.
+    /// Waits for running builds, whose jobs were cancelled. No build begins afterwards.
     void stop() { builders_.stop(); }
 
     BuildQuarantine& quarantine() { return quarantine_; }
@@ -64,7 +63,7 @@ class IcBuilds {
     WorkerPool builders_;  // last: its threads use everything above
 };
 
-/// A status of a request for a table.
+/// Returns a status of a request for a table.
 inline proto::Status failure(proto::StatusCode code, std::string_view reason, std::string message) {
     return {code, std::move(message), std::string(reason), {}, 0};
 }

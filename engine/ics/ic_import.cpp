@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view imported_sentence = "This table was imported from a file";
 
-/// A table may go round several daemons.
+/// Adds the warning once, even if a table passes through several daemons.
 void note_import(IcEvidence& evidence) {
     evidence.imported = true;
     std::erase_if(evidence.warnings, [](const std::string& warning) { return warning.starts_with(imported_sentence); });

@@ -1,4 +1,4 @@
-// Tables that somebody has brought.
+// Tables that users have imported.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace contactd::engine {
 
-/// Returns the warning of every solution that has used a table with this key.
+/// Returns the warning for every solution that uses the imported table with this key.
 std::string imported_warning(const std::string& key);
 
-/// Keeps the record of an IC file in the store as the word of `user`. What this user is served already stays. Throws
-/// InvalidArgument ("datasets") for what stored_record() refuses, StoreError and Cancelled.
+/// Stores the record of an IC file as an import of `user`. A table that already serves this user is kept. Throws
+/// InvalidArgument ("datasets") for records that stored_record() refuses, StoreError and Cancelled.
 IcImport import_table(IcRecord record, IcService& tables, const std::string& user, EngineCounters& counters,
                       const Observer& observer);
 

@@ -1,4 +1,4 @@
-// The tables of two bodies, one request after the other.
+// The tables of two bodies, requested one after the other.
 #pragma once
 
 #include <array>
@@ -11,11 +11,12 @@ namespace contactd::engine {
 
 using IcAnswers = std::array<IcAnswer, 2>;  ///< upper body, lower body
 
-/// Whether the upper body's table, `upper`, serves the lower one, too: dimensionless tables know nothing of a material
-/// but nu, and families not even that.
+/// Returns whether the upper body's table, `upper`, also serves the lower one. Dimensionless tables depend on nu only,
+/// and families do not depend on the material.
 bool serves_both(const IcAnswer& upper, const std::array<std::optional<IcSpec>, 2>& specs);
 
-/// Who asked for a pair. Called from any thread, `done` or `failed` exactly once; what `done` throws goes to `failed`.
+/// Callbacks of a request for a pair, called from any thread. `done` or `failed` is called exactly once; exceptions of
+/// `done` go to `failed`.
 struct IcPairCaller {
     std::function<void(const IcAnswers&)> done;
     std::function<void(const Status&)> failed;
@@ -23,7 +24,7 @@ struct IcPairCaller {
     QueueTicket ticket{};
 };
 
-/// Asks for the tables of `specs` that there are, for the second only when it is another one.
+/// Requests the existing tables of `specs`, the second only if it differs from the first.
 void fetch_pair(IcService& ics, const std::array<std::optional<IcSpec>, 2>& specs, IcPairCaller caller);
 
 }  // namespace contactd::engine

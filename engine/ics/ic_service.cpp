@@ -22,7 +22,7 @@ Status request_abandoned() {
                    "The request was abandoned because its caller disconnected.");
 }
 
-/// Ends work that is done in the thread of a request, when the request is abandoned.
+/// Ends work in the thread of a request when the request is abandoned.
 class WhileRequested final : public Observer {
    public:
     explicit WhileRequested(const IcCaller& caller) : caller_(caller) {}
@@ -84,7 +84,7 @@ TableOwner IcService::owner_of(const std::string& user) const {
     return settings_.shares_imported_tables ? TableOwner() : user;
 }
 
-/// Whatever the daemon has built itself comes before what the caller has brought.
+/// Prefers tables that the daemon has built to tables that the caller has imported.
 bool IcService::answer_imported(const IcSpec& spec, const std::string& key, const IcCaller& caller) {
     const TableOwner owner = owner_of(caller.ticket.user);
     if (owner.empty() || resilient_store_.may_have(spec, {})) return false;
@@ -125,8 +125,7 @@ IcService::RequestPtr IcService::join_or_open(const IcSpec& spec, const std::str
 }
 
 void IcService::look_up(const RequestPtr& request) {
-    // A request that was completed between our look into the cache and opening this one has left its table in the
-    // cache.
+    // A request completed since the cache was searched has stored its table there.
     if (auto record = cache_.find(request->key, request->spec.nx, request->spec.ny)) {
         ++counters_.memory_hits;
         resilient_store_.note_use(request->key, *record);
@@ -140,7 +139,7 @@ void IcService::look_up(const RequestPtr& request) {
     if (!deny_build(request) && !queue_build(request)) fail(request, stop_status_);
 }
 
-/// Those who may not have it built. True when no caller is left, and the request has ended.
+/// Refuses callers that may not build. Returns true if no caller is left and the request has ended.
 bool IcService::deny_build(const RequestPtr& request) {
     if (!settings_.may_build) return false;
     std::vector<IcCaller> denied;
@@ -163,7 +162,7 @@ bool IcService::deny_build(const RequestPtr& request) {
     return is_empty;
 }
 
-/// False when no build may begin any more.
+/// Returns false if no more builds may begin.
 bool IcService::queue_build(const RequestPtr& request) {
     const std::scoped_lock lock(mutex_);
     if (stopping_) return false;
@@ -173,7 +172,7 @@ bool IcService::queue_build(const RequestPtr& request) {
         if (const RequestPtr known = waiting.lock()) cancel_queued(known);
     });
     for (const IcCaller& caller : request->callers) caller.progress(*request->job, request->job->progress());
-    // A build goes on for the cache when its callers have gone.
+    // A build continues for the cache after its callers have gone.
     QueueTicket ticket = request->callers.empty() ? QueueTicket{} : request->callers.front().ticket;
     ticket.abandoned = nullptr;
     builds_.queue(std::move(ticket),

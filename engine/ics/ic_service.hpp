@@ -1,4 +1,4 @@
-// Influence coefficients on request: memory cache, then store, then closed form or a build that everybody joins.
+// Influence coefficients on request: memory cache, then store, then closed form or a build shared by all requests.
 #pragma once
 
 #include <functional>
@@ -14,18 +14,18 @@
 
 namespace contactd::engine {
 
-/// A dimensionless record that covers the request, and where it came from.
+/// A dimensionless record that covers the request, and its origin.
 struct IcAnswer {
     std::shared_ptr<const IcRecord> record;
     std::string key;
     std::string origin;  ///< "closed_form", "memory", "disk" or "built"
     TableOwner owner{};  ///< who has brought the table, if it serves its owner only
 
-    /// Returns the key by which caches know the table.
+    /// Returns the key of the table in caches.
     std::string cache_key() const { return owner.empty() ? key : key + " of " + owner; }
 };
 
-/// Who asked. Called from any thread, `done` or `failed` exactly once.
+/// Callbacks of a request, called from any thread. `done` or `failed` is called exactly once.
 struct IcCaller {
     std::function<void(const IcAnswer&)> done;
     std::function<void(const proto::Status&)> failed;
@@ -45,41 +45,42 @@ class IcService {
         BuildQuarantine::Settings quarantine = {};
         bool shares_imported_tables = false;  ///< serves everybody what somebody has imported
         LogSink log = {};
-        /// Whether a user may have tables built; left out, all may. What is there already serves everybody.
+        /// Returns whether a user may build tables; empty: all may. Existing tables serve all users.
         std::function<bool(const std::string& user)> may_build = {};
     };
 
     IcService(Settings settings, IcStore store, JobTable& jobs, EngineCounters& counters);
     ~IcService();
 
-    /// Answers `caller` now or later. Takes milliseconds at most (disk, closed form): not for the I/O thread.
+    /// Answers `caller` now or later. Takes up to some milliseconds (disk, closed form), so do not call it in the I/O
+    /// thread.
     void request(const IcSpec& spec, IcCaller caller);
 
-    /// Tells the callers that do not wait any more to let go of what they hold; what they wanted is built all the same.
+    /// Lets callers that no longer wait release their resources; their tables are built anyway.
     void drop_abandoned();
 
-    /// Takes a table that `user` has brought, a record of stored_record() that has nothing in its place: for the user
-    /// only, or for everybody where imported tables are shared. Throws StoreError.
+    /// Stores a table imported by `user`, a record of stored_record() that does not exist yet: for this user only, or
+    /// for all users if imported tables are shared. Throws StoreError.
     void keep_imported(IcRecord record, const std::string& user);
-    /// The table that would serve this user without a build, from disk; nothing when none would.
+    /// Returns the table on disk that serves this user without a build, if any.
     std::optional<IcRecord> stored_for(const IcSpec& spec, const std::string& user);
 
-    /// Ends running builds; their callers get `status`. No build starts afterwards.
+    /// Ends running builds, whose callers get `status`. No build starts afterwards.
     void stop(const proto::Status& status);
 
     struct Forgotten {
         int tables = 0;
         bool failures = false;
     };
-    /// Removes the tables of a key from disk and memory, those that other users than this one have brought excepted,
-    /// and forgets that its builds failed. Throws StoreError.
+    /// Removes the tables of a key from disk and memory, except those imported by other users, and forgets its failed
+    /// builds. Throws StoreError.
     Forgotten forget(const std::string& key, const std::string& user);
-    /// Every file of the store that this user is served from. Throws StoreError.
+    /// Returns all files of the store that serve this user. Throws StoreError.
     std::vector<StoredTable> stored(const std::string& user) const;
 
     const IcStore& store() const { return resilient_store_.store(); }
     std::vector<BuildQuarantine::Entry> quarantined() { return builds_.quarantine().entries(); }
-    /// Returns why the store cannot be used, as a sentence; empty when all is well.
+    /// Returns the reason why the store cannot be used, as a sentence; empty if it can.
     std::string store_problem() const { return resilient_store_.problem(); }
     IcCache::Usage cache_usage() const { return cache_.usage(); }
     int builds_waiting() const { return builds_.waiting(); }

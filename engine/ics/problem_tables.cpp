@@ -11,7 +11,7 @@
 namespace contactd::engine {
 namespace {
 
-/// Takes what a body does at once: tables are elastic, and operators make of them what creep makes.
+/// Uses the instantaneous response of a body: tables are elastic, and operators add the effect of creep.
 std::optional<IcSpec> spec_of(const ContactSetup& setup, const Body& body) {
     const Ics* ics = body.computed();
     if (ics == nullptr) return {};
@@ -78,7 +78,7 @@ CachedInfluence influence_of(const ContactProblem& problem, const IcAnswers& ics
         influence.warnings = table_warnings(ics);
         return influence;
     };
-    // Requests for several accuracies may have one table: what they are warned of is not cached.
+    // Requests for several accuracies may share one table, so their warnings are not cached.
     CachedInfluence found = bodies.any_given()
                                 ? CachedInfluence{make()}
                                 : cache.of(influence_key(problem, ics[0].cache_key(), ics[1].cache_key()), make);

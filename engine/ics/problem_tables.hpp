@@ -14,28 +14,28 @@
 
 namespace contactd::engine {
 
-/// False for simplified models, and where the request holds all coefficients.
+/// Returns false for simplified models, and if the request contains all coefficients.
 bool needs_tables(const ContactSetup& setup);
 
-/// The tables wanted; none of a rigid body, nor of one whose table is given.
+/// Returns the required tables, except for rigid bodies and bodies with a given table.
 std::array<std::optional<IcSpec>, 2> specs_of(const ContactSetup& setup);
 
-/// Throws for a problem that cannot be solved as stated.
+/// Throws for a problem that cannot be solved.
 void check(const ContactProblem& problem);
-/// Checks an opening, where steps will bring gap and load that are missing.
+/// Checks an opening, in which gap and load may be missing because steps give them.
 void check_opening(const ContactProblem& problem);
 
-/// The operators of the pair, from the cache where they can be; none of a simplified model.
+/// Returns the operators of the pair, from the cache if possible; none for a simplified model.
 CachedInfluence influence_of(const ContactProblem& problem, const IcAnswers& ics, InfluenceCache& cache,
                              const Observer& observer);
 
-/// Where the coefficients came from.
+/// Returns the origin of the coefficients.
 IcUses uses_of(const ContactSetup& setup, const IcAnswers& ics);
 
-/// Returns warnings of the tables behind a solution: sentences, none when all is well.
+/// Returns the warnings of the tables used for a solution, as sentences.
 std::vector<std::string> table_warnings(const IcAnswers& ics);
 
-/// Sentences about tables that miss the accuracy that the bodies ask for; those of wheels on rails ask for none.
+/// Returns sentences about tables that miss the accuracy of the bodies; bodies of wheels on rails have no accuracy.
 std::vector<std::string> accuracy_warnings(const Bodies& bodies, const IcAnswers& ics);
 
 }  // namespace contactd::engine

@@ -1,4 +1,4 @@
-// One table being fetched, and everybody who waits for it: what the parts of IcService share.
+// A table being fetched and the callers waiting for it, shared by the parts of IcService.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Work that takes its time, builds, solves and stresses: what job.list shows and job.cancel ends.
+// Long-running work that job.list shows and job.cancel ends: builds, solves and stresses.
 #pragma once
 
 #include <atomic>
@@ -28,11 +28,11 @@ struct JobProgress {
 struct JobOrigin {
     std::string kind;         ///< "build", "solve", "subsurface", "temperature" or "step"
     std::string description;  ///< words for people: what is built or solved
-    /// Users of the requests that wait for the job at present, one for each request; "" where there are no users.
+    /// Returns the users of the requests that currently wait for the job, one for each request; "" without users.
     std::function<std::vector<std::string>()> users;
 };
 
-/// `on_cancel` is called once, from whatever thread cancels, so that those who wait are answered at once.
+/// `on_cancel` is called once, from the cancelling thread, so that waiting requests are answered immediately.
 class Job {
    public:
     Job(std::string job_name, JobOrigin origin, std::function<void()> on_cancel)
@@ -51,7 +51,7 @@ class Job {
         if (!cancelled_.exchange(true)) on_cancel_();
     }
     bool cancelled() const { return cancelled_; }
-    /// Said before the callers are answered, so that none of them finds the job listed afterwards.
+    /// Must be called before the callers are answered, so that none of them finds the job listed afterwards.
     void end() { ended_ = true; }
     bool ended() const { return ended_; }
     void set_running() { running_ = true; }
@@ -78,10 +78,10 @@ class Job {
     JobProgress progress_;
 };
 
-/// The jobs that are queued or running. Thread-safe; a job is listed until it ends or nobody holds it any more.
+/// The queued and running jobs. Thread-safe. A job is listed until it ends or is no longer referenced.
 class JobTable {
    public:
-    /// Takes the arguments of the constructor of Job; the name is the kind and a number.
+    /// Creates a job from the arguments of its constructor; the name is the kind and a number.
     std::shared_ptr<Job> create(JobOrigin origin, std::function<void()> on_cancel) {
         const std::scoped_lock lock(mutex_);
         forget_ended();
@@ -90,7 +90,7 @@ class JobTable {
         jobs_.emplace(serial_, job);
         return job;
     }
-    /// In order of creation.
+    /// Returns the jobs in order of creation.
     std::vector<std::shared_ptr<Job>> all() const {
         const std::scoped_lock lock(mutex_);
         std::vector<std::shared_ptr<Job>> jobs;
@@ -98,7 +98,7 @@ class JobTable {
             if (auto job = weak.lock(); job && !job->ended()) jobs.push_back(std::move(job));
         return jobs;
     }
-    /// Null when no job has that name.
+    /// Returns the job with this name, or null.
     std::shared_ptr<Job> find(const std::string& name) const {
         for (auto& job : all())
             if (job->name == name) return job;
@@ -106,7 +106,7 @@ class JobTable {
     }
 
    private:
-    /// Now and then, so that jobs cost the same however many there are.
+    /// Removes ended jobs from time to time, so that the cost of a job does not depend on their number.
     void forget_ended() {
         if (jobs_.size() < enough_) return;
         std::erase_if(jobs_, [](const auto& entry) { return entry.second.expired(); });

@@ -92,7 +92,7 @@ bool WorkerPool::any_may_begin() const {
 
 WorkerPool::Level& WorkerPool::next_level() {
     const auto has_tasks = [this](const Level& level) { return may_begin(level); };
-    // The lowest of several that have waited long enough goes first: it has waited longest.
+    // The lowest of several priorities that have waited long enough goes first, because it has waited longest.
     const auto overdue = std::find_if(levels_.rbegin(), levels_.rend(), [&](const Level& level) {
         return has_tasks(level) && level.passed_over >= most_passes;
     });
@@ -103,14 +103,14 @@ WorkerPool::Level& WorkerPool::next_level() {
     return next;
 }
 
-/// The line of that name, a new one at the end when there is none.
+/// Returns the line of that name, or adds a new one at the end.
 template <class Part>
 WorkerPool::Line<Part>& WorkerPool::line_of(std::deque<Line<Part>>& lines, std::string name) {
     const auto found = std::find_if(lines.begin(), lines.end(), [&](const auto& line) { return line.name == name; });
     return found != lines.end() ? *found : lines.emplace_back(Line<Part>{std::move(name), {}});
 }
 
-/// A task from the first line that has one which may begin; the line then goes behind all others.
+/// Returns a task from the first line that has one ready to begin, and moves this line to the end.
 template <class Part, class Take>
 WorkerPool::Waiting WorkerPool::take_round_robin(std::deque<Line<Part>>& lines, const Take& take) const {
     const auto next = std::ranges::find_if(lines, [this](const Line<Part>& line) { return may_begin(line); });

@@ -16,7 +16,7 @@
 
 namespace contactd::engine {
 
-/// In whose name and how urgently a task waits.
+/// The owner and the priority of a task.
 struct QueueTicket {
     std::string client;
     proto::Priority priority = proto::Priority::normal;
@@ -25,25 +25,25 @@ struct QueueTicket {
     bool is_large = false;              ///< takes so long that a thread must stay free of its kind
 };
 
-/// Tasks of a higher priority go first, within a priority one task of each user in turn, and of a user one of each
-/// client. So that nothing starves, a priority that was passed over `most_passes` times while it had tasks goes next.
-/// Large tasks never have all threads, where there is more than one: a small one waits behind other small ones only.
-/// Tasks of one client begin in the order in which they came.
+/// Tasks of a higher priority go first. Within a priority, users take turns, and so do the clients of a user. To
+/// prevent starvation, a priority that was passed over `most_passes` times while it had tasks goes next. If there are
+/// several threads, large tasks never occupy all of them, so a small task waits for other small ones only. Tasks of one
+/// client begin in the order of arrival.
 class WorkerPool {
    public:
     using Task = std::function<void()>;  ///< must not throw
     static constexpr int most_passes = 16;
 
-    /// Threads start when they are first wanted. One that has just worked looks for more for the time of `spin`
-    /// before it sleeps.
+    /// Threads start when they are first needed. A thread that has finished a task polls for another one for the time
+    /// `spin` before it sleeps.
     explicit WorkerPool(int threads, std::chrono::microseconds spin = {});
-    /// Tasks that have not begun are dropped; running ones are waited for.
+    /// Drops tasks that have not begun, and waits for running ones.
     ~WorkerPool();
 
     void post(QueueTicket ticket, Task task);
-    /// Drops the waiting tasks that were abandoned, and what they hold.
+    /// Drops abandoned waiting tasks and their resources.
     void drop_abandoned();
-    /// Has each thread that there is run `task` once, as soon as it has nothing else to do.
+    /// Lets each existing thread run `task` once, as soon as it is idle.
     void each_when_idle(Task task);
     void stop();  ///< what the destructor does; may be called before it
 

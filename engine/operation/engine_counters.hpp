@@ -1,4 +1,4 @@
-// Counts of what an engine has done since it was made.
+// Counters of an engine's work since its creation.
 #pragma once
 
 #include <atomic>
@@ -22,7 +22,7 @@ struct EngineCounters {
     Count tangential_iterations = 0;
     Count build_milliseconds = 0;
 
-    // These say what is the case now.
+    // Current values.
     Count store_tables = 0;
     Count store_bytes = 0;
 };

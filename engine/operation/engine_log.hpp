@@ -1,4 +1,4 @@
-// Where an engine writes what happens behind its calls: builds, files that were set aside, a disk in trouble.
+// The log of an engine's background work: builds, renamed damaged files, disk problems.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@ namespace contactd::engine {
 
 enum class LogLevel { info, warning, error };
 
-/// Takes a line, from any thread. Empty: nobody listens.
+/// Receives a line, from any thread. Empty: lines are dropped.
 using LogSink = std::function<void(LogLevel, const std::string&)>;
 
 class EngineLog {

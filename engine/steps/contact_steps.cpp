@@ -36,7 +36,7 @@ ContactSolution ContactSteps::solve(const StepState& before, const Overlay& over
     problem_.derivatives = opened.derivatives;
     problem_.displacements = opened.displacements;
     overlay(before.motion, problem_);
-    // The simplified models know no history and need no estimate.
+    // The simplified models have no history and need no estimate.
     if (problem_.model == Model::full) problem_.previous = problem_.initial = before.tractions;
     fit_influence(cache, observer);
     ContactSolution solution = solve_contact(problem_, influence_.influence, observer);

@@ -1,4 +1,4 @@
-// The numbered steps of one simulation, each of which starts where the one before ended.
+// The numbered steps of one simulation, each of which starts from the end of the previous one.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace contactd::engine {
 
-/// Where a simulation is: all that a step leaves to the next one. Whoever holds a state has saved it.
+/// The state of a simulation: all data that a step passes to the next one. To save a state, keep it.
 struct StepState {
     long long step = 0;
     SurfaceState tractions{};
@@ -22,25 +22,25 @@ struct StepState {
     WheelRailEstimates wheel_rail{};  ///< of the steps of a wheel on its rail, which leave nothing else
 };
 
-/// Solves steps from a state; which state that is, its user knows. For one call at a time.
+/// Solves steps from a state that the caller keeps. Allows one call at a time.
 class ContactSteps {
    public:
-    /// `influence` is that of the set-up, made of `ics`.
+    /// `influence` belongs to the set-up and was made from `ics`.
     ContactSteps(SessionSpec spec, IcAnswers ics, CachedInfluence influence);
 
-    /// The set-up that all steps have in common, and the load that holds for those that do not state it.
+    /// Returns the common set-up of all steps, and the default load.
     const ContactProblem opened;
     const bool accept_unconverged;  ///< whether steps count that missed a tolerance
 
     StepState start() const { return {0, opened.previous, {}}; }
 
-    /// Overrides fields of the problem, which is as opened, by those of a step. `last` is the motion of the step
-    /// before: the creepage it found for a prescribed force is the estimate now, unless the step names another.
+    /// Overrides fields of the opened problem by those of a step. `last` is the motion of the previous step; the
+    /// creepage that it found for a prescribed force is the estimate, unless the step gives another.
     using Overlay = std::function<void(const std::optional<Motion>& last, ContactProblem& problem)>;
-    /// The step after `before`. Operators for another rolling step than before come from `cache`. Throws as
-    /// solve_contact, what `overlay` throws, and StatusError (NOT_CONVERGED) unless such steps count.
+    /// Solves the step after `before`. Operators for a different rolling step come from `cache`. Throws as
+    /// solve_contact and `overlay`, and StatusError (NOT_CONVERGED) unless unconverged steps are accepted.
     ContactSolution solve(const StepState& before, const Overlay& overlay, InfluenceCache& cache, Observer& observer);
-    /// Where that leads; takes the tractions of the solution.
+    /// Returns the next state; moves the tractions out of the solution.
     static StepState after(const StepState& before, ContactSolution&& solution);
 
     const IcAnswers& ics() const { return ics_; }

@@ -1,4 +1,4 @@
-// Why a step does not count.
+// The reason why an unconverged step is rejected.
 #pragma once
 
 #include <optional>

@@ -4,7 +4,7 @@
 namespace contactd::engine {
 namespace {
 
-/// Takes over what the step before found for a prescribed force.
+/// Takes over the motion that the previous step found for a prescribed force.
 void take_estimates(const Motion& last, Motion& motion) {
     const auto* before = std::get_if<Rolling>(&last);
     auto* rolling = std::get_if<Rolling>(&motion);

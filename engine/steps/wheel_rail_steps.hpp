@@ -8,19 +8,19 @@
 
 namespace contactd::engine {
 
-/// Steady rolling knows no history: the step before only tells where searches and solvers start. For one call at a
-/// time.
+/// Steady rolling has no history; the previous step only determines the start of searches and solvers. Allows one call
+/// at a time.
 class WheelRailSteps {
    public:
     WheelRailSteps(PreparedContacts::Contact contact, bool accept_unconverged);
 
     const WheelRailSetup& setup() const { return opened_->setup(); }
 
-    /// Returns the contact as opened, or with the friction that a step names. Throws InvalidArgument ("friction.mu",
+    /// Returns the contact as opened, or with the friction of a step. Throws InvalidArgument ("friction.mu",
     /// ...).
     const WheelRailContact& contact_with(const std::optional<WheelRailFriction>& friction);
-    /// The step of such a contact after `before`, and what it leaves to the next one in `after`. Throws as
-    /// WheelRailContact::solve, and StatusError (NOT_CONVERGED) unless such steps count.
+    /// Solves the step of such a contact after `before`, and stores the state for the next one in `after`. Throws as
+    /// WheelRailContact::solve, and StatusError (NOT_CONVERGED) unless unconverged steps are accepted.
     WheelRailSolution solve(const WheelRailContact& contact, const StepState& before, const WheelRailState& state,
                             StepState& after, Observer& observer) const;
 

@@ -1,5 +1,5 @@
-// Wheels on rails whose profiles are read and smoothed: a step of a simulation comes with the set-up of the step
-// before.
+// Wheels on rails with prepared profiles, kept because a step of a simulation usually has the set-up of the previous
+// one.
 #pragma once
 
 #include <functional>
@@ -11,13 +11,13 @@
 
 namespace contactd::engine {
 
-/// The least recently used go first. Thread-safe; contacts are shared between solves.
+/// Removes the least recently used first. Thread-safe; contacts are shared between solves.
 class PreparedContacts {
    public:
     explicit PreparedContacts(InfluenceSource source) : source_(std::move(source)) {}
 
     using Contact = std::shared_ptr<const WheelRailContact>;
-    /// The contact of an equal set-up, from memory or made now. Throws as WheelRailContact.
+    /// Returns the contact of an equal set-up, from memory or newly prepared. Throws as WheelRailContact.
     Contact of(const WheelRailSetup& setup, const Observer& observer = {});
 
     std::size_t size() const;

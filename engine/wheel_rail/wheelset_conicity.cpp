@@ -12,7 +12,7 @@
 namespace contactd::engine {
 namespace {
 
-/// Profiles where they lie, and what became of their points.
+/// Placed profiles, and the evidence of their preparation.
 struct Side {
     WheelOverRail profiles;
     ProfileEvidence wheel, rail;
@@ -22,7 +22,7 @@ Profile profile_of(const ProfileSpec& profile, const std::string& name) {
     return renaming(in_place_of("profile", name), [&] { return make_profile(profile); });
 }
 
-/// `name` is where the set-up stands.
+/// `name` is the field of the set-up.
 Side side_of(const WheelRailSetup& setup, const std::string& name) {
     if (!setup.rail_slices.empty())
         throw InvalidArgument(

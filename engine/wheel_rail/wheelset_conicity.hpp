@@ -1,4 +1,4 @@
-// A rigid wheelset that has the profiles of a set-up: contacts, equivalent conicity, and the profiles as they lie.
+// A rigid wheelset with the profiles of a set-up: contacts, equivalent conicity, and the placed profiles.
 #pragma once
 
 #include <vector>
@@ -13,8 +13,8 @@ namespace contactd::engine {
 std::vector<EquivalentConicity> wheelset_conicities(const WheelsetSetup& setup, const ConicityRequest& request,
                                                     const Observer& observer);
 
-/// In the order of the shifts. Throws InvalidArgument naming "setup.rail.points", "contacts.shifts[i]", ..., and
-/// Cancelled.
+/// Returns contacts in the order of the shifts. Throws InvalidArgument naming "setup.rail.points",
+/// "contacts.shifts[i]", ..., and Cancelled.
 std::vector<WheelsetContacts> wheelset_contacts(const WheelsetSetup& setup, const ContactsRequest& request,
                                                 const Observer& observer);
 

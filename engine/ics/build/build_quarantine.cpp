@@ -8,7 +8,8 @@ namespace {
 
 using Entry = BuildQuarantine::Entry;
 
-/// True when what made the build of `entry` fail would make that of `spec` fail too: it asks for no less.
+/// Returns true if the build of `spec` would fail for the same reason as that of `entry`, because it is at least as
+/// demanding.
 bool concerns(const Entry& entry, const std::string& key, const IcSpec& spec) {
     return entry.key == key && spec.nx >= entry.nx && spec.ny >= entry.ny &&
            spec.fem.max_iterations <= entry.max_iterations;

@@ -1,4 +1,4 @@
-// Tables whose builds failed again and again: answered at once with the last failure until told otherwise.
+// Tables whose builds failed repeatedly. Requests get the last failure immediately, until the quarantine ends.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@
 
 namespace contactd::engine {
 
-/// Thread-safe. Kept in memory: a restarted daemon tries again.
+/// Thread-safe. Kept in memory, so a restarted daemon tries again.
 class BuildQuarantine {
    public:
     using Clock = std::chrono::steady_clock;
@@ -35,13 +35,13 @@ class BuildQuarantine {
     explicit BuildQuarantine(const Settings& settings) : settings_(settings) {}
 
     void note_failure(const std::string& key, const IcSpec& spec, const proto::Status& status);
-    /// Forgets the failures of what a built table covers.
+    /// Forgets the failures of tables that a built table covers.
     void note_success(const std::string& key, const IcSpec& spec);
-    /// Returns the answer to a request for this table, when its build, or that of a smaller one, failed too often.
+    /// Returns the answer to a request for this table if its build, or that of a smaller one, failed too often.
     std::optional<proto::Status> refusal(const std::string& key, const IcSpec& spec);
-    /// Forgets the failures of a key; true when there were any.
+    /// Forgets the failures of a key. Returns whether there were any.
     bool forget(const std::string& key);
-    /// Those in quarantine, the latest first.
+    /// Returns the tables in quarantine, the latest first.
     std::vector<Entry> entries();
 
    private:

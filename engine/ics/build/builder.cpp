@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 
 constexpr auto poll_interval = reproc::milliseconds(100);
 
-/// How the child ended, in words. reproc gives 128 + signal for a signal.
+/// Describes how the child ended. reproc returns 128 + signal for a signal.
 std::string ending(int status) {
     if (status > 128) return "was terminated by signal " + std::to_string(status - 128);
     return "ended with status " + std::to_string(status);
@@ -30,7 +30,8 @@ void check(const std::error_code& error, const char* doing) {
     if (error) throw BuilderUnusable(std::string("Cannot ") + doing + " the builder: " + error.message() + ".");
 }
 
-/// Keeps SIGPIPE from this thread, whose process may not be ours: a pipe that was closed is an error like others.
+/// Blocks SIGPIPE in this thread, because the process may belong to another program. A closed pipe is then an ordinary
+/// error.
 class NoPipeSignal {
    public:
     NoPipeSignal() {
@@ -50,7 +51,7 @@ class NoPipeSignal {
     sigset_t pipe_, before_;
 };
 
-/// Writes everything. A child that ended already is no error here: its own words say more.
+/// Writes everything. A child that has already ended is not an error here, because its own message is more specific.
 void send(reproc::process& child, std::string_view text) {
     const NoPipeSignal no_signal;
     while (!text.empty()) {
@@ -61,7 +62,7 @@ void send(reproc::process& child, std::string_view text) {
     }
 }
 
-/// Throws when there is a reason to end the child.
+/// Throws if there is a reason to end the child.
 class Watch {
    public:
     Watch(const BuilderCommand& command, const BuilderListener& listener, const Job& job,
@@ -116,7 +117,7 @@ int wait_for(reproc::process& child, const Watch& watch) {
     }
 }
 
-/// How many processes the kernel has ended because memory ran out, since this machine started.
+/// Returns the number of processes that the kernel has killed for lack of memory since this machine started.
 long long ended_by_kernel() {
     std::ifstream file("/proc/vmstat");
     std::string name;
@@ -132,13 +133,13 @@ std::vector<std::string> arguments_of(const BuilderCommand& command, const std::
     return arguments;
 }
 
-/// Returns the program that is started, with the field that names it.
+/// Returns the started program with the field that names it.
 std::string first_program(const BuilderCommand& command) {
     if (command.launcher.empty()) return "builds.program is " + command.program.string();
     return "builds.launcher begins with " + command.launcher.front();
 }
 
-/// Tells why the first program, or the one behind a launcher, could not be started, and who has it.
+/// Explains why the first program, or the one started by a launcher, could not be started, and where to get it.
 std::string cannot_be_started(const std::string& what, const std::string& reason) {
     const std::string end = reason.ends_with('.') ? "" : ".";
     return what + "; it cannot be started: " + reason + end +
@@ -146,7 +147,7 @@ std::string cannot_be_started(const std::string& what, const std::string& reason
            "Debian's package contactd, or run pip install \"contactd[daemon]\" for Python.";
 }
 
-/// A launcher's word for a program that it did not find, or may not run, as shells have it.
+/// Returns whether this is the status of shells and launchers for a program that was not found or cannot be executed.
 bool is_of_launcher(int status) {
     return status == 126 || status == 127;
 }
@@ -166,7 +167,7 @@ BuiltTable run_builder(const BuilderCommand& command, const IcSpec& spec, const 
         environment.emplace_back(name, "1");
     }
     options.env.extra = environment;
-    // A stopped process hears no SIGTERM; what is behind a launcher is ended by the launcher, which needs its time.
+    // A stopped process does not receive SIGTERM. A launcher needs time to end the processes that it started.
     options.stop = {{reproc::stop::terminate, 800ms}, {reproc::stop::kill, 2000ms}, {}};
 
     const long long ended_before = ended_by_kernel();

@@ -1,4 +1,4 @@
-// One build: contactd-ic as a child process, behind the configured launcher.
+// One build: contactd-ic as a child process, started by the configured launcher.
 #pragma once
 
 #include <chrono>
@@ -23,20 +23,20 @@ struct BuilderCommand {
     std::chrono::seconds longest{0};                       ///< duration of a build; 0: no limit
 };
 
-/// A table that a builder hands over by itself because it could not be written where it belongs; empty otherwise.
+/// The table that a builder printed because it could not write the output file; otherwise empty.
 struct BuiltTable {
     std::vector<unsigned char> bytes;  ///< of the IC file
     std::string problem;               ///< why, as a sentence
 };
 
-/// The builder could not be started or talked to: that says nothing about the table.
+/// The builder could not be started or communicated with, which is not a failure of the table.
 class BuilderUnusable : public Error {
    public:
     using Error::Error;
 };
 
-/// The builder ran out of memory, or would have. `field()` is the part of the request that asks for too much, empty
-/// when that was not known before.
+/// The builder ran out of memory, or would have. `field()` is the field of the request that demands too much, or empty
+/// if it is unknown.
 class BuilderOutOfMemory : public Error {
    public:
     BuilderOutOfMemory(const std::string& sentence, std::string field) : Error(sentence), field_(std::move(field)) {}
@@ -46,10 +46,10 @@ class BuilderOutOfMemory : public Error {
     std::string field_;
 };
 
-/// Writes the table of `spec` to `output` and returns when the child has ended. The child lives no longer than this
-/// process: it watches its standard input. `on_tick` is called some times a second meanwhile. Throws Cancelled when the
-/// job was cancelled, InvalidArgument when the builder refuses the spec, BuilderOutOfMemory, BuilderUnusable, and Error
-/// with the builder's own words, or when it was silent or at work for too long; the child has then been ended.
+/// Writes the table of `spec` to `output` and returns when the child has ended. The child ends with this process,
+/// because it watches its standard input. `on_tick` is called several times a second. Throws Cancelled if the job was
+/// cancelled, InvalidArgument if the builder refuses the spec, BuilderOutOfMemory, BuilderUnusable, and Error with the
+/// builder's message, or if it was silent or running for too long. The child has ended in any case.
 BuiltTable run_builder(const BuilderCommand& command, const IcSpec& spec, const std::filesystem::path& output,
                        const Job& job, const std::function<void(const JobProgress&)>& on_progress,
                        const std::function<void()>& on_tick);

@@ -9,8 +9,8 @@ namespace contactd::engine {
 
 using Environment = std::vector<std::pair<std::string, std::string>>;  ///< names and values
 
-/// The variables of this process that `names` name. A name that ends with * stands for all that begin so. Nothing else
-/// is handed on: the daemon's environment may hold secrets, and variables that change what programs do (LD_PRELOAD,
+/// Returns the variables of this process that `names` list. A name that ends with * is a prefix. Nothing else is passed
+/// on, because the daemon's environment may contain secrets, and variables that affect other programs (LD_PRELOAD,
 /// ...).
 Environment passed_on(const std::vector<std::string>& names);
 

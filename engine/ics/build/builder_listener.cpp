@@ -82,7 +82,8 @@ void BuilderListener::hear_line(std::string_view line) {
     if (const auto stage = json.find("stage"); stage != json.end() && stage->is_string()) hear_progress(json);
 }
 
-/// The first heartbeat of any process starts the time of all: one that stops before its own first is missed as well.
+/// The first heartbeat of any process starts the clock of all, so a process that stops before its first one is also
+/// noticed.
 void BuilderListener::hear_heartbeat(const nlohmann::json& line) {
     const auto processes = static_cast<int>(std::clamp(number(line, "processes"), 1.0, most_processes));
     for (int rank = static_cast<int>(heard_.size()); rank < processes; ++rank) heard_[rank] = Clock::now();

@@ -1,5 +1,5 @@
-// Reads a builder's output: JSON lines on standard output, messages on standard error, and perhaps a table it could not
-// store.
+// Reads a builder's output: JSON lines on standard output, messages on standard error, and a table if it could not
+// store it.
 #pragma once
 
 #include <chrono>
@@ -20,22 +20,22 @@ class BuilderListener {
     using Clock = std::chrono::steady_clock;
     using OnProgress = std::function<void(const JobProgress&)>;
 
-    /// A builder behind a launcher may wait for its machines: its silence counts from its first word.
+    /// A builder started by a launcher may wait for machines, so its silence counts from its first message.
     BuilderListener(bool has_launcher, OnProgress on_progress)
         : has_begun_(!has_launcher), on_progress_(std::move(on_progress)) {}
 
     void hear_output(std::string_view bytes);
     void hear_error(std::string_view bytes);
 
-    /// How long the quietest of the builder's processes has been silent.
+    /// Returns the longest silence among the builder's processes.
     Clock::duration silence() const;
-    /// The builder's own sentence when it gave one, else the end of what it wrote to standard error.
+    /// Returns the builder's error message, or else the end of its standard error.
     std::string complaint() const;
     bool ran_out_of_memory() const { return kind_ == "out_of_memory"; }
     bool refused() const { return kind_ == "invalid_argument"; }
-    /// The part of the request that the builder complains of; empty when it named none.
+    /// Returns the field of the request that the builder refuses, or an empty text.
     const std::string& field() const { return field_; }
-    /// A refusal says here what is wrong with the field, without its name.
+    /// Returns the problem of a refused field, without its name.
     const std::string& problem() const { return problem_; }
     /// Returns the table that the builder printed because it could not write it.
     BuiltTable take_table() { return awaited_ == 0 ? std::move(table_) : BuiltTable(); }

@@ -1,5 +1,4 @@
-// Where MFEM's builder is not to be had: tables by finite elements come from a store, which a builder on Linux has
-// filled.
+// For platforms without MFEM's builder: tables by finite elements come from a store that a builder on Linux filled.
 #include "builder.hpp"
 
 namespace contactd::engine {

@@ -1,4 +1,4 @@
-// Dimensionless tables in memory, the least recently used going first when the budget is full.
+// Dimensionless tables in memory. If the budget is full, the least recently used ones are removed first.
 #pragma once
 
 #include <cstddef>
@@ -16,9 +16,9 @@ class IcCache {
 
     explicit IcCache(std::size_t budget_bytes) : records_(budget_bytes) {}
 
-    /// A table with this key that covers the extent, or null.
+    /// Returns a table with this key that covers the extent, or null.
     Record find(const std::string& key, int nx, int ny);
-    /// Keeps the record when it fits the budget, all tables of a family counted; tables that it covers go.
+    /// Stores the record if it fits the budget, counting all tables of a family, and removes tables that it covers.
     void insert(const std::string& key, Record record);
 
     void remove(const std::string& key) { records_.remove(key); }

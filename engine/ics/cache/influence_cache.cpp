@@ -80,7 +80,7 @@ std::string influence_key(const ContactProblem& problem, const std::string& uppe
         add(body->viscoelastic->f);
         add(body->viscoelastic->tau * velocity);
     }
-    // Products do not depend on where strips lie, but whether they are those of a section is looked at once for each.
+    // Products do not depend on the position of strips, but each position is checked once against its section.
     if (problem.columns && problem.bodies.any_uniform())
         for (const StripFrame& frame : problem.columns->frames)
             for (const double value : {frame.y, frame.z, frame.angle}) add(value);

@@ -1,4 +1,5 @@
-// Influence operators of pairs of bodies: their transforms are worth keeping between the steps of a simulation.
+// Influence operators of pairs of bodies, kept between the steps of a simulation because their transforms are
+// expensive.
 #pragma once
 
 #include <chrono>
@@ -16,7 +17,7 @@
 
 namespace contactd::engine {
 
-/// Operators, and what is told of those beyond the budget.
+/// Operators, and the use of those beyond the budget.
 struct CachedInfluence {
     ContactInfluence influence{};
     std::optional<OperatorUse> use{};
@@ -24,24 +25,24 @@ struct CachedInfluence {
 
 /// Warns of operators beyond the budget.
 std::string operator_warning(const OperatorUse& use);
-/// It has that sentence for operators that were made although they may be needed again, and is empty otherwise.
+/// Returns the warning for operators that were computed and may have to be recomputed, or an empty text.
 std::vector<std::string> operator_warnings(const std::optional<OperatorUse>& use);
 
-/// The least recently used go first when the budget is full. Beside them those beyond the budget that were used last
-/// are cached, and their use is told: a problem that is solved again finds its operators in any case. Thread-safe;
-/// operators are shared between solves.
+/// If the budget is full, the least recently used operators are removed first. In addition, the operators beyond the
+/// budget that were used last are cached, and their use is reported, so a repeated problem always finds its operators.
+/// Thread-safe; operators are shared between solves.
 class InfluenceCache {
    public:
     explicit InfluenceCache(std::size_t budget_bytes) : budget_(budget_bytes), influences_(budget_bytes) {}
 
     using Make = std::function<ContactInfluence()>;
-    /// The operators that `key` stands for, from memory or made by `make`.
+    /// Returns the operators of `key`, from memory or made by `make`.
     CachedInfluence of(const std::string& key, const Make& make);
 
     using Clock = std::chrono::steady_clock;
     static constexpr std::chrono::seconds longest_unused{60};
-    /// Forgets the operators beyond the budget that no solve and no session has had for longest_unused. Returns when to
-    /// ask again.
+    /// Removes operators beyond the budget that no solve and no session has used for longest_unused. Returns the time
+    /// of the next call.
     Clock::time_point forget_unused(Clock::time_point now);
 
     using Usage = LeastRecentlyUsed<ContactInfluence>::Usage;
@@ -61,8 +62,8 @@ class InfluenceCache {
     std::optional<Beyond> beyond_;
 };
 
-/// Says everything that the operators of a problem depend on; `keys` are those of the bodies' tables, without material
-/// where they are dimensionless or of a family.
+/// Returns a key of everything that the operators of a problem depend on. `keys` are those of the bodies' tables,
+/// without material if they are dimensionless or belong to a family.
 std::string influence_key(const ContactProblem& problem, const std::string& upper_key, const std::string& lower_key);
 
 }  // namespace contactd::engine

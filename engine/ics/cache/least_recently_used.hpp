@@ -1,4 +1,4 @@
-// Values in memory, the least recently used going first when the budget is full.
+// Values in memory. If the budget is full, the least recently used ones are removed first.
 #pragma once
 
 #include <algorithm>
@@ -11,14 +11,14 @@
 
 namespace contactd::engine {
 
-/// Thread-safe. Several values may have one key; there are few enough to search through. `Value` is cheap to copy: a
-/// shared pointer, or made of some.
+/// Thread-safe. Several values may have one key, and there are few enough for a linear search. `Value` is cheap to
+/// copy: a shared pointer, or a struct of them.
 template <class Value>
 class LeastRecentlyUsed {
    public:
     explicit LeastRecentlyUsed(std::size_t budget_bytes) : budget_(budget_bytes) {}
 
-    /// A value with this key that `serves`, or nothing.
+    /// Returns a value with this key that `serves`, or nothing.
     template <class Serves>
     std::optional<Value> find(const std::string& key, const Serves& serves) {
         const std::scoped_lock lock(mutex_);
@@ -29,7 +29,7 @@ class LeastRecentlyUsed {
         return entry->value;
     }
 
-    /// Keeps a value of `bytes` in place of those with this key that it `replaces`; not when it is above the budget.
+    /// Stores a value of `bytes` instead of those with this key that it `replaces`, unless it exceeds the budget.
     template <class Replaces>
     void insert(const std::string& key, Value value, std::size_t bytes, const Replaces& replaces) {
         if (bytes > budget_) return;

@@ -1,4 +1,4 @@
-// The store as the daemon uses it: what goes wrong with the disk costs a warning and never an answer.
+// The store as used by the daemon: disk errors cause a warning, but never the loss of an answer.
 #pragma once
 
 #include <atomic>
@@ -26,26 +26,24 @@ class ResilientStore {
         std::size_t unsaved_bytes = 0;  ///< of tables that wait for the disk
     };
 
-    /// Sweeps what dead processes left, settles times of use, and looks whether the folder can be written to.
+    /// Removes left-over files of dead processes, updates times of use, and checks whether the folder is writable.
     ResilientStore(IcStore store, const Budgets& budgets, EngineLog log);
 
     const IcStore& store() const { return store_; }
-    /// These do what IcStore::find and may_have do; nothing when the folder cannot be read.
+    /// These call IcStore::find and may_have, and return nothing if the folder cannot be read.
     std::optional<IcRecord> find(const IcSpec& spec, const TableOwner& owner = {});
     bool may_have(const IcSpec& spec, const TableOwner& owner);
-    /// A table was served from memory: its file counts as used now.
+    /// Marks the file of a table served from memory as used now.
     void note_use(const std::string& key, const IcRecord& record, const TableOwner& owner = {});
-    /// A table has just been written: what it covers goes, and what no longer fits the budget; see IcStore::evict.
+    /// Removes tables that a newly written table covers, and tables that no longer fit the budget; see IcStore::evict.
     void note_stored(const IcSpec& spec, const std::vector<std::string>& kept, const TableOwner& owner = {});
-    /// A table could not be written; returns it as it is to be answered, with a warning. It is written when the folder
-    /// can be used again.
+    /// Returns a table that could not be written with a warning, and keeps it until the folder can be used again.
     Record keep_unsaved(IcRecord record, const std::string& why);
-    /// When the folder could not be used and can again: writes what waits for that. Returns what was written. Does
-    /// nothing most of the time.
+    /// Writes waiting tables if the folder can be used again, and returns them. Usually does nothing.
     std::vector<Record> recover();
-    /// Removes the tables of a key, on disk or waiting for it; returns how many.
+    /// Removes the tables of a key, on disk or waiting for it, and returns their number.
     int remove(const std::string& key, const TableOwner& owner);
-    /// Returns why the folder cannot be used, as a sentence; empty when all is well.
+    /// Returns the reason why the folder cannot be used, as a sentence; empty if it can.
     std::string problem() const;
 
    private:

@@ -1,4 +1,4 @@
-// The contents of the store's folder, and whether it can be used.
+// The contents and the usability of the store's folder.
 #pragma once
 
 #include <filesystem>
@@ -8,10 +8,10 @@
 
 namespace contactd::engine {
 
-/// Sets counters.store_tables and store_bytes to what is there now; zero when the folder cannot be read.
+/// Sets counters.store_tables and store_bytes to the current contents, or to zero if the folder cannot be read.
 void count_store(EngineCounters& counters, const std::filesystem::path& folder);
 
-/// Why tables cannot be kept in the folder, a sentence; empty when they can.
+/// Returns the reason why tables cannot be stored in the folder, as a sentence; empty if they can.
 std::string store_problem(const std::filesystem::path& folder);
 
 }  // namespace contactd::engine

@@ -1,4 +1,4 @@
-// Uses of tables that never touch the disk, because the table is in memory.
+// Records uses of tables that do not access the disk, because the table is in memory.
 #pragma once
 
 #include <condition_variable>
@@ -11,17 +11,17 @@
 
 namespace contactd::engine {
 
-/// Writes them into the files' times within a second, so that other daemons on the store, and this one after a restart,
-/// know what was used last, while no request waits for the disk. Thread-safe.
+/// Writes them into the files' times within a second, so that other daemons with this store, and this one after a
+/// restart, can determine the last use, without making requests wait for the disk. Thread-safe.
 class UseNotes {
    public:
     explicit UseNotes(const IcStore& store);
-    /// Writes what is left.
+    /// Writes the remaining uses.
     ~UseNotes();
 
-    /// The file at `path` is used now.
+    /// Records that the file at `path` is used now.
     void note(const std::filesystem::path& path);
-    /// Writes what was noted so far.
+    /// Writes the uses recorded so far.
     void write();
 
    private:
