@@ -1,4 +1,4 @@
-// Forces in balance: the pitch rate that brings Fx, and the deflection of a massless flexible rail.
+// Force balance: the pitch rate for a prescribed Fx, and the deflection of a massless flexible rail.
 #pragma once
 
 #include "contactd/observer.hpp"
@@ -10,8 +10,8 @@ namespace contactd {
 class RightWheel;
 
 /// Solves a right wheel under its height or force. Pitch rate and lateral deflection are found together; the vertical
-/// deflection follows from a prescribed force, or is searched for within each of their steps, as the height that brings
-/// a force. Starts from `estimates`, and leaves those for the next step.
+/// deflection follows from a prescribed force, or is searched within each of their steps, like the height for a
+/// prescribed force. Starts from `estimates`, and updates them for the next step.
 WheelRailSolution solve_in_balance(const RightWheel& wheel, WheelRailEstimates& estimates, Observer& observer);
 
 }  // namespace contactd

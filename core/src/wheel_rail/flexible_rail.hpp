@@ -1,4 +1,4 @@
-// A massless flexible rail, which deflects: set-ups and states on it.
+// Set-ups and states on a massless flexible rail.
 #pragma once
 
 #include <optional>
@@ -15,25 +15,26 @@ class RightWheel;
 
 inline constexpr double deepest_penetration = 5;  ///< of a wheel in its rail (mm): deeper than anything elastic
 
-/// Returns the state with the rail deflected and fixed there, the wheel at its height or under its force, the pitch
-/// rate as it is.
+/// Returns the state with the rail fixed in its deflected position, the wheel at its height or under its force, and the
+/// same pitch rate.
 WheelRailState deflected(WheelRailState state, const RailDeflection& deflection);
 
-/// Returns the search for the height over the rail of a wheel at its height in the track: where the rail carries what
-/// its spring then does. `unloaded` is the wheel with a rail not deflected vertically. None where it hangs above that.
+/// Returns the search for the height over the rail of a wheel with a prescribed height in the track, at which contact
+/// and spring carry the same force. `unloaded` is the wheel with a rail without vertical deflection. Returns none if
+/// the wheel is above that rail.
 std::optional<HeightTask> height_over_rail(RightWheel& unloaded, const WheelRailState& given, double stiffness);
 
-/// Sets the derivatives of the solution of a wheel on a flexible rail, in which the rail deflects, or says in a warning
-/// why there are none.
+/// Sets the derivatives of the solution of a wheel on a flexible rail, including its deflection, or warns why there are
+/// none.
 void differentiate_on_flexible_rail(const RightWheel& wheel, WheelRailSolution& solution, Observer& observer);
 
 /// Returns the pitch rate of a wheel that rolls without creepage at its nominal radius (rad/s).
 double rolling_pitch_rate(const WheelRailSetup& setup, const WheelRailState& state);
 
-/// Returns the set-up with the rail fixed where it is.
+/// Returns the set-up with the rail fixed in its position.
 WheelRailSetup with_fixed_rail(WheelRailSetup setup);
-/// Returns the state with the rail fixed where it is expected without a solve: laterally by the forces besides the
-/// wheel's, vertically also by the wheel's force.
+/// Returns the state with the rail fixed in its position estimated without a solve: laterally from the external forces,
+/// vertically also from the wheel's force.
 WheelRailState expected_on_flexible_rail(const RightWheel& wheel);
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-// Wheels that do not run on their treads.
+// Warnings about wheels that do not run on their treads.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace contactd {
 
-/// A sentence about a right wheel that climbs on its flange, its tread lifted off the rail, or that rolls on the end of
-/// its tread: with Fy/Fz, and by how much its tread is lifted. `wheel` is where it was solved.
+/// Returns a warning about a right wheel that climbs on its flange, with its tread lifted off the rail, or that rolls
+/// on the end of its tread. It contains Fy/Fz and the lift of the tread. `wheel` is its solved position.
 std::optional<std::string> off_tread_warning(const WheelRailSolution& solution, const geometry::Profiles& profiles,
                                              const geometry::WheelSurface& wheel, const geometry::RailSurface& rail);
 

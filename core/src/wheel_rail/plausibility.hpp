@@ -1,4 +1,4 @@
-// Likely mistakes in wheels, rails and positions: shapes that they never have, and places where they never touch.
+// Probable mistakes in wheels, rails and positions: implausible shapes and contact positions.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace contactd {
 
-/// Sentences about profiles that are as wide as if their points were in inches, points that are rounded so that their
-/// curvature is noise, and a flange_back_position that is not that of the wheel's profile.
+/// Returns warnings about profiles with the width of points in inches, points whose rounding dominates their curvature,
+/// and a flange_back_position that does not match the wheel's profile.
 std::vector<std::string> plausibility_warnings(const WheelRailSetup& setup, const geometry::Profiles& profiles);
 
-/// Sentences about a contact of a right wheel at the tip or the back of its flange, or beside the rail's head; `side`
-/// is what it is called by.
+/// Returns warnings about a contact of a right wheel at the tip or the back of its flange, or beside the rail's head.
+/// `side` is the side in the text.
 std::vector<std::string> plausibility_warnings(const ContactReference& reference, Side side,
                                                const geometry::WheelSurface& wheel, const geometry::RailSurface& rail);
 

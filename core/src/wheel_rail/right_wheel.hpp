@@ -1,4 +1,4 @@
-// A right wheel on its rail in one position, and what is asked of it.
+// A right wheel on its rail in one position, and its requested results.
 #pragma once
 
 #include <memory>
@@ -18,76 +18,75 @@ class RightWheel {
    public:
     using Patches = std::vector<WheelRailEstimates::Patch>;
 
-    /// All but the state must live longer. The observer ends searches, too. `before` is what a step that is not steady
-    /// goes on from. The set-up allows the state (validate).
+    /// All arguments but the state must outlive this. The observer also ends searches. `before` is the state from which
+    /// a transient step starts. The state must be valid for the set-up (validate).
     RightWheel(const WheelRailSetup& setup, const geometry::Profiles& profiles, const InfluenceSource& influences,
                const WheelRailState& state, const Observer& observer, std::shared_ptr<const Patches> before = nullptr);
 
     WheelRailSolution solve(Observer& observer);
-    /// At this height, whatever the state says of height and force.
+    /// Solves at this height, independently of height and force in the state.
     WheelRailSolution at(double z, Observer& observer);
     WheelRailGeometry locate();
     std::optional<double> first_contact_height() const;
-    /// Whether a contact bends away from its plane by more than most_bend, at position.z or where Hertz's theory
-    /// expects Fz.
+    /// Returns whether a contact bends away from its plane by more than most_bend, at position.z or at the height that
+    /// Hertz's theory expects for Fz.
     bool bends();
 
     const WheelRailSetup& setup() const { return setup_; }
     const WheelRailState& state() const { return state_; }
-    /// Returns the same wheel elsewhere, or with other tolerances; both arguments must live longer.
+    /// Returns the same wheel in another position, or with other tolerances. Both arguments must outlive it.
     RightWheel with(const WheelRailSetup& setup, const WheelRailState& state) const {
         return {setup, profiles_, influences_, state, observer_, before_};
     }
-    /// Where searches and solvers start, and those of one search from each other; after a solve, where those of the
-    /// next step do. Without it each solve starts from nothing.
-    /// Takes what the step before has left, and leaves what this one ends with. Where there is nothing yet, what is
-    /// found is to the last bit what it is without.
+    /// Sets the start of searches and solvers, also between the solves of one search. After a solve it contains the
+    /// start of the next step. Without it, each solve starts from zero. Reads the estimates of the previous step and
+    /// stores those of this one. Without previous estimates, results are bitwise equal to those without this call.
     void start_from(WheelRailEstimates& estimates) {
         estimates_ = &estimates;
         has_tractions_ = !estimates.patches.empty();
     }
-    /// Where a step that is not steady goes on from: a copy, for estimates change during a search.
+    /// The start of a transient step; a copy, because estimates change during a search.
     void go_on_from(Patches before) { before_ = std::make_shared<const Patches>(std::move(before)); }
-    /// Positions do not depend on it.
+    /// Does not affect positions.
     void set_velocity(const WheelsetVelocity& velocity) { state_.velocity = velocity; }
     geometry::Position& position() { return position_; }
-    /// Returns the search for the height that brings a force.
+    /// Returns the search for the height that produces a force.
     HeightTask height_task(double Fz);
     ContactProblem problem_of(const geometry::CandidatePatch& found) const;
     ContactSolution solve(ContactProblem problem, const geometry::CandidatePatch& found, Observer& observer) const;
 
    private:
     void check_depth(double z) const;
-    /// Gives an answer the frames of both profiles at its z.
+    /// Adds the frames of both profiles at its z to an answer.
     template <class Answer>
     void place_profiles(Answer& answer) const;
-    /// Where Hertz's theory expects Fz, or position.z.
+    /// Returns the height that Hertz's theory expects for Fz, or position.z.
     double expected_height();
-    /// Returns whether the force falls while the wheel is lowered from where it was solved, where regions have a
-    /// weighted interaction; by normal contact alone.
+    /// Returns whether the force decreases while the wheel is lowered from its solved height, if regions have a
+    /// weighted interaction. Uses normal contact only.
     bool falls_where_regions_merge(const WheelRailSolution& solution, Observer& observer) const;
     /// Counts the regions of overlap.
     std::size_t regions_at(double z) const;
     WheelRailSolution at(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer);
     Placement placed(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer) const;
-    /// Where a wheel is solved: at a height, or where one of its patches carries a normal force.
+    /// The target of a solve: a height, or a normal force of one of the patches.
     struct Load {
         double z;  ///< of a single patch with a force about where that is
         std::optional<double> Fn{};
         std::size_t patch = 0;  ///< which carries Fn
     };
     WheelRailSolution solve(const Placement& placement, const Load& load, Observer& observer);
-    /// Without forces on the wheel.
+    /// Returns the solution without forces on the wheel.
     WheelRailPatch solve(const geometry::CandidatePatch& found, ContactProblem problem,
                          const InfluenceSource& influences, Observer& observer) const;
     ContactSolution solve(ContactProblem problem, const geometry::CandidatePatch& found,
                           const InfluenceSource& influences, Observer& observer) const;
     WheelRailForces forces_of(const WheelRailPatch& patch, const geometry::CandidatePatch& found, double z) const;
     TractionHistory history_of(const std::vector<geometry::CandidatePatch>& candidates) const;
-    /// Returns the force by a simplified model, which does not depend on elements, and costs less than their arrays.
+    /// Returns the force by a simplified model, which does not depend on elements and costs less than their arrays.
     double simplified_force(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer) const;
     WheelRailSolution under_force(double Fz, Observer& observer);
-    /// Finds the height of full theory; `solution` becomes that of the last one.
+    /// Finds the height by the full theory; `solution` becomes that of the last solve.
     HeightFound carry(double Fz, HeightTask& task, WheelRailSolution& solution, Observer& observer);
     HeightFound carry_by_simplified_model(HeightTask& task, WheelRailSolution& solution, Observer& observer);
 

@@ -1,4 +1,4 @@
-// Data that are too thin for a contact: profiles, slices and friction that were given at too few places.
+// Warnings about sparse data: profiles, slices and friction with too few points for a contact.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace contactd {
 
-/// Sentences about a candidate patch of a right wheel, named by where it is on its own side: fewer than three points of
-/// a profile across it, where it bends between them; slices between which the rail, or the wheel's radius, bends by
-/// more than the surfaces overlap; coefficients of friction, and laws of it by temperature, between which it lies far
-/// from either.
+/// Returns warnings about a candidate patch of a right wheel, named by its position on its own side. They cover fewer
+/// than three points of a curved profile across it, slices between which the rail or the wheel's radius deviates from a
+/// straight line by more than the overlap, and friction coefficients or laws of temperature-dependent friction at
+/// distant angles.
 std::vector<std::string> thin_data_warnings(const geometry::CandidatePatch& found, const WheelRailSetup& setup,
                                             const WheelRailState& state, const geometry::WheelSurface& wheel,
                                             const geometry::RailSurface& rail);

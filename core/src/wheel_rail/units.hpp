@@ -1,4 +1,4 @@
-// Likely mistakes of units in wheels on rails, whose units are N, mm, s and rad.
+// Probable mistakes of units in wheel-rail contact, whose units are N, mm, s and rad.
 #pragma once
 
 #include <string>
@@ -26,7 +26,8 @@ std::vector<std::string> unit_warnings_of_one(const WheelRailSetup& setup, const
 /// tell that; else nothing.
 std::string unit_of_speed(const WheelRailSetup& setup, const WheelRailState& state);
 
-/// Tells sentences about fields of a patch's contact problem that the wheel makes itself, and has its own sentences of.
+/// Returns whether a warning is about fields of a patch's contact problem that the wheel sets itself and has its own
+/// warnings for.
 bool names_inputs_of_patches(std::string_view warning);
 
 }  // namespace contactd

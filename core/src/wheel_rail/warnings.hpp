@@ -9,13 +9,13 @@
 
 namespace contactd {
 
-/// Returns what a contact of a right wheel is called by in warnings: where it is on its own side.
+/// Returns the name of a contact of a right wheel in warnings: its position on its own side.
 std::string name_of(const ContactReference& reference, Side side);
 
-/// Tells of a candidate patch that is left out: overlap from above, and nothing to measure along the normal.
+/// Warns of a neglected candidate patch, which overlaps when seen from above but not along the normal.
 std::string apart_along_normal(const ContactReference& reference, Side side);
 
-/// Warns of a candidate patch of a right wheel, named by where it is on its own side.
+/// Warns of a candidate patch of a right wheel, named by its position on its own side.
 std::vector<std::string> warnings_of(const geometry::CandidatePatch& found, const WheelRailSetup& setup,
                                      const WheelRailState& state, bool has_friction);
 /// Warns of a place that the search has passed over.

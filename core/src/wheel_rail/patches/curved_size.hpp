@@ -1,11 +1,11 @@
-// Bounds of patches whose coefficients differ from row to row.
+// Limits of patches whose coefficients differ between rows.
 #pragma once
 
 #include "contactd/grid.hpp"
 
 namespace contactd {
 
-/// Throws InvalidArgument ("dy") where coefficients would be too many.
+/// Throws InvalidArgument ("dy") if there are too many coefficients.
 void check_curved_size(const Grid& grid);
 
 }  // namespace contactd

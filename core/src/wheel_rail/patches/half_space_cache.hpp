@@ -1,4 +1,4 @@
-// A cache of the operators of half-spaces for a wheel on its rail, whose grids change by a few elements a step.
+// A cache of the operators of half-spaces for a wheel on its rail, whose grids change by a few elements per step.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@
 
 namespace contactd {
 
-/// It has the operators that were used last, and one table that all are parts of. Only the sizes of a grid matter, not
-/// where it lies. Thread-safe.
+/// Keeps the operators that were used last, and one table that contains all of them. Only the sizes of a grid matter,
+/// not its position. Thread-safe.
 class HalfSpaceCache {
    public:
     /// Throws InvalidArgument ("bodies") unless all bodies are half-spaces in closed form, or rigid.
     explicit HalfSpaceCache(Bodies bodies);
 
-    /// Strips that turn share what does not depend on their angles, which are others at the next position. Throws
+    /// Rotated strips share the data that does not depend on their angles, which differ at the next position. Throws
     /// InvalidArgument ("conformal") for strips of sections, and Cancelled.
     ContactInfluence of(const ContactProblem& problem, const PatchStrips& strips = {}, const Observer& observer = {});
 
@@ -31,7 +31,7 @@ class HalfSpaceCache {
         Key key;
         ContactInfluence influence;
     };
-    /// Call it while the mutex is locked.
+    /// Must be called with the mutex locked.
     const ContactInfluence& flat_influence(const ContactProblem& problem, const Observer& observer);
     IcTable table_for(const Grid& grid, const Observer& observer);
 

@@ -1,4 +1,4 @@
-// From a place where wheel and rail touch to its contact problem and the solution.
+// The contact problem and the solution of a contact patch.
 #pragma once
 
 #include "contactd/contact.hpp"
@@ -8,24 +8,25 @@
 
 namespace contactd {
 
-/// Returns the motion of a patch with these creepages and elements dx long; a wheel without a velocity is in a shift
-/// that brings nothing.
+/// Returns the motion of a patch with these creepages and elements of length dx. A wheel without a velocity gets a
+/// shift of zero.
 Motion motion_of(const Creepages& creepages, double dx, const WheelRailSetup& setup, const WheelRailState& state);
 
-/// Returns the contact problem of a candidate patch, without what a step that is not steady goes on from.
+/// Returns the contact problem of a candidate patch, without the initial state of a transient step.
 ContactProblem problem_of(const WheelRailSetup& setup, const WheelRailState& state,
                           const geometry::CandidatePatch& found, const geometry::RailSurface& rail);
 
-/// Returns the regions of overlap with what lies around them, on the grid of a right wheel's patch, without those that
-/// have no element; absent where fewer than two overlap or none has an element.
+/// Returns the extended regions of overlap on the grid of a right wheel's patch, without regions that have no element;
+/// none if fewer than two overlap or none has an element.
 std::optional<ContactRegions> contact_regions(const ContactPlace& place, const PatchRules& rules);
 
-/// Solves it, on the strips of its patch; regions of it with a weighted interaction are those of a ContactProblem.
+/// Solves the problem on the strips of its patch. Its regions with a weighted interaction are those of a
+/// ContactProblem.
 ContactSolution solve_patch(ContactProblem problem, const ContactPlace& place, const PatchStrips& strips,
                             const PatchRules& rules, const InfluenceSource& influences, Observer& observer);
 
-/// Adds what the set-up asks of fatigue, of the solution of a patch that stays. Stresses take as long as a solve, and
-/// more, so that searches for a height leave them out.
+/// Adds the requested fatigue results to the final solution of a patch. Stresses take at least as long as a solve, so
+/// searches for a height omit them.
 void add_fatigue(const WheelRailSetup& setup, const ContactPlace& place, ContactSolution& solution, Observer& observer);
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-// Which strips of wheel and rail, by their cross-sections, lie under the rows of a curved contact.
+// The strips of the cross-sections of wheel and rail below the rows of a curved contact.
 #pragma once
 
 #include "contactd/patch_strips.hpp"
@@ -7,9 +7,9 @@
 
 namespace contactd {
 
-/// Returns the strips of a candidate patch, of which its operators are made, by setup.conformal, which is not
-/// automatic. Strips lie at multiples of dy along a profile, and rows on the nearest ones: off by half an element at
-/// most. Throws InvalidArgument ("conformal") where a body has no strips below all rows.
+/// Returns the strips for the operators of a candidate patch, according to setup.conformal, which must not be
+/// automatic. Strips lie at multiples of dy along a profile. Rows use the nearest strips, at most half an element away.
+/// Throws InvalidArgument ("conformal") if a body has no strips below some of the rows.
 PatchStrips strips_of(const WheelRailSetup& setup, const geometry::Profiles& profiles,
                       const geometry::CandidatePatch& found);
 

@@ -1,4 +1,4 @@
-// The roots of a few functions that cost a solve each time.
+// The roots of a few functions whose evaluation costs a solve.
 #pragma once
 
 #include <functional>
@@ -13,13 +13,13 @@ struct EquilibriumTask {
     Values start;
     Values low, high;   ///< nowhere beyond
     Values first_step;  ///< the longest one of each unknown at first, > 0
-    /// Derivatives of the residuals by the unknowns, row by row, as they are expected.
+    /// Expected derivatives of the residuals by the unknowns, row by row.
     Values slopes;
     double tolerance = 0;  ///< of all |residuals|
     int max_evaluations = 40;
 };
 
-/// Where the functions were evaluated last.
+/// The last point of evaluation.
 struct EquilibriumFound {
     EquilibriumTask::Values at, slopes;  ///< the slopes as they were learnt
     double residual = 0;                 ///< the largest
@@ -27,8 +27,8 @@ struct EquilibriumFound {
     bool converged = false;
 };
 
-/// Broyden's method within bounds: steps by slopes that each evaluation corrects. One that does not come nearer is
-/// halved; a function that jumps, or has no root, does not converge.
+/// Broyden's method within bounds: each evaluation corrects the slopes of the next step. A step that does not reduce
+/// the residual is halved. A function with a jump, or without a root, does not converge.
 EquilibriumFound find_equilibrium(const EquilibriumTask& task);
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-// Tractions of a patch as those of the step before let expect them.
+// Estimates of the tractions of a patch from the previous step.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace contactd {
 
-/// Those of the patch that was nearest, moved with the reference by whole elements; empty where there was none of the
-/// same elements.
+/// Returns the tractions of the nearest previous patch, moved with the reference by whole elements; empty if no patch
+/// had the same elements.
 SurfaceState estimate_for(const ContactPlace& place, const std::vector<WheelRailEstimates::Patch>& before);
 
-/// Returns that of a patch of model full, of a step with this position.x.
+/// Returns the estimate from a patch of model full, of a step with this position.x.
 WheelRailEstimates::Patch estimate_of(const geometry::CandidatePatch& found, double x, const ContactSolution& solution);
 
 }  // namespace contactd

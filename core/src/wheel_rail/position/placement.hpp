@@ -1,4 +1,4 @@
-// Patches of a wheel at one height, ready to be solved there and close by.
+// Patches of a wheel at one height, prepared for solves at this height and nearby.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace contactd {
 
-/// Near the height where places and gaps were found they stay as they are, and approaches follow the height.
+/// Near the height at which places and gaps were found, these stay unchanged, and approaches follow the height.
 class Placement {
    public:
     class Patch {
@@ -22,7 +22,7 @@ class Placement {
         Patch(geometry::CandidatePatch found_, ContactProblem problem_)
             : found(std::move(found_)), problem(std::move(problem_)) {}
 
-        /// Returns a source that asks the other one once. It must not outlive the patch.
+        /// Returns a source that calls the other one once. It must not outlive the patch.
         InfluenceSource kept(const InfluenceSource& source) const;
 
         geometry::CandidatePatch found;
@@ -32,8 +32,8 @@ class Placement {
         mutable std::optional<ContactInfluence> influence_{};
     };
 
-    /// The tolerance is by how much of the approach gaps may change near `z` (mm) without being taken anew; so that
-    /// largest values keep to an accuracy where one is asked for, what the elements lie about may not move far, either.
+    /// The tolerance is the change of gaps near `z` (mm), relative to the approach, up to which they are reused. If an
+    /// accuracy of largest values is requested, the position of the elements may not change much, either.
     Placement(double z, double tolerance, std::optional<double> accuracy) : z_(z), tolerance_(tolerance) {
         constexpr double per_accuracy = 0.1;  // mm
         if (accuracy) reach_ = std::min(reach_, per_accuracy * *accuracy);
@@ -41,11 +41,11 @@ class Placement {
 
     void add(geometry::CandidatePatch found, ContactProblem problem);
 
-    /// Tells if patches are at this height as they were found.
+    /// Returns whether the patches found can be used at this height.
     bool holds_at(double z) const { return std::abs(z - z_) <= reach_; }
-    /// Tells if there is one patch of one region only, whose approach tells the height.
+    /// Returns whether there is a single patch of a single region, whose approach determines the height.
     bool is_single() const { return patches.size() == 1 && patches.front().found.place.regions.size() == 1; }
-    /// Returns how far gaps may be off at this height, over the approach, in parts of the tolerance.
+    /// Returns the error of gaps at this height, relative to the approach, in units of the tolerance.
     double change_at(double z) const { return z == z_ ? 0 : std::abs(z - z_) / reach_; }
     double approach_at(double z, const Patch& patch) const;
     /// Returns the height at which the patch has this approach.

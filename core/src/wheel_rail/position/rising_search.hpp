@@ -1,4 +1,4 @@
-// The root of a function that rises, and costs much.
+// The root of an increasing, expensive function.
 #pragma once
 
 #include <functional>
@@ -14,14 +14,14 @@ struct RisingTask {
     int max_evaluations = 40;
 };
 
-/// Where the function was evaluated last.
+/// The last point of evaluation.
 struct RisingFound {
     double at = 0, value = 0;
     int evaluations = 0;
     bool converged = false;
 };
 
-/// Secants between bounds that close in; a jump over zero does not converge.
+/// Secant method between shrinking bounds; a jump across zero does not converge.
 RisingFound find_rising(const RisingTask& task);
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-// Tractions that a step which is not steady goes on from.
+// Tractions from which a transient step starts.
 #pragma once
 
 #include <optional>
@@ -11,28 +11,29 @@
 
 namespace contactd {
 
-/// Tractions of the patches before on the elements of those that are now, which move, grow, merge and split: each
-/// element's go to the patch that is nearest. None is lost but what lies farther from it than that is large.
+/// Maps the tractions of previous patches to the elements of current ones, which move, grow, merge and split. The
+/// tractions of each element go to the nearest patch. They are lost only if their distance exceeds the size of that
+/// patch.
 class TractionHistory {
    public:
-    /// The elements of the patches are those that they touch by, before they are widened. By the motion of the state
-    /// elements move with the wheelset, or are fixed to the rail.
+    /// The elements of the patches are those in contact, before patches are widened. Depending on the motion of the
+    /// state, elements move with the wheelset or are fixed to the rail.
     TractionHistory(const std::vector<WheelRailEstimates::Patch>& before,
                     const std::vector<geometry::CandidatePatch>& now, const WheelRailState& state,
                     PatchHistory parts = PatchHistory::own);
 
-    /// Tells whether a patch has tractions that others have, too: those of a patch that split, wanted whole.
+    /// Returns whether a patch shares tractions with others, because a previous patch was split.
     bool shares(std::size_t patch) const { return patches_[patch].shares; }
-    /// Returns the grid of a patch with the elements that its tractions lie on.
+    /// Returns the grid of a patch, extended to the elements of its tractions.
     Grid widened(std::size_t patch) const;
-    /// On the elements of the problem of a patch; empty where there are none. What particles carry beside tractions is
-    /// there if its friction asks for that.
+    /// Returns the tractions on the elements of a patch's problem, or none. Includes other state of particles if the
+    /// friction law requires it.
     SurfaceState on(std::size_t patch, const ContactProblem& problem) const;
-    /// How large a force (N) is left behind, on elements too far away.
+    /// Returns the force (N) lost on elements that are too far away.
     double force_left_behind() const { return left_behind_; }
 
    private:
-    /// Elements on the rail are counted by multiples of their sizes.
+    /// Positions of elements on the rail are multiples of their sizes.
     struct Elements {
         long long x = 0, y = 0;
         int nx = 0, ny = 0;
