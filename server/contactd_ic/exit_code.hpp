@@ -1,4 +1,4 @@
-// Exit statuses of contactd-ic; 128 + n when signal n ended it.
+// Exit statuses of contactd-ic; 128 + n if signal n ended it.
 #pragma once
 
 namespace contactd::ic {

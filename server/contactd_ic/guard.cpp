@@ -29,7 +29,7 @@ sigset_t ending_signals() {
     return set;
 }
 
-/// Takes what is there; true when it was the end.
+/// Reads the available input. Returns true at its end.
 bool input_has_ended(short events) {
     if (events & POLLNVAL) return true;
     std::array<char, 256> ignored;
@@ -77,7 +77,7 @@ void Guard::beat(int rank, int processes, ProgressLines& progress) {
     ::eventfd_write(wake_, 1);
 }
 
-/// Says that the program lives when it is time to; returns the time until the next word, -1 when there will be none.
+/// Writes a heartbeat when it is due. Returns the time until the next one, or -1 if there will be none.
 int Guard::milliseconds_to_beat() {
     if (rank_ < 0) return -1;
     const auto now = std::chrono::steady_clock::now();
@@ -97,12 +97,12 @@ bool Guard::lives() {
     const auto time = std::chrono::seconds(used.tv_sec) + std::chrono::nanoseconds(used.tv_nsec);
     const bool works = time - processor_time_ > least_work;
     processor_time_ = time;
-    // The others report nothing, and wait for the first process, or it for them.
+    // The other processes report nothing; they wait for the first process, or it waits for them.
     const bool stuck = rank_ == 0 && progress_.load()->is_stuck();
     return (works || processes_ > 1) && !stuck;
 }
 
-/// Looks, and returns the time until the next look, -1 when there will be none.
+/// Checks the memory. Returns the time until the next check, or -1 if there will be none.
 int Guard::milliseconds_to_look_at_memory() {
     constexpr int interval = 20;  // a build fills some ten megabytes meanwhile
     const std::uint64_t most = most_memory_;
@@ -122,7 +122,7 @@ void Guard::stand_down() {
 
 void Guard::watch() {
     while (!standing_down_) {
-        // A negative descriptor is passed over by poll.
+        // poll ignores a negative descriptor.
         std::array<pollfd, 3> watched{
             {{wake_, POLLIN, 0}, {signals_, POLLIN, 0}, {watching_input_ ? STDIN_FILENO : -1, POLLIN, 0}}};
         const int to_beat = milliseconds_to_beat(), to_look = milliseconds_to_look_at_memory();
@@ -148,7 +148,7 @@ void Guard::watch() {
 }
 
 void Guard::end(int exit_code, const std::string& why, const std::string& kind) {
-    // A file that is being written is finished, one that is not is not begun: the lock goes only with the process.
+    // Lets a file in progress be finished, and prevents a new one: the lock is released only with the process.
     const std::unique_lock<std::timed_mutex> file(writing_, longest_wait);
     if (standing_down_) return;
     ::signal(SIGPIPE, SIG_IGN);

@@ -1,6 +1,6 @@
-// Ends the program at once, whatever MFEM and hypre are doing, on a signal (SIGTERM, SIGINT, SIGHUP), when it
-// uses more memory than it may, or when nobody is left who waits for it (end of standard input, --exit-with-stdin).
-// Under mpirun the others follow, because a process that leaves without MPI_Finalize takes all with it.
+// Ends the program immediately, even inside MFEM and hypre: on a signal (SIGTERM, SIGINT, SIGHUP), if it exceeds its
+// memory limit, or if no program waits for it any more (end of standard input, --exit-with-stdin). Under mpirun the
+// other processes end as well, because a process that exits without MPI_Finalize terminates all.
 #pragma once
 
 #include <sys/types.h>
@@ -18,30 +18,32 @@
 
 namespace contactd::ic {
 
-/// Holds the signals back in this thread and all that it starts, so that only the guard sees them. To be called before
-/// MPI starts threads of its own.
+/// Blocks the signals in this thread and all threads that it starts, so that only the guard receives them. Must be
+/// called before MPI starts threads.
 void hold_signals_back();
 
 class Guard {
    public:
-    /// With `silent` the guard ends the program without a word: among several processes the first words are those of
-    /// the one that failed, and the launcher's signals to the others must not cover them.
+    /// With `silent` the guard ends the program without a message. Among several processes the first message must be
+    /// that of the one that failed, not those of processes that the launcher signals.
     Guard(Lines& lines, bool silent);
     ~Guard();
     Guard(const Guard&) = delete;
     Guard& operator=(const Guard&) = delete;
 
-    /// From now on the end of standard input ends the program.
+    /// Lets the end of standard input end the program from now on.
     void watch_standard_input();
-    /// From now on nothing ends the program: the result is there and reported.
+    /// Stops watching, because the result is available and reported.
     void stand_down();
-    /// From now on says {"heartbeat": rank, "processes"} four times a second, and how far a long step should be.
-    /// A program of one process says nothing when it used no processor time meanwhile: one that waits for something is
-    /// stuck. So is one whose step used far more than was expected of it: it spins. `progress` must outlive the guard.
+    /// Writes {"heartbeat": rank, "processes"} four times a second from now on, and the estimated progress of a long
+    /// step. A program of one process writes nothing if it used no processor time, because it is then stuck. Neither
+    /// does one whose step used far more time than expected, because it hangs in a loop. `progress` must outlive the
+    /// guard.
     void beat(int rank, int processes, ProgressLines& progress);
-    /// From now on the program ends when `processes` use more memory than `bytes` together.
+    /// Ends the program from now on if `processes` together use more memory than `bytes`.
     void watch_memory(std::vector<pid_t> processes, std::uint64_t bytes);
-    /// Held while the result is written: the guard waits for it a while, so that no temporary file stays behind.
+    /// Returns a lock to hold while the result is written. The guard waits for it for a while, so that no temporary
+    /// file is left behind.
     std::timed_mutex& writing() { return writing_; }
 
    private:
@@ -49,7 +51,7 @@ class Guard {
     int milliseconds_to_beat();
     int milliseconds_to_look_at_memory();
     bool lives();
-    /// Returns only when standing down.
+    /// Returns only after stand_down().
     void end(int exit_code, const std::string& why, const std::string& kind = "");
 
     Lines& lines_;

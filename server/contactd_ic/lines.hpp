@@ -1,4 +1,4 @@
-// Output of contactd-ic: one JSON object a line on standard output, flushed.
+// Output of contactd-ic: one JSON object per line on standard output, flushed.
 #pragma once
 
 #include <mutex>
@@ -9,7 +9,7 @@
 
 namespace contactd::ic {
 
-/// Why a run fails.
+/// The reason of a failed run.
 struct Complaint {
     std::string field;      ///< of the specification; empty when it is none
     std::string message;    ///< a whole sentence
@@ -17,17 +17,17 @@ struct Complaint {
     std::string problem{};  ///< of an invalid argument: the message without the field
 };
 
-/// {"error": {"field", "message", "kind", "problem"}}; what is empty is left out, but for field and message.
+/// {"error": {"field", "message", "kind", "problem"}}; empty members are omitted, except for field and message.
 nlohmann::json error_line(const Complaint& complaint);
 
 class Lines {
    public:
     void write(const nlohmann::json& line);
-    /// The last word of a failing run: an error_line, and the sentence on standard error.
+    /// Writes the last message of a failing run: an error_line, and the sentence on standard error.
     void write_error(const Complaint& complaint);
-    /// A table that could not be written: {"table_bytes": n, "problem"}, and then n bytes.
+    /// Writes a table whose file could not be written: {"table_bytes": n, "problem"}, and then n bytes.
     void write_table(const std::vector<unsigned char>& bytes, const std::string& problem);
-    /// A line from another thread, left out when a reader that does not read would make it wait.
+    /// Writes a line from another thread, or drops it if it would have to wait for the reader.
     void write_unless_stuck(const nlohmann::json& line);
 
    private:

@@ -59,7 +59,7 @@ struct Context {
     std::uint64_t max_memory;  ///< of all processes on this machine together
 };
 
-/// `work` on the first process; its text, or its InvalidArgument or StoreError, on all of them.
+/// Runs `work` on the first process. Returns its text, or throws its InvalidArgument or StoreError, on all processes.
 std::string on_first(const fem::Runtime& runtime, const std::function<std::string()>& work) {
     std::string outcome, field;
     char kind = '=';
@@ -86,8 +86,8 @@ std::string on_first(const fem::Runtime& runtime, const std::function<std::strin
 
 constexpr std::size_t most_spec_bytes = 16 << 20;
 
-/// The first line, or everything, up to what no spec has. Unbuffered, because the guard goes on reading where this
-/// ends.
+/// Reads the first line, or everything, up to the largest size of a spec. Unbuffered, because the guard continues to
+/// read from there.
 std::string read_standard_input(bool first_line_only) {
     std::string text;
     char c;
@@ -98,7 +98,7 @@ std::string read_standard_input(bool first_line_only) {
     return text;
 }
 
-/// A device may never end.
+/// Reads regular files only, because a device may never end.
 std::string read_spec(const Options& options) {
     if (options.spec == "-") return read_standard_input(options.exit_with_stdin);
     std::ifstream file(options.spec);
@@ -169,7 +169,7 @@ void run(const Context& context) {
         context.guard.beat(context.runtime.rank(), context.runtime.processes(), context.progress);
     const std::string text = on_first(context.runtime, [&] {
         std::string read = read_spec(options);
-        // Under mpirun standard input belongs to the first process; the others follow its end.
+        // Under mpirun standard input belongs to the first process; the others end with it.
         if (options.exit_with_stdin) context.guard.watch_standard_input();
         return read;
     });
@@ -282,7 +282,7 @@ int main(int argc, char** argv) {
     const std::uint64_t max_memory = options.max_memory > 0 ? options.max_memory : ic::usable_memory();
     ic::ProgressLines progress(lines);
     ic::Guard guard(lines, runtime.processes() > 1);
-    // One process watches for all on its machine.
+    // One process checks the memory of all processes on its machine.
     if (here.front() == ::getpid()) guard.watch_memory({here.begin(), here.end()}, max_memory);
     return ic::guarded_run({options, runtime, lines, progress, guard, max_memory});
 }

@@ -11,7 +11,7 @@
 namespace contactd::ic {
 namespace {
 
-/// The least memory limit of the control group at `path` (as in /proc/self/cgroup) and of all that hold it.
+/// Returns the lowest memory limit of the control group at `path` (as in /proc/self/cgroup) and of its ancestors.
 std::uint64_t group_limit(const std::string& path, std::uint64_t most) {
     const std::filesystem::path root = "/sys/fs/cgroup";
     for (std::filesystem::path group = root / std::filesystem::path(path).relative_path();;

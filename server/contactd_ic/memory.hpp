@@ -1,4 +1,4 @@
-// Memory that a build takes, and memory that the machine has.
+// The memory used by a build, and the memory of the machine.
 #pragma once
 
 #include <sys/types.h>
@@ -8,16 +8,17 @@
 
 namespace contactd::ic {
 
-/// Resident bytes of these processes together, libraries counted in each. One that has ended counts nothing.
+/// Returns the total resident bytes of these processes, counting libraries in each. Processes that have ended count as
+/// zero.
 std::uint64_t resident_bytes(const std::vector<pid_t>& processes);
 
-/// The memory (bytes) of this machine, or what the control groups of this process (version 2) allow of it.
+/// Returns the memory (bytes) of this machine, or the limit of this process's control groups (version 2).
 std::uint64_t machine_memory();
 
-/// The share of memory that a build may use by default: the rest is for the daemon, the kernel and other programs.
+/// Returns the default share of memory for a build; the rest is for the daemon, the kernel and other programs.
 inline constexpr double usable_share = 0.8;
 
-/// Has the kernel end this process, before any other, when memory runs out (oom_score_adj).
+/// Lets the kernel end this process before any other if memory runs out (oom_score_adj).
 void volunteer_for_the_kernel();
 
 }  // namespace contactd::ic

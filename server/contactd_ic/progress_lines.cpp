@@ -11,12 +11,12 @@ namespace {
 
 constexpr auto shortest_interval = std::chrono::milliseconds(50);
 
-/// No step is given up before it has used so much processor time (s) and so many times what was expected of it: on the
-/// slowest of machines expectations may be ten times too short. What leaves the processor to others between two vain
-/// attempts, as OpenBLAS does when it gets no memory, is given up after so many times as long.
+/// A step is given up only after this processor time (s) and this multiple of its expected time, because expectations
+/// may be ten times too short on the slowest machines. A step that yields the processor between failing attempts, as
+/// OpenBLAS does if it gets no memory, is given up after this multiple of the wall-clock time.
 constexpr double least_timeout = 10, timeout_factor = 20, idle_factor = 10;
 
-/// A step that takes longer than expected comes so near to its end and no nearer.
+/// The largest reported fraction of a step that takes longer than expected.
 constexpr double nearly = 0.95;
 
 double processor_seconds() {
@@ -25,7 +25,7 @@ double processor_seconds() {
     return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
-/// The rest at the pace so far, once there is one.
+/// Returns the remaining time at the pace so far, if known.
 std::optional<double> left_at_pace(double elapsed, double fraction) {
     constexpr double least_seconds = 2, least_fraction = 0.05;
     if (elapsed < least_seconds || fraction < least_fraction) return std::nullopt;

@@ -1,4 +1,4 @@
-// How far a build is, as lines, and whether it gets on.
+// Writes the progress of a build as lines, and detects a build that hangs.
 #pragma once
 
 #include <chrono>
@@ -11,20 +11,20 @@
 
 namespace contactd::ic {
 
-/// {"stage", "fraction", "iteration", "residual", "seconds_left", "memory_bytes"}: every change of stage, else no more
-/// than twenty a second. Thread-safe.
+/// {"stage", "fraction", "iteration", "residual", "seconds_left", "memory_bytes"}: each change of stage, otherwise at
+/// most twenty lines per second. Thread-safe.
 class ProgressLines : public Observer {
    public:
     explicit ProgressLines(Lines& lines);
     void on_progress(const Progress& progress) override;
-    /// Sets the memory that the whole build is expected to take (bytes), if that is known; each line has it. To be
-    /// called before any progress.
+    /// Sets the expected memory of the whole build (bytes) for all lines, if it is known. Must be called before any
+    /// progress.
     void expect_memory(std::optional<double> bytes) { memory_bytes_ = bytes; }
 
-    /// To be called several times a second by another thread: says how far a long step should be by now, by the time it
-    /// was expected to take.
+    /// Must be called several times a second by another thread. Writes the estimated progress of a long step, from its
+    /// expected time.
     void tick();
-    /// Whether the step at hand takes so long, many times what was expected of it, that it will never end.
+    /// Returns whether the current step has exceeded its expected time so much that it will not end.
     bool is_stuck() const;
 
    private:

@@ -22,13 +22,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The subject of a check and the problem that was found; an empty problem means that all is well.
+/// The subject of a check, and its problem, empty if there is none.
 struct Finding {
     std::string subject;
     std::string problem;
 };
 
-/// Why no file can be made in the folder, which may be missing when it can be made.
+/// Returns the reason why no file can be created in the folder, which may be missing if it can be created.
 std::string folder_problem(const std::string& field, fs::path folder) {
     std::error_code error;
     folder = fs::absolute(folder.empty() ? "." : folder, error);
@@ -50,7 +50,7 @@ std::string ipc_problem(const std::string& endpoint) {
     return folder_problem("endpoint", folder);
 }
 
-/// By listening there for a moment.
+/// Checks an address by listening there for a moment.
 std::string tcp_problem(const std::string& endpoint) {
     try {
         zmq::context_t context;
@@ -117,7 +117,7 @@ Finding log_finding(const Config& config) {
     return {"log.file " + file.string(), problem};
 }
 
-/// By listening there for a moment.
+/// Checks an address by listening there for a moment.
 Finding http_finding(const Config& config) {
     const std::string subject = "http.address " + config.http.address;
     try {

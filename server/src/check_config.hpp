@@ -7,8 +7,8 @@
 
 namespace contactd::server {
 
-/// Writes a line for each thing that was looked at: "ok: ..." to `good`, a sentence to `bad` where something is wrong.
-/// Returns the number of problems. Starts nothing, listens nowhere, and leaves no file behind.
+/// Writes a line for each check: "ok: ..." to `good`, or a sentence with the problem to `bad`. Returns the number of
+/// problems. Starts no service and leaves no files behind.
 int check_config(const Config& config, std::ostream& good, std::ostream& bad);
 
 }  // namespace contactd::server

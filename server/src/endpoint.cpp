@@ -77,7 +77,7 @@ void Endpoint::run(int signal_fd, const Notifier& notifier, const std::function<
     stop();
 }
 
-/// Waits for something to do. True when a signal has come.
+/// Waits for events. Returns true if a signal has arrived.
 bool Endpoint::wait(int signal_fd, const Notifier& notifier) {
     const auto next = std::min({parts_.open_calls.next_deadline(), parts_.sessions.next_expiry(),
                                 connections_.next_look(), memory_.next_look(), unused_, end_});
@@ -129,7 +129,7 @@ void Endpoint::end_overdue() {
     if (!overdue.empty()) parts_.drop_abandoned();
 }
 
-/// Ends the requests of clients that have gone: nobody would hear the answers.
+/// Ends the requests of disconnected clients.
 void Endpoint::end_gone() {
     const std::vector<std::string> clients = connections_.take_gone();
     for (const std::string& client : clients) {
@@ -147,7 +147,7 @@ void Endpoint::end_gone() {
     if (!clients.empty()) parts_.drop_abandoned();
 }
 
-/// Ends the requests of users who are not allowed any more.
+/// Ends the requests of users who are no longer allowed.
 void Endpoint::end_revoked() {
     for (const auto& [route, call] : parts_.open_calls.all())
         if (call && !access_.knows(route.user)) call->fail(key_revoked());

@@ -1,4 +1,4 @@
-// The I/O thread: it waits for messages, answers and signals, and does what each of them asks for.
+// The I/O thread: it waits for messages, answers and signals, and handles them.
 #pragma once
 
 #include <functional>
@@ -17,18 +17,18 @@
 
 namespace contactd::server {
 
-/// Belongs to the thread that makes it, as its socket does.
+/// Belongs to the thread that creates it, like its socket.
 class Endpoint {
    public:
-    /// Binds. Throws Error when the address cannot be used.
+    /// Binds the socket. Throws Error if the address cannot be used.
     Endpoint(const Config& config, Service& service);
 
-    /// The address that clients connect to, with the port that was taken.
+    /// Returns the address that clients connect to, with the actual port.
     std::string address() const { return socket_.address(); }
 
-    /// Serves until SIGTERM or SIGINT arrives at `signal_fd` (a signalfd). Then new requests are refused, those
-    /// accepted have their time to be finished (shutdown.drain_seconds, or until the next such signal), and what is
-    /// left is answered with STOPPING and ended. SIGHUP reads the allowed keys again, and calls `reload`.
+    /// Serves until SIGTERM or SIGINT arrives at `signal_fd` (a signalfd). Then new requests are refused, and accepted
+    /// ones may finish for shutdown.drain_seconds, or until the next such signal. The remaining ones are answered with
+    /// STOPPING and ended. SIGHUP reads the allowed keys again, and calls `reload`.
     void run(int signal_fd, const Notifier& notifier, const std::function<void()>& reload);
 
    private:

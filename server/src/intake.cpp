@@ -45,7 +45,7 @@ void Intake::take(Message message) {
     }
 }
 
-/// False, and answered, when the sender may not ask for anything, or not now. The id of the request is looked for in
+/// Returns false, after an answer, if the sender may not send requests, or not now. Finds the id of the request in
 /// `envelope`.
 bool Intake::admit(const Route& route, std::string_view envelope, Clock::time_point received) {
     const bool revoked = route.user.empty();
@@ -55,7 +55,7 @@ bool Intake::admit(const Route& route, std::string_view envelope, Clock::time_po
     try {
         if (!envelope.empty()) proto::parse_request(envelope, {}, config_.limits, id);
     } catch (const std::exception&) {
-        // Only the id was needed, where there was one.
+        // Only the id was needed, if there was one.
     }
     socket_.post(refusal(route, id, revoked ? key_revoked() : rate_limit_.refusal(wait)));
     return false;
@@ -80,7 +80,7 @@ void Intake::open(const Route& route, proto::Request request, Clock::time_point 
                                  [&socket = socket_](Answer answer) { socket.post(std::move(answer)); });
     if (!call) return;  // answered while it was read
     if (call->request.method == "request.cancel" && open_calls_.has_unread(route.identity)) {
-        // Perhaps it is the unread one that is meant: not before that has been read.
+        // The unread request may be the one to cancel, so wait until it has been read.
         return reader_.post(ticket_of(route), [this, call] { service_.handle(call); });
     }
     const bool has_deadline = call->request.timeout_ms > 0;

@@ -1,4 +1,4 @@
-// From messages to calls: who may ask, what they ask for, and who else waits.
+// From messages to calls: access, parsing, and limits on open requests.
 #pragma once
 
 #include <string>
@@ -14,15 +14,15 @@
 
 namespace contactd::server {
 
-/// Small envelopes are read by the I/O thread, large ones by a thread of its own: others would wait for the one, and
-/// not in a worker, which may be long in coming while the deadline is not known yet.
+/// The I/O thread reads small envelopes, and a separate thread large ones. In the I/O thread, other messages would wait
+/// for them. A worker might not become free in time, while the deadline is still unknown.
 class Intake {
    public:
     Intake(const Config& config, Service& service, AnsweringSocket& socket);
 
-    /// Answers the message, or hands its call to the service. Of the I/O thread.
+    /// Answers the message, or passes its call to the service. Call it in the I/O thread only.
     void take(Message message);
-    /// Ends the own thread; what it had not read is dropped. Messages can be taken afterwards.
+    /// Ends the separate thread and drops unread envelopes. Further messages can be handled afterwards.
     void stop();
     WorkerPool& reader() { return reader_; }
 

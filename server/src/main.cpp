@@ -1,10 +1,9 @@
 // contactd: serves influence coefficients and contact solves.
 //
 //   contactd --config configs/contactd.json
-//
-// Prints one JSON line with the endpoint when it listens, logs to standard error, ends in order on SIGTERM and SIGINT,
-// opens its log file and reads the allowed keys again on SIGHUP. Exit status: 0; 2 for a command line or a
-// configuration that cannot be used; 1 for anything else.
+// Prints one JSON line with the endpoint when it listens, logs to standard error, shuts down on SIGTERM and SIGINT, and
+// reopens its log file and reads the allowed keys again on SIGHUP. Exit status: 0; 2 for an invalid command line or
+// configuration; 1 otherwise.
 #include <spdlog/spdlog.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
@@ -36,8 +35,8 @@ using namespace contactd::server;
 
 constexpr int status_unusable = 2;  // command line or configuration
 
-/// Blocks SIGTERM, SIGINT and SIGHUP for this thread and those it starts, and gives the descriptor they arrive at
-/// instead.
+/// Blocks SIGTERM, SIGINT and SIGHUP for this thread and the threads it starts. Returns the descriptor that receives
+/// them instead.
 int signal_descriptor() {
     sigset_t signals;
     sigemptyset(&signals);

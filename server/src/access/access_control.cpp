@@ -17,10 +17,11 @@ constexpr const char* zap_domain = "contactd";
 constexpr int accept_backlog = 1024;
 constexpr int keepalive_idle_seconds = 120;
 
-/// Frames of a ZAP request; credentials follow where the mechanism has some.
+/// Frames of a ZAP request; credentials follow if the mechanism has them.
 enum Frame : std::size_t { version, request, domain, address, identity, mechanism, credentials };
 
-/// The user of a client without a key, from what ZeroMQ knows: the IP address or, over ipc, "localhost:UID:GID:PID".
+/// Returns the user of a client without a key, from ZeroMQ's data: the IP address or, over ipc,
+/// "localhost:UID:GID:PID".
 std::string user_at(std::string_view address) {
     constexpr std::string_view ipc = "localhost:";
     if (!address.starts_with(ipc)) return address.empty() ? "unknown" : std::string(address);
@@ -55,12 +56,12 @@ AccessControl::AccessControl(const Config& config, zmq::context_t& context)
 }
 
 void AccessControl::protect(zmq::socket_t& socket) const {
-    // With a domain ZeroMQ asks for connections without CURVE too, and takes no clients so old that they cannot be
-    // asked about, which is what it would otherwise make of a stranger's bytes.
+    // With a domain, ZeroMQ also asks about connections without CURVE, and rejects clients too old for such a question.
+    // Otherwise it would take arbitrary bytes for such a client.
     socket.set(zmq::sockopt::zap_domain, zap_domain);
     socket.set(zmq::sockopt::handshake_ivl, 1000 * config_.security.handshake_seconds);
     socket.set(zmq::sockopt::backlog, accept_backlog);
-    // Notices machines that went away without a word, whose connections would else be kept for ever.
+    // Detects machines that disappeared silently, whose connections would otherwise be kept for ever.
     socket.set(zmq::sockopt::tcp_keepalive, 1);
     socket.set(zmq::sockopt::tcp_keepalive_idle, keepalive_idle_seconds);
     if (config_.endpoint.starts_with("tcp://[")) socket.set(zmq::sockopt::ipv6, true);
@@ -87,7 +88,7 @@ std::string AccessControl::admitted(const std::vector<zmq::message_t>& question)
     if (question.size() <= mechanism) return {};
     const std::string from = question[address].to_string();
     if (!encrypted()) return question[mechanism].to_string_view() == "NULL" ? user_at(from) : "";
-    // ZeroMQ itself refuses clients that do not speak CURVE; this holds should it ever ask about one.
+    // ZeroMQ itself rejects clients without CURVE; this is a safeguard.
     const bool is_curve = question[mechanism].to_string_view() == "CURVE" && question.size() > credentials;
     const std::string key = is_curve ? z85_of(question[credentials]) : "";
     const std::string user = allowed_.user_of(key);
@@ -100,7 +101,7 @@ std::string AccessControl::admitted(const std::vector<zmq::message_t>& question)
 }
 
 std::string AccessControl::user_of(const zmq::message_t& part) const {
-    // The C function, since the C++ one throws where there is no such property.
+    // Uses the C function, because the C++ one throws if the property does not exist.
     const char* id = zmq_msg_gets(part.handle(), "User-Id");
     if (!id) return {};
     return encrypted() ? allowed_.user_of(id) : id;

@@ -14,38 +14,36 @@ namespace contactd::server {
 /// The answer to a user whose key has been revoked.
 proto::Status key_revoked();
 
-/// Answers ZeroMQ's question, by its authentication protocol (ZAP, RFC 27), whether a connection may be made: with
-/// CURVE only to holders of allowed keys, otherwise to everybody. Belongs to the I/O thread.
-///
-/// Every message carries the answer with it, as the property User-Id: the public key with CURVE, else where the client
-/// is. Names are looked up for each message, since a key may have been revoked after its connection was made.
+/// Decides on connections by ZeroMQ's authentication protocol (ZAP, RFC 27): with CURVE only holders of allowed keys
+/// may connect, otherwise all clients. Belongs to the I/O thread. Every message has the decision in its property
+/// User-Id: the public key with CURVE, otherwise the location of the client. Names are looked up for each message,
+/// because a key may have been revoked after its connection was made.
 class AccessControl {
    public:
-    /// Reads the keys and takes ZAP's address in `context`. Throws Error when a key cannot be used.
+    /// Reads the keys and binds ZAP's address in `context`. Throws Error if a key cannot be used.
     AccessControl(const Config& config, zmq::context_t& context);
 
-    /// Sets what a socket needs before it is bound.
+    /// Sets the options of a socket before it is bound.
     void protect(zmq::socket_t& socket) const;
 
-    /// Readable when there are questions; answer_all answers them.
+    /// Returns the socket that is readable if there are requests; answer_all answers them.
     void* handle() { return socket_.handle(); }
     void answer_all();
 
-    /// The user who sent a message: the name of the key; without CURVE, the client's address or uid:NUMBER over ipc.
-    /// Empty when the key is not allowed any more.
+    /// Returns the user who sent a message: the name of the key; without CURVE, the client's address or uid:NUMBER over
+    /// ipc. Empty if the key is no longer allowed.
     std::string user_of(const zmq::message_t& part) const;
 
-    /// False for a user of user_of whose key has been revoked since.
+    /// Returns false for a user of user_of whose key has since been revoked.
     bool knows(const std::string& user) const { return !encrypted() || allowed_.has_user(user); }
 
-    /// Reads the folder of allowed keys again; the log says what is wrong with it. A folder that cannot be read changes
-    /// nothing.
+    /// Reads the folder of allowed keys again and logs its problems. If it cannot be read, nothing changes.
     void reload();
 
    private:
     bool encrypted() const { return !config_.security.curve.secret_key_file.empty(); }
     void read_allowed();
-    /// The User-Id of a connection that may be made, empty for one that may not.
+    /// Returns the User-Id of an accepted connection, or an empty text.
     std::string admitted(const std::vector<zmq::message_t>& question) const;
 
     const Config& config_;

@@ -22,7 +22,7 @@ constexpr std::size_t longest_name = 64;
 constexpr std::size_t z85_size = 41;  // 40 characters and a zero
 constexpr std::size_t raw_size = 32;
 
-/// Names go into logs and paths, so they are plain.
+/// Names occur in logs and paths, so only plain characters are allowed.
 bool is_name(const std::string& name) {
     const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '.' || c == '_' || c == '-' || c == '@'; };
     return !name.empty() && name.size() <= longest_name && name[0] != '.' &&

@@ -1,4 +1,4 @@
-// How many requests a user may send: a token bucket for each.
+// Limits the requests of each user by a token bucket.
 #pragma once
 
 #include <chrono>
@@ -9,20 +9,20 @@
 
 namespace contactd::server {
 
-/// Belongs to one thread. Users who have not asked for long enough to have a full bucket again are forgotten.
+/// Belongs to one thread. Users whose bucket is full again are removed.
 class RateLimit {
    public:
     using Clock = std::chrono::steady_clock;
 
-    /// `per_second` tokens come back each second, up to `burst`. 0: no limit.
+    /// Adds `per_second` tokens each second, up to `burst`. 0: no limit.
     RateLimit(double per_second, int burst) : per_second_(per_second), burst_(burst) {}
 
-    /// Takes a token. Zero when there was one, else the time until there is.
+    /// Takes a token. Returns zero if there was one, otherwise the time until there is one.
     std::chrono::milliseconds take(const std::string& user, Clock::time_point now);
 
-    /// The answer to a client that has to wait.
+    /// Returns the answer to a client that has to wait.
     proto::Status refusal(std::chrono::milliseconds wait) const;
-    /// Users who are remembered.
+    /// Returns the number of stored users.
     std::size_t users() const { return buckets_.size(); }
 
    private:

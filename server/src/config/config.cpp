@@ -24,7 +24,7 @@ const json& config_schema() {
     return schema;
 }
 
-/// `value` with the defaults that the schema states for what is missing.
+/// Returns `value` with the schema's defaults for missing members.
 json with_defaults(const json& schema, json value) {
     const auto properties = schema.find("properties");
     if (properties == schema.end()) return value;
@@ -39,7 +39,7 @@ std::filesystem::path default_store_folder() {
     throw Error("store.folder is empty, and neither XDG_CACHE_HOME nor HOME is set; give a folder.");
 }
 
-/// A listener takes addresses in numbers only: a name might stand for one that others reach.
+/// Accepts numerical addresses only, because a name might resolve to an address that others can reach.
 std::string http_problem(const json& given) {
     const json* address = &given;
     for (const char* name : {"http", "address"}) {
@@ -59,7 +59,8 @@ std::filesystem::path default_builder() {
     return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "contactd-ic";
 }
 
-/// Sentences on methods that do not exist, each after "\n  ": a misspelt name must not leave a method open.
+/// Returns sentences on methods that do not exist, each after "\n  ", because a misspelt name must not leave a method
+/// unrestricted.
 std::string method_problems(const json& given) {
     const auto at = given.find("methods");
     if (at == given.end() || !at->is_object()) return {};
@@ -142,7 +143,7 @@ Config config_from_json(const json& given) {
 
 namespace {
 
-/// A device may never end.
+/// Reads regular files only, because a device may never end.
 std::string read_configuration(const std::filesystem::path& path) {
     constexpr std::size_t most_bytes = 1 << 20;
     std::ifstream file(path);

@@ -23,7 +23,7 @@ struct SessionLimits {
     double max_lease_seconds;
 };
 
-/// Bounds of what is kept of the last solves.
+/// Bounds of the data kept of the last solves.
 struct RecentSolvesLimits {
     std::size_t count;      ///< solves; 0: none
     std::size_t max_bytes;  ///< of the pressures of all together; the oldest go first
@@ -33,11 +33,12 @@ struct RecentSolvesLimits {
 struct MethodRules {
     static constexpr const char* builds = "builds";  ///< the name that stands for having tables built, whatever asks
     std::vector<std::string> disabled;
-    /// By names of methods, or `builds`: users as AccessControl::user_of names them. What is not here everybody may.
+    /// Users, as named by AccessControl::user_of, for names of methods or `builds`. Methods not listed here are open to
+    /// all users.
     std::map<std::string, std::vector<std::string>> allowed_users;
 };
 
-/// Field by field as in configs/schema.json, where every default stands too.
+/// The fields of configs/schema.json, which also contains all defaults.
 struct Config {
     std::string endpoint;
     struct {
@@ -98,18 +99,18 @@ struct Config {
     } shutdown;
 };
 
-/// Values that a configuration may have: more than any needs.
+/// The largest number of values of a configuration.
 inline constexpr std::size_t max_config_values = 10'000;
 
-/// Throws contactd::Error with every problem found, naming field, value and what would be right. `{}` gives the
-/// defaults.
+/// Reads a configuration. Throws contactd::Error with every problem found, including field, value and valid values.
+/// `{}` results in the defaults.
 Config config_from_json(const nlohmann::json& json);
-/// `overrides` win over the file, field by field (a JSON merge patch).
+/// Reads a file. `overrides` take precedence over the file, field by field (a JSON merge patch).
 Config config_from_file(const std::filesystem::path& path, const nlohmann::json& overrides = nlohmann::json::object());
 
-/// The configuration with its defaults filled in, as config_from_json reads it.
+/// Returns the configuration with its defaults, as config_from_json reads it.
 nlohmann::json to_json(const Config& config);
-/// The configuration that users of the daemon may see: without names of files, programs, variables and addresses.
+/// Returns the part of the configuration that users may see, without names of files, programs, variables and addresses.
 nlohmann::json public_part(const Config& config);
 
 }  // namespace contactd::server

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::string_view tcp = "tcp://";
 
-/// Numerical addresses of a host, as endpoints have them; none when the name is not known.
+/// Returns the numerical addresses of a host in the form of endpoints, or none if the name is unknown.
 std::vector<std::string> addresses_of(const std::string& host) {
     addrinfo hints{};
     hints.ai_socktype = SOCK_STREAM;
@@ -47,7 +47,7 @@ bool is_local(const std::string& endpoint) {
     if (!endpoint.starts_with(tcp) || colon < tcp.size()) return false;
     const std::string host = endpoint.substr(tcp.size(), colon - tcp.size());
     if (host == "[::1]") return true;
-    // Strict: four decimal numbers, nothing that a resolver would have to make sense of.
+    // Accepts four decimal numbers only, without other notations that a resolver would interpret.
     in_addr address{};
     return ::inet_pton(AF_INET, host.c_str(), &address) == 1 && (ntohl(address.s_addr) >> 24u) == 127u;
 }
@@ -56,7 +56,7 @@ std::string with_loopback_number(const std::string& endpoint) {
     const std::size_t colon = endpoint.rfind(':');
     if (!endpoint.starts_with(tcp) || colon < tcp.size()) return endpoint;
     const std::string host = endpoint.substr(tcp.size(), colon - tcp.size());
-    // Numbers in unusual notations are nothing to ask a resolver about, and the name of an interface is none of a host.
+    // Numbers in unusual notations and names of interfaces are not names of hosts, so no resolver is asked.
     if (host.empty() || std::isalpha(static_cast<unsigned char>(host.front())) == 0 ||
         ::if_nametoindex(host.c_str()) != 0)
         return endpoint;
@@ -64,7 +64,7 @@ std::string with_loopback_number(const std::string& endpoint) {
     const auto in_endpoint = [&](const std::string& number) { return "tcp://" + number + endpoint.substr(colon); };
     const auto reaches_nobody = [&](const std::string& number) { return is_local(in_endpoint(number)); };
     if (numbers.empty() || !std::all_of(numbers.begin(), numbers.end(), reaches_nobody)) return endpoint;
-    // The first of IPv4, where clients that are given the name look first.
+    // Prefers IPv4, which clients with the name try first.
     return in_endpoint(*std::min_element(numbers.begin(), numbers.end(), [](const auto& a, const auto& b) {
         return !a.starts_with('[') && b.starts_with('[');
     }));
@@ -96,7 +96,7 @@ void check_log_file(const Config& config) {
     const auto refuse = [&](const char* field, const fs::path& path, const char* relation) {
         if (path.empty()) return;
         const fs::path taken = whole(path);
-        // Every part of `taken` stands in `file`: the same, or a folder of it.
+        // `taken` is a prefix of `file`: the same path, or a folder of it.
         if (std::mismatch(taken.begin(), taken.end(), file.begin(), file.end()).first != taken.end()) return;
         throw Error("log.file is " + config.log.file.string() + ", which " + relation + " " + field + ", " +
                     path.string() + "; choose a file elsewhere.");

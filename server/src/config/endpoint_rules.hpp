@@ -1,5 +1,4 @@
-// Rules of endpoints: what only this machine can reach needs no keys, everything else does; and where the daemon may
-// write its log.
+// Rules of endpoints: addresses that only this machine can reach need no keys, all others do. Rules of the log file.
 #pragma once
 
 #include <string>
@@ -8,19 +7,19 @@
 
 namespace contactd::server {
 
-/// True for ipc and for numeric loopback addresses (127.0.0.0/8, [::1]). Names, interfaces and wildcards could be
-/// anything, so they are not.
+/// Returns true for ipc and for numeric loopback addresses (127.0.0.0/8, [::1]), and false for names, interfaces and
+/// wildcards, which may be any address.
 bool is_local(const std::string& endpoint);
 
-/// A tcp endpoint whose host is a name, such as localhost, of which every address is a loopback: with the number in its
-/// place, so that nobody asks a resolver again. Any other endpoint as it is.
+/// Returns a tcp endpoint with the number instead of the host's name if all addresses of the name are loopback
+/// addresses, as for localhost, so that no resolver is asked again. Returns other endpoints unchanged.
 std::string with_loopback_number(const std::string& endpoint);
 
-/// Throws contactd::Error when the configured endpoint can be reached from other machines, is not encrypted, and nobody
-/// stated that this is meant; or when CURVE is configured by half.
+/// Throws contactd::Error if the configured endpoint can be reached from other machines without encryption and this is
+/// not explicitly allowed, or if CURVE is configured incompletely.
 void check_endpoint(const Config& config);
 
-/// Throws contactd::Error when the log would be written into what the daemon keeps or reads: the store, keys, programs.
+/// Throws contactd::Error if the log would be written into other files of the daemon: the store, keys, programs.
 void check_log_file(const Config& config);
 
 }  // namespace contactd::server

@@ -7,14 +7,14 @@
 
 namespace contactd::server {
 
-/// The file of an ipc endpoint; empty for others, abstract names among them.
+/// Returns the file of an ipc endpoint; empty for other endpoints, including abstract names.
 std::string socket_file(const std::string& endpoint);
 
-/// Why nobody should listen there, a sentence: something is there that is no socket, or one that is in use. Empty when
-/// there is nothing, or a socket that a process left which has ended.
+/// Returns the reason why the daemon must not listen there, as a sentence: the path is not a socket, or a socket in
+/// use. Empty if there is no file, or a socket left by a process that has ended.
 std::string socket_file_problem(const std::string& endpoint);
 
-/// Removes the file of a socket that listens, at its end, unless another one has taken its name by then.
+/// Removes the file of a listening socket in the destructor, unless another socket has taken its name.
 class SocketFile {
    public:
     explicit SocketFile(std::string file);

@@ -19,7 +19,7 @@ json envelope(const json& id) {
     return proto::object({{"contactd", proto::protocol_version}, {"id", id}});
 }
 
-/// The name of the client as its metadata give it.
+/// Returns the name of the client from its metadata.
 std::string agent_of(const proto::Request& request) {
     const auto at = request.metadata.find("client");
     return at == request.metadata.end() ? std::string() : at->get<std::string>();
@@ -32,7 +32,7 @@ std::string agent_of(const proto::Request& request) {
                                  "). Request less at once, or arrays as frames.");
 }
 
-/// An answer that the client could not take must not be sent.
+/// Rejects an answer that exceeds the client's limits.
 void check_limits(const std::string& text, const proto::Frames& frames, const MessageLimits& limits) {
     std::size_t largest = text.size(), total = text.size();
     for (const auto& frame : frames) {
@@ -60,7 +60,7 @@ bool Call::succeed_with(std::string_view result, proto::Frames frames) {
     text.reserve(text.size() + result.size() + 16);
     text.append(",\"result\":").append(result).append("}");
     try {
-        // The limits do not bound what the daemon reports of itself.
+        // The limits do not apply to information about the daemon itself.
         if (!request.method.starts_with("server.")) check_limits(text, frames, limits_);
     } catch (const proto::StatusError& error) {
         fail(error.status());

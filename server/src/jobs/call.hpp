@@ -1,4 +1,4 @@
-// One request on its way through the daemon.
+// One request being processed by the daemon.
 #pragma once
 
 #include <atomic>
@@ -21,23 +21,23 @@ using engine::Job;
 using engine::QueueTicket;
 using engine::WorkerPool;
 
-/// The way of an answer to its client.
+/// The route of an answer to its client.
 struct Route {
     std::string identity;          ///< of the client, given by ROUTER
     bool empty_delimiter = false;  ///< a REQ socket: one answer only, behind an empty frame
     std::string user{};            ///< who sent the request (AccessControl); empty when its key was revoked
 };
 
-/// The number of an open request; 0 for one that is answered at once.
+/// The number of an open request; 0 for one that is answered immediately.
 using CallNumber = std::uint64_t;
 
-/// An outgoing answer: frame 0 and the arrays behind it.
+/// An outgoing answer: frame 0 and its arrays.
 struct Answer {
     Route route;
     std::string envelope;
     proto::Frames frames;
     bool is_progress = false;
-    // For the log and the metrics, when it is no progress:
+    // For the log and the metrics, unless it is progress:
     std::string id, method, status;
     double milliseconds = 0;
     std::string reason;  ///< empty when the status is OK
@@ -46,7 +46,7 @@ struct Answer {
     std::shared_ptr<const void> counted{};  ///< its bytes, until the last of its frames has been sent
 };
 
-/// Answers once, from any thread; what comes after the first answer is dropped.
+/// Answers once, from any thread; later answers are dropped.
 class Call {
    public:
     using Clock = std::chrono::steady_clock;
@@ -64,34 +64,35 @@ class Call {
     const proto::Request request;
     const Clock::time_point received;
     const proto::Priority priority;
-    /// The work that answers it, where job.list shows it; set by job_of.
+    /// The work that answers it, if job.list shows it; set by job_of.
     std::shared_ptr<Job> job;
-    /// Whether its work takes long by what it will cost: it leaves a worker to others. Set before the work is queued.
+    /// Whether its expected work is long, so that it must leave a worker to others. Set before the work is queued.
     bool is_large = false;
-    /// The bytes of the work under way, given back when they are reset (WorkBudget).
+    /// The bytes of the running work, released when they are reset (WorkBudget).
     std::shared_ptr<const void> work;
 
-    /// The connection that asked, as queues and limits count clients.
+    /// Returns the connection of the request, by which queues and limits count clients.
     const std::string& client() const { return route_.identity; }
     const std::string& user() const { return route_.user; }
     bool takes_progress() const { return !route_.empty_delimiter; }
 
-    /// The deadline the client gave, or never.
+    /// Returns the client's deadline, or never.
     Clock::time_point deadline() const {
         return request.timeout_ms > 0 ? received + std::chrono::milliseconds(request.timeout_ms)
                                       : Clock::time_point::max();
     }
     bool answered() const { return answered_; }
-    /// From now on its work is finished for whoever asks for it again, even when its client has gone.
+    /// Lets the work continue from now on, for repeated requests, even if its client disconnects.
     void outlive_client() { outlives_client_ = true; }
     bool outlives_client() const { return outlives_client_; }
-    /// Answers DEADLINE_EXCEEDED when it is time.
+    /// Answers DEADLINE_EXCEEDED if the deadline has passed.
     void check_deadline();
-    /// Called with the answer, or now when there is one already. Not for what holds this call.
+    /// Calls the function with the answer, or now if there is one. The function must not hold this call.
     void when_answered(std::function<void()> then);
-    /// An answer beyond the limits of a message becomes ANSWER_TOO_LARGE. True when the result was the answer.
+    /// Answers with the result, or with ANSWER_TOO_LARGE if it exceeds the limits of a message. Returns whether the
+    /// result was the answer.
     bool succeed(const nlohmann::json& result, proto::Frames frames = {});
-    /// Succeeds with the text of a result, which is JSON.
+    /// Answers with the JSON text of a result.
     bool succeed_with(std::string_view result, proto::Frames frames);
     void fail(const proto::Status& status);
     void progress(const nlohmann::json& progress);
@@ -110,15 +111,15 @@ class Call {
 
 using CallPtr = std::shared_ptr<Call>;
 
-/// The ticket with which work for `call` waits in a pool; work for a call that was answered is dropped.
+/// Returns the ticket for work of `call` in a pool; work of an answered call is dropped.
 inline QueueTicket ticket_of(const CallPtr& call) {
     return {call->client(), call->priority, [call] { return call->answered(); }, call->user(), call->is_large};
 }
 
-/// The reply to a request whose envelope could not be read; `id` is empty when it is not known.
+/// Returns the reply to a request with an unreadable envelope; `id` is empty if it is unknown.
 Answer refusal(Route route, const std::string& id, const proto::Status& status);
 
-/// Runs `work`; what it throws becomes the answer of the call.
+/// Runs `work`. An exception becomes the answer of the call.
 void guarded(const CallPtr& call, const std::function<void()>& work);
 
 }  // namespace contactd::server

@@ -1,4 +1,4 @@
-// How computations of one call report, and how they are ended.
+// Progress reports and cancellation of the computations of one call.
 #pragma once
 
 #include <chrono>
@@ -22,22 +22,22 @@ using engine::JobTable;
 /// Encodes progress as on the wire, proto/schema/progress.json.
 nlohmann::json to_json(const Job& job, const JobProgress& progress);
 
-/// Passes the progress of a build on to a call that waits for it.
+/// Forwards the progress of a build to a waiting call.
 inline std::function<void(const Job&, const JobProgress&)> reports_to(const CallPtr& call) {
     return [call](const Job& job, const JobProgress& progress) { call->progress(to_json(job, progress)); };
 }
 
-/// The origin that the job of a call reports; `kind` is "solve", ...
+/// Returns the origin of the job of a call; `kind` is "solve", ...
 engine::JobOrigin origin_of(const Call& call, const std::string& kind);
 
-/// The job of a call, made when it is first asked for, and listed from when the call begins to wait; cancelling it
+/// Returns the job of a call, created on first use and listed from the time when the call begins to wait. Cancelling it
 /// answers the call.
 inline std::shared_ptr<Job> job_of(const CallPtr& call, const std::string& kind, JobTable& jobs) {
     if (call->job) return call->job;
     call->job = jobs.create(origin_of(*call, kind), [waiting = std::weak_ptr(call)] {
         if (const CallPtr known = waiting.lock()) known->fail(status_of(Cancelled("The job was cancelled.")));
     });
-    // The request is abandoned, whatever holds it still.
+    // The request is abandoned, even if it is still referenced.
     call->when_answered([waiting = std::weak_ptr(call->job)] {
         if (const auto known = waiting.lock()) known->end();
     });
@@ -49,8 +49,8 @@ inline JobProgress to_job_progress(const Progress& progress) {
             progress.seconds_left};
 }
 
-/// Passes a job's progress on to its caller. Short work needs none: the first message comes after this time, and then
-/// one in each interval. Thread-safe.
+/// Forwards a job's progress to its caller. Short work needs none, so the first message is sent after this time, and
+/// then one in each interval. Thread-safe.
 class Reporter {
    public:
     Reporter(CallPtr call, std::shared_ptr<Job> job) : call_(std::move(call)), job_(std::move(job)) {}
@@ -73,7 +73,7 @@ class Reporter {
     Call::Clock::time_point last_ = Call::Clock::now();
 };
 
-/// Ends a computation when its call has been answered, or the call's time is up.
+/// Ends a computation when its call has been answered or its deadline has passed.
 class CallObserver : public Observer {
    public:
     explicit CallObserver(CallPtr call) : call_(std::move(call)) {}
@@ -87,7 +87,7 @@ class CallObserver : public Observer {
     const CallPtr call_;
 };
 
-/// Ends a computation when its job is cancelled, its call has been answered, or the call's time is up.
+/// Ends a computation when its job is cancelled, its call has been answered, or its deadline has passed.
 class JobObserver final : public CallObserver {
    public:
     JobObserver(CallPtr call, std::shared_ptr<Job> job, std::function<void(const Progress&)> progress)

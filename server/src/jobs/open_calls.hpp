@@ -1,4 +1,4 @@
-// The requests that wait for an answer, and how many of them there may be.
+// The requests that wait for an answer, and the limits on their number.
 #pragma once
 
 #include <atomic>
@@ -16,7 +16,7 @@
 
 namespace contactd::server {
 
-/// Thread-safe. A request is admitted, gets its call once it has been read, and is closed when its answer goes out.
+/// Thread-safe. A request is admitted, gets its call once it has been read, and is closed when its answer is sent.
 class OpenCalls {
    public:
     using Number = CallNumber;
@@ -26,7 +26,7 @@ class OpenCalls {
         std::size_t bytes;               ///< of their messages; one request alone is let in whatever its size
         std::size_t calls_per_user = 0;  ///< over all connections together; 0: any number
     };
-    /// Given back when the last copy goes.
+    /// Released with the last copy.
     using ReservedBytes = std::shared_ptr<const void>;
     struct Admission {
         Number number = 0;
@@ -38,13 +38,13 @@ class OpenCalls {
     /// Throws StatusError (RESOURCE_EXHAUSTED; QUEUE_FULL, or TOO_MANY_OPEN of one user) naming the bound that is
     /// reached.
     Admission admit(const Route& route, std::size_t bytes);
-    /// False when the request has been closed meanwhile: somebody else has answered it.
+    /// Returns false if the request has been closed meanwhile, because another thread answered it.
     bool attach(Number number, const CallPtr& call);
     void close(Number number);
 
-    /// Whether a request of `client` has not been read yet.
+    /// Returns whether a request of `client` has not been read yet.
     bool has_unread(const std::string& client) const;
-    /// The calls that `client` opened under `id` and that have no answer yet.
+    /// Returns the unanswered calls of `client` with this `id`.
     std::vector<CallPtr> find(const std::string& client, const std::string& id) const;
     std::vector<CallPtr> overdue(Call::Clock::time_point now) const;
     Call::Clock::time_point next_deadline() const;
@@ -53,9 +53,9 @@ class OpenCalls {
         Route route;
         CallPtr call;  ///< null until the request has been read
     };
-    /// The open calls of one client, with their numbers.
+    /// Returns the open calls of one client, with their numbers.
     std::vector<std::pair<Number, Entry>> of(const std::string& client) const;
-    /// Closes all.
+    /// Closes all calls.
     std::vector<Entry> take_all();
     std::vector<Entry> all() const;
     std::size_t count() const;

@@ -13,7 +13,7 @@
 namespace contactd::server {
 namespace {
 
-/// Work of at most this part of the budget waits for nothing but room.
+/// Work of at most this part of the budget waits for memory only.
 constexpr double small_part = 1.0 / 64;
 
 struct Waiting {
@@ -38,7 +38,7 @@ struct WorkBudget::State : std::enable_shared_from_this<State> {
 
     bool fits(double bytes) const { return work == 0 || work + counted + bytes <= limit; }
 
-    /// Takes from those who wait what may begin now. The calls hold their bytes.
+    /// Returns the waiting work that may begin now. Its calls hold the bytes.
     std::vector<Waiting> take_ready() {
         std::vector<Waiting> ready;
         bool is_blocked = false;
@@ -108,7 +108,7 @@ void WorkBudget::enter(const CallPtr& call, double bytes, std::function<void()> 
         state_->waiting.push_back({call, std::floor(bytes), std::move(work), one_at_a_time});
         ready = state_->take_ready();
     }
-    // The memory that others wait for has not become free: at most this work is ready.
+    // No memory has been released for other waiting work, so at most this work is ready.
     for (const Waiting& next : ready) next.work();
 }
 

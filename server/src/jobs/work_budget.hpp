@@ -1,4 +1,4 @@
-// The memory of work that is under way, counted before the work begins.
+// The memory of running work, counted before the work begins.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,9 @@ struct WorkCost {
     double seconds = 0;  ///< of a processor, an estimate by the products that it takes
 };
 
-/// Work begins when it fits beside what is under way and beside the answers that wait to be sent; until then it waits,
-/// in the order of arrival. What is small may go before what does not fit yet. Work alone always fits, so that clients
-/// that do not read their answers slow others down and never stop them. Thread-safe.
+/// Work begins when it fits beside the running work and the answers waiting to be sent. Until then it waits, in the
+/// order of arrival. Small work may overtake work that does not fit yet. A single piece of work always fits, so clients
+/// that do not read their answers slow others down but never block them. Thread-safe.
 class WorkBudget {
    public:
     WorkBudget(std::size_t bytes, WorkerPool& workers);
@@ -25,15 +25,15 @@ class WorkBudget {
     WorkBudget(const WorkBudget&) = delete;
     WorkBudget& operator=(const WorkBudget&) = delete;
 
-    /// Runs `work` now when it fits, otherwise later, in a worker, by the ticket of its call. The call holds the bytes
-    /// until it goes, or until its `work` is reset. `one_at_a_time`: only when no other such work of the same client is
-    /// under way.
+    /// Runs `work` now if it fits, otherwise later, in a worker, with the ticket of its call. The call holds the bytes
+    /// until it is destroyed or its `work` is reset. `one_at_a_time`: only if no other such work of the same client is
+    /// running.
     void enter(const CallPtr& call, double bytes, std::function<void()> work, bool one_at_a_time = false);
-    /// Counts what is there in any case; given back when the last copy of the result goes.
+    /// Counts memory that is in use anyway; released with the last copy of the result.
     std::shared_ptr<const void> count(double bytes);
-    /// Forgets the waiting work of calls that were answered.
+    /// Drops the waiting work of answered calls.
     void drop_abandoned();
-    /// Forgets what waits; nothing waits from now on. To be called before the workers go.
+    /// Drops all waiting work; no work waits from now on. Must be called before the workers are destroyed.
     void close();
 
     std::size_t bytes() const;  ///< that are counted now

@@ -26,8 +26,8 @@ WorkCost cost_of_contact_file(const json& params, const Config&) {
 
 constexpr std::size_t most_numbers = 500'000;  // of an answer with more than one case
 
-/// Reads all cases, since each depends on those before it, and answers those that are asked for, as many as a message
-/// of moderate size holds.
+/// Reads all cases, because each depends on earlier ones, and answers the requested ones, as many as fit into a message
+/// of moderate size.
 void read_file(const CallPtr& call, const DaemonParts&) {
     const json& params = call->request.params;
     proto::check_frames_used(params, call->request.frames);

@@ -1,4 +1,4 @@
-// contact.*: problems solved, and stresses under what was solved.
+// contact.*: solves, and stresses below the contact.
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -18,7 +18,7 @@
 namespace contactd::server {
 namespace {
 
-/// Whether the solve is small, from parameters that have not passed their schema yet.
+/// Returns whether the solve is small, from parameters that have not been checked against their schema.
 bool is_small(const CallPtr& call, const DaemonParts&) {
     const nlohmann::json& params = call->request.params;
     const auto model = params.find("model"), grid = params.find("grid");

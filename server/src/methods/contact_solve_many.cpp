@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Small problems that a worker solves before it is free for others.
+/// Number of small problems that a worker solves before it is released.
 constexpr int small_at_once = 16;
 
 struct SolveBatch;
@@ -57,7 +57,8 @@ void conclude_check(SolveBatch& batch) {
     const WorkCost cost = cost_of_solve_many(request.params, config);
     check_cost(cost, config);
     batch.parts.counters.solves += static_cast<long long>(batch.results.size());
-    // A client's batches run one after the other: alternating, all would keep results until the last is finished.
+    // A client's batches run one after the other, because alternating batches would all keep results until the last one
+    // is finished.
     batch.concluding = std::this_thread::get_id();
     batch.parts.budget.enter(batch.call, cost.bytes, [self = batch.shared_from_this()] { admit(self); }, true);
     batch.concluding = std::thread::id();
@@ -69,12 +70,12 @@ void post(const SolveBatchPtr& batch) {
     batch->parts.workers.post(ticket_of(batch->call), [batch] { take(batch); });
 }
 
-/// Each worker may come for some of its problems.
+/// Allows each worker to take some of its problems.
 void call_all(const SolveBatchPtr& batch) {
     for (int worker = 0; worker < batch->parts.config.workers; ++worker) post(batch);
 }
 
-/// Now, while the workers that have come wait for the end of the check, or later, when they have gone.
+/// Runs now, while workers wait for the end of the check, or later.
 void admit(const SolveBatchPtr& batch) {
     batch->admitted = true;
     if (batch->concluding != std::this_thread::get_id()) call_all(batch);
@@ -98,7 +99,7 @@ void finish(SolveBatch& batch, std::size_t index, proto::ResultOrStatus result) 
     if (finished == all) answer(batch, std::move(batch.results));
 }
 
-/// Nothing when the problem cannot be solved as stated, which then is its result.
+/// Returns nothing if the problem is invalid, and stores this as its result.
 std::optional<ContactProblem> read(SolveBatch& batch, std::size_t index) {
     try {
         if (batch.job->cancelled() || batch.call->answered()) throw Cancelled("The batch was cancelled.");
@@ -111,7 +112,7 @@ std::optional<ContactProblem> read(SolveBatch& batch, std::size_t index) {
     }
 }
 
-/// The task that solves the problem at `index`; `then` follows its result.
+/// Returns the task that solves the problem at `index` and then calls `then`.
 SolveTask task_of(const SolveBatchPtr& batch, std::size_t index, ContactProblem problem, std::function<void()> then) {
     const Grid grid = problem.grid;
     const auto done = [=](const SolveReply& reply) {
@@ -126,7 +127,7 @@ SolveTask task_of(const SolveBatchPtr& batch, std::size_t index, ContactProblem 
     return {batch->call, std::move(problem), batch->job, [](const Progress&) {}, done, failed, 0, true};
 }
 
-/// In a worker: takes the next problems, as many as may run before others.
+/// Takes the next problems in a worker, as many as may run before other work.
 void take(const SolveBatchPtr& batch) {
     batch->call->check_deadline();
     if (batch->call->answered() || !batch->check.passed() || !batch->admitted) return;

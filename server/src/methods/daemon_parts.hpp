@@ -1,4 +1,4 @@
-// The parts of the daemon that methods work with.
+// The parts of the daemon that methods use.
 #pragma once
 
 #include "config/config.hpp"
@@ -32,13 +32,13 @@ struct DaemonParts {
     const Call::Clock::time_point started = Call::Clock::now();
 
     SolveTools solve_tools() const { return {engine, workers, recent_solves, budget}; }
-    /// Counts an outgoing answer. One thread at a time may call it.
+    /// Counts an outgoing answer. Only one thread at a time may call it.
     void note(const Answer& answer) const {
         if (answer.status != "OK") ++counters.requests_failed;
         request_metrics.record(answer);
         open_calls.close(answer.number);
     }
-    /// Lets go of work that waits for calls which have been answered.
+    /// Drops waiting work of answered calls.
     void drop_abandoned() const {
         workers.drop_abandoned();
         sessions.drop_abandoned();

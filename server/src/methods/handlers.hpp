@@ -1,28 +1,28 @@
-// The handlers of methods that have a source of their own, which bears the method's name.
+// The handlers of methods with a separate source file, which has the method's name.
 #pragma once
 
 #include "daemon_parts.hpp"
 
 namespace contactd::server {
 
-/// contact.solve_many, from the I/O thread: answers `call` when all solves have ended; what cannot be solved fails
-/// alone. Each problem is decoded, solved and encoded by the worker that takes it. As many as there are workers are on
-/// their way at a time, so that other requests run in between.
+/// Handles contact.solve_many in the I/O thread. Answers `call` when all solves have ended; invalid problems fail
+/// individually. Each problem is decoded, solved and encoded by the worker that takes it. At most one problem per
+/// worker runs at a time, so that other requests run in between.
 void queue_problems(const CallPtr& call, const DaemonParts& parts);
 
-/// session.step_many, from the I/O thread: queues each step in its session, and answers when all have run.
+/// Handles session.step_many in the I/O thread: queues each step in its session, and answers when all have run.
 void queue_steps(const CallPtr& call, const DaemonParts& parts);
 
-/// ic.list, ic.delete. Both throw StatusError for what cannot be done.
+/// Handle ic.list and ic.delete. Both throw StatusError.
 void list_tables(const CallPtr& call, const DaemonParts& parts);
 void delete_tables(const CallPtr& call, const DaemonParts& parts);
 
-/// ic.export: fetches the coefficients of one body or of two, and makes a file of them on a worker. Throws StatusError
-/// for bad parameters, and for a text of more than limits.max_frame_bytes.
+/// Handles ic.export: fetches the coefficients of one or two bodies, and writes them to a file in a worker. Throws
+/// StatusError for invalid parameters, and for a text of more than limits.max_frame_bytes.
 void export_table(const CallPtr& call, const DaemonParts& parts);
 
-/// ic.import: takes a table of somebody's into the store. Throws InvalidArgument ("attributes...", "datasets...") for
-/// what is no table, or not what it claims to be.
+/// Handles ic.import: stores a user's table. Throws InvalidArgument ("attributes...", "datasets...") if it is not a
+/// table, or not the claimed one.
 void import_table(const CallPtr& call, const DaemonParts& parts);
 
 }  // namespace contactd::server

@@ -1,4 +1,4 @@
-// job.* and request.cancel: work that waits and runs, and its end.
+// job.* and request.cancel: waiting and running work, and its cancellation.
 #include <chrono>
 #include <set>
 #include <string>
@@ -15,7 +15,7 @@ using proto::StatusError;
 
 namespace {
 
-/// Each once, without those who have no name.
+/// Returns each user once, without unnamed ones.
 std::set<std::string> named(const std::vector<std::string>& users) {
     std::set<std::string> names(users.begin(), users.end());
     names.erase("");

@@ -1,4 +1,4 @@
-// The methods of the daemon: what each is called, how it is run, and what it does.
+// The methods of the daemon: their names, threads and handlers.
 #pragma once
 
 #include <map>
@@ -18,22 +18,24 @@ struct Method {
     bool counts = !is_immediate;                         ///< among the requests that wait for an answer
     proto::Priority priority = proto::Priority::normal;  ///< of requests that name none
     const char* job = nullptr;                           ///< what job.list calls it, where it is listed
-    /// Whether the work of a call is so small that the I/O thread may do it when no other request is open: waking a
-    /// worker would take as long.
+    /// Returns whether the work of a call is so small that the I/O thread may do it if no other request is open,
+    /// because waking a worker would take as long.
     bool (*is_small)(const CallPtr& call, const DaemonParts& parts) = nullptr;
-    /// The cost of the work in memory and time, from params that have passed their schema; null where it is little.
-    /// Costs beyond limits.* are refused, and work waits until its memory is free. With `queue` the method asks itself.
+    /// Returns the cost of the work in memory and time, from params that have been checked against their schema; null
+    /// if it is small. Costs beyond limits.* are refused, and work waits until its memory is free. With `queue` the
+    /// method checks the cost itself.
     WorkCost (*cost)(const nlohmann::json& params, const Config& config) = nullptr;
-    /// For a method whose work comes in several parts: hands them on from the I/O thread, in place of `handle`.
+    /// For methods with work in several parts: queues them in the I/O thread, instead of `handle`.
     void (*queue)(const CallPtr& call, const DaemonParts& parts) = nullptr;
-    /// Answers the call now or later, or throws what becomes the answer. The parameters have passed their schema.
+    /// Answers the call now or later, or throws an exception that becomes the answer. The parameters have been checked
+    /// against their schema.
     void (*handle)(const CallPtr& call, const DaemonParts& parts) = nullptr;
 };
 
 class MethodTable {
    public:
     void add(const Method& method) { methods_.emplace(method.name, method); }
-    /// Null when there is no such method.
+    /// Returns the method, or null if it does not exist.
     const Method* find(std::string_view name) const;
     std::vector<std::string> names() const;
 

@@ -1,4 +1,4 @@
-// server.* and health.watch: what the daemon says of itself.
+// server.* and health.watch: information about the daemon.
 #include <chrono>
 #include <string>
 #include <utility>

@@ -25,7 +25,7 @@ const std::string& state_in(const CallPtr& call) {
     return call->request.params["state"].get_ref<const std::string&>();
 }
 
-/// The cost of opening is stated as that of a step, which it makes room for.
+/// The cost of opening is that of a step, because it allocates the memory of a step.
 WorkCost cost_of_opening(const json& params, const Config& config) {
     const json* wheel_rail = member(params, "wheelrail");
     return wheel_rail != nullptr ? cost_of_wheel_rail(*wheel_rail, config) : cost_of_solve(params, config);
@@ -46,11 +46,11 @@ void finish_open(const CallPtr& call, SessionSpec spec, std::chrono::duration<do
     SessionTable& sessions = parts.sessions;
     reply.session = sessions.add(std::make_shared<Session>(
         simulation_of(parts.engine.open(std::move(spec), ics, observer)), lease, step_seconds(call, parts)));
-    // Nobody knows the name of a session whose opening came too late.
+    // The client does not get the name of a session that was opened too late, so it is closed.
     if (!call->succeed(proto::encode_session_reply(reply))) sessions.remove(reply.session);
 }
 
-/// Half-spaces in closed form: nothing is waited for.
+/// Half-spaces in closed form need no build.
 void open_wheel_rail(const CallPtr& call, const DaemonParts& parts) {
     const proto::Request& request = call->request;
     const WheelRailSessionSpec spec =
@@ -68,7 +68,7 @@ void open_wheel_rail(const CallPtr& call, const DaemonParts& parts) {
     if (!call->succeed(proto::encode_session_reply(reply))) parts.sessions.remove(reply.session);
 }
 
-/// Answers when the session is ready: a build is awaited, and reported, as by contact.solve.
+/// Answers when the session is ready. Waits for a build and reports its progress, like contact.solve.
 void open(const CallPtr& call, const DaemonParts& parts) {
     if (proto::is_of_wheel_rail(call->request.params)) return open_wheel_rail(call, parts);
     SessionSpec spec = proto::decode_session_spec(call->request.params, call->request.frames);

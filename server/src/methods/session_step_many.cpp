@@ -87,7 +87,7 @@ void take(const StepBatchPtr& batch, std::size_t index) {
 }  // namespace
 
 void queue_steps(const CallPtr& call, const DaemonParts& parts) {
-    // The schema is checked when the first step runs: here only what decides which session runs next.
+    // The schema is checked when the first step runs. Only members that determine the next session are checked here.
     const auto steps = call->request.params.find("steps");
     std::vector<SessionPtr> sessions(1);
     if (steps != call->request.params.end() && steps->is_array() && !steps->empty()) {

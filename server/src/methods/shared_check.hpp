@@ -1,4 +1,4 @@
-// The check of a message with many members by all threads that come for one of them.
+// The check of a message with many members, shared by the threads that process them.
 #pragma once
 
 #include <atomic>
@@ -11,15 +11,14 @@
 
 namespace contactd::server {
 
-/// Nothing of a message is done before all of it was seen to conform. Checking takes as long as a small solve: so the
-/// threads that come share it.
+/// Work on a message begins only after the whole message has been checked. A check takes as long as a small solve, so
+/// the threads share it.
 class SharedCheck {
    public:
-    /// `conclude` runs once, in one thread, when the params have passed their schema; what it throws refuses the call.
+    /// Runs `conclude` once, in one thread, after the params have passed their schema. An exception refuses the call.
     SharedCheck(CallPtr call, std::function<void()> conclude);
 
-    /// Checks members until there are none left, and waits for those of other threads. False when the call has been
-    /// refused, which it is then.
+    /// Checks members until none are left, and waits for those of other threads. Returns false if the call was refused.
     bool passed();
 
    private:

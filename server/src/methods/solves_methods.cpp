@@ -1,4 +1,4 @@
-// solves.*: the last solves, each reported to the user who asked for it.
+// solves.*: the last solves, each reported to its user only.
 #include <chrono>
 
 #include "all_methods.hpp"

@@ -18,7 +18,7 @@
 namespace contactd::server {
 namespace {
 
-/// The job of a call that its worker does, with what it tells and what ends it.
+/// The job of a call in a worker, with its progress and cancellation.
 class WorkOnCall {
    public:
     WorkOnCall(const CallPtr& call, const DaemonParts& parts)
@@ -34,7 +34,7 @@ class WorkOnCall {
         job_->end();
         call_->succeed(result, std::move(frames));
     }
-    /// Answers with the text of a result, which is JSON.
+    /// Answers with the JSON text of a result.
     void succeed_with(std::string_view result, proto::Frames frames) {
         job_->end();
         call_->succeed_with(result, std::move(frames));

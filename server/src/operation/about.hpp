@@ -1,4 +1,4 @@
-// Versions that this daemon was made from.
+// Versions of this daemon and its libraries.
 #pragma once
 
 #include <map>
@@ -6,10 +6,10 @@
 
 namespace contactd::server {
 
-/// Name -> version, of everything the daemon links.
+/// Returns name -> version of all linked libraries.
 std::map<std::string, std::string> daemon_library_versions();
 
-/// The text that --version prints.
+/// Returns the text that --version prints.
 std::string about();
 
 }  // namespace contactd::server

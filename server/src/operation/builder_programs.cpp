@@ -17,7 +17,7 @@ bool is_program(const fs::path& path) {
     return fs::is_regular_file(path, error) && ::access(path.c_str(), X_OK) == 0;
 }
 
-/// Whether execvp would find the program.
+/// Returns whether execvp would find the program.
 bool is_found(const std::string& name) {
     if (name.find('/') != std::string::npos) return is_program(name);
     const char* path = std::getenv("PATH");

@@ -1,4 +1,4 @@
-// Whether what builds tables is there to be started.
+// Checks whether the builder and its launcher can be started.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace contactd::server {
 
-/// Why builds.program cannot be run, a sentence; empty when it can.
+/// Returns the reason why builds.program cannot be run, as a sentence; empty if it can.
 std::string builder_problem(const Config& config);
-/// Why what builds.launcher begins with cannot be run; empty when it can, and when there is none.
+/// Returns the reason why the program of builds.launcher cannot be run; empty if it can, or if there is no launcher.
 std::string launcher_problem(const Config& config);
 
-/// Problems with the builder and its launcher, a sentence each; empty: none.
+/// Returns the problems with the builder and its launcher, one sentence each.
 std::vector<std::string> building_problems(const Config& config);
 
 }  // namespace contactd::server

@@ -1,4 +1,4 @@
-// Counts of the daemon since it started, beside those of its engine; shown by server.info and among the metrics.
+// Counters of the daemon since its start, in addition to those of its engine; reported by server.info and as metrics.
 #pragma once
 
 #include <atomic>
@@ -11,7 +11,7 @@ struct Counters {
     Count requests_failed = 0;
     Count solves = 0;
 
-    // These have the values of now.
+    // Current values.
     Count connections = 0;
     Count outbox_bytes = 0;
     Count open_requests = 0;

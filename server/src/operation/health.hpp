@@ -1,4 +1,4 @@
-// The state of the daemon, and who watches it.
+// The state of the daemon and its watchers.
 #pragma once
 
 #include <atomic>
@@ -17,14 +17,14 @@ std::string_view name_of(HealthState state);
 class Health {
    public:
     HealthState state() const;
-    /// Tells everybody who watches. "stopping" is the last state: it answers them.
+    /// Reports the state to all watchers. "stopping" is the last state and answers them.
     void set(HealthState state);
     /// Sends the state now and with each change; answers once the daemon stops.
     void watch(const CallPtr& call);
 
-    /// From now on requests are heard.
+    /// Marks the daemon as listening.
     void set_listening() { listening_ = true; }
-    /// Why requests should not be sent here at present, a sentence; empty when all is well.
+    /// Returns the reason why requests should not be sent here at present, as a sentence; empty if they can.
     std::string not_ready() const;
 
    private:

@@ -1,4 +1,4 @@
-// The program that the service runs in: the daemon, or one that has it in process.
+// The program that runs the service: the daemon, or a program that solves in process.
 #pragma once
 
 #include <map>
@@ -11,8 +11,8 @@ namespace contactd::server {
 struct Host {
     std::map<std::string, std::string> libraries;  ///< versions of what it links
     engine::LogSink log{};
-    /// Each call comes from a thread that does nothing but wait for its answer, and may do small solves itself,
-    /// whoever else asks.
+    /// Each call comes from a thread that only waits for its answer, so small solves may run in this thread, even if
+    /// other requests are open.
     bool callers_wait = false;
 };
 

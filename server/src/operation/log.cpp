@@ -19,7 +19,7 @@ namespace {
 using nlohmann::json;
 
 /// Marks messages made by log_event, whose payload is the message, this separator, and the fields as a JSON object.
-/// Recognised by its address, so that no text can pretend to be one.
+/// Recognised by its address, so that no text can imitate it.
 constexpr const char* event_mark = "event";
 constexpr char separator = '\x1f';
 
@@ -39,12 +39,12 @@ void append(spdlog::memory_buf_t& line, std::string_view text) {
     line.append(text.data(), text.data() + text.size());
 }
 
-/// JSON in ASCII: whatever a terminal or a reader of lines would take for an instruction is escaped.
+/// Returns JSON in ASCII, with all control characters of terminals and line readers escaped.
 std::string ascii(const json& value) {
     return value.dump(-1, ' ', true, json::error_handler_t::replace);
 }
 
-/// `text` on one line; quotes stay.
+/// Returns `text` on one line; quotes are kept.
 std::string escaped(std::string_view text) {
     const bool is_plain = std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c < '\x7f'; });
     if (is_plain) return std::string(text);
@@ -60,7 +60,7 @@ std::string escaped(std::string_view text) {
     return result;
 }
 
-/// Words in capitals (statuses) stand as they are, all other strings in quotes.
+/// Writes words in capitals (statuses) without quotes, and all other strings with quotes.
 std::string shown(const json& value) {
     if (!value.is_string()) return ascii(value);
     const auto& text = value.get_ref<const std::string&>();

@@ -1,4 +1,4 @@
-// The daemon's log: one line an event, as text or as a JSON object.
+// The daemon's log: one line per event, as text or as a JSON object.
 #pragma once
 
 #include <spdlog/common.h>
@@ -17,8 +17,8 @@
 
 namespace contactd::server {
 
-/// Takes the messages of spdlog while it lives. What a client chose (ids, names) cannot start a line or look like
-/// another field: control characters are escaped, strings quoted.
+/// Receives the messages of spdlog during its lifetime. Values chosen by clients (ids, names) cannot start a line or
+/// imitate a field, because control characters are escaped and strings quoted.
 class Log {
    public:
     /// Throws Error when the file cannot be opened.
@@ -27,7 +27,7 @@ class Log {
     Log(const Log&) = delete;
     Log& operator=(const Log&) = delete;
 
-    /// Opens the file by its name again, for those who move it away (logrotate); when that fails the old one stays.
+    /// Reopens the file by its name, after it was moved (logrotate). If that fails, the old one stays open.
     void reopen();
 
    private:

@@ -13,14 +13,14 @@ namespace {
 
 constexpr auto calm = std::chrono::milliseconds(300);
 constexpr double worth_it = 16 << 20;  // bytes: less is not missed
-// After these times memory is given back once more: the socket frees answers when a slow client has read them.
+// After these times memory is returned once more, because the socket frees answers when a slow client has read them.
 constexpr std::array<std::chrono::seconds, 3> again_after{std::chrono::seconds(2), std::chrono::seconds(10),
                                                           std::chrono::seconds(60)};
 
 constexpr int smallest_end = 1 << 17, largest_end = 1 << 26, smallest_mapping = 1 << 25;  // bytes, those of glibc
 constexpr std::size_t noticed = 96 << 10;  // bytes that are freed before the allocator looks at the end of an arena
 
-/// Gives the end of this thread's arena back to the system: malloc_trim does that for the first arena only.
+/// Returns the end of this thread's arena to the system, because malloc_trim does that for the first arena only.
 void give_end_of_arena_back() {
     static std::mutex one_at_a_time;
     const std::scoped_lock lock(one_at_a_time);

@@ -1,4 +1,4 @@
-// Memory that work has given back goes to the system, once the daemon is quiet.
+// Returns freed memory to the system once the daemon is idle.
 #pragma once
 
 #include <chrono>
@@ -8,22 +8,22 @@
 
 namespace contactd::server {
 
-/// The allocator keeps what was freed for the arrays of the next solve, which saves solves the time of new pages.
-/// Behind a burst it would keep the most that was ever needed. So when there was no work for a moment, a worker gives
-/// everything that is free back, and does so again some seconds later. Used by one thread.
+/// The allocator keeps freed memory for the arrays of the next solve, which avoids the cost of new pages. After a burst
+/// it would keep the largest amount ever needed. Therefore a worker returns all free memory after a moment without
+/// work, and again some seconds later. Used by one thread.
 class MemoryReturn {
    public:
     using Clock = std::chrono::steady_clock;
 
     MemoryReturn(const WorkBudget& budget, WorkerPool& workers) : budget_(budget), workers_(workers) {}
 
-    /// Other threads that take memory, beside the workers and the one that looks.
+    /// Number of other threads that allocate memory, in addition to the workers and the calling thread.
     void add(WorkerPool& others) { others_ = &others; }
 
-    /// Gives memory back when it is time. `is_busy`: workers have something to do; `kept` are the bytes of what
-    /// outlives requests, as sessions.
+    /// Returns memory to the system if it is time. `is_busy`: workers have work; `kept`: bytes that outlive requests,
+    /// such as sessions.
     void look(Clock::time_point now, bool is_busy, std::size_t kept);
-    /// When it wants to look again, since work ends without a word to the thread that looks.
+    /// Returns the time of the next check, because the calling thread is not notified of the end of work.
     Clock::time_point next_look() const { return next_; }
 
    private:

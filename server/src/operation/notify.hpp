@@ -1,4 +1,4 @@
-// Reports the daemon's state to systemd (sd_notify), where it asked for that.
+// Reports the daemon's state to systemd (sd_notify), if requested.
 #pragma once
 
 #include <chrono>
@@ -13,11 +13,11 @@ class Notifier {
 
     void ready(const std::string& status) const;
     void reloading() const;
-    /// `within` is how long the end may take: systemd waits that much longer.
+    /// `within` is the longest time of the shutdown, by which systemd extends its wait.
     void stopping(const std::string& status, std::chrono::seconds within) const;
     void alive() const;
 
-    /// How often alive() must be called; zero when nobody watches.
+    /// Returns the interval of calls of alive(), or zero without a watchdog.
     std::chrono::milliseconds interval() const { return interval_; }
 
    private:

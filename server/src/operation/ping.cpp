@@ -19,7 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* handshakes = "inproc://handshakes";
-/// A daemon that cannot read what a client says hangs up without a word, and so does one that is ending, once.
+/// A daemon closes the connection silently if it cannot read a client's messages, and once while it shuts down.
 constexpr int silent_ends_allowed = 2;
 
 void encrypt(zmq::socket_t& socket, const PingKeys& keys) {
@@ -34,7 +34,7 @@ void encrypt(zmq::socket_t& socket, const PingKeys& keys) {
     socket.set(zmq::sockopt::curve_secretkey, own.secret_key);
 }
 
-/// A socket that tells of handshakes of `socket` that failed.
+/// Returns a socket that reports failed handshakes of `socket`.
 zmq::socket_t failures_of(zmq::context_t& context, zmq::socket_t& socket) {
     constexpr int events =
         ZMQ_EVENT_HANDSHAKE_FAILED_AUTH | ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL | ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL;
@@ -45,7 +45,7 @@ zmq::socket_t failures_of(zmq::context_t& context, zmq::socket_t& socket) {
     return failures;
 }
 
-/// The next one: two frames, of which the first begins with the number of the event. 0 when there is none.
+/// Returns the next event, or 0. An event has two frames, of which the first begins with its number.
 int next_failure(zmq::socket_t& failures) {
     zmq::message_t frame;
     if (!failures.recv(frame, zmq::recv_flags::dontwait)) return 0;

@@ -1,4 +1,4 @@
-// contactd --ping: asks a daemon whether it serves, for health checks that have no client at hand.
+// contactd --ping: asks a daemon whether it is serving, for health checks without a client.
 #pragma once
 
 #include <chrono>
@@ -7,13 +7,13 @@
 
 namespace contactd::server {
 
-/// Keys of an encrypted connection: the file with the daemon's public key, and that with an allowed pair. Neither is
-/// given for a daemon that does not encrypt.
+/// Keys of an encrypted connection: the file with the daemon's public key, and that with an allowed pair. Both are
+/// empty for an unencrypted daemon.
 struct PingKeys {
     std::filesystem::path server, own;
 };
 
-/// "serving", "stopping", or why there was no answer; `serving` says which.
+/// "serving", "stopping", or the reason why there was no answer; `serving` is true for the first.
 struct PingResult {
     bool serving;
     std::string text;

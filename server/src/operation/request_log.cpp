@@ -7,7 +7,7 @@
 namespace contactd::server {
 namespace {
 
-/// A client as the log calls it: the identity of its connection in hexadecimal.
+/// Returns the name of a client in the log: the identity of its connection in hexadecimal.
 std::string name_of(const std::string& identity) {
     constexpr const char* digits = "0123456789abcdef";
     std::string name;

@@ -1,4 +1,4 @@
-// One line of the log a request.
+// One line of the log per request.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace contactd::server {
 
-/// The log's line of an answer: enough to find the request again, nothing of what it holds. Taken from the answer
-/// before it goes, written afterwards: the client need not wait for the log.
+/// The log's line for an answer: enough to identify the request, without its content. Created before the answer is sent
+/// and written afterwards, so that the client does not wait for the log.
 struct RequestLine {
     std::string id, method, status;
     double milliseconds = 0;

@@ -1,4 +1,4 @@
-// Versions that the service was made from: a result that is kept must be able to name them.
+// Versions of the service and its libraries, which stored results can record.
 #pragma once
 
 #include <map>
@@ -6,11 +6,11 @@
 
 namespace contactd::server {
 
-/// The commit of the sources, with "-dirty" when they were changed after it; "unknown" when built outside of a
+/// Returns the commit of the sources, with "-dirty" if they were changed after it; "unknown" if built outside a
 /// repository.
 std::string commit();
 
-/// Name -> version, of what the service links.
+/// Returns name -> version of the linked libraries.
 std::map<std::string, std::string> service_library_versions();
 
 /// "1.2.3"

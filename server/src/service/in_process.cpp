@@ -34,7 +34,7 @@ Host host_with(const InProcess::Log& log) {
     return host;
 }
 
-/// Hands messages to the one thread that waits for them.
+/// Passes messages to the single waiting thread.
 class Messages {
    public:
     void put(Exchange::Message message) {
@@ -45,7 +45,7 @@ class Messages {
         }
         changed_.notify_one();
     }
-    /// Looks for one for the time of `spin` before it sleeps.
+    /// Polls for a message for the time `spin` before it sleeps.
     std::optional<Exchange::Message> take(Exchange::Clock::time_point until, std::chrono::microseconds spin) {
         for (const auto end = Exchange::Clock::now() + spin; !has_some_ && Exchange::Clock::now() < end;)
             std::this_thread::yield();
@@ -162,7 +162,7 @@ std::unique_ptr<Exchange> InProcess::ask(const std::string& envelope, proto::Fra
         if (!answer.is_progress) state.note(answer);
         messages->put(message_of(std::move(answer)));
     };
-    // Each is a client of its own, as with a daemon, where calls that run at the same time come through sockets each.
+    // Each request counts as a separate client, as with a daemon, where simultaneous calls use separate sockets.
     const Route route{.identity = std::to_string(++state.last_client), .user = "local"};
     std::string id;
     try {

@@ -1,4 +1,4 @@
-// The service in process: messages as on the wire (docs/protocol.md), and no socket that they come through.
+// The service in process: messages as on the wire (docs/protocol.md), without a socket.
 #pragma once
 
 #include <chrono>
@@ -13,39 +13,39 @@
 
 namespace contactd::server {
 
-/// One request and the messages that answer it. For the thread that asked. Who lets go of it before it is answered
-/// cancels it.
+/// One request and the messages that answer it, for the requesting thread. Destroying it before the answer cancels the
+/// request.
 class Exchange {
    public:
     using Clock = std::chrono::steady_clock;
     using Message = proto::Frames;  ///< the envelope, and the array frames behind it
 
     virtual ~Exchange() = default;
-    /// The next message: progress, or the answer, which is the last one. None when `until` comes first. A request whose
-    /// time is up (timeout_ms) is answered with DEADLINE_EXCEEDED.
+    /// Returns the next message: progress, or the answer, which is the last one; nothing if `until` passes first. A
+    /// request whose time has passed (timeout_ms) is answered with DEADLINE_EXCEEDED.
     virtual std::optional<Message> next(Clock::time_point until) = 0;
-    /// Answers with CANCELLED, and ends the work, unless there is an answer.
+    /// Answers with CANCELLED and ends the work, unless there is an answer.
     virtual void cancel() = 0;
 };
 
-/// Any number of threads at a time. Small solves are done in the thread that asks, all others by threads of its own
-/// (configuration: workers), which start when they are first needed.
+/// Can be used by any number of threads. Small solves run in the requesting thread, all others in the service's own
+/// threads (configuration: workers), which start when they are first needed.
 class InProcess {
    public:
     enum class Level { info, warning, error };
     using Log = std::function<void(Level, const std::string&)>;  ///< from any thread
 
-    /// `config` is the JSON of a configuration. Throws Error when it cannot be used, and StoreError.
+    /// `config` is the JSON of a configuration. Throws Error if it is invalid, and StoreError.
     explicit InProcess(std::string_view config, Log log = {});
-    /// In a process that was forked from the one that made it, nothing is ended or freed: its threads are not there.
+    /// Ends and frees nothing in a process forked from the creating one, because its threads do not exist there.
     ~InProcess();
     InProcess(const InProcess&) = delete;
     InProcess& operator=(const InProcess&) = delete;
 
-    /// Whatever is wrong with the message is answered as the daemon would. Throws Error when the service is closed, or
-    /// of another process.
+    /// Starts a request. Errors of the message are answered as by a daemon. Throws Error if the service is closed, or
+    /// belongs to another process.
     std::unique_ptr<Exchange> ask(const std::string& envelope, proto::Frames frames);
-    /// Answers what is open with STOPPING, and returns when all work has ended. May be called twice.
+    /// Answers open requests with STOPPING, and returns when all work has ended. May be called twice.
     void close();
 
    private:

@@ -26,7 +26,7 @@ const Status& stopping_status() {
     return status;
 }
 
-/// Empty where everybody may have tables built.
+/// Empty if all users may build tables.
 std::function<bool(const std::string&)> builders_of(const MethodRules& rules) {
     if (!rules.allowed_users.contains(MethodRules::builds)) return {};
     return [&rules](const std::string& user) { return is_allowed(rules, MethodRules::builds, user); };
@@ -50,7 +50,7 @@ engine::EngineSettings engine_settings(const Config& config, const Host& host) {
             config.max_work_bytes};
 }
 
-/// Small answers are sent at once, or lie in the outbox, which counts them.
+/// Small answers are sent immediately, or wait in the outbox, which counts them.
 void count(Answer& answer, WorkBudget& budget) {
     constexpr std::size_t large = 1 << 16;
     std::size_t bytes = answer.envelope.size();
@@ -119,7 +119,7 @@ void Service::handle(CallPtr call) {
     workers_.post(ticket_of(call), std::move(work));
 }
 
-/// Small work of a thread that may do it: one that waits anyway, or that of all when no other request is open.
+/// Returns whether the calling thread may do small work: it waits anyway, or no other request is open.
 bool Service::is_at_once(const Method& method, const CallPtr& call) {
     return method.is_small && (host_.callers_wait || open_calls_.count() <= 1) && method.is_small(call, parts_);
 }
@@ -131,7 +131,7 @@ SessionPtr Service::session_of(const CallPtr& call) {
     return sessions_.find_open(name->get_ref<const std::string&>());
 }
 
-/// Runs `work`; an exception becomes the answer of the call.
+/// Runs `work`. An exception becomes the answer of the call.
 void Service::attempt(const CallPtr& call, const std::function<void()>& work) {
     try {
         work();
@@ -151,7 +151,7 @@ void Service::run(const Method* method, const CallPtr& call) {
     });
 }
 
-/// At once, or when the memory that the work takes is free.
+/// Runs the work now, or when its memory is free.
 void Service::begin(const Method& method, const CallPtr& call) {
     if (method.cost == nullptr) return method.handle(call, parts_);
     const WorkCost cost = method.cost(call->request.params, parts_.config);
@@ -161,7 +161,7 @@ void Service::begin(const Method& method, const CallPtr& call) {
         call->check_deadline();
         if (!call->answered()) attempt(call, [&] { method.handle(call, parts_); });
     };
-    // Large work goes back into the queue, where it leaves a worker to what is small.
+    // Large work returns to the queue, where it leaves a worker to small work.
     if (call->is_large) work = [this, call, work] { workers_.post(ticket_of(call), work); };
     budget_.enter(call, cost.bytes, std::move(work));
 }

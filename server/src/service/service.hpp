@@ -1,4 +1,4 @@
-// The daemon but for its socket: work goes from here to the methods and to their threads.
+// The daemon without its socket: passes work to the methods and their threads.
 #pragma once
 
 #include <atomic>
@@ -16,7 +16,7 @@
 
 namespace contactd::server {
 
-/// Owns the parts of the daemon, hands calls to their methods, and ends in order.
+/// Owns the parts of the daemon, passes calls to their methods, and shuts down in order.
 class Service {
    public:
     /// `config` must outlive it.
@@ -25,17 +25,17 @@ class Service {
 
     const DaemonParts& parts() const { return parts_; }
 
-    /// The call of a request, which is admitted where it counts and has not been: `admission` with the number 0. Null
-    /// when it was answered while it was read. Throws StatusError as OpenCalls::admit.
+    /// Returns the call of a request. Admits the request if it counts and has not been admitted (`admission` with the
+    /// number 0). Returns null if it was answered while it was read. Throws StatusError as OpenCalls::admit.
     CallPtr open(const Route& route, proto::Request request, Call::Clock::time_point received,
                  OpenCalls::Admission admission, Call::Post post);
-    /// Answers the call now or later. Called from the I/O thread, which short methods may keep for a moment; all others
-    /// go to the workers. Never throws.
+    /// Answers the call now or later. Called from the I/O thread, in which short methods run; all others run in
+    /// workers. Never throws.
     void handle(CallPtr call);
 
-    /// From now on requests are refused with stop_status(); what was accepted goes on.
+    /// Refuses new requests with stop_status() from now on; accepted ones continue.
     void begin_drain();
-    /// Does what begin_drain() does, and asks running work to end. Does not wait.
+    /// Calls begin_drain() and requests the end of running work. Does not wait.
     void begin_stop();
     /// Waits until all work has ended.
     void finish_stop();
@@ -46,7 +46,7 @@ class Service {
     void attempt(const CallPtr& call, const std::function<void()>& work);
     void begin(const Method& method, const CallPtr& call);
     bool is_at_once(const Method& method, const CallPtr& call);
-    /// The session that the call names; null when there is none.
+    /// Returns the session of the call, or null.
     SessionPtr session_of(const CallPtr& call);
 
     const Host host_;

@@ -1,4 +1,4 @@
-// Refusals of a wheel-rail contact, as messages of sessions have its fields.
+// Renames refused fields of a wheel-rail contact to those in messages of sessions.
 #pragma once
 
 #include "contactd/error.hpp"
@@ -6,7 +6,7 @@
 
 namespace contactd::server {
 
-/// Returns what `ask` does; its refusals name "wheelrail.setup.dx", "wheelrail.state.position.z", ...
+/// Returns the result of `ask` and renames refused fields to "wheelrail.setup.dx", "wheelrail.state.position.z", ...
 template <class Ask>
 auto below_wheel_rail(const Ask& ask) {
     try {

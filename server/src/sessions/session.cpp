@@ -55,7 +55,7 @@ bool Session::try_run(const Work& work, WorkerPool& workers) {
     return true;
 }
 
-// One at a time: in between the worker is free for others.
+// Runs one piece of work at a time, so that the worker is free for others in between.
 void Session::post(Waiting next, WorkerPool& workers) {
     next.ticket.abandoned = {};  // what waits behind it in the session would be so, too
     workers.post(std::move(next.ticket), [self = shared_from_this(), work = std::move(next.work), &workers] {

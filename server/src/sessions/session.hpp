@@ -1,4 +1,4 @@
-// A session: the numbered steps of one simulation, of which each starts where the one before ended.
+// A session: the numbered steps of one simulation, each of which starts from the end of the previous one.
 #pragma once
 
 #include <chrono>
@@ -15,7 +15,7 @@
 
 namespace contactd::server {
 
-/// The state of a session: all that a step leaves to the next one. Never changed, so that saving a state is keeping it.
+/// The state of a session: all data that a step passes to the next one. Immutable, so keeping a state saves it.
 struct SessionState {
     std::shared_ptr<const engine::StepState> last;
     std::shared_ptr<const engine::StepState> before;  ///< where the last step started; null when there was none
@@ -27,48 +27,48 @@ class Session : public std::enable_shared_from_this<Session> {
    public:
     using Clock = std::chrono::steady_clock;
 
-    /// `step_seconds`: of a processor, what a step will take about.
+    /// `step_seconds`: approximate processor time of a step.
     Session(std::unique_ptr<Simulation> simulation, std::chrono::duration<double> lease, double step_seconds = 0);
 
-    /// The simulation that is stepped through; const, because work in the order of the session alone takes steps.
+    /// Returns the simulation; const, because only work in the order of the session takes steps.
     const Simulation& simulation() const { return *simulation_; }
     const std::chrono::duration<double> lease;
     const double step_seconds;
     const Clock::time_point created = Clock::now();
 
-    // Requests of one session run one after another, in the order in which they come here; sessions run side by side.
+    // Requests of one session run one after another, in the order of arrival; sessions run in parallel.
     using Work = WorkerPool::Task;
-    /// Runs `work` on a worker, after what came before. Renews the lease.
+    /// Runs `work` on a worker, after earlier work of the session. Renews the lease.
     void enqueue(QueueTicket ticket, Work work, WorkerPool& workers);
-    /// Runs `work` here and now when nothing runs or waits in the session; false when something does.
+    /// Runs `work` immediately in this thread if the session is idle; otherwise returns false.
     bool try_run(const Work& work, WorkerPool& workers);
-    /// Drops work that waits and was abandoned.
+    /// Drops abandoned waiting work.
     void drop_abandoned();
 
-    /// Within enqueue or try_run: sends the answer to a step, solved now or cached. The session goes on only when it
-    /// was sent: whatever fails leaves it as it was. Throws what failed.
+    /// Sends the answer to a step, solved now or cached; call it within enqueue or try_run. The session advances only
+    /// if the answer was sent; any failure leaves it unchanged. Throws the failure.
     void step(const StepRequest& request, engine::Engine& engine);
 
     SessionStatePtr state() const;
     long long step_number() const { return state()->last->step; }  ///< of the last step
     std::size_t elements() const { return simulation_->elements(*state()->last); }
-    /// Within enqueue or try_run.
+    /// Must be called within enqueue or try_run.
     void set_state(SessionStatePtr state);
 
-    /// Keeps the state; the name is new in this session.
+    /// Stores the state under a new name.
     std::string save();
-    /// Throws StatusError when there is no such state.
+    /// Throws StatusError if the state does not exist.
     SessionStatePtr saved(const std::string& name) const;
-    /// How many are left. Throws StatusError when there is no such state.
+    /// Returns the number of remaining states. Throws StatusError if the state does not exist.
     std::size_t forget(const std::string& name);
     std::size_t states() const;
 
-    /// From now on work finds the session closed; a running step is cancelled.
+    /// Closes the session for further work, and cancels a running step.
     void close();
     bool closed() const;
 
     void renew();
-    /// How long nobody has used it; zero while somebody does.
+    /// Returns the time since its last use; zero while it is in use.
     std::chrono::duration<double> idle(Clock::time_point now) const;
 
     std::size_t bytes() const;        ///< what it takes in memory, about, with its states
@@ -97,7 +97,7 @@ class Session : public std::enable_shared_from_this<Session> {
     Clock::time_point last_used_ = Clock::now();
 };
 
-/// NOT_FOUND: the session has ended, or never was.
+/// NOT_FOUND: the session has ended or never existed.
 proto::StatusError session_unknown();
 
 }  // namespace contactd::server

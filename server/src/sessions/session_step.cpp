@@ -14,7 +14,7 @@ using proto::StatusError;
 
 namespace {
 
-/// Tells one request from another with the same number; of a message with several steps only its own arrays count.
+/// Distinguishes requests with the same number; in a message with several steps only the arrays of this step count.
 std::size_t hash_of(const json& params, const proto::Frames& frames) {
     const std::hash<std::string_view> hash;
     std::size_t value = std::hash<json>()(params);
@@ -55,7 +55,7 @@ void Session::begin(const std::shared_ptr<Job>& job) {
 
 void Session::step(const StepRequest& request, engine::Engine& engine) {
     begin(request.job);
-    // Whatever happens, the job is not the session's any longer.
+    // The job no longer belongs to the session in any case.
     const std::shared_ptr<void> end(nullptr, [this](void*) {
         const std::scoped_lock lock(mutex_);
         job_.reset();
@@ -88,7 +88,7 @@ void Session::solve_step(const std::shared_ptr<const engine::StepState>& before,
     after->answer = {hash, std::make_shared<const std::string>(std::move(solved.text)), arrays.take_frames()};
     after->last = std::make_shared<const engine::StepState>(std::move(solved.after));
     after->before = before;
-    // First, since whoever has the answer may ask at once how far the session is.
+    // Comes first, because a client may query the session as soon as it has the answer.
     const SessionStatePtr last = state();
     set_state(after);
     if (!request.send(after->answer)) set_state(last);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t remembered_expired = 1024;
 
-/// 128 bits that cannot be guessed: who knows the name of a session can use it.
+/// Returns 128 random bits that cannot be guessed, because the name of a session gives access to it.
 std::string random_name() {
     std::array<unsigned char, 16> bytes{};
     platform::random_bytes(bytes);
@@ -139,7 +139,7 @@ void SessionTable::expire(Clock::time_point now) {
                 at = sessions_.erase(at);
                 continue;
             }
-            // Renewed meanwhile, it lives on for longer, which is found out then.
+            // If its lease was renewed meanwhile, the session is checked again later.
             next_expiry_ = std::min(next_expiry_, now + std::chrono::ceil<std::chrono::milliseconds>(left));
             ++at;
         }

@@ -17,38 +17,38 @@ namespace contactd::server {
 
 using SessionPtr = std::shared_ptr<Session>;
 
-/// Thread-safe. Sessions end when nobody has used them for their lease.
+/// Thread-safe. Sessions end when they have not been used for their lease.
 class SessionTable {
    public:
     using Clock = Session::Clock;
 
     explicit SessionTable(const SessionLimits& limits) : limits_(limits) {}
 
-    /// The lease that a request gets. Throws StatusError when it asks for more than there is.
+    /// Returns the lease for a request. Throws StatusError if it requests more than allowed.
     std::chrono::duration<double> lease(const std::optional<double>& seconds) const;
 
-    /// Throws StatusError (SESSION_LIMIT) when a session of that size would be too many.
+    /// Throws StatusError (SESSION_LIMIT) if a session of that size would exceed the limits.
     void check_room(std::size_t bytes) const;
-    /// The name of the session: 128 random bits in hexadecimal. Throws as check_room.
+    /// Adds a session and returns its name: 128 random bits in hexadecimal. Throws as check_room.
     std::string add(SessionPtr session);
-    /// Renews the lease; null when there is no such session.
+    /// Returns the session after renewing its lease, or null.
     SessionPtr find_open(const std::string& name);
-    /// Renews the lease. Throws StatusError (SESSION_UNKNOWN, SESSION_EXPIRED).
+    /// Returns the session after renewing its lease. Throws StatusError (SESSION_UNKNOWN, SESSION_EXPIRED).
     SessionPtr find(const std::string& name);
     /// Closes the session. Throws as find.
     SessionPtr remove(const std::string& name);
-    /// Keeps the state of a session under a new name. Throws StatusError (SESSION_LIMIT).
+    /// Stores the state of a session under a new name. Throws StatusError (SESSION_LIMIT).
     std::string save(Session& session);
 
-    /// Ends the sessions whose lease is over; costs next to nothing before next_expiry().
+    /// Ends the sessions whose lease has expired; almost free before next_expiry().
     void expire(Clock::time_point now);
-    /// When `expire` should be called, at the latest; never when there are no sessions.
+    /// Returns the latest time for a call of `expire`; never if there are no sessions.
     Clock::time_point next_expiry() const;
 
-    /// Drops what waits in sessions and was abandoned.
+    /// Drops abandoned waiting work of sessions.
     void drop_abandoned() const;
 
-    /// In order of opening.
+    /// Returns the sessions in order of opening.
     std::vector<SessionPtr> all() const;
     std::size_t bytes() const;
 

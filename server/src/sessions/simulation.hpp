@@ -1,4 +1,4 @@
-// The simulation that a session steps through: a contact, or a wheel on its rail.
+// The simulation of a session: a contact, or a wheel on its rail.
 #pragma once
 
 #include <cstddef>
@@ -14,14 +14,14 @@
 
 namespace contactd::server {
 
-/// The answer to a step, kept to be sent again.
+/// The answer to a step, kept for a repeated request.
 struct StepAnswer {
     std::size_t request = 0;                  ///< hash of what was asked
     std::shared_ptr<const std::string> text;  ///< of the result, as JSON
     proto::Frames frames;
 };
 
-/// A step that a request asks for.
+/// A requested step.
 struct StepRequest {
     const nlohmann::json& params;  ///< of session.step, which have passed their schema
     const CallPtr& call;           ///< has the frames that they refer to
@@ -32,33 +32,33 @@ struct StepRequest {
     RecentSolves& recent;
 };
 
-/// Used in the order of its session only, but for what is const.
+/// Non-const functions may be used in the order of its session only.
 class Simulation {
    public:
     virtual ~Simulation() = default;
 
-    /// All that a step leaves to the next one; here what the first one starts from.
+    /// Returns the initial state: the data from which the first step starts.
     virtual engine::StepState start() const = 0;
 
     struct Solved {
         std::string text;  ///< of the result, as JSON
         engine::StepState after;
     };
-    /// The step after `before`. Throws what the engine does, and StatusError for a step of the other kind.
+    /// Solves the step after `before`. Throws as the engine, and StatusError for a step of the other kind.
     virtual Solved solve(const engine::StepState& before, const StepRequest& request, proto::ArrayWriter& arrays,
                          Observer& observer, engine::Engine& engine) = 0;
 
-    /// The part of the set-up that session.info reports, and no more.
+    /// Returns the part of the set-up that session.info reports.
     virtual SessionInfo common() const = 0;
-    /// The number of elements of the patches that the step before `state` was solved on.
+    /// Returns the number of elements of the patches of the step that led to `state`.
     virtual std::size_t elements(const engine::StepState& state) const = 0;
-    /// Whether a step takes about as long as waking a thread.
+    /// Returns whether a step takes about as long as waking a thread.
     virtual bool is_small() const = 0;
     virtual std::size_t bytes() const = 0;  ///< of memory, about, with the state where it is when it starts
     virtual std::size_t state_bytes(const engine::StepState& state) const = 0;  ///< of each state
 };
 
-/// The memory that a session of `setup` will take, about.
+/// Returns the approximate memory of a session of `setup`.
 std::size_t session_bytes(const ContactSetup& setup);
 std::size_t session_bytes(const WheelRailSetup& setup);
 

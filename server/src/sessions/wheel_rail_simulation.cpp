@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t bytes_per_point = 400, bytes_per_element_state = 184, bytes_beside = 65536;
 constexpr std::size_t points_of_formulae = 2000;  // of what is generated
 
-/// Counts points, which of a file are not known before it is read: a point takes four bytes at least. Its text is kept,
-/// too.
+/// Estimates the number of points. Those of a file are unknown before it is read, but a point has at least four bytes.
+/// Its text is also kept.
 std::size_t points_of(const ProfileSpec& profile) {
     constexpr std::size_t least_bytes = 4;
     if (const auto* file = std::get_if<ProfileFile>(&profile.shape))
@@ -56,7 +56,7 @@ class WheelRailSimulation final : public Simulation {
         for (const WheelRailEstimates::Patch& patch : state.wheel_rail.patches) sum += patch.grid.size();
         return sum;
     }
-    // Searches for contacts and for heights take some times as long.
+    // Searches for contacts and heights take several times as long.
     bool is_small() const override { return false; }
     std::size_t bytes() const override { return session_bytes(steps_->setup()); }
     std::size_t state_bytes(const engine::StepState& state) const override {

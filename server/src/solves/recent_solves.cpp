@@ -30,7 +30,7 @@ void add_evidence(RecentSolve& solve, const ContactSolution& solution) {
     solve.pmax = std::max(solve.pmax, solution.pmax);
 }
 
-/// Results on one grid of a solve.
+/// The results of a solve on one grid.
 struct Part {
     const Grid& grid;
     const ContactSolution& solution;
@@ -41,7 +41,7 @@ void add_pressures(RecentSolve& solve, const std::vector<Part>& parts, std::size
     for (const auto& [grid, solution] : parts) {
         solve.elements += grid.size();
         bytes += bytes_per_patch + bytes_per_element * grid.size();
-        // Arrays that are missing cannot be kept.
+        // Missing arrays cannot be kept.
         if (solution.pressure.size() != grid.size() || solution.element_division.size() != grid.size())
             bytes = max_bytes + 1;
     }
@@ -65,7 +65,7 @@ void add_wheel(RecentSolve& solve, const WheelRailSolution& solution, std::vecto
     }
 }
 
-/// Whether JSON has all its numbers, which are finite then.
+/// Returns whether JSON can represent all its numbers, which are then finite.
 bool can_be_reported(const RecentSolve& solve) {
     const auto& [x, y, z] = solve.forces;
     return std::isfinite(solve.residual + solve.pmax + x + y + z);

@@ -1,4 +1,4 @@
-// The last solves: what is reported of them, and the pressures of as many as there is room for.
+// The last solves: their summaries, and pressures within a memory budget.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace contactd::server {
 
-/// Pressures on one grid, shape [ny, nx]. In single precision, which a picture cannot tell from double.
+/// Pressures on one grid, shape [ny, nx], in single precision, which is sufficient for a picture.
 struct RecentPatch {
     Grid grid;
     std::vector<float> pressure;  ///< (N/mm^2)
@@ -43,21 +43,22 @@ struct RecentSolve {
     std::size_t pressures_bytes = 0;  ///< what these take, about
 };
 
-/// Safe to use from several threads. A solve costs an entry and, where there is room, a copy of its pressures.
+/// Thread-safe. A solve costs an entry and, if there is memory, a copy of its pressures.
 class RecentSolves {
    public:
     using Clock = Call::Clock;
 
     explicit RecentSolves(RecentSolvesLimits limits) : limits_(limits) {}
 
-    // Adds a solve that has just ended, before its answer goes out.
+    // Adds a solve that has just ended, before its answer is sent.
     void add(const Call& call, Clock::time_point begun, const ContactSolution& solution, const Grid& grid);
     void add(const Call& call, Clock::time_point begun, const WheelRailSolution& solution);
     void add(const Call& call, Clock::time_point begun, const WheelsetSolution& solution);
 
-    /// Those of a user, the latest first.
+    /// Returns the solves of a user, the latest first.
     std::vector<RecentSolve> of(const std::string& user) const;
-    /// Throws StatusError (SOLVE_UNKNOWN) when none of the user's has that number, or its pressures are not there.
+    /// Returns the pressures of a solve. Throws StatusError (SOLVE_UNKNOWN) if the user has no solve of that number, or
+    /// its pressures are not available.
     RecentPressures pressures(const std::string& user, std::uint64_t number) const;
 
    private:

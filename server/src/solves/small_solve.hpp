@@ -1,4 +1,4 @@
-// Solves that the I/O thread does itself.
+// Solves that run in the I/O thread.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace contactd::server {
 
-/// Whether a simplified model solves that many elements in about the time of waking a thread: FASTSIM needs 40 us
-/// for 625. With forces given it takes some times as long, which the I/O thread can bear when nobody else asks.
+/// Returns whether a simplified model solves that many elements in about the time of waking a thread: FASTSIM needs 40
+/// us for 625. With prescribed forces it takes several times as long, which is acceptable if no other request is open.
 inline bool is_small_solve(Model model, std::size_t elements) {
     return model != Model::full && elements <= 1000;
 }

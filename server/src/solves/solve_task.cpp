@@ -41,7 +41,7 @@ void solve(const SolvePtr& work) {
 
 void start(const SolveTools& tools, SolveTask task) {
     const auto work = std::make_shared<Solve>(Solve{std::move(task), tools.engine, tools.recent, {}});
-    // A worker that finds the tables at hand goes on by itself: another one would have to wake up first.
+    // If the tables are available, the worker continues itself, because another one would have to wake up first.
     const auto caller = work->task.in_caller ? std::this_thread::get_id() : std::thread::id();
     const auto queue = [work, caller, &workers = tools.workers] {
         if (std::this_thread::get_id() == caller) return solve(work);

@@ -1,4 +1,4 @@
-// One contact problem on its way through the daemon: first the tables of its bodies, then a worker.
+// One contact problem in the daemon: first the tables of its bodies are fetched, then a worker solves it.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace contactd::server {
 
-/// The parts of the daemon that solve.
+/// The parts of the daemon needed for solves.
 struct SolveTools {
     engine::Engine& engine;
     WorkerPool& workers;
@@ -26,14 +26,14 @@ struct SolveTask {
     ContactProblem problem;    ///< valid
     std::shared_ptr<Job> job;  ///< ends the solve by being cancelled
     std::function<void(const Progress&)> progress;
-    /// One of them is called, from any thread; what `done` throws goes to `failed`.
+    /// Exactly one of them is called, from any thread; exceptions of `done` go to `failed`.
     std::function<void(const SolveReply&)> done;
     std::function<void(const proto::Status&)> failed;
     double bytes = 0;  ///< that the call holds, and gives back while it waits for a build; 0: those of others, too
     bool in_caller = false;  ///< the calling thread, a worker, may solve it itself
 };
 
-/// Returns at once, unless the task is solved by the caller.
+/// Returns immediately, unless the calling thread solves the task.
 void start(const SolveTools& tools, SolveTask task);
 
 }  // namespace contactd::server

@@ -1,5 +1,5 @@
-// Tables by finite elements come from a store there, which a builder on Linux has filled: who asks for another one is
-// told so.
+// On Windows, tables by finite elements come from a store that a builder on Linux filled. Requests for other tables are
+// refused with this reason.
 #include "operation/builder_programs.hpp"
 
 namespace contactd::server {

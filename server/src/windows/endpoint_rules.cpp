@@ -1,4 +1,4 @@
-// Where there is no daemon nobody listens, and no log is written to a file: there is nothing to refuse.
+// Without a daemon there is neither an endpoint nor a log file, so there is nothing to refuse.
 #include "config/endpoint_rules.hpp"
 
 namespace contactd::server {

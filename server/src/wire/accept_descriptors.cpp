@@ -1,6 +1,6 @@
-// libzmq 4.3 ends the program when a connection comes to an ipc endpoint and no file descriptor is left, though it
-// bears the same of the whole system (ENFILE). This accept4, which libzmq finds before that of the C library, tells it
-// so.
+// libzmq 4.3 aborts the program if a connection arrives at an ipc endpoint and no file descriptor is left (EMFILE),
+// although it handles the same shortage of the whole system (ENFILE). This accept4, which libzmq finds before that of
+// the C library, reports the latter.
 #include <sys/socket.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -12,8 +12,8 @@
 extern "C" int accept4(int socket, sockaddr* address, socklen_t* length, int flags) {
     const auto accepted = static_cast<int>(::syscall(SYS_accept4, socket, address, length, flags));
     if (accepted < 0 && errno == EMFILE) {
-        // The connection stays in the queue, and libzmq asks again at once: without a pause that would cost a
-        // processor.
+        // The connection stays in the queue, and libzmq retries immediately, which would occupy a processor without a
+        // pause.
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
         errno = ENFILE;
     }

@@ -15,11 +15,12 @@ namespace {
 constexpr int messages_in_socket = 32;
 constexpr long retry_ms = 5;
 
-// Closing a socket cuts off an answer that its client is still reading, lingering or not: it stays open so much longer.
+// Closing a socket cuts off an answer that its client is still reading, even with linger, so it stays open for this
+// time.
 constexpr auto settling = std::chrono::milliseconds(300);
 
-/// Whether something can be read from `socket`. Not known from its descriptor, which becomes readable when something
-/// has changed since the socket was last used.
+/// Returns whether `socket` can be read. Its descriptor does not show this, because it becomes readable only if
+/// something has changed since the socket was last used.
 bool has_input(void* socket) {
     int events = 0;
     std::size_t size = sizeof events;
@@ -45,16 +46,17 @@ AnsweringSocket::AnsweringSocket(zmq::context_t& context, const AccessControl& a
       outbox_(socket_, config.max_outbox_bytes) {
     socket_.set(zmq::sockopt::router_mandatory, true);
     socket_.set(zmq::sockopt::linger, static_cast<int>(linger.count()));
-    // ZeroMQ counts messages, not bytes: what it holds for each client must be few, so that our budgets mean something.
+    // ZeroMQ counts messages, not bytes, so it may hold only a few for each client; otherwise our budgets would be
+    // ineffective.
     socket_.set(zmq::sockopt::sndhwm, messages_in_socket);
     socket_.set(zmq::sockopt::rcvhwm, messages_in_socket);
-    // A frame above this costs its sender the connection, without a word; up to it we can answer in words.
+    // ZeroMQ closes the connection of a larger frame silently; smaller ones can be answered with an error.
     socket_.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(2 * config.limits.max_frame_bytes));
     access_.protect(socket_);
 }
 
 void AnsweringSocket::bind(const std::string& endpoint) {
-    // ZeroMQ removes whatever it finds at the path, and takes it over from a daemon that still listens there.
+    // ZeroMQ removes any file at the path, even the socket of a running daemon.
     if (const std::string problem = socket_file_problem(endpoint); !problem.empty()) throw Error(problem);
     const mode_t previous = ::umask(0077);  // an ipc socket is for this user only
     try {
@@ -71,7 +73,7 @@ void AnsweringSocket::post(Answer answer) {
     std::unique_lock lock(mutex_, std::defer_lock);
     if (is_owner() || !lock.try_lock() || !mailbox_.empty()) return mailbox_.put(std::move(answer));
     const auto line = send(std::move(answer));
-    // Sending takes note of what has arrived, so that the socket's descriptor does not tell of it any more.
+    // Sending processes arrived events, so the socket's descriptor no longer signals them.
     if (has_input(socket_.handle()) || !outbox_.empty() || wakes_at_answers_) mailbox_.wake();
     lock.unlock();
     if (line) write(*line);
@@ -107,7 +109,7 @@ std::optional<Message> AnsweringSocket::receive() {
             message.route.empty_delimiter = true;
             continue;
         }
-        // One more than allowed is kept, for the limit check to see; the rest is not worth its memory.
+        // Keeps one more than allowed for the check of limits, and drops the rest to save memory.
         if (++count > max_frames_ + 1) continue;
         if (count == 1)
             message.envelope = part.to_string();
@@ -118,7 +120,7 @@ std::optional<Message> AnsweringSocket::receive() {
     return message;
 }
 
-/// Sends the answer, and returns the line for the log, to be written when the answer has gone.
+/// Sends the answer and returns its line for the log, to be written afterwards.
 std::optional<RequestLine> AnsweringSocket::send(Answer answer) {
     std::optional<RequestLine> line;
     if (!answer.is_progress) {

@@ -1,4 +1,4 @@
-// The ROUTER socket, its lock and its outbox: requests come in, answers go out from any thread.
+// The ROUTER socket with its lock and its outbox: receives requests, and sends answers from any thread.
 #pragma once
 
 #include <chrono>
@@ -21,7 +21,7 @@
 
 namespace contactd::server {
 
-/// A message as it came, taken apart.
+/// A received message and its parts.
 struct Message {
     Route route;
     int connection = -1;  ///< the file descriptor it came through
@@ -29,52 +29,52 @@ struct Message {
     proto::Frames frames;  ///< behind the envelope; of too many one more than allowed, for who checks limits
 };
 
-/// Belongs to the thread that makes it, which holds the lock whenever it does not wait. Another thread that has an
-/// answer sends it itself if it gets the lock at once: waking the owner would take longer. Otherwise it leaves the
+/// Belongs to the thread that creates it, which holds the lock except while it waits. Another thread with an answer
+/// sends it itself if it gets the lock immediately, because waking the owner would take longer. Otherwise it leaves the
 /// answer to the owner. Only the owner waits for the lock, for the time of sending one answer.
 class AnsweringSocket {
    public:
     using Clock = Call::Clock;
-    /// Hears of every answer that goes out, progress excepted, under the lock.
+    /// Called with every outgoing answer, except progress, under the lock.
     using NoteAnswer = std::function<void(const Answer&)>;
 
-    /// How long answers stay when the socket closes, for a client that reads slowly.
+    /// The time for which answers are kept when the socket closes, for slow clients.
     static constexpr auto linger = std::chrono::milliseconds(2000);
 
     AnsweringSocket(zmq::context_t& context, const AccessControl& access, const Config& config, NoteAnswer note);
 
-    /// Throws Error when the address cannot be used.
+    /// Binds the socket. Throws Error if the address cannot be used.
     void bind(const std::string& endpoint);
-    /// The address that clients connect to, with the port that was taken.
+    /// Returns the address that clients connect to, with the actual port.
     std::string address() const { return socket_.get(zmq::sockopt::last_endpoint); }
-    /// For whoever watches its connections.
+    /// Returns the handle for monitoring its connections.
     zmq::socket_t& router() { return socket_; }
 
     // Any thread:
 
-    /// Sends an answer, now or soon. Whoever holds other locks may call this, since it waits for none but those of the
-    /// mailbox and of what `note` does.
+    /// Sends an answer, now or soon. May be called with other locks held, because it waits only for those of the
+    /// mailbox and of `note`.
     void post(Answer answer);
-    /// Ends a wait of the owner.
+    /// Wakes the owner.
     void wake() { mailbox_.wake(); }
     bool is_owner() const { return std::this_thread::get_id() == owner_; }
 
     // The owner:
 
-    /// Waits, without the lock, until a message or an answer has come, one of `others` or `descriptor` can be read, or
-    /// it is time (negative: no time), or time to try again what a client had no room for. True when `descriptor` can
-    /// be read. After a message it looks for the next one before it sleeps (spin_microseconds).
+    /// Waits, without the lock, until a message or an answer arrives, one of `others` or `descriptor` can be read, the
+    /// timeout passes (negative: none), or a retry for a slow client is due. Returns true if `descriptor` can be read.
+    /// After a message it polls for the next one before it sleeps (spin_microseconds).
     bool wait(int descriptor, std::span<void* const> others, long milliseconds);
-    /// The next message that has arrived, if there is one.
+    /// Returns the next message, if there is one.
     std::optional<Message> receive();
-    /// Sends what others have left, and tries again what clients had no room for.
+    /// Sends answers left by other threads, and retries those for slow clients.
     void deliver();
-    /// Whether answers wait to be sent.
+    /// Returns whether answers wait to be sent.
     bool has_backlog() const { return !mailbox_.empty() || !outbox_.empty(); }
     std::size_t backlog_bytes() const { return outbox_.bytes(); }
-    /// From now on each answer that others send ends a wait.
+    /// Lets each answer sent by other threads wake the owner from now on.
     void wake_at_answers() { wakes_at_answers_ = true; }
-    /// Whether all answers have gone, long enough ago for closing the socket not to cut one off.
+    /// Returns whether all answers were sent long enough ago that closing the socket cuts none off.
     bool has_settled() const;
 
    private:

@@ -5,7 +5,7 @@
 namespace contactd::server {
 namespace {
 
-/// Whether ROUTER has given the identity, by counting up: clients may not begin theirs with a zero.
+/// Returns whether ROUTER assigned the identity by counting; identities chosen by clients must not begin with a zero.
 bool is_given(const std::string& client) {
     return client.starts_with('\0');
 }

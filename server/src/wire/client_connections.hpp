@@ -1,4 +1,4 @@
-// Clients at the other end of connections, and clients that have gone.
+// Connected clients, and clients that have disconnected.
 #pragma once
 
 #include <string>
@@ -7,21 +7,21 @@
 
 namespace contactd::server {
 
-/// A client is the identity that ROUTER gives a connection: it ends with the connection, since nothing can be sent to
-/// it any more. An identity that a client chose itself does not: it may come back under it, and gets the answers then.
-/// Belongs to the I/O thread.
+/// A client is the identity that ROUTER assigns to a connection, and it ends with the connection, because nothing can
+/// be sent to it any more. An identity chosen by a client does not end, because the client may reconnect with it and
+/// receive its answers. Belongs to the I/O thread.
 class ClientConnections {
    public:
     void note_connection(int fd) { clients_[fd].clear(); }
     void note_end(int fd);
 
-    /// Whether `client` is known to speak through `fd`. Where it is not, what happened to connections before has to be
-    /// noted first: the number may have been another connection's until now.
+    /// Returns whether `client` is known to use `fd`. If not, pending events of connections must be processed first,
+    /// because the number may have belonged to another connection.
     bool knows(int fd, const std::string& client) const;
-    /// A message of `client` has come through `fd`. False when the connection has ended since.
+    /// Records a message of `client` through `fd`. Returns false if the connection has since ended.
     bool note_message(int fd, const std::string& client);
 
-    /// The clients that have gone since the last call.
+    /// Returns the clients that disconnected since the last call.
     std::vector<std::string> take_gone();
 
    private:

@@ -16,7 +16,7 @@ ConnectionMonitor::ConnectionMonitor(zmq::context_t& context, zmq::socket_t& wat
     if (::zmq_socket_monitor(watched_.handle(), channel, ZMQ_EVENT_ACCEPTED | ZMQ_EVENT_DISCONNECTED) != 0)
         throw zmq::error_t();
     events_.set(zmq::sockopt::linger, 0);
-    // Were there a limit, ZeroMQ's own thread would wait for this one to read, also at the end, when it reads no more.
+    // With a limit, ZeroMQ's own thread would wait for this one to read, even at the end, when it no longer reads.
     events_.set(zmq::sockopt::rcvhwm, 0);
     events_.connect(channel);
 }

@@ -1,4 +1,4 @@
-// Connected clients, from what ZeroMQ reports of its socket.
+// Connected clients, from ZeroMQ's socket events.
 #pragma once
 
 #include <string>
@@ -11,29 +11,30 @@
 
 namespace contactd::server {
 
-/// Counts connections, knows which clients have gone, and hangs up on those that send without end. Belongs to the
-/// thread of the socket it watches, and must go before it.
+/// Counts connections, detects disconnected clients, and closes the connections of endless messages. Belongs to the
+/// thread of its socket, and must be destroyed before it.
 class ConnectionMonitor {
    public:
     using Clock = UnfinishedInput::Clock;
 
-    /// `connections` shows how many there are; `max_input_bytes` is the bound of UnfinishedInput.
+    /// Stores the number of connections in `connections`; `max_input_bytes` is the bound of UnfinishedInput.
     ConnectionMonitor(zmq::context_t& context, zmq::socket_t& watched, std::size_t max_input_bytes,
                       Counters::Count& connections);
     ~ConnectionMonitor();
     ConnectionMonitor(const ConnectionMonitor&) = delete;
     ConnectionMonitor& operator=(const ConnectionMonitor&) = delete;
 
-    /// Readable when there is news.
+    /// Returns a descriptor that is readable if there are events.
     void* handle() { return events_.handle(); }
-    /// Takes the news in.
+    /// Processes the events.
     void read();
-    /// A message of `client` has come whole through the connection `fd`. False when the client has gone since.
+    /// Records a complete message of `client` through the connection `fd`. Returns false if the client has since
+    /// disconnected.
     bool note_message(int fd, const std::string& client);
-    /// The clients that have gone since the last call.
+    /// Returns the clients that disconnected since the last call.
     std::vector<std::string> take_gone() { return clients_.take_gone(); }
 
-    /// Bounds what clients have sent of messages without end, when it is time to look.
+    /// Limits the bytes of unfinished messages, when a check is due.
     void bound_input(Clock::time_point now) { input_.enforce(now); }
     Clock::time_point next_look() const { return input_.next_look(); }
 

@@ -1,4 +1,4 @@
-// Hands values from any thread to one thread that waits in a poll loop.
+// Passes values from any thread to one thread that waits in a poll loop.
 #pragma once
 
 #include <sys/eventfd.h>
@@ -23,7 +23,7 @@ class Mailbox {
     Mailbox(const Mailbox&) = delete;
     Mailbox& operator=(const Mailbox&) = delete;
 
-    /// Becomes readable when there is mail.
+    /// Returns a descriptor that becomes readable if there are values.
     int fd() const { return fd_; }
 
     void put(T value) {
@@ -34,10 +34,10 @@ class Mailbox {
         wake();
     }
 
-    /// Makes fd() readable without mail.
+    /// Makes fd() readable without a value.
     void wake() {
         const std::uint64_t one = 1;
-        // Fails only when the counter is full, and then the reader is awake anyway.
+        // Fails only if the counter is full, in which case the reader is awake anyway.
         [[maybe_unused]] const ssize_t written = ::write(fd_, &one, sizeof one);
     }
 

@@ -11,30 +11,30 @@
 namespace contactd::server {
 namespace {
 
-/// With what keeping it costs, so that empty answers count too.
+/// Includes the overhead of an entry, so that empty answers also count.
 std::size_t bytes_of(const Answer& answer) {
     std::size_t bytes = sizeof answer + answer.route.identity.size() + answer.envelope.size();
     for (const auto& frame : answer.frames) bytes += sizeof frame + frame.size();
     return bytes;
 }
 
-/// A frame that ZeroMQ sends from where it is, and what counts its bytes.
+/// A frame that ZeroMQ sends without a copy, and the counter of its bytes.
 struct KeptFrame {
     proto::Frame frame;
     std::shared_ptr<const void> counted;
 };
 
-/// Called by ZeroMQ's own thread, once the frame is sent.
+/// Called by ZeroMQ's own thread after the frame was sent.
 void free_sent_frame(void*, void* frame) {
     delete static_cast<const KeptFrame*>(frame);
 }
 
-/// Large frames are kept until ZeroMQ has sent them, and not copied.
+/// Keeps large frames until ZeroMQ has sent them, instead of copying them.
 zmq::message_t message_of(proto::Frame frame, const std::shared_ptr<const void>& counted) {
     constexpr std::size_t large = 1 << 16;
     if (frame.size() < large) return zmq::message_t(frame.bytes());
     auto kept = std::make_unique<KeptFrame>(KeptFrame{std::move(frame), counted});
-    // ZeroMQ takes pointers to what may be changed, and changes nothing.
+    // ZeroMQ requires a non-const pointer but does not change the data.
     zmq::message_t message(const_cast<char*>(kept->frame.data()), kept->frame.size(), free_sent_frame, kept.get());
     (void)kept.release();
     return message;
@@ -43,8 +43,8 @@ zmq::message_t message_of(proto::Frame frame, const std::shared_ptr<const void>&
 }  // namespace
 
 Outbox::Sent Outbox::try_send(Answer& answer) {
-    // ROUTER answers for the whole message at its first part: EAGAIN when the client's queue is full, EHOSTUNREACH when
-    // the client has gone. Later parts follow without waiting.
+    // ROUTER decides on the whole message at its first part: EAGAIN if the client's queue is full, EHOSTUNREACH if the
+    // client disconnected. Later parts are sent without waiting.
     const auto part = [&](proto::Frame frame, bool more) {
         socket_.send(message_of(std::move(frame), answer.counted),
                      more ? zmq::send_flags::sndmore : zmq::send_flags::none);

@@ -11,19 +11,19 @@
 
 namespace contactd::server {
 
-/// Belongs to the I/O thread, like the socket. What cannot be sent at once is kept, in order and within a budget for
-/// all clients together: progress is dropped first, and when answers pile up beyond the budget, the client with the
-/// most of them loses them.
+/// Belongs to the I/O thread, like the socket. Answers that cannot be sent immediately are kept, in order and within a
+/// budget for all clients together. Progress is dropped first. If answers exceed the budget, the client with the most
+/// queued answers loses them.
 class Outbox {
    public:
     /// `socket` is a ROUTER with ROUTER_MANDATORY set; it must outlive the outbox.
     Outbox(zmq::socket_t& socket, std::size_t max_bytes) : socket_(socket), max_bytes_(max_bytes) {}
 
     void send(Answer answer);
-    /// Tries what was kept again.
+    /// Retries kept answers.
     void flush();
     bool empty() const { return backlogs_.empty(); }
-    /// Bytes that wait for clients that do not read.
+    /// Returns the bytes queued for slow clients.
     std::size_t bytes() const { return bytes_; }
 
    private:
@@ -34,7 +34,7 @@ class Outbox {
     };
     using Backlogs = std::map<std::string, Backlog>;  // by client identity
 
-    /// Takes what it sends; of an answer for later nothing.
+    /// Moves the answer if it is sent; otherwise leaves it unchanged.
     Sent try_send(Answer& answer);
     void keep(Answer answer);
     Backlogs::iterator drop(Backlogs::iterator client);

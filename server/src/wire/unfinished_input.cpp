@@ -14,7 +14,7 @@ namespace {
 
 constexpr auto scan_interval = std::chrono::milliseconds(100);
 
-/// Bytes that ever came through a connection; nothing when `fd` is no TCP socket, or none any more.
+/// Returns all bytes received through a connection, or nothing if `fd` is not a TCP socket.
 std::optional<std::uint64_t> received_by(int fd) {
     tcp_info info{};
     socklen_t size = sizeof info;
@@ -37,13 +37,13 @@ void UnfinishedInput::note_message(int fd) {
     if (connection != connections_.end()) connection->second.sent_whole_message = true;
 }
 
-/// Counts bytes of all connections that no whole message accounts for.
+/// Counts the bytes of all connections that do not belong to a complete message.
 std::uint64_t UnfinishedInput::count() {
     std::uint64_t total = 0;
     for (auto& [fd, connection] : connections_) {
-        // Between the end of a connection and the news of it its number may be another file's: that has nothing to say.
+        // Between the end of a connection and its event, the number may belong to another file, which does not count.
         connection.received = received_by(fd).value_or(0);
-        // Bytes between the last whole message and now do not count: the next look sees what follows them.
+        // Bytes since the last complete message do not count yet; the next check counts the bytes after them.
         if (std::exchange(connection.sent_whole_message, false) || connection.received < connection.accounted)
             connection.accounted = connection.received;
         total += connection.received - connection.accounted;
@@ -67,10 +67,10 @@ void UnfinishedInput::hang_up(const Connections::iterator& connection) {
     Connection& sender = connection->second;
     spdlog::warn("connection closed: {} bytes of an unfinished message exceed limits.max_inbox_bytes",
                  sender.received - sender.accounted);
-    // The close is to be a reset: a sender whose window is shut would not hear of a quiet one for a minute.
+    // Closes with a reset, because a sender with a closed window would not notice a normal close for a minute.
     const linger none{.l_onoff = 1, .l_linger = 0};
     ::setsockopt(connection->first, SOL_SOCKET, SO_LINGER, &none, sizeof none);
-    // ZeroMQ notices, closes, and gives back what it kept of the message.
+    // ZeroMQ then closes the connection and frees the partial message.
     ::shutdown(connection->first, SHUT_RDWR);
     sender.accounted = sender.received;
 }

@@ -1,4 +1,4 @@
-// Bytes of messages that have not come to their end, which ZeroMQ keeps without bound.
+// Bytes of unfinished messages, which ZeroMQ buffers without limit.
 #pragma once
 
 #include <chrono>
@@ -8,9 +8,9 @@
 
 namespace contactd::server {
 
-/// Counts the bytes that came through each connection since its last whole message, and hangs up on whoever sent the
-/// most of them when all together are too many. The kernel counts them, and only for TCP: connections of other kinds
-/// are passed over. Belongs to the I/O thread.
+/// Counts the bytes received through each connection since its last complete message. If the total is too large, closes
+/// the connection with the most of them. The kernel counts bytes for TCP only; other connections are ignored. Belongs
+/// to the I/O thread.
 class UnfinishedInput {
    public:
     using Clock = std::chrono::steady_clock;
@@ -19,12 +19,12 @@ class UnfinishedInput {
 
     void note_connection(int fd);
     void note_end(int fd);
-    /// A message has come whole through `fd`.
+    /// Records a complete message through `fd`.
     void note_message(int fd);
 
-    /// Counts, when it is time to.
+    /// Counts the bytes, if a check is due.
     void enforce(Clock::time_point now);
-    /// When that is; never while there is nothing to count.
+    /// Returns the time of the next check; never if there is nothing to count.
     Clock::time_point next_look() const { return connections_.empty() ? Clock::time_point::max() : next_look_; }
 
    private:

@@ -23,11 +23,11 @@ constexpr double bytes_of_simplified = 400;      // closed forms, which have fie
 constexpr double bytes_of_answer = 150;          // all fields, as arrays of an answer and its frames
 constexpr double bytes_of_displacements = 100;   // likewise, and what they are summed up from
 constexpr double bytes_of_friction_state = 500;  // what layers and memory carry, and their arrays of an answer
-// Bodies that creep have tables of offsets of both signs, their symbols, and directions of the normal problem.
+// Viscoelastic bodies have tables of offsets of both signs, their symbols, and directions of the normal problem.
 constexpr double bytes_of_creep = 3000;
 
 // Seconds: a product by FFT takes so long for each element and power of two of them, one with strips by their pairs.
-// Measured; what is stated is 1.5 to 3 times what most requests take, for others need more products.
+// Measured. The stated cost is 1.5 to 3 times that of most requests, because some need more products.
 constexpr double seconds_of_product = 6e-9, seconds_of_pair = 2.4e-8;
 constexpr double products_of_normal = 15, products_of_friction = 200, products_of_step = 50;
 constexpr double products_of_wheel = 100;  // with the search for its height
@@ -36,7 +36,7 @@ double pairs_of_strips(const json& grid) {
     return elements_of(grid) * grid.at("ny").get<double>();
 }
 
-/// The step of rolling along x: of an element, where no other is given.
+/// Returns the step of rolling along x; by default the size of an element.
 StripRolling step_along_x(const json& params) {
     const json* friction = member(params, "friction");
     const json* rolling = friction != nullptr ? member(*friction, "rolling") : nullptr;
@@ -95,7 +95,7 @@ WorkCost cost_of_table(const json& params, const Config& config) {
     const json& grid = params.at("grid");
     const bool is_uniform = any_body(params, "longitudinally_uniform");
     const double offsets = is_uniform ? pairs_of_strips(grid) : elements_of(grid);
-    // The record, the part that is asked for, and the answer.
+    // The record, the requested part, and the answer.
     const double seconds = any_body(params, "layered") ? seconds_of_layered_offset : seconds_of_offset;
     return {bytes_beside + offsets * 9 * sizeof(double) * 4, offsets * seconds};
 }
@@ -124,8 +124,7 @@ WorkCost cost_of_wheel_rail(const json& params, const Config& config) {
         bytes += rotated_bytes(elements, elements * ny);
     }
     const double product = seconds_of_product * elements * std::log2(4 * elements + 2);
-    // A patch is seldom as large as this guess, which refuses nothing; that of another size is checked when it is
-    // known.
+    // A patch is rarely as large as this estimate, which refuses nothing. The actual size is checked once it is known.
     return {std::min(bytes_beside + 2 * bytes, static_cast<double>(config.max_work_bytes)),
             2 * product * products_of_wheel};
 }

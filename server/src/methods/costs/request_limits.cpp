@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* grid_limit = " (limits.max_grid_elements)";
 
-/// `field` is where `params` stand. Throws where one side alone has more elements than a grid may.
+/// `field` is the path of `params`. Throws if one side alone exceeds the limit of elements.
 long long elements_of(const json& params, std::size_t most, const std::string& field = "") {
     long long elements = 1;
     for (const char* side : {"nx", "ny"}) {
@@ -29,7 +29,7 @@ long long elements_of(const json& params, std::size_t most, const std::string& f
     return elements;
 }
 
-/// The number of elements of params that have passed check_grid_limit.
+/// Returns the number of elements of params that have passed check_grid_limit.
 std::size_t elements_in(const json& params) {
     return static_cast<std::size_t>(elements_of(params, max_grid_elements));
 }

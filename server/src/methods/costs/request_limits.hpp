@@ -1,4 +1,4 @@
-// Limits that a request has to keep to before anything of its size is made. `params` have passed their schema.
+// Limits of a request, checked before memory of its size is allocated. `params` have been checked against their schema.
 #pragma once
 
 #include <cstddef>
@@ -17,17 +17,17 @@ void check_grid_limit(const nlohmann::json& params, std::size_t most);
 /// Checks the grids of all problems together.
 void check_grid_limits(const nlohmann::json& problems, std::size_t most);
 
-/// The arrays of a solution that are sent.
+/// The arrays of a solution to be sent.
 struct ArrayAnswer {
     SolutionFields fields;
     std::size_t elements = 0;  ///< of the grid
 };
-/// The arrays that contact.solve answers, from params that keep to the limit of grids; there is no slip without
+/// Returns the arrays in the answer of contact.solve, from params within the limit of grids; there is no slip without
 /// friction.
 ArrayAnswer array_answer(const nlohmann::json& params);
 
-/// Throws StatusError (ANSWER_TOO_LARGE) when the arrays could not be sent in one message: what could not be sent need
-/// not be solved. Lists have no size that is known before; they are checked when they go.
+/// Throws StatusError (ANSWER_TOO_LARGE) if the arrays do not fit into one message, so that the problem need not be
+/// solved. The size of lists is unknown in advance, so they are checked when they are sent.
 void check_answer_fits(std::span<const ArrayAnswer> answers, proto::ArrayEncoding arrays, const MessageLimits& limits);
 
 }  // namespace contactd::server

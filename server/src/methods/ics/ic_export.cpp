@@ -21,7 +21,7 @@ using engine::IcAnswers;
 
 namespace {
 
-/// A file on its way: first the tables of both bodies, then the worker.
+/// A file in progress: first the tables of both bodies, then the worker.
 struct Export {
     CallPtr call;
     FileFormat format = FileFormat::hdf5;
@@ -34,7 +34,7 @@ IcUse use_of(const IcAnswer& answer) {
     return {answer.origin, answer.key, answer.record->evidence};
 }
 
-/// Whole, or taken apart.
+/// The file as a whole, or its parts.
 void answer_with_ic_file(const Export& work) {
     const IcRecord& source = *work.answers[0].record;
     IcRecord record{work.specs[0], {}, source.evidence};

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t most_with_evidence = 100;  // of one answer: each takes a file to be read
 
-/// Whole names, so that a page may end between two extents of one key.
+/// Uses whole names, so that a page may end between two extents of one key.
 std::string name_of(const StoredTable& table) {
     return table.path.stem().string();
 }
@@ -22,7 +22,7 @@ json to_json(const StoredTable& table, bool with_evidence) {
     if (with_evidence) try {
             entry["evidence"] = proto::encode_evidence(read_ic_file(table.path).evidence);
         } catch (const StoreError&) {
-            // Damaged, or gone meanwhile: whoever wants the table will hear of it.
+            // The file is damaged or was removed meanwhile, which a request for the table will report.
         }
     return entry;
 }

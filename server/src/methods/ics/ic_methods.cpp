@@ -26,7 +26,7 @@ void get_table(const CallPtr& call, const DaemonParts& parts) {
     validate(spec);
     const proto::IcPart part = proto::decode_ic_part(call->request.params, table_rows(spec));
     if (call->request.arrays == proto::ArrayEncoding::frame) proto::check_size(part, spec.nx, parts.config.limits);
-    // Tells of a bad section in the lengths of the request, before anything is built.
+    // Reports an invalid section in the lengths of the request before anything is built.
     const std::vector<StripFrame> frames = strip_frames(spec);
     const auto tell = [call, spec, part, frames, threads = parts.config.workers](const engine::IcAnswer& answer) {
         guarded(call, [&] {

@@ -15,7 +15,7 @@ struct Page {
     std::string text;
 };
 
-/// GET and HEAD of one path.
+/// Handles GET and HEAD of one path.
 class PageHandler final : public CivetHandler {
    public:
     PageHandler(const char* type, std::function<Page()> make) : type_(type), make_(std::move(make)) {}
@@ -45,9 +45,9 @@ class PageHandler final : public CivetHandler {
 
 constexpr const char* plain = "text/plain; charset=utf-8";
 
-/// No documents, no scripts: only what the handlers say. A connection has a thread from its first byte on, or before
-/// that, so that it takes as many threads as there may be idle connections; who says nothing for `request_timeout_ms`
-/// loses the connection. Threads that wait cost little more than their 8 KiB for a request.
+/// Serves no documents and no scripts, only the handlers. A connection occupies a thread even while it is idle, so
+/// there are as many threads as idle connections are allowed. A connection without data for `request_timeout_ms` is
+/// closed. A waiting thread costs little more than its 8 KiB for a request.
 std::vector<std::string> options_for(const std::string& address) {
     return {"listening_ports",   address, "num_threads",       "256",  "request_timeout_ms", "2000",
             "enable_keep_alive", "no",    "linger_timeout_ms", "1000", "max_request_size",   "8192"};

@@ -1,4 +1,4 @@
-// Pages that monitoring reads by HTTP: /metrics (Prometheus), /healthz (alive), /readyz (takes requests).
+// Pages for monitoring by HTTP: /metrics (Prometheus), /healthz (alive), /readyz (accepts requests).
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 
 namespace contactd::server {
 
-/// Has threads of its own; nothing but these three pages is answered, and nothing can be changed through it.
+/// Has its own threads. Serves only these three pages, and cannot change anything.
 class HttpListener {
    public:
     struct Pages {
@@ -15,11 +15,11 @@ class HttpListener {
         std::function<std::string()> not_ready;  ///< why not; empty: ready
     };
 
-    /// `address` is HOST:PORT, port 0 taking a free one. Throws Error when it cannot be listened at.
+    /// `address` is HOST:PORT; port 0 selects a free one. Throws Error if it cannot listen there.
     HttpListener(const std::string& address, Pages pages);
     ~HttpListener();
 
-    /// With the port that was taken.
+    /// Returns the address with the actual port.
     std::string address() const;
 
    private:

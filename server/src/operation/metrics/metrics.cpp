@@ -81,7 +81,7 @@ RequestMetrics::RequestMetrics(const std::vector<std::string>& methods)
     };
     for (const std::string& name : methods) add(name);
     add(unknown);
-    // There from the start, for those who watch for the first one.
+    // Defined from the start, so that the first event is visible as a change.
     for (const auto reason : {proto::reason::queue_full, proto::reason::stopping})
         by_reason_.emplace(reason, &errors_.Add({{"reason", std::string(reason)}}));
 }

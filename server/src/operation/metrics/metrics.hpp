@@ -1,4 +1,4 @@
-// Metrics of the daemon, for server.info, server.metrics and Prometheus alike.
+// Metrics of the daemon, for server.info, server.metrics and Prometheus.
 #pragma once
 
 #include <prometheus/metric_family.h>
@@ -17,15 +17,15 @@ namespace contactd::server {
 
 using MetricFamilies = std::vector<prometheus::MetricFamily>;
 
-/// Answers by method and status, and how long they took. Methods and statuses that are not known count as one, so that
-/// no client can make the list grow.
+/// Answers by method and status, and their times. Unknown methods and statuses count as one, so that no client can make
+/// the list grow.
 class RequestMetrics {
    public:
     explicit RequestMetrics(const std::vector<std::string>& methods);
 
-    /// One thread at a time. Takes about half a microsecond.
+    /// Counts an answer. Only one thread at a time may call it. Takes about half a microsecond.
     void record(const Answer& answer);
-    /// From any thread.
+    /// Can be called from any thread.
     MetricFamilies collect() const { return registry_.Collect(); }
 
    private:
@@ -40,7 +40,7 @@ class RequestMetrics {
     std::map<std::string, prometheus::Counter*, std::less<>> by_reason_;
 };
 
-/// A metric of one value, or of several that one label distinguishes.
+/// A metric with one value, or with several values of one label.
 prometheus::MetricFamily counter(std::string name, std::string help, double value);
 prometheus::MetricFamily gauge(std::string name, std::string help, double value);
 struct LabelValue {
@@ -52,12 +52,12 @@ prometheus::MetricFamily counter(std::string name, std::string help, std::string
 prometheus::MetricFamily gauge(std::string name, std::string help, std::string_view label,
                                const std::vector<LabelValue>& values);
 
-/// Metrics of this process, under the names every Prometheus client uses (process_resident_memory_bytes, ...).
+/// Returns metrics of this process, with the standard names of Prometheus (process_resident_memory_bytes, ...).
 MetricFamilies process_metrics();
 
 /// Encodes metrics as on the wire, proto/schema/server.metrics.result.json.
 nlohmann::json to_json(const MetricFamilies& families);
-/// Encodes metrics as Prometheus reads them.
+/// Encodes metrics in the format of Prometheus.
 std::string to_prometheus(const MetricFamilies& families);
 
 }  // namespace contactd::server
