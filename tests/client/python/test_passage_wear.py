@@ -109,7 +109,7 @@ def test_the_range_of_a_law_warns():
 
 
 def test_a_law_without_a_source_is_refused():
-    with pytest.raises(TypeError, match="EnergyWear has no source: say where its coefficients come from"):
+    with pytest.raises(TypeError, match="EnergyWear has no source: give the source of its coefficients"):
         solved(EnergyWear(C))
     with pytest.raises(TypeError, match='EnergyWear.body is \'lower\'; it must be "wheel" or "rail"'):
         solved(EnergyWear(C, source="our test", body="lower"))
