@@ -85,13 +85,10 @@ TEST_CASE("what the library does not have is refused by its name", "[input]") {
         CHECK(InputFile(text + end).read(contact) == code);
         CHECK_THAT(last_sentence(), ContainsSubstring(sentence));
     };
-    refused(rolling, "1e-4\n", "1e-4 1. 2.\n", -99, "SPINXO");
     refused(rolling, "022020", "022120", -39, "line");
     refused(rolling, ".28 .28", ".28 abc", -39, "line 9, column 5, has \"abc\"");
     refused(rolling + "3 MODULE\n203100\n100000\n100001\n1. 0. 0. 0.\n", "", "", -39,
             "A second case begins in line 13");
-    refused(rolling, "-3\n20 20 4. 4. 1.1", "1\n2 2 -1. -1. 1. 1.\n1 2\n1e-3 0 1e-3 0 0 0\n1 0 1 0 0 -1", -99,
-            "A planform, IPLAN = 2");
     refused(rolling, "022020\n", "022020 2\n", -39, "line");  // reads damping, which the file does not have
     std::string damped = rolling;
     damped.replace(damped.find("022020\n"), 7, "022020 2\n");
@@ -213,4 +210,76 @@ TEST_CASE("a file sets no damping, distances, half ellipses and estimates as the
     REQUIRE(code >= 0);
     CHECK(by_file.calculate() == code);
     CHECK(by_calls.forces() == by_file.forces());
+}
+
+TEST_CASE("a file sets spin and friction that no function sets as motions that functions set", "[input]") {
+    Case by_calls(83), by_file(84);
+    by_calls.tolerance(1e-6);
+    by_calls.material(.28, .28, 82000, 82000);
+    by_calls.coulomb(0.3);
+    by_calls.normal_force(9000);
+    by_calls.rolling_step(0, 0.4);
+    by_calls.velocity(2000);
+    by_calls.hertz(-3, {20, 20, 4, 4, 1.1});
+    std::string text = rolling;
+    const auto replace = [&](const std::string& from, const std::string& to) {
+        text.replace(text.find(from), from.size(), to);
+    };
+    SECTION("a centre of spin") {
+        replace("1e-4\n", "1e-4 1. 2.\n");
+        by_calls.creepages(1e-3 + 2 * 1e-4, 2e-4 - 1 * 1e-4, 1e-4);
+    }
+    SECTION("spin that acts along x alone") {
+        replace("022020\n", "022022\n");
+        by_calls.creepages(1e-3, 2e-4, 0);
+        Values along(400), across(400, 0.0);
+        for (int iy = 0; iy < 20; ++iy)
+            for (int ix = 0; ix < 20; ++ix) along[20 * iy + ix] = -1e-4 * (-4.4 + (iy + 0.5) * 0.44);
+        by_calls.extra_slip(along, across);
+    }
+    SECTION("friction that is the same in all rows") {
+        replace("022020\n", "3022020\n");
+        replace("0.3 0.3\n", "");
+        replace(
+            "-3\n20 20 4. 4. 1.1\n", "-3\n20 20 4. 4. 1.1\n" + [] {
+                std::string rows;
+                for (int row = 0; row < 20; ++row) rows += "0.3 0.3\n";
+                return rows;
+            }());
+        by_calls.creepages(1e-3, 2e-4, 1e-4);
+    }
+    SECTION("a sheet that yields nothing") {
+        replace("203100", "213100");
+        replace("82000.\n", "82000.\n0.\n");
+        by_calls.creepages(1e-3, 2e-4, 1e-4);
+    }
+    CAPTURE(text);
+    REQUIRE(InputFile(text + end).read(by_file) == 0);
+    REQUIRE(by_calls.calculate() == 0);
+    REQUIRE(by_file.calculate() == 0);
+    CHECK(std::abs(by_file.forces().fx - by_calls.forces().fx) < 1e-9 * 2700);
+    CHECK(std::abs(by_file.forces().fy - by_calls.forces().fy) < 1e-9 * 2700);
+    CHECK(std::abs(by_file.forces().mz - by_calls.forces().mz) < 1e-9 * 2700);
+}
+
+TEST_CASE("a first case that goes on from none is named, and taken as one that starts anew", "[input]") {
+    Case contact(85);
+    std::string text = rolling;
+    text.replace(text.find("203100"), 6, "003100");
+    CHECK(InputFile(text + end).read(contact) == 0);
+    CHECK_THAT(last_sentence(), ContainsSubstring("Warning: ") && ContainsSubstring("P = 0"));
+    CHECK(contact.get_flag(1970) == 2);
+}
+
+TEST_CASE("a file that cannot be set changes nothing, and nothing is solved until one can", "[input]") {
+    Case contact(86);
+    REQUIRE(InputFile(rolling + end).read(contact) == 0);
+    std::string wrong = rolling;
+    wrong.replace(wrong.find("9000."), 5, "5000.");
+    wrong.replace(wrong.find("0.4 2000."), 9, "0.4 0.");
+    CHECK(InputFile(wrong + end).read(contact) == -39);
+    CHECK(contact.calculate() == -39);
+    REQUIRE(InputFile(rolling + end).read(contact) == 0);
+    REQUIRE(contact.calculate() == 0);
+    CHECK(std::abs(contact.forces().fn - 9000) < 1e-3);
 }

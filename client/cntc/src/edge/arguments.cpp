@@ -42,19 +42,6 @@ double number(const double* value, const char* name) {
     return *value;
 }
 
-int whole(double value, const char* name) {
-    if (!(std::abs(value) <= 1e9) || value != std::round(value))
-        throw Refused(error_code::input,
-                      std::string(name) + " is " + number_text(value) + "; it must be a whole number.");
-    return static_cast<int>(value);
-}
-
-double positive(double value, const char* name) {
-    if (!(value > 0))
-        throw Refused(error_code::input, std::string(name) + " is " + number_text(value) + "; it must be positive.");
-    return value;
-}
-
 std::vector<double> numbers(const double* values, const int* count, int least, const char* name) {
     require_length(length_of(count, name), static_cast<std::size_t>(least), name);
     return list(values, count, *count, name);

@@ -5,7 +5,12 @@
 #include <span>
 #include <vector>
 
+#include "given/checks.hpp"
+
 namespace contactd::cntc {
+
+using cases::positive;
+using cases::whole;
 
 inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();  ///< where a number does not exist
 
@@ -14,9 +19,6 @@ void require(const void* pointer, const char* name);
 int integer(const int* value, const char* name);
 /// Finite.
 double number(const double* value, const char* name);
-/// A count that comes as a floating-point number.
-int whole(double value, const char* name);
-double positive(double value, const char* name);
 
 /// `count` numbers, all of them finite; `least` of them are needed.
 std::vector<double> numbers(const double* values, const int* count, int least, const char* name);

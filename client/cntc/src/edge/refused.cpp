@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "edge/codes.hpp"
+#include "given/not_covered.hpp"
 
 namespace contactd::cntc {
 namespace {
@@ -15,6 +16,23 @@ int code_of(std::string_view field) {
     return error_code::input;
 }
 
+int code_of(cases::Subject subject) {
+    switch (subject) {
+        case cases::Subject::profile:
+            return error_code::profile;
+        case cases::Subject::friction:
+            return error_code::friction;
+        case cases::Subject::discretisation:
+            return error_code::discretisation;
+        case cases::Subject::tolerance:
+            return error_code::tolerance;
+        case cases::Subject::input:
+            return error_code::input;
+        default:
+            return error_code::other;
+    }
+}
+
 }  // namespace
 
 Refused refused_of_exception() {
@@ -22,6 +40,8 @@ Refused refused_of_exception() {
         throw;
     } catch (const Refused& refused) {
         return refused;
+    } catch (const cases::NotCovered& refused) {
+        return {code_of(refused.subject()), refused.what()};
     } catch (const InvalidArgument& error) {
         return {code_of(error.field()), error.what()};
     } catch (const std::exception& error) {

@@ -7,7 +7,7 @@
 #include "edge/codes.hpp"
 #include "edge/exported.hpp"
 #include "edge/last_error.hpp"
-#include "problem/registry.hpp"
+#include "handles/registry.hpp"
 
 namespace contactd::cntc {
 

@@ -1,8 +1,7 @@
 // Results with one number an element.
 #include <algorithm>
 
-#include "closed_forms/undeformed_distance.hpp"
-#include "contact/rolling/rolling.hpp"
+#include "answers/element_fields.hpp"
 #include "interface/entry.hpp"
 #include "problem/case_models.hpp"
 #include "problem/rail_setup.hpp"
@@ -25,70 +24,9 @@ struct Field {
     double unit = 1;
 };
 
-/// Over the distance rolled.
-RigidSlip relative_slip(const Grid& grid, const Rolling& rolling, double dq) {
-    RigidSlip slip = rigid_slip(grid, rolling, dq);
-    for (auto* component : {&slip.x, &slip.y})
-        for (double& s : *component) s /= dq;
-    return slip;
-}
-
-/// A creepage that a force found is not known before: it is no part of the rigid slip.
-Motion without_found(Motion motion) {
-    if (auto* rolling = std::get_if<Rolling>(&motion)) {
-        if (rolling->force.Fx) rolling->xi = 0;
-        if (rolling->force.Fy) rolling->eta = 0;
-        return motion;
-    }
-    auto& shift = std::get<Shift>(motion);
-    if (shift.force.Fx) shift.rigid_shift.x = 0;
-    if (shift.force.Fy) shift.rigid_shift.y = 0;
-    return motion;
-}
-
-/// The rigid slip of the motion that was given, with the extra rigid slip.
-RigidSlip rigid_slip_of(const Solved& solved) {
-    const Grid& grid = solved.problem.grid;
-    if (!solved.solution.motion) return {};
-    const Motion motion = without_found(*solved.solution.motion);
-    const auto* rolling = std::get_if<Rolling>(&motion);
-    RigidSlip slip = rolling ? relative_slip(grid, *rolling, step_length(*rolling, grid))
-                             : rigid_slip(grid, std::get<Shift>(motion));
-    const RigidSlip& extra = solved.problem.rigid_slip;
-    for (std::size_t i = 0; i < extra.x.size(); ++i) {
-        slip.x[i] += extra.x[i];
-        slip.y[i] += extra.y[i];
-    }
-    return slip;
-}
-
-/// Coefficients of friction at the slip, or the temperature, that was found.
-Values friction_of(const Solved& solved) {
-    const ContactProblem& problem = solved.problem;
-    if (!problem.friction) return {};
-    if (!solved.solution.friction_coefficient.empty()) return solved.solution.friction_coefficient;
-    const FrictionLaw& law = *problem.friction;
-    const auto columns = static_cast<std::size_t>(problem.grid.nx);
-    Values mu;
-    for (std::size_t i = 0; i < problem.grid.size(); ++i) {
-        mu.push_back(law.mu_of(i));
-        if (!law.follows_temperature()) continue;
-        const TemperatureFriction& heated = law.temperature ? *law.temperature : law.temperature_of_rows[i / columns];
-        mu[i] = friction_coefficient(heated, mu[i], solved.solution.upper_temperature[i]);
-    }
-    return mu;
-}
-
-/// Those outside of the contact are not told.
-Values in_contact(Values displacement, const ContactSolution& solution) {
-    for (std::size_t i = 0; i < displacement.size(); ++i)
-        if (solution.element_division[i] == ElementState::exterior) displacement[i] = 0;
-    return displacement;
-}
-
 /// Codes of cntc_getfielddata. Slip is relative where the bodies roll, and of shifts in mm whatever the units are.
 /// Others are zero, and so are those of plasticity without a layer that yields, and temperatures without heat.
-Field field_of(int code, ContactCase& problem) {
+Field field_of(int code, ProblemCase& problem) {
     const Solved& solved = solution_of(problem);
     const ContactSolution& solution = solved.solution;
     const Units& units = problem.settings.units;
@@ -103,7 +41,7 @@ Field field_of(int code, ContactCase& problem) {
     };
     switch (code) {
         case 1:
-            return {undeformed_distance(solved.problem), units.length};
+            return {distance_of(solved), units.length};
         case 2:
             return {friction_of(solved)};
         case 3:
@@ -146,7 +84,7 @@ template <std::size_t count>
 void get_fields(const char* function, const int* ire, const int* icp, const int* lenarr,
                 const std::array<int, count>& codes, const std::array<double*, count>& out) {
     for (double* values : out) clear(values, lenarr);
-    get(function, ire, icp, [&](ContactCase& problem) {
+    get(function, ire, icp, [&](ProblemCase& problem) {
         const std::size_t elements = solution_of(problem).problem.grid.size();
         std::array<std::span<double>, count> rooms;
         for (std::size_t i = 0; i < count; ++i) rooms[i] = room(out[i], lenarr, elements, "an array of elements");
@@ -162,7 +100,7 @@ void get_fields(const char* function, const int* ire, const int* icp, const int*
 extern "C" void cntc_getelementdivision(int* ire, int* icp, int* lenarr, int* division) {
     constexpr int unknown = -1;
     if (division != nullptr && lenarr != nullptr && *lenarr > 0) std::fill_n(division, *lenarr, unknown);
-    get("cntc_getelementdivision", ire, icp, [&](const ContactCase& problem) {
+    get("cntc_getelementdivision", ire, icp, [&](const ProblemCase& problem) {
         const auto& found = solution_of(problem).solution.element_division;
         require(division, "division");
         const int length = integer(lenarr, "lenarr");
@@ -192,7 +130,7 @@ CONTACTD_FORTRAN_NAME(cntc_getdisplacements)
 extern "C" void cntc_getfielddata(int* ire, int* icp, int* ifld, int* lenarr, double* values) {
     clear(values, lenarr);
     if (ifld == nullptr) {
-        get("cntc_getfielddata", ire, icp, [&](const ContactCase&) { require(ifld, "ifld"); });
+        get("cntc_getfielddata", ire, icp, [&](const ProblemCase&) { require(ifld, "ifld"); });
         return;
     }
     get_fields<1>("cntc_getfielddata", ire, icp, lenarr, {*ifld}, {values});

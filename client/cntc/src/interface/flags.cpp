@@ -2,8 +2,9 @@
 #include <algorithm>
 #include <span>
 
+#include "given/given_friction.hpp"
+#include "handles/control_digits.hpp"
 #include "interface/entry.hpp"
-#include "problem/given_friction.hpp"
 
 using namespace contactd;
 using namespace contactd::cntc;
@@ -29,15 +30,15 @@ Units units_of(int code) {
 }
 
 void set_flag(Settings& settings, int code, int value) {
-    ControlDigits::require_known(code);
+    require_known_flag(code);
     set_global(code, value);
     set_part(settings, "flag " + std::to_string(code), [&](Settings& all) {
         if (code == flag::units)
             all.units = units_of(value);
         else if (code == flag::most_elements)
-            all.most_elements = std::clamp(value, 100, 1'000'000);
+            all.most_elements = std::clamp(value, least_patch_elements, most_patch_elements);
         else
-            all.digits.set(code, value);
+            set_flag_digit(all, code, value);
     });
 }
 
@@ -56,14 +57,13 @@ int flag_of(const Settings& settings, int code) {
     if (code == flag::none) return 0;
     if (code == flag::units) return settings.units.code;
     if (code == flag::most_elements) return settings.most_elements;
-    ControlDigits::require_known(code);
-    if (!settings.digits.knows(code))
-        throw Refused(error_code::input, "Flag " + std::to_string(code) + " is not supported and is ignored.");
-    return settings.digits(code);
+    require_known_flag(code);
+    if (const auto digit = digit_of(settings, code)) return *digit;
+    throw Refused(error_code::input, "Flag " + std::to_string(code) + " is not supported and is ignored.");
 }
 
 /// [velocity, chi, dq, centre of spin along x and y, tau_c0], from which programs draw a solution.
-std::vector<double> picture_back(const ContactCase& problem) {
+std::vector<double> picture_back(const ProblemCase& problem) {
     const Settings& settings = problem.settings;
     const Units& units = settings.units;
     double chi = settings.chi, dq = settings.dq.value_or(0);
@@ -73,7 +73,11 @@ std::vector<double> picture_back(const ContactCase& problem) {
             dq = rolling->dq > 0 ? rolling->dq : problem.solved->problem.grid.dx;
         }
     const bool yields = settings.layer && settings.layer->yields();
-    return {settings.velocity.value_or(usual_velocity) / units.length, chi, dq / units.length, 0, 0,
+    return {settings.velocity.value_or(usual_velocity) / units.length,
+            chi,
+            dq / units.length,
+            settings.spin_x / units.length,
+            settings.spin_y / units.length,
             yields ? settings.layer->yield_stress / units.stress() : 0};
 }
 
@@ -94,7 +98,7 @@ std::vector<double> friction_back(const Settings& settings) {
     return numbers_of(*settings.friction, settings.units);
 }
 
-std::vector<double> parameters_of(const ContactCase& problem, int task) {
+std::vector<double> parameters_of(const ProblemCase& problem, int task) {
     enum Task { picture = 1, material = 2, friction = 3 };
     switch (task) {
         case picture:
@@ -130,7 +134,7 @@ extern "C" void cntc_getflags(int* ire, int* icp, int* lenflg, int* params, int*
     constexpr int unknown = -1;  // no flag has this value
     const bool writable = lenflg != nullptr && values != nullptr;
     for (int i = 0; writable && i < *lenflg; ++i) values[i] = unknown;
-    get_set("cntc_getflags", ire, icp, [&](const ContactCase& problem) {
+    get_set("cntc_getflags", ire, icp, [&](const ProblemCase& problem) {
         const Pairs pairs(lenflg, params, values);
         std::exception_ptr failed;
         for (std::size_t i = 0; i < pairs.codes.size(); ++i) try {
@@ -157,7 +161,7 @@ CONTACTD_FORTRAN_NAME(cntc_setmetadata)
 
 extern "C" void cntc_getparameters(int* ire, int* icp, int* itask, int* lenarr, double* values) {
     clear(values, lenarr);
-    get("cntc_getparameters", ire, icp, [&](const ContactCase& problem) {
+    get("cntc_getparameters", ire, icp, [&](const ProblemCase& problem) {
         const auto found = parameters_of(problem, integer(itask, "itask"));
         std::ranges::copy(found, room(values, lenarr, found.size(), "values").begin());
     });

@@ -9,18 +9,18 @@ using namespace contactd::cntc;
 namespace {
 
 /// The motion that forces were found to need, where it was not set anew since.
-void take_found(const ContactCase& problem, GivenMotion& motion) {
-    if (!problem.current || !problem.solved->solution.motion || problem.settings.digits(flag::force) == 0) return;
+void take_found(const ProblemCase& problem, GivenMotion& motion) {
+    if (!problem.current || !problem.solved->solution.motion || problem.settings.digits.force == 0) return;
     const Motion& found = *problem.solved->solution.motion;
     if (const auto* rolling = std::get_if<Rolling>(&found)) {
-        if (rolling->force.Fx) motion.vx = rolling->xi;
-        if (rolling->force.Fy) motion.vy = rolling->eta;
+        if (rolling->force.Fx) motion.vx = rolling->xi - rolling->phi * problem.settings.spin_y;
+        if (rolling->force.Fy) motion.vy = rolling->eta + rolling->phi * problem.settings.spin_x;
         return;
     }
     const auto& shift = std::get<Shift>(found);
     const double mm = problem.settings.units.length;
-    if (shift.force.Fx) motion.vx = shift.rigid_shift.x / mm;
-    if (shift.force.Fy) motion.vy = shift.rigid_shift.y / mm;
+    if (shift.force.Fx) motion.vx = (shift.rigid_shift.x - shift.rotation * problem.settings.spin_y) / mm;
+    if (shift.force.Fy) motion.vy = (shift.rigid_shift.y + shift.rotation * problem.settings.spin_x) / mm;
 }
 
 /// The motion that was set, in the units that hold now.
@@ -41,7 +41,7 @@ GivenMotion in_units(GivenMotion motion, double length, bool rolls) {
 extern "C" void cntc_setpenetration(int* ire, int* icp, double* pen) {
     set_basic("cntc_setpenetration", ire, icp, "load", [&](Settings& settings) {
         settings.pen = number(pen, "pen") * settings.units.length;
-        settings.digits.set(flag::normal, 0);
+        settings.digits.normal = 0;
     });
 }
 CONTACTD_FORTRAN_NAME(cntc_setpenetration)
@@ -51,7 +51,7 @@ extern "C" void cntc_setnormalforce(int* ire, int* icp, double* fn) {
         const double force = number(fn, "fn");
         if (force < 0) throw Refused(error_code::input, "fn is negative; it must be at least 0.");
         settings.fn = force;
-        settings.digits.set(flag::normal, 1);
+        settings.digits.normal = 1;
     });
 }
 CONTACTD_FORTRAN_NAME(cntc_setnormalforce)
@@ -103,17 +103,17 @@ extern "C" void cntc_setextrarigidslip(int* ire, int* icp, int* lenarr, double* 
     set_basic("cntc_setextrarigidslip", ire, icp, "rigid slip", [&](Settings& settings) {
         auto x = numbers(wx, lenarr, 1, "wx"), y = numbers(wy, lenarr, 1, "wy");
         settings.extra_slip = GivenSlip{std::move(x), std::move(y), settings.units.length};
-        settings.digits.set(flag::extra_slip, 9);
+        settings.digits.extra_slip = 9;
     });
 }
 CONTACTD_FORTRAN_NAME(cntc_setextrarigidslip)
 
 extern "C" void cntc_getpenetration(int* ire, int* icp, double* pen) {
     clear(pen);
-    get("cntc_getpenetration", ire, icp, [&](const ContactCase& problem) {
+    get("cntc_getpenetration", ire, icp, [&](const ProblemCase& problem) {
         require(pen, "pen");
         const Settings& settings = problem.settings;
-        const bool given = settings.digits(flag::normal) == 0 && settings.pen;
+        const bool given = settings.digits.normal == 0 && settings.pen;
         const double found = given ? *settings.pen : solution_of(problem).solution.approach;
         *pen = found / settings.units.length;
     });
@@ -122,10 +122,10 @@ CONTACTD_FORTRAN_NAME(cntc_getpenetration)
 
 extern "C" void cntc_getcreepages(int* ire, int* icp, double* vx, double* vy, double* phi) {
     for (double* out : {vx, vy, phi}) clear(out);
-    get("cntc_getcreepages", ire, icp, [&](const ContactCase& problem) {
+    get("cntc_getcreepages", ire, icp, [&](const ProblemCase& problem) {
         for (const double* out : {vx, vy, phi}) require(out, "a creepage");
         const Settings& settings = problem.settings;
-        const bool rolls = settings.digits(flag::tangential) != 1;
+        const bool rolls = settings.digits.tangential != 1;
         GivenMotion motion = in_units(settings.motion.value_or(GivenMotion{}), settings.units.length, rolls);
         take_found(problem, motion);
         *vx = settings.units.body * motion.vx;
@@ -137,7 +137,7 @@ CONTACTD_FORTRAN_NAME(cntc_getcreepages)
 
 extern "C" void cntc_getreferencevelocity(int* ire, int* icp, double* veloc) {
     clear(veloc);
-    get("cntc_getreferencevelocity", ire, icp, [&](const ContactCase& problem) {
+    get("cntc_getreferencevelocity", ire, icp, [&](const ProblemCase& problem) {
         require(veloc, "veloc");
         *veloc = problem.settings.velocity.value_or(usual_velocity) / problem.settings.units.length;
     });

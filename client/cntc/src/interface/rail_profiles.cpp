@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cstring>
 
+#include "answers/profile_values.hpp"
+#include "given/given_profile.hpp"
 #include "interface/entry.hpp"
-#include "problem/given_profile.hpp"
-#include "problem/profile_values.hpp"
 
 using namespace contactd;
 using namespace contactd::cntc;
@@ -28,30 +28,10 @@ Optional<double> optional_numbers(const double* values, const int* count, const 
     return {values, static_cast<int>(numbers(values, count, 0, name).size())};
 }
 
-/// A number that is not positive stands for what the program takes itself.
-double positive_or(double value, double otherwise) {
-    return value > 0 ? value : otherwise;
-}
-
 ProfileOptions options_of(const Optional<int>& ints, const Optional<double>& reals, const Units& units) {
-    ProfileOptions options;
+    ProfileOptions options = profile_options(
+        {ints(2, 0), ints(3, 0), ints(5, 0), reals(0, 0), reals(1, 0), reals(4, 0), reals(5, 0), reals(6, -1)}, units);
     if (const int type = ints(0, -1); type == 0 || type == 1) options.wheel = type == 1;
-    options.mirror_y = ints(2, 0);
-    options.mirror_z = ints(3, 0);
-    options.smoother = ints(5, 0);
-    if (options.smoother < 0 || options.smoother > 2)
-        throw Refused(error_code::profile,
-                      "iparam(6) is " + std::to_string(options.smoother) + "; use the smoothing method 0, 1 or 2.");
-    options.scale = positive_or(reals(0, 0), units.length);
-    options.smoothing = reals(1, 0);
-    const KinkRule usual;
-    options.kinks.angle = positive_or(reals(4, 0), usual.angle);
-    options.kinks.rest = positive_or(reals(5, 0), options.kinks.angle / 5);
-    constexpr double none = -1;
-    const double width = reals(6, none);
-    // Zeros alone ask for the usual rule; behind an angle a width of 0 is one.
-    const bool is_given = width > 0 || (width == 0 && reals(4, 0) > 0);
-    options.kinks.width = is_given ? width * units.length : usual.width;
     return options;
 }
 
@@ -88,7 +68,10 @@ void get_values(const char* function, const int* ire, const int* itask, const Op
             return;
         }
         out[0] = error_code::profile;  // what programs look at, until there is a number
-        std::vector<double> found = profile_values(query, rail, common);
+        if ((query.wheel ? rail.settings.wheel : rail.settings.rail).empty())
+            throw Refused(error_code::profile, "No such profile was set; call cntc_setprofileinputfname.");
+        std::vector<double> found =
+            profile_values(query, outlines_of(rail, common), [&] { return frames_of(rail, common); });
         if (query.task == gauge)
             for (double& value : found) value /= common.units.length;
         std::copy_n(found.begin(), std::min(found.size(), out.size()), out.begin());

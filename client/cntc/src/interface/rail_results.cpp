@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <array>
 
+#include "answers/rail_places.hpp"
 #include "interface/entry.hpp"
-#include "problem/rail_places.hpp"
 #include "problem/rail_setup.hpp"
 
 using namespace contactd;
@@ -39,7 +39,12 @@ CONTACTD_FORTRAN_NAME(cntc_getnumcontactpatches)
 extern "C" void cntc_getcontactlocation(int* ire, int* icp, int* lenarr, double* values) {
     clear(values, lenarr);
     with_rail("cntc_getcontactlocation", ire, [&](RailCase& rail, const Settings& common) {
-        auto found = location_of(patch_of(rail, number_of(icp)), rail, common);
+        const WheelRailPatch& patch = patch_of(rail, number_of(icp));
+        auto found = location_of(patch, outlines_of(rail, common), frames_of(rail, common));
+        if (const auto& deflection = rail.solution->rail_deflection) {
+            found[17] = deflection->y;
+            found[18] = deflection->z;
+        }
         constexpr std::array angles{4, 9, 14, 24, 25, 28, 33, 37, 38};
         for (std::size_t i = 0; i < found.size(); ++i)
             if (std::ranges::find(angles, static_cast<int>(i) + 1) == angles.end()) found[i] /= common.units.length;
@@ -53,7 +58,8 @@ extern "C" void cntc_getglobalforces(int* ire, int* icp, int* lenarr, double* va
     with_rail("cntc_getglobalforces", ire, [&](RailCase& rail, const Settings& common) {
         const int patch = number_of(icp);
         const WheelRailSolution& solution = solution_of(rail);
-        auto found = wrenches_of(patch == all_problems ? solution.forces : patch_of(rail, patch).forces, rail, common);
+        const WheelRailForces& forces = patch == all_problems ? solution.forces : patch_of(rail, patch).forces;
+        auto found = wrenches_of(forces, frames_of(rail, common));
         for (std::size_t i = 0; i < found.size(); ++i)
             found[i] *= common.units.body / (i % 6 < 3 ? 1 : common.units.moment());
         fill(found, room(values, lenarr, 1, "values"));

@@ -161,7 +161,7 @@ extern "C" void cntc_setverticalforce(int* ire, double* fz) {
     with_rail("cntc_setverticalforce", ire, [&](RailCase& rail, Settings& common) {
         set_part(rail.settings, "vertical force", [&](RailSettings& settings) {
             settings.Fz = positive(number(fz, "fz"), "fz");
-            common.digits.set(flag::normal, 1);
+            common.digits.normal = 1;
         });
     });
 }

@@ -1,9 +1,9 @@
 // Solves, and answers what is one number.
 #include <cmath>
 
+#include "answers/sensitivities.hpp"
+#include "handles/stopwatch.hpp"
 #include "interface/entry.hpp"
-#include "problem/sensitivities.hpp"
-#include "problem/stopwatch.hpp"
 
 using namespace contactd;
 using namespace contactd::cntc;
@@ -108,7 +108,7 @@ CONTACTD_FORTRAN_NAME(cntc_calculate3)
 
 extern "C" void cntc_getcontactforces(int* ire, int* icp, double* fn, double* fx, double* fy, double* mz) {
     for (double* out : {fn, fx, fy, mz}) clear(out);
-    get("cntc_getcontactforces", ire, icp, [&](const ContactCase& problem) {
+    get("cntc_getcontactforces", ire, icp, [&](const ProblemCase& problem) {
         for (const double* out : {fn, fx, fy, mz}) require(out, "a force");
         const Forces& forces = solution_of(problem).solution.forces;
         const Units& units = problem.settings.units;
@@ -122,7 +122,7 @@ CONTACTD_FORTRAN_NAME(cntc_getcontactforces)
 
 extern "C" void cntc_getcontactpatchareas(int* ire, int* icp, double* contact, double* adhesion, double* slip) {
     for (double* out : {contact, adhesion, slip}) clear(out);
-    get("cntc_getcontactpatchareas", ire, icp, [&](const ContactCase& problem) {
+    get("cntc_getcontactpatchareas", ire, icp, [&](const ProblemCase& problem) {
         for (const double* out : {contact, adhesion, slip}) require(out, "an area");
         const Areas& area = solution_of(problem).solution.area;
         const double unit = problem.settings.units.area();
@@ -135,7 +135,7 @@ CONTACTD_FORTRAN_NAME(cntc_getcontactpatchareas)
 
 extern "C" void cntc_getmaximumpressure(int* ire, int* icp, double* pnmax) {
     clear(pnmax);
-    get("cntc_getmaximumpressure", ire, icp, [&](const ContactCase& problem) {
+    get("cntc_getmaximumpressure", ire, icp, [&](const ProblemCase& problem) {
         require(pnmax, "pnmax");
         *pnmax = solution_of(problem).solution.pmax / problem.settings.units.stress();
     });
@@ -144,7 +144,7 @@ CONTACTD_FORTRAN_NAME(cntc_getmaximumpressure)
 
 extern "C" void cntc_getmaximumtraction(int* ire, int* icp, double* ptmax) {
     clear(ptmax);
-    get("cntc_getmaximumtraction", ire, icp, [&](const ContactCase& problem) {
+    get("cntc_getmaximumtraction", ire, icp, [&](const ProblemCase& problem) {
         require(ptmax, "ptmax");
         const ContactSolution& solution = solution_of(problem).solution;
         double largest = 0;
@@ -158,7 +158,7 @@ CONTACTD_FORTRAN_NAME(cntc_getmaximumtraction)
 extern "C" void cntc_getsensitivities(int* ire, int* icp, int* lenout, int* lenin, double* values) {
     if (lenout != nullptr && lenin != nullptr && *lenout > 0 && values != nullptr)
         for (int in = 0; in < *lenin; ++in) clear(values + static_cast<std::ptrdiff_t>(in) * *lenout, lenout);
-    get("cntc_getsensitivities", ire, icp, [&](ContactCase& problem) {
+    get("cntc_getsensitivities", ire, icp, [&](ProblemCase& problem) {
         const int outs = integer(lenout, "lenout"), ins = integer(lenin, "lenin");
         require(values, "values");
         if (outs < 1 || ins < 1 || outs > 4 || ins > 4)
@@ -168,7 +168,7 @@ extern "C" void cntc_getsensitivities(int* ire, int* icp, int* lenout, int* leni
         Solved& solved = *problem.solved;
         // Those of a wheel on a rail are found when somebody reads them, patch by patch.
         if (problem.settings.module == module_number::wheel_rail && !solved.sensitivities)
-            if (const int digit = problem.settings.digits(flag::sensitivities); digit >= 2) {
+            if (const int digit = problem.settings.digits.sensitivities; digit >= 2) {
                 if (solved.beyond != nullptr)
                     throw Refused(error_code::input,
                                   std::string("Sensitivities of ") + solved.beyond + " on a rail are not supported.");
@@ -192,7 +192,7 @@ CONTACTD_FORTRAN_NAME(cntc_getsensitivities)
 extern "C" void cntc_getcalculationtime(int* ire, int* icp, double* cpu, double* wall) {
     clear(cpu);
     clear(wall);
-    get_whole("cntc_getcalculationtime", ire, icp, [&](const ContactCase& problem) {
+    get_whole("cntc_getcalculationtime", ire, icp, [&](const ProblemCase& problem) {
         require(cpu, "cpu");
         require(wall, "wall");
         *cpu = problem.time.cpu;

@@ -2,15 +2,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "handles/given_block.hpp"
 #include "interface/entry.hpp"
-#include "problem/stress_blocks.hpp"
+#include "problem/area.hpp"
 
 using namespace contactd;
 using namespace contactd::cntc;
 
 namespace {
 
-const GivenBlock& block_of(const ContactCase& problem, int number) {
+const GivenBlock& block_of(const ProblemCase& problem, int number) {
     const auto found = problem.settings.blocks.find(number);
     if (found == problem.settings.blocks.end())
         throw Refused(error_code::input, "There is no block " + std::to_string(number) + "; call subs_addblock.");
@@ -18,7 +19,7 @@ const GivenBlock& block_of(const ContactCase& problem, int number) {
 }
 
 /// Its stresses, if they are those of the block as it is now.
-const SolvedBlock& solved_block(const ContactCase& problem, int number) {
+const SolvedBlock& solved_block(const ProblemCase& problem, int number) {
     const GivenBlock& block = block_of(problem, number);
     const auto found = problem.blocks.find(number);
     if (found == problem.blocks.end() || found->second.given != block)
@@ -27,7 +28,7 @@ const SolvedBlock& solved_block(const ContactCase& problem, int number) {
     return found->second;
 }
 
-void calculate_blocks(ContactCase& problem) {
+void calculate_blocks(ProblemCase& problem) {
     const Solved& solved = solution_of(problem);
     problem.blocks.clear();
     std::map<int, SolvedBlock> blocks;
@@ -69,9 +70,9 @@ CONTACTD_FORTRAN_NAME(subs_calculate)
 extern "C" void subs_getblocksize(int* ire, int* icp, int* iblk, int* nx, int* ny, int* nz) {
     for (int* out : {nx, ny, nz})
         if (out != nullptr) *out = 0;
-    get("subs_getblocksize", ire, icp, [&](const ContactCase& problem) {
+    get("subs_getblocksize", ire, icp, [&](const ProblemCase& problem) {
         for (const int* out : {nx, ny, nz}) require(out, "a number of points");
-        const StressBlock points = block_points(block_of(problem, integer(iblk, "iblk")), grid_of(problem.settings));
+        const StressBlock points = block_points(block_of(problem, integer(iblk, "iblk")), grid_of(problem));
         *nx = static_cast<int>(points.x.size());
         *ny = static_cast<int>(points.y.size());
         *nz = static_cast<int>(points.z.size());
@@ -83,7 +84,7 @@ extern "C" void subs_getresults(int* ire, int* icp, int* iblk, int* lenarr, int*
     if (lenarr != nullptr && ncol != nullptr && *lenarr > 0 && values != nullptr)
         for (int column = 0; column < *ncol; ++column)
             clear(values + static_cast<std::ptrdiff_t>(column) * *lenarr, lenarr);
-    get("subs_getresults", ire, icp, [&](const ContactCase& problem) {
+    get("subs_getresults", ire, icp, [&](const ProblemCase& problem) {
         const int number = integer(iblk, "iblk"), length = integer(lenarr, "lenarr");
         const auto columns = integers(icol, ncol, 1, "icol");
         const SolvedBlock& block = solved_block(problem, number);

@@ -99,7 +99,7 @@ class BasicResult:
         none = np.zeros(grid.shape)
         return Elements(
             grid=grid, tangential=contact.case.digits["T"], is_frictionless=contact.case.digits["T"] == 0, chi=contact.chi,
-            division=division_of(solution, grid.shape), layer=self._layer, h=contact.area.h, approach=solution.approach,
+            division=division_of(solution, grid.shape, contact.case.digits["T"] > 0), layer=self._layer, h=contact.area.h, approach=solution.approach,
             mu=self._friction_coefficient(), pressure=self.pressure,
             traction=(solution.traction_x, solution.traction_y), slip=(_or(solution.slip_x, none), _or(solution.slip_y, none)),
             rigid_slip=self._rigid_slip(), displacement=self.displacement, temperature=temperature_of(solution),

@@ -19,7 +19,7 @@ __all__ = ["Elements", "ahead", "displacement_of", "division_of", "layer_of", "p
 Floats = npt.NDArray[np.float64]
 Pair = tuple[Floats, Floats]
 
-_SLIP, _PLASTIC = 2, 3
+_ADHESION, _SLIP, _PLASTIC = 1, 2, 3
 _SHIFT, _STEADY = 1, 3  #: T
 
 
@@ -32,7 +32,7 @@ class Elements:
         tangential: The digit T.
         is_frictionless: Whether the case has no adhesion and slip.
         chi: Rolling direction (rad).
-        division: 0 exterior, 1 adhesion, 2 slip, 3 plastic.
+        division: 0 exterior, 1 adhesion, 2 slip, 3 plastic; without friction all elements adhere.
         h: Undeformed distance without the approach (mm).
         approach: The approach (mm).
         mu: Static coefficient of friction.
@@ -73,13 +73,15 @@ class Elements:
         return np.where(self.division >= _SLIP, self.traction_size, self.mu * self.pressure)
 
 
-def division_of(solution: Solution[Any, Any], shape: tuple[int, int]) -> npt.NDArray[np.uint8]:
+def division_of(solution: Solution[Any, Any], shape: tuple[int, int], rubs: bool = True) -> npt.NDArray[np.uint8]:
     """Returns the division of the program, in which slipping elements are not plastic even if the layer has flowed
-    before.
+    before, and all elements adhere without friction.
     """
     division: npt.NDArray[np.uint8] | None = solution.element_division
     if division is None:
         return np.zeros(shape, np.uint8)
+    if not rubs:
+        return np.minimum(division, _ADHESION).astype(np.uint8)
     if solution.slip_x is None or solution.slip_y is None:
         return division
     slips = np.hypot(solution.slip_x, solution.slip_y) > 0

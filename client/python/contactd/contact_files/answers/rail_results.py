@@ -161,7 +161,7 @@ class RailResult:
         layer = None if friction is None else friction.layer
         return Elements(
             grid=place.grid, tangential=self.contact.case.digits["T"], is_frictionless=not self._rolls(patch), chi=motion.chi,
-            division=division_of(solution, place.grid.shape), h=gap,
+            division=division_of(solution, place.grid.shape, self._rolls(patch)), h=gap,
             approach=solution.approach, mu=none + self._coefficients(patch), pressure=pressure, traction=(traction_x, traction_y),
             slip=(slip_x, slip_y), displacement=displacement_of(solution), temperature=temperature_of(solution),
             rigid_slip=rigid_slip_on(place.grid, (motion.xi, motion.eta), motion.phi, (-offset[0], -offset[1])),

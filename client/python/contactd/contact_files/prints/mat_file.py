@@ -94,5 +94,4 @@ def _elements(elements: Elements, in_contact_only: bool) -> Iterator[str]:
     columns += elements.temperature or ()
     table = np.stack([column.ravel() for column in columns], axis=1)
     for index in chosen:
-        division = 1 if elements.is_frictionless and flat[index] else int(flat[index])
-        yield f"{index + 1:7d} {division:4d}  " + "".join(fortran_g(float(value), 14, 6) for value in table[index])
+        yield f"{index + 1:7d} {int(flat[index]):4d}  " + "".join(fortran_g(float(value), 14, 6) for value in table[index])

@@ -24,7 +24,7 @@ def division(elements: Elements) -> Iterator[str]:
     """Returns the picture of adhesion and slip, with rows from the top. A large exterior is cropped to the border of
     the contact.
     """
-    shown = _SIGNS[np.minimum(elements.division, 1) if elements.is_frictionless else elements.division]
+    shown = _SIGNS[elements.division]
     touches = shown != "."
     rows, columns = _range(touches.any(axis=1)), _range(touches.any(axis=0))
     for iy in (rows[0], rows[-1]):

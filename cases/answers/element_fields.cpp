@@ -1,0 +1,76 @@
+#include "element_fields.hpp"
+
+#include <cstddef>
+#include <variant>
+
+#include "closed_forms/undeformed_distance.hpp"
+#include "contact/rolling/rolling.hpp"
+
+namespace contactd::cases {
+namespace {
+
+/// Over the distance rolled.
+RigidSlip relative_slip(const Grid& grid, const Rolling& rolling, double dq) {
+    RigidSlip slip = rigid_slip(grid, rolling, dq);
+    for (auto* component : {&slip.x, &slip.y})
+        for (double& s : *component) s /= dq;
+    return slip;
+}
+
+/// A creepage that a force found is not known before: it is no part of the rigid slip.
+Motion without_found(Motion motion) {
+    if (auto* rolling = std::get_if<Rolling>(&motion)) {
+        if (rolling->force.Fx) rolling->xi = 0;
+        if (rolling->force.Fy) rolling->eta = 0;
+        return motion;
+    }
+    auto& shift = std::get<Shift>(motion);
+    if (shift.force.Fx) shift.rigid_shift.x = 0;
+    if (shift.force.Fy) shift.rigid_shift.y = 0;
+    return motion;
+}
+
+}  // namespace
+
+RigidSlip rigid_slip_of(const Solved& solved) {
+    const Grid& grid = solved.problem.grid;
+    if (!solved.solution.motion) return {};
+    const Motion motion = without_found(*solved.solution.motion);
+    const auto* rolling = std::get_if<Rolling>(&motion);
+    RigidSlip slip = rolling ? relative_slip(grid, *rolling, step_length(*rolling, grid))
+                             : rigid_slip(grid, std::get<Shift>(motion));
+    const RigidSlip& extra = solved.problem.rigid_slip;
+    for (std::size_t i = 0; i < extra.x.size(); ++i) {
+        slip.x[i] += extra.x[i];
+        slip.y[i] += extra.y[i];
+    }
+    return slip;
+}
+
+std::vector<double> friction_of(const Solved& solved) {
+    const ContactProblem& problem = solved.problem;
+    if (!problem.friction) return {};
+    if (!solved.solution.friction_coefficient.empty()) return solved.solution.friction_coefficient;
+    const FrictionLaw& law = *problem.friction;
+    const auto columns = static_cast<std::size_t>(problem.grid.nx);
+    std::vector<double> mu;
+    for (std::size_t i = 0; i < problem.grid.size(); ++i) {
+        mu.push_back(law.mu_of(i));
+        if (!law.follows_temperature()) continue;
+        const TemperatureFriction& heated = law.temperature ? *law.temperature : law.temperature_of_rows[i / columns];
+        mu[i] = friction_coefficient(heated, mu[i], solved.solution.upper_temperature[i]);
+    }
+    return mu;
+}
+
+std::vector<double> in_contact(std::vector<double> displacement, const ContactSolution& solution) {
+    for (std::size_t i = 0; i < displacement.size(); ++i)
+        if (solution.element_division[i] == ElementState::exterior) displacement[i] = 0;
+    return displacement;
+}
+
+std::vector<double> distance_of(const Solved& solved) {
+    return undeformed_distance(solved.problem);
+}
+
+}  // namespace contactd::cases

@@ -1,0 +1,204 @@
+#include "given_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "contactd/make_profile.hpp"
+#include "contactd/read_contact_slices.hpp"
+#include "contactd/read_profile.hpp"
+#include "given/not_covered.hpp"
+#include "types/number_text.hpp"
+
+namespace contactd::cases {
+namespace {
+
+/// Features of lists that name none: the end of every profile, so that each has one part.
+const std::vector<double> whole_profile{0, 1e5};
+
+std::string ending_of(const std::string& name) {
+    const std::size_t dot = name.rfind('.');
+    std::string ending = dot == std::string::npos ? "" : name.substr(dot);
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
+
+bool is_one_of(const std::string& ending, std::initializer_list<const char*> endings) {
+    return std::ranges::find(endings, ending) != endings.end();
+}
+
+bool is_wheel(const std::string& name, const ProfileOptions& options) {
+    if (options.wheel) return *options.wheel;
+    const std::string ending = ending_of(name);
+    if (is_one_of(ending, {".prw", ".whl", ".slcw"})) return true;
+    if (is_one_of(ending, {".prr", ".ban", ".slcs"})) return false;
+    throw NotCovered(Subject::profile, "The file \"" + name +
+                                           "\" does not say by its ending whether it is a wheel or "
+                                           "a rail; give iparam(1).");
+}
+
+ProfileKind kind_of(bool wheel) {
+    return wheel ? ProfileKind::wheel : ProfileKind::rail;
+}
+
+/// Throws what makes a profile unusable.
+std::vector<ProfilePoint> points_of(const ProfileSpec& spec) {
+    return make_profile(spec).curve.points();
+}
+
+/// Which way up points are whose shape does not show it: by where the least z lies.
+bool runs_upwards(const std::vector<ProfilePoint>& points, bool wheel) {
+    const auto by_z = [](const ProfilePoint& a, const ProfilePoint& b) { return a.z < b.z; };
+    const auto least = std::ranges::min_element(points, by_z);
+    const auto index = least - points.begin(), count = static_cast<std::ptrdiff_t>(points.size());
+    if (!wheel) {
+        const auto outer = count / 10;
+        return !(outer <= index && index < count - outer);
+    }
+    const auto largest = std::ranges::max_element(points, by_z);
+    const auto [left, right] = std::ranges::minmax(points, {}, &ProfilePoint::y);
+    constexpr double face = 0.05;  // part of a wheel's width at an end
+    const double edge = face * (right.y - left.y);
+    const auto at_an_end = [&](const ProfilePoint& point) {
+        return std::min(point.y - left.y, right.y - point.y) <= edge;
+    };
+    if (at_an_end(*least) || at_an_end(*largest)) return !at_an_end(*least);
+    const ProfilePoint& middle = points[static_cast<std::size_t>((index + (largest - points.begin())) / 2)];
+    const double share = (middle.y - least->y) / (largest->y - least->y);
+    return middle.z < least->z + share * (largest->z - least->z);
+}
+
+/// Points whose shape does not say which way up they are get it said.
+ProfileSpec turned(ProfileSpec spec, bool wheel) {
+    ProfileFile& file = std::get<ProfileFile>(spec.shape);
+    if (file.mirror_z) return spec;
+    try {
+        points_of(spec);
+        return spec;
+    } catch (const InvalidArgument&) {
+        file.mirror_z = false;
+        std::vector<ProfilePoint> points;
+        try {
+            points = points_of(spec);
+        } catch (const InvalidArgument&) {
+            file.mirror_z.reset();
+            throw;
+        }
+        file.mirror_z = runs_upwards(points, wheel);
+        return spec;
+    }
+}
+
+ProfileSpec spec_of(std::string name, std::string text, bool wheel, const ProfileOptions& options) {
+    const bool is_simpack = is_one_of(ending_of(name), {".prr", ".prw"});
+    ProfileFile file;
+    file.mirror_y = options.mirror_y == 1;
+    if (is_simpack) {
+        const ProfileSpec read = read_profile(text, name, kind_of(wheel));
+        const auto& points = std::get<ProfilePoints>(read.shape);
+        if (options.scale != 1) file.unit = points.unit * options.scale;
+        if (options.mirror_y == -1 && points.mirror_y) file.mirror_y = true;
+    } else {
+        file.unit = options.scale;
+    }
+    file.name = std::move(name);
+    file.text = std::move(text);
+    if (options.mirror_z != 0) file.mirror_z = options.mirror_z == 1;
+    if (options.smoothing > 0) {
+        (options.smoother == 0 ? file.smoothing_lambda : file.smoothing_length) = options.smoothing;
+        if (options.smoother == 2) file.smoothing_order = 3;
+    }
+    file.kinks = options.kinks;
+    ProfileSpec spec{kind_of(wheel), std::move(file)};
+    validate(spec);
+    return turned(std::move(spec), wheel);
+}
+
+ProfileSpec spec_of_file(const std::filesystem::path& path, bool wheel, const ProfileOptions& options) {
+    return spec_of(path.filename().string(), text_of_profile(path), wheel, options);
+}
+
+std::filesystem::path path_of(std::string name) {
+    std::ranges::replace(name, '\\', '/');
+    return name;
+}
+
+GivenSurface slices_of(const std::filesystem::path& path, bool wheel, const ProfileOptions& options) {
+    const ContactSlices list = read_contact_slices(text_of_profile(path), path.filename().string());
+    GivenSurface surface;
+    surface.spline = list.is_approximated ? SliceSpline::approximating : SliceSpline::cubic;
+    for (const ContactSlice& slice : list.slices) {
+        ProfileSpec spec = spec_of_file(path.parent_path() / path_of(slice.file), wheel, options);
+        if (wheel)
+            surface.wheel_slices.push_back({slice.u, std::move(spec)});
+        else
+            surface.rail_slices.push_back(
+                {slice.u, std::move(spec), slice.features.empty() ? whole_profile : slice.features});
+    }
+    return surface;
+}
+
+/// A number that is not positive stands for what the program takes itself.
+double positive_or(double value, double otherwise) {
+    return value > 0 ? value : otherwise;
+}
+
+/// Whatever makes a profile unusable has their subject.
+template <class Read>
+ReadProfile reading(const Read& read) {
+    try {
+        return read();
+    } catch (const InvalidArgument& error) {
+        throw NotCovered(Subject::profile, error.what());
+    }
+}
+
+}  // namespace
+
+ProfileOptions profile_options(const ProfileNumbers& numbers, const Units& units) {
+    if (numbers.smoother < 0 || numbers.smoother > 2)
+        throw NotCovered(Subject::profile,
+                         "iparam(6) is " + std::to_string(numbers.smoother) + "; use the smoothing method 0, 1 or 2.");
+    ProfileOptions options;
+    options.mirror_y = numbers.mirror_y;
+    options.mirror_z = numbers.mirror_z;
+    options.smoother = numbers.smoother;
+    options.scale = positive_or(numbers.scale, units.length);
+    options.smoothing = numbers.smoothing;
+    const KinkRule usual;
+    options.kinks.angle = positive_or(numbers.kink_high, usual.angle);
+    options.kinks.rest = positive_or(numbers.kink_low, options.kinks.angle / 5);
+    const double width = numbers.kink_width;
+    // Zeros alone ask for the usual rule; behind an angle a width of 0 is one.
+    const bool is_given = width > 0 || (width == 0 && numbers.kink_high > 0);
+    options.kinks.width = is_given ? width * units.length : usual.width;
+    return options;
+}
+
+ReadProfile profile_from_file(const std::string& name, const ProfileOptions& options) {
+    return reading([&] {
+        const bool wheel = is_wheel(name, options);
+        const std::filesystem::path path = path_of(name);
+        ReadProfile read{wheel, {}};
+        if (is_one_of(ending_of(name), {".slcs", ".slcw"}))
+            read.surface = slices_of(path, wheel, options);
+        else
+            read.surface.profile = spec_of_file(path, wheel, options);
+        return read;
+    });
+}
+
+ReadProfile profile_from_values(std::span<const double> values, const ProfileOptions& options) {
+    return reading([&] {
+        // It becomes the text of a file, so that all that may be said of one holds.
+        std::string text;
+        for (std::size_t i = 0; i + 1 < values.size(); i += 2)
+            text += number_text(values[i]) + " " + number_text(values[i + 1]) + "\n";
+        const bool wheel = options.wheel.value_or(true);
+        ReadProfile read{wheel, {}};
+        read.surface.profile = spec_of("values", std::move(text), wheel, options);
+        return read;
+    });
+}
+
+}  // namespace contactd::cases

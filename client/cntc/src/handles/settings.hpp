@@ -1,0 +1,38 @@
+// What a program has set: the values of a case, with the units that it speaks and what it may not use.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "answers/stress_blocks.hpp"
+#include "edge/codes.hpp"
+#include "edge/refused.hpp"
+#include "given/given.hpp"
+#include "given/given_rail.hpp"
+#include "given/units.hpp"
+
+namespace contactd::cntc {
+
+using namespace cases;
+
+struct Settings : Given {
+    int module = module_number::basic_contact;
+    Units units = units_mm_on_body_1;
+    std::map<int, double> metadata;
+    std::map<int, GivenBlock> blocks;
+    /// Settings that cannot be used, by name: nothing is solved while there are any.
+    std::map<std::string, Refused> refused;
+};
+
+struct RailSettings : GivenRail {
+    /// Settings that cannot be used, by name: nothing is solved while there are any.
+    std::map<std::string, Refused> refused;
+};
+
+/// Throws the first refusal of these settings.
+template <class Given>
+void require_nothing_refused(const Given& settings) {
+    if (!settings.refused.empty()) throw settings.refused.begin()->second;
+}
+
+}  // namespace contactd::cntc
