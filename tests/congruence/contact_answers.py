@@ -110,7 +110,7 @@ def _least(result: BasicResult) -> dict[str, float]:
 def _basic(result: BasicResult) -> Quantities:
     contact, solution, numbers = result.contact, result.solution, result.numbers
     temperature = solution.temperature
-    motion = [*result.creepage, contact.phi] if contact.case.digits["T"] > 0 else [0.0] * 3
+    motion = [*result.creepage, contact.case.values["CPHI"]] if contact.case.digits["T"] > 0 else [0.0] * 3
     found = {
         "forces": _floats(numbers["FN"], result.fx, result.fy), "moment": _floats(result.mz),
         "approach": _floats(numbers["APPROACH"]), "creepages": _floats(*motion),

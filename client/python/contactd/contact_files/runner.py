@@ -226,7 +226,7 @@ def _state_of(result: BasicResult) -> State:
     solution = result.solution
     return State(
         result.contact.area.grid, solution.pressure, solution.traction_x, solution.traction_y, solution.yield_stress,
-        solution.friction_coefficient,
+        solution.friction_coefficient, result.plastic,
     )  # fmt: skip
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
@@ -17,12 +18,14 @@ from .elements import (
     ahead,
     displacement_of,
     division_of,
+    friction_at,
+    law_of,
     layer_of,
     plastic_elements,
     rigid_slip_on,
     temperature_of,
 )  # fmt: skip
-from .subsurface import Stresses, StressField, stress_field
+from .subsurface import Stresses, StressField, stress_field, surface_displacement
 
 __all__ = ["BasicResult"]
 
@@ -85,11 +88,16 @@ class BasicResult:
             mz,
             creepage,
             pressure,
-            displacement_of(solution),
+            displacement_of(solution) if contact.problem.model is None else surface_displacement(grid, tractions, contact.pair, stresses),
             energy,
             -(lost or 0.0) * _PER_THOUSAND,
             below,
         )
+
+    @property
+    def plastic(self) -> tuple[Floats, Floats] | None:
+        """The plastic slip of a layer where the case ends (mm), as of Elements."""
+        return None if self._layer is None else self._layer[1:]
 
     @property
     def elements(self) -> Elements:
@@ -117,17 +125,23 @@ class BasicResult:
         friction, none = self.contact.problem.friction, np.zeros(self.contact.area.grid.shape)
         if self.solution.friction_coefficient is not None:
             return self.solution.friction_coefficient
-        return none if friction is None else none + np.asarray(friction.mu, dtype=float)
+        if friction is None:
+            return none
+        at_rest = none + np.asarray(friction.mu, dtype=float)
+        return friction_at(at_rest, law_of(friction.temperature), self.solution.upper_temperature)
 
-    @property
+    @cached_property
     def _layer(self) -> tuple[Floats, Floats, Floats] | None:
         contact, friction = self.contact, self.contact.problem.friction
         layer = None if friction is None else friction.layer
-        return layer_of(self.solution, layer, contact.area.grid, contact.case.digits["T"], contact.chi, contact.dq)
+        return layer_of(self.solution, layer, contact.area.grid, contact.case.digits["T"], contact.chi, contact.dq, contact.plastic)
 
     def _rigid_slip(self) -> tuple[Floats, Floats]:
         contact, values = self.contact, self.contact.case.values
-        offset = ahead(contact.dq, contact.chi, values["FACPHI"]) if contact.case.digits["T"] >= 2 else (0.0, 0.0)
+        friction = contact.problem.friction
+        rolling = None if friction is None else friction.rolling
+        # ConvexGS prints the step as it is given; steady rolling is that by one element.
+        offset = (0.0, 0.0) if rolling is None else ahead(rolling.dq or 0.0, contact.chi, values["FACPHI"])
         centre = values["SPINXO"] - offset[0], values["SPINYO"] - offset[1]
         x, y = rigid_slip_on(contact.area.grid, self.creepage, contact.phi, centre)
         extra = None if contact.problem.friction is None else contact.problem.friction.rigid_slip

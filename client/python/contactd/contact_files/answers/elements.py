@@ -12,15 +12,18 @@ import numpy.typing as npt
 
 from ...values.friction import InterfacialLayer
 from ...values.grid import Grid
+from ...values.motion import TemperatureFriction
 from ...values.solution import Solution
 
-__all__ = ["Elements", "ahead", "displacement_of", "division_of", "layer_of", "plastic_elements", "rigid_slip_on", "temperature_of"]
+__all__ = ["Elements", "ahead", "displacement_of", "division_of", "friction_at", "law_of", "layer_of", "plastic_elements", "rigid_slip_on", "temperature_of"]
 
 Floats = npt.NDArray[np.float64]
 Pair = tuple[Floats, Floats]
+#: Change, reference and range of friction by temperature: numbers, or a column by rows.
+Law = tuple[Any, Any, Any]
 
 _ADHESION, _SLIP, _PLASTIC = 1, 2, 3
-_SHIFT, _STEADY = 1, 3  #: T
+_SHIFT, _TRANSIENT, _STEADY = 1, 2, 3  #: T
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,14 +38,13 @@ class Elements:
         division: 0 exterior, 1 adhesion, 2 slip, 3 plastic; without friction all elements adhere.
         h: Undeformed distance without the approach (mm).
         approach: The approach (mm).
-        mu: Static coefficient of friction.
+        mu: Friction coefficient, at the temperature if it depends on that, otherwise the static one.
         pressure: Pressure (N/mm^2).
         traction: Tractions along x and y (N/mm^2).
         slip: Slip along x and y: the distance in a shift (mm), the relative slip in rolling.
         rigid_slip: The same for undeformed bodies.
         displacement: Displacements of body 1 minus those of body 2, shape [3, ny, nx] (mm).
-        layer: Yield stress (N/mm^2) and plastic slip along x and y (mm) of a yielding layer: in steady rolling
-            accumulated since particles entered the contact, otherwise that of the step.
+        layer: Yield stress (N/mm^2) and plastic slip along x and y (mm) of a yielding layer, accumulated by its particles.
         temperature: Surface temperatures of body 1 and body 2 (degrees Celsius); None if not requested.
     """
 
@@ -89,22 +91,73 @@ def division_of(solution: Solution[Any, Any], shape: tuple[int, int], rubs: bool
 
 
 def layer_of(
-    solution: Solution[Any, Any], layer: InterfacialLayer | None, grid: Grid, tangential: int, chi: float, dq: float
-) -> tuple[Floats, Floats, Floats] | None:
-    """Returns yield stress and plastic slip as in Elements; None without a yielding layer."""
+    solution: Solution[Any, Any], layer: InterfacialLayer | None, grid: Grid, tangential: int, chi: float, dq: float,
+    before: Pair | None = None,
+) -> tuple[Floats, Floats, Floats] | None:  # fmt: skip
+    """Returns yield stress and plastic slip as in Elements; None without a yielding layer. `before` is the plastic slip
+    at the start of the step.
+    """
     if layer is None or solution.flow_x is None or solution.flow_y is None:
         return None
     stress = solution.yield_stress
     if stress is None:
         stress = np.full(grid.shape, layer.yield_stress or 0.0)
     upstream = -1 if math.cos(chi) > 0 else 1
+    if tangential == _STEADY and solution.element_division is not None:
+        stress = _carried(stress, solution.element_division > 0, layer.yield_stress or 0.0, upstream)
 
-    def accumulated(flow: Floats) -> Floats:
-        if tangential != _STEADY:
-            return flow if tangential == _SHIFT else flow * dq
-        return np.asarray(np.cumsum(flow[:, ::upstream], axis=1)[:, ::upstream] * grid.dx)
+    def accumulated(flow: Floats, brought: Floats) -> Floats:
+        if tangential == _STEADY:
+            return np.asarray(np.cumsum(flow[:, ::upstream], axis=1)[:, ::upstream] * grid.dx)
+        if tangential == _TRANSIENT:
+            brought = _one_step_ahead(brought, grid, dq * math.cos(chi), dq * math.sin(chi))
+        sums = brought + flow * (1.0 if tangential == _SHIFT else dq)
+        return sums if solution.element_division is None else np.where(solution.element_division > 0, sums, 0.0)
 
-    return stress, accumulated(solution.flow_x), accumulated(solution.flow_y)
+    before = before or (np.zeros(grid.shape), np.zeros(grid.shape))
+    return stress, accumulated(solution.flow_x, before[0]), accumulated(solution.flow_y, before[1])
+
+
+def _carried(stress: Floats, inside: npt.NDArray[np.bool_], entering: float, upstream: int) -> Floats:
+    """Returns the yield stress in steady rolling. Particles keep theirs behind the contact."""
+    carried = np.array(stress, dtype=float)
+    columns = range(carried.shape[1])[::upstream]
+    brought: Floats = np.full(carried.shape[0], entering)
+    for column in columns:
+        brought = np.where(inside[:, column], carried[:, column], brought)
+        carried[:, column] = brought
+    return carried
+
+
+def _one_step_ahead(values: Floats, grid: Grid, step_x: float, step_y: float) -> Floats:
+    """Returns values at the places of particles one step ago, by bilinear interpolation; 0 beyond the grid."""
+    ny, nx = values.shape
+    x, y = np.arange(nx) + step_x / grid.dx, np.arange(ny) + step_y / grid.dy
+    left, below = np.floor(x).astype(int), np.floor(y).astype(int)
+    padded = np.zeros((ny + 2, nx + 2))
+    padded[:ny, :nx] = values
+
+    def at(rows: npt.NDArray[np.int_], columns: npt.NDArray[np.int_]) -> Floats:
+        inside = [np.where((i < 0) | (i >= size), size, i) for i, size in ((rows, ny), (columns, nx))]
+        return np.asarray(padded[np.ix_(*inside)])
+
+    u, v = (x - left)[None, :], (y - below)[:, None]
+    lower = (1 - u) * at(below, left) + u * at(below, left + 1)
+    upper = (1 - u) * at(below + 1, left) + u * at(below + 1, left + 1)
+    return np.asarray((1 - v) * lower + v * upper)
+
+
+def friction_at(mu: Floats, law: Law | None, temperature: Floats | None) -> Floats:
+    """Returns the coefficients at the surface temperature of body 1 (degrees Celsius)."""
+    if law is None or temperature is None:
+        return mu
+    change, reference, span = law
+    return np.asarray(mu + change * np.clip((temperature - reference) / span, 0.0, 1.0))
+
+
+def law_of(friction: TemperatureFriction | None) -> Law | None:
+    """Returns the law that friction follows."""
+    return None if friction is None else (friction.change, friction.reference, friction.range)
 
 
 def plastic_elements(solution: Solution[Any, Any]) -> tuple[int, int]:

@@ -18,6 +18,8 @@ from .elements import (
     ahead,
     displacement_of,
     division_of,
+    friction_at,
+    law_of,
     layer_of,
     plastic_elements,
     rigid_slip_on,
@@ -131,6 +133,25 @@ class RailResult:
         rows = self.mu_of_rows(patch)
         return np.array(rows)[:, None] if rows else np.array(self.mu_of(patch))
 
+    def _friction(self, patch: WheelRailPatch, at_rest: Floats) -> Floats:
+        """The coefficients at the temperature where they follow it."""
+        friction, solution = self.contact.setup.friction, patch.solution
+        if solution.friction_coefficient is not None:
+            return solution.friction_coefficient
+        if friction is None or not friction.temperature_by_angle:
+            law = None if friction is None else law_of(friction.temperature)
+            return friction_at(at_rest, law, solution.upper_temperature)
+        rows = [row.angle for row in patch.place.rows] or [patch.place.reference.angle]
+        laws = [self._law_at(angle, friction.temperature_by_angle) for angle in rows]
+        change, reference, span = (np.array(part)[:, None] for part in zip(*laws))
+        return friction_at(at_rest, (change, reference, span), solution.upper_temperature)
+
+    def _law_at(self, angle: float, laws: Sequence[tuple[float, float, float, float]]) -> list[float]:
+        """Returns change, reference and range of friction by temperature at an angle, interpolated linearly."""
+        turned = angle if self.contact.setup.side == "right" else -angle
+        angles, *parts = zip(*laws)
+        return [float(np.interp(turned, angles, part)) for part in parts]
+
     def _mu_at(self, angle: float) -> float:
         friction = self.contact.setup.friction
         if friction is None:
@@ -162,7 +183,7 @@ class RailResult:
         return Elements(
             grid=place.grid, tangential=self.contact.case.digits["T"], is_frictionless=not self._rolls(patch), chi=motion.chi,
             division=division_of(solution, place.grid.shape, self._rolls(patch)), h=gap,
-            approach=solution.approach, mu=none + self._coefficients(patch), pressure=pressure, traction=(traction_x, traction_y),
+            approach=solution.approach, mu=self._friction(patch, none + self._coefficients(patch)), pressure=pressure, traction=(traction_x, traction_y),
             slip=(slip_x, slip_y), displacement=displacement_of(solution), temperature=temperature_of(solution),
             rigid_slip=rigid_slip_on(place.grid, (motion.xi, motion.eta), motion.phi, (-offset[0], -offset[1])),
             layer=layer_of(solution, layer, place.grid, self.contact.case.digits["T"], motion.chi, step),

@@ -15,7 +15,7 @@ from ...values.problem import ContactProblem, Estimate
 from ...values.subsurface import StressBlock, SubsurfaceStress
 from ..problems.bodies import Pair
 
-__all__ = ["COMPONENTS", "Body", "StressField", "Stresses", "stress_field"]
+__all__ = ["COMPONENTS", "Body", "StressField", "Stresses", "stress_field", "surface_displacement"]
 
 Floats = npt.NDArray[np.float64]
 Body = Literal["lower", "upper"]
@@ -87,6 +87,19 @@ def stress_field(block: Mapping[str, Any], grid: Grid, tractions: Floats, pair: 
         moved = [np.asarray(part) for part in (found.displacement_x, found.displacement_y, found.displacement_z)]
         displacement[inside] = np.stack(moved, axis=-1) * [1, 1, mirror]
     return StressField(x, y, z, displacement, stress)
+
+
+def surface_displacement(grid: Grid, tractions: Floats, pair: Pair, stresses: Stresses) -> Floats:
+    """Returns surface displacements of body 1 minus those of body 2, shape [3, ny, nx] (mm), under the same tractions."""
+    problem = ContactProblem(grid=grid, upper=pair.upper, lower=pair.lower, gap=_ANY, approach=1.0)
+    acting = Estimate(tractions[2], tractions[0], tractions[1])
+    sides: tuple[tuple[Body, int, int], ...] = (("upper", 1, -1), ("lower", -1, 1))
+    moved = np.zeros((3, grid.ny, grid.nx))
+    for body, sign, mirror in sides:
+        found = stresses(problem, acting, body, StressBlock(grid.x, grid.y, [0.0]))
+        parts = (found.displacement_x, found.displacement_y, found.displacement_z)
+        moved += sign * np.stack([np.asarray(part)[0] for part in parts]) * np.array([1, 1, mirror])[:, None, None]
+    return moved
 
 
 def _places(block: Mapping[str, Any], grid: Grid) -> tuple[Floats, Floats, Floats]:

@@ -51,6 +51,7 @@ class State:
     traction_y: npt.NDArray[np.float64]
     yield_stress: npt.NDArray[np.float64] | None = None
     friction_coefficient: npt.NDArray[np.float64] | None = None
+    plastic: tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]] | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,6 +67,7 @@ class BasicContact:
         dq: The step as printed by the program (mm).
         ics: Its coefficients.
         problem: The problem for contactd.
+        plastic: Plastic slip of a layer at the start of the step (mm); None if there is none.
     """
 
     case: Case
@@ -76,6 +78,7 @@ class BasicContact:
     dq: float
     ics: AnalyticIcs | TableIcs
     problem: ContactProblem
+    plastic: tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]] | None = None
 
     @property
     def phi(self) -> float:
@@ -118,7 +121,8 @@ class BasicContact:
             friction = _friction(case, area.grid, chi, step, force)
             previous = None if before is None else _moved(before, area.grid, friction)
             problem = problem.replace(friction=friction, previous=previous, temperature=thermal_bodies(case))
-        return cls(case, area, pair, unit, chi, dq, ics, problem)
+        plastic = None if before is None else _moved_plastic(before, area.grid)
+        return cls(case, area, pair, unit, chi, dq, ics, problem, plastic)
 
 
 def _ics(case: Case, grid: Grid, pair: Pair, coefficients: ReadCoefficients | None) -> AnalyticIcs | TableIcs:
@@ -213,23 +217,32 @@ def _extra_slip(values: Any, digit: int, grid: Grid, ahead_x: float, ahead_y: fl
 
 def _moved(before: State, grid: Grid, friction: Friction) -> Estimate:
     """Returns tractions and the state of friction on elements shifted by whole elements, whose number may differ."""
-    dx, dy = round((grid.x[0] - before.grid.x[0]) / grid.dx), round((grid.y[0] - before.grid.y[0]) / grid.dy)
-    if (dx, dy) == (0, 0) and grid.shape == before.grid.shape:
-        return Estimate(
-            before.pressure, before.traction_x, before.traction_y, before.yield_stress, before.friction_coefficient
-        )
-    rows, columns = np.arange(grid.ny) + dy, np.arange(grid.nx) + dx
-    there = np.ix_((rows >= 0) & (rows < before.grid.ny), (columns >= 0) & (columns < before.grid.nx))
-    taken = np.ix_(rows[(rows >= 0) & (rows < before.grid.ny)], columns[(columns >= 0) & (columns < before.grid.nx)])
+    stress, mu = before.yield_stress, before.friction_coefficient
+    if grid == before.grid:
+        return Estimate(before.pressure, before.traction_x, before.traction_y, stress, mu)
 
     def on_grid(array: npt.NDArray[np.float64], elsewhere: Any = 0.0) -> npt.NDArray[np.float64]:
-        placed: npt.NDArray[np.float64] = np.zeros(grid.shape) + elsewhere
-        placed[there] = array[taken]
-        return placed
+        return _on_grid(array, before.grid, grid, elsewhere)
 
-    stress, mu = before.yield_stress, before.friction_coefficient
     return Estimate(
         on_grid(before.pressure), on_grid(before.traction_x), on_grid(before.traction_y),
         None if stress is None or friction.layer is None else on_grid(stress, friction.layer.yield_stress or 0.0),
         None if mu is None else on_grid(mu, friction.mu),
     )  # fmt: skip
+
+
+def _moved_plastic(before: State, grid: Grid) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]] | None:
+    if before.plastic is None:
+        return None
+    along_x, along_y = before.plastic
+    return _on_grid(along_x, before.grid, grid), _on_grid(along_y, before.grid, grid)
+
+
+def _on_grid(array: npt.NDArray[np.float64], before: Grid, grid: Grid, elsewhere: Any = 0.0) -> npt.NDArray[np.float64]:
+    """Returns values on elements shifted by whole elements; new elements have `elsewhere`."""
+    dx, dy = round((grid.x[0] - before.x[0]) / grid.dx), round((grid.y[0] - before.y[0]) / grid.dy)
+    rows, columns = np.arange(grid.ny) + dy, np.arange(grid.nx) + dx
+    has_rows, has_columns = (rows >= 0) & (rows < before.ny), (columns >= 0) & (columns < before.nx)
+    placed: npt.NDArray[np.float64] = np.zeros(grid.shape) + elsewhere
+    placed[np.ix_(has_rows, has_columns)] = array[np.ix_(rows[has_rows], columns[has_columns])]
+    return placed
