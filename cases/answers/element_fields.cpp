@@ -17,16 +17,17 @@ RigidSlip relative_slip(const Grid& grid, const Rolling& rolling, double dq) {
     return slip;
 }
 
-/// A creepage that a force found is not known before: it is no part of the rigid slip.
-Motion without_found(Motion motion) {
+/// A creepage that a force found is not known before: it is no part of the rigid slip. Spin about its centre is.
+Motion without_found(const Solved& solved) {
+    Motion motion = *solved.solution.motion;
     if (auto* rolling = std::get_if<Rolling>(&motion)) {
-        if (rolling->force.Fx) rolling->xi = 0;
-        if (rolling->force.Fy) rolling->eta = 0;
+        if (rolling->force.Fx) rolling->xi = rolling->phi * solved.spin_y;
+        if (rolling->force.Fy) rolling->eta = -rolling->phi * solved.spin_x;
         return motion;
     }
     auto& shift = std::get<Shift>(motion);
-    if (shift.force.Fx) shift.rigid_shift.x = 0;
-    if (shift.force.Fy) shift.rigid_shift.y = 0;
+    if (shift.force.Fx) shift.rigid_shift.x = shift.rotation * solved.spin_y;
+    if (shift.force.Fy) shift.rigid_shift.y = -shift.rotation * solved.spin_x;
     return motion;
 }
 
@@ -35,7 +36,7 @@ Motion without_found(Motion motion) {
 RigidSlip rigid_slip_of(const Solved& solved) {
     const Grid& grid = solved.problem.grid;
     if (!solved.solution.motion) return {};
-    const Motion motion = without_found(*solved.solution.motion);
+    const Motion motion = without_found(solved);
     const auto* rolling = std::get_if<Rolling>(&motion);
     RigidSlip slip = rolling ? relative_slip(grid, *rolling, step_length(*rolling, grid))
                              : rigid_slip(grid, std::get<Shift>(motion));

@@ -21,6 +21,7 @@ struct Solved {
     /// Names what a patch of a wheel on a rail has and its contact problem does not, which can not be solved again
     /// then.
     const char* beyond = nullptr;
+    double spin_x = 0, spin_y = 0;  ///< centre of spin (mm)
 };
 
 }  // namespace contactd::cases

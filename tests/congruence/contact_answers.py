@@ -84,7 +84,8 @@ def _is_same(name: str, one: Answers, other: Answers) -> bool:
         first, second = (np.where(np.abs(values) < least, 0, values) for values in (first, second))
     compared_with = [first, second]
     if name.endswith("slip"):  # where surfaces stick, slip is what rounding leaves of the rigid slip
-        compared_with.append(one.quantities.get(f"{name.removesuffix('slip').removesuffix('rigid ')}rigid slip", first))
+        prefix = name.removesuffix("slip").removesuffix("rigid ")
+        compared_with += [one.quantities.get(f"{prefix}{motion}", first) for motion in ("rigid slip", "creepages")]
     largest = max(np.max(np.abs(values), initial=0) for values in compared_with)
     return bool(np.max(np.abs(first - second), initial=0) <= _NEAR * largest)
 

@@ -49,8 +49,8 @@ OWN: dict[str, tuple[str, set[str]]] = {
     "bodies that hardly differ": (basic(bodies="0.28 0.2803 82000. 82000."), set()),
     "a line with rows beyond its ends, by its curvature": (basic(area="-4\n15 12 0.005 8. 1.5"), set()),
     "a line with rows beyond its ends, by its width": (basic(area="-5\n15 12 0.4 8. 1.3"), set()),
-    "a force beyond friction": (basic(digits="203110", motion="5000. 1.2 0. 0.", area=_RECTANGLE), {"rigid slip"}),
-    "two forces beyond friction": (basic(digits="203120", motion="5000. 0.9 -0.9 0.", area=_RECTANGLE), {"rigid slip"}),
+    "a force beyond friction": (basic(digits="203110", motion="5000. 1.2 0. 0.", area=_RECTANGLE), set()),
+    "two forces beyond friction": (basic(digits="203120", motion="5000. 0.9 -0.9 0.", area=_RECTANGLE), set()),
     "falling friction from adhesion": (basic(second="422020", friction=_FALLS), set()),
     "falling friction from full slip": (
         basic(second="422020", third="0400301", friction=_FALLS, solver="999 20 25 1 1e-6\n-1 0.5"), set()
@@ -75,7 +75,7 @@ OWN: dict[str, tuple[str, set[str]]] = {
         basic(digits="201100", second="022022", step="", motion="50000. 0.002 0. 0.001 1. 2."), set()
     ),
     "a centre of spin": (basic(motion="50000. 0.0005 0. 0.0001 2. -1."), set()),
-    "a centre of spin with a force": (basic(digits="203110", motion="50000. 0.5 0. 0.0001 2. -1."), {"rigid slip"}),
+    "a centre of spin with a force": (basic(digits="203110", motion="50000. 0.5 0. 0.0001 2. -1."), set()),
     "spin half a step ahead": (basic(step="0. 0.5 20000. 0.5"), set()),
     "a direction that steady rolling does not take": (basic(step="30d 0.5 20000."), set()),
     "a direction that ConvexGS takes": (
@@ -90,7 +90,7 @@ OWN: dict[str, tuple[str, set[str]]] = {
             digits="203110", second="3022020", friction="", motion="50000. 0.1 0. 0.0001",
             more="\n".join(f"{0.2 + 0.01 * row} {0.2 + 0.01 * row}" for row in range(15)),
         ),
-        {"rigid slip"},
+        set(),
     ),
     "a thin sheet": (basic(digits="213100", bodies="0.28 0.28 82000. 82000.\n1e-6"), set()),
     "a shift that goes on with more elements elsewhere": (

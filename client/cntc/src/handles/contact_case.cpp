@@ -65,6 +65,8 @@ int calculate(ProblemCase& problem) {
     }
     PlasticSlip plastic = plastic_slip(next, solution, before);
     problem.solved = Solved{std::move(next), std::move(solution), std::move(before), std::move(plastic)};
+    problem.solved->spin_x = settings.spin_x;
+    problem.solved->spin_y = settings.spin_y;
     problem.requested = grid_of(settings);
     problem.current = true;
     Solved& solved = *problem.solved;

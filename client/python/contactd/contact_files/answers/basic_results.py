@@ -110,7 +110,7 @@ class BasicResult:
             division=division_of(solution, grid.shape, contact.case.digits["T"] > 0), layer=self._layer, h=contact.area.h, approach=solution.approach,
             mu=self._friction_coefficient(), pressure=self.pressure,
             traction=(solution.traction_x, solution.traction_y), slip=(_or(solution.slip_x, none), _or(solution.slip_y, none)),
-            rigid_slip=self._rigid_slip(), displacement=self.displacement, temperature=temperature_of(solution),
+            rigid_slip=self._rigid_slip(), found=self._found, displacement=self.displacement, temperature=temperature_of(solution),
         )  # fmt: skip
 
     @property
@@ -136,6 +136,12 @@ class BasicResult:
         layer = None if friction is None else friction.layer
         return layer_of(self.solution, layer, contact.area.grid, contact.case.digits["T"], contact.chi, contact.dq, contact.plastic)
 
+    @property
+    def _found(self) -> tuple[float, float]:
+        """The creepages or the shift that prescribed forces require."""
+        values = self.contact.case.values
+        return self.creepage[0] if "FX" in values else 0.0, self.creepage[1] if "FY" in values else 0.0
+
     def _rigid_slip(self) -> tuple[Floats, Floats]:
         contact, values = self.contact, self.contact.case.values
         friction = contact.problem.friction
@@ -143,7 +149,8 @@ class BasicResult:
         # ConvexGS prints the step as it is given; steady rolling is that by one element.
         offset = (0.0, 0.0) if rolling is None else ahead(rolling.dq or 0.0, contact.chi, values["FACPHI"])
         centre = values["SPINXO"] - offset[0], values["SPINYO"] - offset[1]
-        x, y = rigid_slip_on(contact.area.grid, self.creepage, contact.phi, centre)
+        given = self.creepage[0] - self._found[0], self.creepage[1] - self._found[1]
+        x, y = rigid_slip_on(contact.area.grid, given, contact.phi, centre)
         extra = None if contact.problem.friction is None else contact.problem.friction.rigid_slip
         return (
             (x, y) if extra is None else (x + np.asarray(extra[0], dtype=float), y + np.asarray(extra[1], dtype=float))

@@ -42,10 +42,11 @@ class Elements:
         pressure: Pressure (N/mm^2).
         traction: Tractions along x and y (N/mm^2).
         slip: Slip along x and y: the distance in a shift (mm), the relative slip in rolling.
-        rigid_slip: The same for undeformed bodies.
+        rigid_slip: The same for undeformed bodies, without the motion that prescribed forces require.
         displacement: Displacements of body 1 minus those of body 2, shape [3, ny, nx] (mm).
         layer: Yield stress (N/mm^2) and plastic slip along x and y (mm) of a yielding layer, accumulated by its particles.
         temperature: Surface temperatures of body 1 and body 2 (degrees Celsius); None if not requested.
+        found: The creepages or the shift (mm) that prescribed forces require, in addition to rigid_slip.
     """
 
     grid: Grid
@@ -63,6 +64,7 @@ class Elements:
     displacement: Floats
     layer: tuple[Floats, Floats, Floats] | None = None
     temperature: Pair | None = None
+    found: tuple[float, float] = (0.0, 0.0)
 
     @cached_property
     def traction_size(self) -> Floats:

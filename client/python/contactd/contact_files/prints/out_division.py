@@ -93,6 +93,7 @@ def _line(elements: Elements, at: tuple[int, int]) -> str:
         return f" {fortran_g(x)}{fortran_g(e)}{fortran_g(pressure)}{fortran_g(size)}{fixed(argument, 10, 1)}"
     tractions = [fortran_g(value, 11, 3) for value in (e, pressure, float(elements.bound[at]), size)]
     slip = math.hypot(*(float(part[at]) for part in elements.slip))
-    others = (*elements.rigid_slip, *(elements.temperature or ()))
-    slips = [fortran_g(value, 11, 3) for value in (slip, *(float(part[at]) for part in others))]
+    rigid = [float(part[at]) + found for part, found in zip(elements.rigid_slip, elements.found)]
+    heat = [float(part[at]) for part in elements.temperature or ()]
+    slips = [fortran_g(value, 11, 3) for value in (slip, *rigid, *heat)]
     return f" {fortran_g(x)}{''.join(tractions)}{fixed(argument, 10, 1)}  {''.join(slips)}"
