@@ -107,7 +107,7 @@ TEST_CASE("The kind of motion that is named first stays until it is cleared", "[
     const Handle contact(place);
     set(contact, "friction.rolling.xi", 0.001);
     const char* const field = "friction.rigid_shift.x";
-    refused(contactd_set(contact, field, 0.1), contact, field, "contactd_clear \"friction.rolling\" first");
+    refused(contactd_set(contact, field, 0.1), contact, field, "contactd_clear with \"friction.rolling\" first");
     refused(contactd_set(contact, "friction.force.Fx", 1), contact, "friction.force.Fx", "the motion is rolling");
     clear(contact, "friction.rolling");
     set(contact, field, 0.1);
@@ -164,14 +164,14 @@ TEST_CASE("What is wrong or missing of a contact is refused by its path", "[c]")
     const Place place("local");
     const Handle contact(place);
     refused(contactd_set(contact, "grid.nx", 0), contact, "grid.nx", "is 0");
-    refused(contactd_set(contact, "griD.nx", 1), contact, "griD.nx", "there is no \"griD\", but grid, gap");
+    refused(contactd_set(contact, "griD.nx", 1), contact, "griD.nx", "there is no \"griD\", only grid, gap");
     refused(contactd_set(contact, "grid", 1), contact, "grid", "name one of its fields");
     refused(contactd_set(contact, "friction.mu", -1), contact, "friction.mu", "is -1");
     refused(contactd_set(contact, "gap.array", 1), contact, "gap.array", "");
     refused(contactd_set_word(contact, "model", "quick"), contact, "model", "one of full, hertz, fastsim");
     refused(contactd_set(contact, "bodies.upper.ics.accuracy", 1), contact, "bodies.upper.ics.accuracy", "0.1");
     refused(contactd_clear(contact, "grid.nx"), contact, "grid.nx", "is required");
-    refused(contactd_set(contact, "forces.Fn", 1), contact, "forces.Fn", "but grid");
+    refused(contactd_set(contact, "forces.Fn", 1), contact, "forces.Fn", "only grid");
 
     set_sphere(contact);
     const auto start_refused = [&](const std::string& field, const std::string& sentence) {
