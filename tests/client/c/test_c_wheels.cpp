@@ -186,7 +186,7 @@ TEST_CASE("A file is read as what is set beside its text says, here and at the d
     Daemon daemon;
     const Place here("local"), there(daemon.endpoint());
     const std::string file = std::filesystem::temp_directory_path() / ("contactd-head-" + std::to_string(getpid()));
-    std::string text = "% z upwards, in inches\ny;z\n";
+    std::string text = "% z upwards\ny;z\n";
     std::vector<double> points;
     for (int k = -60; k <= 60; ++k) {
         points.insert(points.end(), {0.5 * k, 0.25 * k * k / 600});

@@ -274,8 +274,8 @@ class Builder {
                       "The accuracy of %g was not reached: coefficients may have an error of %.2g, of which the mesh "
                       "of order %d contributes %.2g, and the %zu wavenumbers %.2g. Request a coarser accuracy, or use "
                       "narrower strips farther from an edge.",
-                      accuracy_, errors.numerical(), errors.mesh, result_.order, errors.wavenumbers + errors.end,
-                      result_.spectrum.nodes.size());
+                      accuracy_, errors.numerical(), result_.order, errors.mesh, result_.spectrum.nodes.size(),
+                      errors.wavenumbers + errors.end);
         throw NotConverged(text.data());
     }
 
