@@ -233,7 +233,7 @@ TEST_CASE("A session takes one call at a time", "[client]") {
     asked.get_future().wait();
 
     CHECK_THROWS_MATCHES(session.step({}), ConcurrencyError,
-                         MessageMatches(ContainsSubstring("a session takes one step at a time")));
+                         MessageMatches(ContainsSubstring("A session takes one step at a time")));
 
     go_on.set_value();
     CHECK(first.get().step == 7);

@@ -90,12 +90,12 @@ TEST_CASE("Methods that there are can be switched off and given to users") {
 
 TEST_CASE("A misspelt method or user is refused, since it would leave open what was meant to be closed") {
     const auto [given, sentence] = GENERATE(table<json, const char*>({
-        {{{"disabled", {"ic.get", "ic.imprt"}}}, R"(methods.disabled[1] is "ic.imprt", which is no method)"},
+        {{{"disabled", {"ic.get", "ic.imprt"}}}, R"(methods.disabled[1] is "ic.imprt", which is not a method)"},
         {{{"disabled", {"builds"}}}, "methods.disabled[0]"},
         {{{"disabled", {"ic.*"}}}, "methods.disabled[0]"},
         {{{"disabled", "ic.get"}}, "methods.disabled"},
         {{{"allowed_users", {{"ic.Import", {"alice"}}}}},
-         R"(methods.allowed_users is "ic.Import", which is no method)"},
+         R"(methods.allowed_users is "ic.Import", which is not a method)"},
         {{{"allowed_users", {{"ic.import", "alice"}}}}, "methods.allowed_users"},
         {{{"allowed_users", {{"ic.import", {""}}}}}, "methods.allowed_users"},
         {{{"allowed_users", {{"ic.import", {"uid:alice"}}}}}, "methods.allowed_users"},
@@ -118,7 +118,7 @@ TEST_CASE("A configuration that is no JSON, no object or no file is refused with
     CHECK_THROWS_MATCHES(config_from_file(path.parent_path()), contactd::Error,
                          MessageMatches(ContainsSubstring("is a folder")));
     CHECK_THROWS_MATCHES(config_from_file("/dev/zero"), contactd::Error,
-                         MessageMatches(ContainsSubstring("larger than 1 MiB")));
+                         MessageMatches(ContainsSubstring("exceeds the limit of 1 MiB")));
     CHECK_THROWS_MATCHES(config_from_file(path), contactd::Error,
                          MessageMatches(ContainsSubstring("cannot be read: No such file")));
 }
