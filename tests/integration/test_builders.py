@@ -68,7 +68,7 @@ def test_a_launcher_that_does_not_exist_is_named(daemons):
 def test_a_builder_that_its_launcher_does_not_find_is_named(daemons):
     with daemons.start(builds={"program": "no-such-builder", "launcher": ["setsid", "--wait"]}).client() as client:
         message = build_failure(client)
-    assert "builds.program is no-such-builder behind setsid; it cannot be started: " in message
+    assert "builds.program is no-such-builder, started by setsid; it cannot be started: " in message
     assert "CONTACTD_IC" in message and 'pip install "contactd[daemon]"' in message and "directory The" not in message
 
 

@@ -52,7 +52,7 @@ def test_a_check_leaves_nothing_behind(check, tmp_path):
         ({"endpoint": "ipc:///no/such/folder/socket"}, "/no/such/folder"),
         ({"endpoint": "ipc:///tmp/" + "x" * 120}, "at most 107"),
         ({"store": {"folder": "/dev/null/store"}}, "store.folder"),
-        ({"store": {"folder": "/dev/null"}}, "no folder"),
+        ({"store": {"folder": "/dev/null"}}, "is not a folder"),
         ({"builds": {"program": "/no/such/contactd-ic"}}, "builds.program"),
         ({"builds": {"program": "/etc/passwd"}}, "builds.program"),
         ({"builds": {"launcher": ["no-such-launcher"]}}, "builds.launcher"),

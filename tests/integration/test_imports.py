@@ -104,7 +104,7 @@ def test_a_table_that_errs_by_more_than_it_states_is_refused(importer, exported)
     def scale(file):
         file[TABLE][...] *= 1.5
 
-    with pytest.raises(InvalidArgument, match="against the closed form") as refused:
+    with pytest.raises(InvalidArgument, match="relative to the closed form") as refused:
         importer.import_ic(changed(exported, scale))
     assert refused.value.violations[0].field == "datasets"
     assert list(importer.stored_ics()) == []

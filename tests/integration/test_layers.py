@@ -134,7 +134,7 @@ def test_stresses_are_those_of_the_body_that_is_asked_for(shared):
     steel = shared.subsurface(problem, solution, body="upper", points=points)
     assert rubber.zz[0] == pytest.approx(steel.zz[0])  # the pressure
     assert abs(rubber.zz[2] - steel.zz[2]) > 0.01 * solution.pmax
-    with pytest.raises(InvalidArgument, match="layers have their own") as refused:
+    with pytest.raises(InvalidArgument, match="has layers with their own values") as refused:
         shared.subsurface(problem, solution, body="lower", points=points, nu=0.5)
     assert refused.value.violations[0].field == "nu"
 

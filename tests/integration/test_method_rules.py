@@ -98,8 +98,8 @@ def test_a_job_says_whose_it_is_and_what(client, background):
 @pytest.mark.parametrize(
     ("methods", "sentence"),
     [
-        ('{"disabled": ["ic.imprt"]}', 'methods.disabled[0] is "ic.imprt", which is no method'),
-        ('{"allowed_users": {"build": ["alice"]}}', 'methods.allowed_users is "build", which is no method'),
+        ('{"disabled": ["ic.imprt"]}', 'methods.disabled[0] is "ic.imprt", which is not a method'),
+        ('{"allowed_users": {"build": ["alice"]}}', 'methods.allowed_users is "build", which is not a method'),
         ('{"allowed_users": {"builds": ["uid:me"]}}', "methods.allowed_users"),
     ],
 )

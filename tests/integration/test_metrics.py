@@ -153,7 +153,7 @@ def test_a_draining_daemon_is_alive_but_not_ready(daemons, background):
         caller = background(client.solve, ENDLESS)
         eventually(lambda: any(job.state == "running" for job in client.jobs()))
         daemon.process.send_signal(signal.SIGTERM)
-        eventually(lambda: get(daemon, "/readyz") == (503, "The daemon is ending.\n"))
+        eventually(lambda: get(daemon, "/readyz") == (503, "The daemon is shutting down.\n"))
         assert get(daemon, "/healthz")[0] == 200
         for job in client.jobs():
             client.cancel_job(job.job)

@@ -293,7 +293,7 @@ def test_contacts_and_wheels_step_in_one_message(shared):
         assert (one.step_number, contact.step_number, two.step_number) == (1, 1, 0)
         answers = shared.step_many([(one, {"state": at(1.2), "again": True}), (two, {"state": at(-1.2)})])
         assert [answer.step for answer in answers] == [1, 1]
-        with pytest.raises(TypeError, match=r"steps\[0\] says Fn, which WheelRailSession.step does not know"):
+        with pytest.raises(TypeError, match=r"steps\[0\] has Fn, which WheelRailSession.step does not support"):
             shared.step_many([(one, {"Fn": 1})])
 
 

@@ -242,7 +242,7 @@ def test_dev_called_again_by_a_command_starts_from_where_that_is(machine):
 def test_help_says_what_the_root_sees(machine):
     text = re.sub(r"\s+", " ", machine.dev("help").stdout)
     assert (
-        "sees of your machine: the repository, your home folder, the folder ./dev was called from, /tmp, and the cache folder"
+        "Programs in that root can access the repository, your home folder, the folder ./dev was called from, /tmp, and the cache folder"
         in text
     )
     assert "default store is store/ in it" in text

@@ -111,7 +111,7 @@ class Solver:
         try:
             return FINEST, self._built(spec, FINEST)
         except InternalError as error:
-            if "is not reached" not in error.message:
+            if "was not reached" not in error.message:
                 raise
         coarser = min(ACCURACIES)
         return coarser, self._built(spec, coarser)

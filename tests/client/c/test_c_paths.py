@@ -50,7 +50,7 @@ def test_the_paths_that_a_refusal_names_have_constants(handles):
     for handle, above in [*((wheel, above) for above in of_wheel), *((contact, above) for above in of_contact)]:
         assert library.contactd_path(handle, f"{above}.nothing".encode(), ctypes.byref(number)) == 3
         refusal = library.contactd_last_error(handle).decode()
-        names = re.search(r', but ([\w, ]+)', refusal)[1].split(", ")
+        names = re.search(r', only ([\w, ]+)', refusal)[1].split(", ")
         without = {"motion", "derivatives"}  # of a contact alone
         assert {f"{above}.{name}" for name in names if above != "patches[0].solution" or name not in without} <= known
 

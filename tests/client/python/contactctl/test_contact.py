@@ -103,7 +103,7 @@ def test_warnings_name_their_cases_once(ctl):
 def test_a_run_writes_what_contact_would(ctl):
     ctl.write("two.inp", TWO)
     ended = ctl("contact", "run", "two.inp")
-    assert (ended.code, ended.out) == (Code.DONE, "2 cases: 2 solved. two.out has them.\n")
+    assert (ended.code, ended.out) == (Code.DONE, "2 cases: 2 solved. They are in two.out.\n")
     assert sorted(path.name for path in ctl.folder.iterdir() if path.name.startswith("two")) == ["two.0001.mat", "two.0002.mat", "two.inp", "two.out"]
     lines = (ctl.folder / "two.out").read_text().splitlines()
     assert "detailed investigation of 3D" in lines[1]
@@ -145,7 +145,7 @@ def test_numbers_are_compared_with_printed_ones(ctl):
     assert ended.code == Code.NOT_CONVERGED
     assert "1 differs" in ended.out and "FX" in ended.out
     ctl.write("short.ref", text[: text.index(" Case     2")])
-    assert "does not have it" in ctl("contact", "run", "two.inp", "--compare", "short.ref").out
+    assert "does not contain it" in ctl("contact", "run", "two.inp", "--compare", "short.ref").out
 
 
 def test_a_mat_file_of_a_layer_has_its_yield_stress_and_accumulated_plastic_slip(ctl):
@@ -287,7 +287,7 @@ def test_mistakes_of_a_case_are_told_apart(ctl):
     ctl.write("wrong.inp", TWO.replace("15  15  6.0", "0  15  6.0"))
     ended = ctl("contact", "check", "wrong.inp", "--json")
     assert ended.code == Code.USAGE
-    assert "could not be read as a whole; line" in ended.json["cases"][1]["why"]
+    assert "could not be read completely; line" in ended.json["cases"][1]["why"]
 
 
 def test_a_folder_is_no_input_file(ctl):

@@ -96,7 +96,7 @@ def test_a_build_is_followed_and_cancelled(page, shared, background):
     page.wait_for(f"End {build}?", ".question")
     asked = page.text(".question")
     assert "It is building a table: finite elements" in asked
-    assert f"for uid:{os.getuid()}." in asked
+    assert f"It belongs to uid:{os.getuid()}." in asked
     page.click(".question .keep")
     eventually(lambda: page.text(".question") == "")
     assert not waiting.done()

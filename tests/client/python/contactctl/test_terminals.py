@@ -76,7 +76,7 @@ def _take_terminal():
 
 def test_a_build_has_a_live_bar_that_goes_when_ctrl_c_ends_it(own):
     with Terminal(own, "ic", "build", "long.json") as terminal, Client(own.endpoint) as client:
-        terminal.wait_for(r"build-\d+: about [\d.]+ (ms|s|min|h) to go, the daemon expects")
+        terminal.wait_for(r"build-\d+: about [\d.]+ (ms|s|min|h) to go, estimated by the daemon")
         terminal.wait_for(r"[1-9]\d* %.*build-\d+: \w+")
         shown = set(re.findall(r"(\d+) %", terminal.text))
         assert len(shown) > 1, "the bar stands still"

@@ -179,7 +179,7 @@ def test_a_study_that_was_refused_is_in_no_ones_way(files):
         (STUDY.replace("source: a test, ", ""), "law has no name or no source"),
         (STUDY.replace("until: 60", ""), "until is missing"),
         (STUDY.replace("until: 60", "until: far"), "until is 'far'; it must be a number"),
-        (STUDY.replace("body: lower", "body: upper"), "law.body is upper, and the wheel wears"),
+        (STUDY.replace("body: lower", "body: upper"), "law.body is upper, but the wheel wears"),
         (STUDY.replace("states.csv", "nothing.csv"), "nothing.csv: No such file"),
         (STUDY + "rate: 1\n", "a study of wear has no rate"),
         (STUDY + "smothing: auto\n", "Did you mean smoothing?"),
