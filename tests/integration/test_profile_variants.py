@@ -70,7 +70,7 @@ def variants(kind: str, points: Any) -> Iterator[Variant]:
     miniprof, spline = (".whl", ".prw") if kind == "wheel" else (".ban", ".prr")
     up, aside = points * (1, -1), points * (-1, 1)
     # A rail may be a groove, for which it is taken.
-    wrong: dict[str, Any] = {"refusal": ("mirror_z", "side by side"), "warning": "upside down" if kind == "rail" else ""}
+    wrong: dict[str, Any] = {"refusal": ("mirror_z", "out of order"), "warning": "upside down" if kind == "rail" else ""}
     # Order, and which way z points.
     for name, given in (("", points), (", z upwards", up), (", reversed", points[::-1]), (", reversed and upwards", up[::-1])):
         yield Variant(f"columns{name}", ".txt", rows(given))
@@ -126,7 +126,7 @@ def variants(kind: str, points: Any) -> Iterator[Variant]:
     yield Variant("a third number", ".txt", rows(points[:9]) + "1 2 3\n", refusal=("line 10",))
     yield Variant("a file that was cut off", spline, simpack(kind, rows(points)).partition("point.end")[0], refusal=("point.end",))
     yield Variant("the other type", spline, simpack(kind, rows(points), type_line="type = {}9\n"), refusal=("type",))
-    yield Variant("points in no order", ".txt", rows(points[np.random.default_rng(1).permutation(len(points))]), refusal=("cross themselves", "side by side", "mirror_z"))
+    yield Variant("points in no order", ".txt", rows(points[np.random.default_rng(1).permutation(len(points))]), refusal=("cross themselves", "out of order", "mirror_z"))
 
 
 def distance(points: Any, line: Any) -> float:
