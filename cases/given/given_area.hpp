@@ -9,11 +9,12 @@
 
 namespace contactd::cases {
 
-/// Of Hertz's contact, IPOTCN -1 to -6: MX, MY and the numbers that this has. All throw NotCovered.
+/// Reads Hertz's contact, IPOTCN -1 to -6: MX, MY and its numbers. All throw NotCovered.
 HertzArea hertz_area(int option, const std::vector<double>& numbers, const Units& units);
-/// Of a rectangle, IPOTCN 1 to 4.
+/// Reads a rectangle, IPOTCN 1 to 4.
 Grid potential_contact(int option, const std::vector<double>& numbers, const Units& units);
-/// Of patches on rails: DX, DS, and with the option -1 A_SEP, D_SEP, D_COMB and D_TURN, which may be missing.
+/// Reads the sizes for patches on rails: DX, DS, and with the option -1 A_SEP, D_SEP, D_COMB and D_TURN, which may be
+/// missing.
 GivenElements rail_elements(int option, const std::vector<double>& numbers, const Units& units);
 
 /// Returns how many numbers a kind of distance, IBASE, has at least; 0 where there is no such kind. Those of profiles

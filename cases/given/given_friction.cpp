@@ -108,7 +108,7 @@ std::vector<double> interpolable(int law, std::vector<double> given) {
     return given;
 }
 
-/// Of friction by temperature.
+/// Returns the memory of friction by temperature.
 std::optional<FrictionMemory> memory_of(const FrictionLaw& law) {
     return law.temperature ? law.temperature->memory : std::nullopt;
 }

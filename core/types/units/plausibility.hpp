@@ -7,7 +7,7 @@
 
 namespace contactd {
 
-/// What a field measures.
+/// The physical quantity of a field.
 enum class Quantity {
     angle,                 ///< of wheelsets and rails (rad)
     friction_coefficient,  ///< as a ratio
@@ -24,8 +24,8 @@ inline constexpr double slowest_vehicle = 400;
 /// Returns whether a value lies where it is probably meant in another unit.
 bool is_doubtful(Quantity quantity, double value);
 
-/// Returns a sentence about a value that is doubtful, with what it is in the units that it may be mistaken for; nothing
-/// about others. `says` is the field with its verb, such as "position.y is"; `more` is added to the reason for doubt.
+/// Returns a sentence about a doubtful value, with its size in the units that it may be mistaken for; nothing for other
+/// values. `says` is the field with its verb, such as "position.y is"; `more` is added to the reason for doubt.
 std::optional<std::string> doubt(Quantity quantity, std::string_view says, double value, std::string_view more = {});
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-// What a program has set: the values of a case, with the units that it speaks and what it may not use.
+// Settings of a program: the values of a case, its units, and the values that it may not use.
 #pragma once
 
 #include <map>

@@ -59,7 +59,7 @@ std::map<int, FileCase> cases_of(const std::string& name, int ire, bool on_rails
     return cases;
 }
 
-/// What a file does not say anything about, by the names of refused settings.
+/// Returns whether no file contains the setting, which has its name in refusals.
 bool outside_files(const std::string& part) {
     for (const int code : {flag::units, flag::result, flag::sensitivities})
         if (part == "flag " + std::to_string(code)) return true;

@@ -61,5 +61,5 @@ class View:
 
     @property
     def is_there(self) -> bool:
-        """Whether the daemon answered the last query."""
+        """True if the daemon answered the last query."""
         return self.state not in (AWAY, CONNECTING)

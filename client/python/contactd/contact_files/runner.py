@@ -56,7 +56,7 @@ class Outcome:
 
     @property
     def is_solved(self) -> bool:
-        """Whether there are numbers."""
+        """True if there are numbers."""
         return self.result is not None
 
 

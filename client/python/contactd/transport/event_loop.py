@@ -79,12 +79,12 @@ class Exchanges:
 
     @property
     def is_of_this_loop(self) -> bool:
-        """Whether the running event loop watches it."""
+        """True if the running event loop watches it."""
         return self._loop is asyncio.get_running_loop()
 
     @property
     def loop_has_ended(self) -> bool:
-        """Whether its event loop has ended."""
+        """True if its event loop has ended."""
         return self._loop.is_closed()
 
     def close(self) -> None:

@@ -47,7 +47,7 @@ class Event(NamedTuple):
 
     @property
     def is_of_connection(self) -> bool:
-        """Whether a connection was made or lost; otherwise a handshake has failed."""
+        """True if a connection was made or lost; otherwise a handshake has failed."""
         return self.kind in (zmq.EVENT_DISCONNECTED, zmq.EVENT_HANDSHAKE_SUCCEEDED)
 
 

@@ -36,7 +36,7 @@ class PartStep:
 
     @property
     def is_bounded_by_stability(self) -> bool:
-        """Whether stability limits the depth of a step more than its maximum does."""
+        """True if stability limits the depth of a step more than its maximum does."""
         return self._stiffness is not None and self._is_free and self._stiffness.deepest < self._depth
 
     @property

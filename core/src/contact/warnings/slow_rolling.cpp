@@ -33,7 +33,7 @@ bool rolls_slowly(const ContactProblem& problem) {
 
 void warn_of_friction_that_never_falls(const ContactProblem& problem, const ContactSolution& solution,
                                        Sentences& warnings) {
-    // Of the slip velocity in the law. Slow rolling may be meant to be faster.
+    // Part of the slip velocity in the law, below which rolling was probably meant to be faster.
     const double hardly_any = rolls_slowly(problem) ? 0.02 : 1e-3;
     if (!problem.friction || !problem.friction->kinetic || solution.elements.slip == 0) return;
     const double largest = largest_slip_velocity(solution.motion.value_or(problem.motion), solution);
