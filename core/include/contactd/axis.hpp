@@ -1,12 +1,12 @@
-// The directions x, y and z (the outward normal), and the parities of influence coefficients.
+// Defines the directions x, y and z (the outward normal), and the parities of influence coefficients.
 #pragma once
 
 namespace contactd {
 
 enum class Axis { x = 0, y = 1, z = 2 };
 
-/// Mathematical parity of A[i,j](k,l) in the offsets (design: xx, yy, zz even/even; xy, yx odd/odd; xz, zx odd/even;
-/// yz, zy even/odd): +1 or -1 along x and along y.
+/// Returns the parity of A[i,j](k,l) in its offsets: +1 (even) or -1 (odd) along x and along y. xx, yy and zz are even
+/// in both, xy and yx odd in both; xz and zx are odd along x and even along y, yz and zy the reverse.
 struct Parity {
     int along_x;
     int along_y;

@@ -1,4 +1,4 @@
-// Errors of a part, with the names of its fields in the whole.
+// Renames the fields in the errors of a part, so that they name fields of the whole.
 #pragma once
 
 #include <string>
@@ -18,8 +18,8 @@ auto renaming(const Rename& rename, const Work& work) {
     }
 }
 
-/// A function for renaming(): with "material" and "bodies.upper", "material.nu" becomes "bodies.upper.nu". Fields that
-/// do not begin with `part` keep their names.
+/// Returns a function for renaming(): with "material" and "bodies.upper", "material.nu" becomes "bodies.upper.nu".
+/// Fields that do not begin with `part` keep their names.
 inline auto in_place_of(std::string part, std::string name) {
     return [part = std::move(part), name = std::move(name)](const std::string& field) {
         return field.starts_with(part) ? name + field.substr(part.size()) : field;

@@ -1,4 +1,4 @@
-// Contact problems and their solutions as plain values.
+// Defines contact problems and their solutions as plain values.
 #pragma once
 
 #include <array>
@@ -13,10 +13,11 @@
 
 namespace contactd {
 
-/// flow: a layer between the surfaces flows. If it has hardened to the friction bound, the surfaces slip as well.
+/// An element flows if a layer between the surfaces flows. If the layer has hardened to the friction bound, the
+/// surfaces slip as well.
 enum class ElementState : std::uint8_t { exterior = 0, adhesion = 1, slip = 2, flow = 3 };
 
-/// How a solver ended.
+/// Describes how a solver ended.
 struct SolverEvidence {
     int iterations = 0;
     double residual = 0;  ///< the value compared with the tolerance
@@ -24,127 +25,131 @@ struct SolverEvidence {
     double seconds = 0;
 };
 
-/// Source of the errors of a discretisation.
+/// Selects the source of the estimated discretisation errors.
 enum class ErrorSource { hertz, estimate };
 
-/// How finely the elements divide the contact, and the absolute relative errors against the limit of small elements
-/// (docs/contact.md contains measurements).
+/// Describes how finely the elements divide the contact, and the absolute relative errors against the limit of small
+/// elements. docs/contact.md contains measurements.
 struct Discretisation {
-    int elements_across = 0;  ///< in the direction with fewer, without directions in which the contact fills the grid
-    double force_error = 0;   ///< of the normal force for the given approach, whichever was prescribed
+    int elements_across = 0;  ///< along the direction with fewer elements; directions in which the contact fills the
+                              ///< grid do not count
+    double force_error = 0;   ///< of the normal force for the given approach, whether force or approach was prescribed
     double pmax_error = 0;    ///< of the largest pressure under the prescribed load
-    /// Source of both errors: Hertz's closed form for a paraboloid on half-spaces, otherwise an estimate from
+    /// Both errors come from Hertz's closed form for a paraboloid on half-spaces, otherwise from an estimate by
     /// elements_across.
     ErrorSource source = ErrorSource::estimate;
-    /// Estimated error of the tangential force in rolling under a small creepage, from elements_across and dq. The
+    /// Estimates the error of the tangential force in rolling under a small creepage, from elements_across and dq. The
     /// error is smaller if most of the contact slips.
     std::optional<double> rolling_error{};
-    /// For bodies with layers: the compliance of layers that elements of this size represent, under pressures as wide
-    /// as the contact, over their true compliance. Both errors above include it.
+    /// Describes bodies with layers: the compliance of the layers that elements of this size represent, over their true
+    /// compliance, under pressures as wide as the contact. Both errors above include it.
     std::optional<double> compliance_ratio{};
 
     bool operator==(const Discretisation&) const = default;
 };
 
-/// Normal contact with a prescribed approach or force and, with friction, tangential contact.
+/// Describes normal contact with a prescribed approach or force and, with friction, tangential contact.
 struct ContactProblem : ContactSetup, ContactLoad {};
 
-/// The contact area and its parts (mm^2).
+/// Holds the contact area and its parts (mm^2).
 struct Areas {
     double contact = 0, adhesion = 0, slip = 0, flow = 0;
 };
 
-/// Numbers of elements.
+/// Counts the elements in each state.
 struct Counts {
     int contact = 0, adhesion = 0, slip = 0, flow = 0;
-    int border = 0;  ///< of those in contact, at the border of the potential contact area
+    int border = 0;  ///< those in contact at the border of the potential contact area
 };
 
-/// Total forces on the upper body. On curved strips: the component of the pressures along the direction of approach,
-/// those of the tangential tractions along x and across both, and their moment about that direction at the strips'
-/// origin.
+/// Holds the total forces on the upper body. On curved strips, Fn is the component of the pressures along the direction
+/// of approach, Fx and Fy are those of the tractions along x and across both, and Mz is their moment about that
+/// direction at the strips' origin.
 struct Forces {
     double Fn = 0;          ///< normal (N), > 0 in compression
     double Fx = 0, Fy = 0;  ///< tangential (N)
     double Mz = 0;          ///< moment about z at the origin, sum of x p_y - y p_x (N mm)
 };
 
-/// Rolling resistance due to the creep of viscoelastic bodies.
+/// Describes the rolling resistance due to the creep of viscoelastic bodies.
 struct RollingResistance {
-    /// Force that resists rolling (N): the sum of pressures times slopes of the undeformed distance along the rolling
-    /// direction.
+    /// The force that resists rolling (N) is the sum of the pressures times the slopes of the undeformed distance along
+    /// the rolling direction.
     double force = 0;
-    double power = 0;               ///< dissipated by the bodies, the force times the velocity (N mm/s)
-    double centre_of_pressure = 0;  ///< its x (mm)
-    double moment = 0;              ///< of the pressures about the axis y, sum of x p (N mm)
-    /// Difference of the force from minus the sum of pressures times slopes of the surfaces, which is the hysteresis,
-    /// over the sum of pressures times absolute slopes.
+    double power = 0;               ///< power dissipated by the bodies: force times velocity (N mm/s)
+    double centre_of_pressure = 0;  ///< x of the centre of pressure (mm)
+    double moment = 0;              ///< moment of the pressures about the axis y, sum of x p (N mm)
+    /// The hysteresis is minus the sum of the pressures times the slopes of the surfaces. The defect is the difference
+    /// of the force from it, over the sum of the pressures times the absolute slopes.
     double defect = 0;
 
     bool operator==(const RollingResistance&) const = default;
 };
 
-/// How the solvers of a contact problem ended.
+/// Describes how the solvers of a contact problem ended.
 struct ContactEvidence {
     SolverEvidence normal;
     std::optional<SolverEvidence> tangential;
     std::optional<TangentialSolver> tangential_solver;  ///< solver that computed the tractions
-    /// Iterations between normal and tangential contact of dissimilar bodies, and between slip and a slip law. The
-    /// residual is the relative change of the tractions expected from further iterations, with a slip law the last
-    /// one.
+    /// Describes the iterations between normal and tangential contact of dissimilar bodies, and between slip and a slip
+    /// law. The residual is the relative change of the tractions expected from further iterations; with a slip law, it
+    /// is the last change.
     std::optional<SolverEvidence> outer;
-    std::optional<SolverEvidence> force;  ///< Newton's iterations, or solves, for the motion; |F - F_set|/(sum g dx dy)
+    std::optional<SolverEvidence> force;  ///< Newton's iterations or solves for the motion; residual |F - F_set|/(sum g
+                                          ///< dx dy)
     std::optional<Discretisation> discretisation;  ///< for model full with contact
-    /// Evidence of the linear equations of the derivatives, if requested: the total number of iterations, the largest
+    /// Describes the linear equations of the derivatives, if requested: the total number of iterations and the largest
     /// residual.
     std::optional<SolverEvidence> derivatives;
 };
 
-/// Arrays have shape [ny, nx]. Tractions act on the upper body.
+/// Arrays have shape [ny, nx], and tractions act on the upper body.
 struct ContactSolution {
     double approach = 0;  ///< (mm), prescribed or computed
     Forces forces;
-    std::optional<Resultant> resultant;  ///< on curved strips: of all tractions together
+    std::optional<Resultant> resultant;  ///< on curved strips: resultant of all tractions
     double pmax = 0;                     ///< largest pressure (N/mm^2)
     Areas area;
     Counts elements;
     std::vector<ElementState> element_division;
     std::vector<double> pressure;                ///< (N/mm^2), >= 0
     std::vector<double> traction_x, traction_y;  ///< (N/mm^2); zero without friction
-    /// Slip of the upper body over the lower: in a shift the distance over the step (mm), in rolling the slip over the
-    /// step divided by dq. Empty without friction; zero outside the contact.
+    /// The slip of the upper body over the lower is a distance over the step (mm) in a shift; in rolling it is the slip
+    /// over the step divided by dq. It is empty without friction, and zero outside the contact.
     std::vector<double> slip_x, slip_y;
-    /// Plastic flow of a layer along the tractions, over the step (mm) or per distance rolled like slip, and its yield
-    /// stress after the flow (N/mm^2). Empty without a layer that yields.
+    /// Hold the plastic flow of a layer along the tractions, over the step (mm) or per distance rolled like slip, and
+    /// its yield stress after the flow (N/mm^2). They are empty without a layer that yields.
     std::vector<double> flow_x, flow_y, yield_stress;
-    /// Coefficients of kinetic friction or of temperature-dependent friction with memory; outside the contact the
-    /// coefficients of a particle that enters.
+    /// Holds the coefficients of kinetic friction or of temperature-dependent friction with memory. Outside the contact
+    /// they are the coefficients of a particle that enters.
     std::vector<double> friction_coefficient;
-    /// Displacements of the upper body's surface minus those of the lower body's under the tractions (mm) along x and
-    /// y; along z the sum of the displacements of both bodies, > 0 under pressure. Empty unless requested.
+    /// Along x and y, displacements are those of the upper body's surface minus those of the lower body's under the
+    /// tractions (mm). Along z, they are the sum of both bodies' displacements, > 0 under pressure. They are empty
+    /// unless requested.
     std::vector<double> displacement_x, displacement_y, displacement_z;
-    /// Temperatures of both surfaces (degrees Celsius), in the contact and behind it. Empty unless requested.
+    /// Hold the temperatures of both surfaces (degrees Celsius), in the contact and behind it. They are empty unless
+    /// requested.
     std::vector<double> upper_temperature, lower_temperature;
-    std::optional<ContactTemperature> temperature;  ///< with these
-    /// Half the sum of traction times displacement (N mm), the elastic energy stored in the bodies. Requires
+    std::optional<ContactTemperature> temperature;  ///< present with the arrays of temperatures
+    /// The elastic energy stored in the bodies is half the sum of traction times displacement (N mm). It requires
     /// displacements.
     std::optional<double> elastic_energy;
-    /// Energy dissipated by friction in the step of a shift (N mm), or power in rolling (N mm/s).
+    /// Friction dissipates this energy in the step of a shift (N mm), or this power in rolling (N mm/s).
     std::optional<double> frictional_work, frictional_power;
-    /// Part dissipated by the flow of a layer, and the largest length of flow, like flow_x. Requires a layer that
-    /// yields.
+    /// Hold the part dissipated by the flow of a layer, and the largest length of flow, with the units of flow_x. They
+    /// require a layer that yields.
     std::optional<double> plastic_work, plastic_power, largest_flow;
     std::optional<RollingResistance> rolling_resistance;  ///< for viscoelastic bodies
     std::optional<ContactWear> wear;                      ///< if requested
     std::optional<ContactFatigue> fatigue;                ///< if requested
     std::optional<Motion> motion;                         ///< as requested, or as determined by a prescribed force
-    std::optional<double> upper_speed;                    ///< of wheels on rails, as in the problem (mm/s)
+    std::optional<double> upper_speed;                    ///< speed of wheels on rails, as in the problem (mm/s)
     std::optional<Derivatives> derivatives;               ///< if requested and converged, with contact
     std::vector<std::string> warnings;                    ///< messages for the user of the solution
     ContactEvidence evidence;
 
-    /// Returns whether every solver of the problem that ran reached its tolerance. Derivatives that did not converge
-    /// are omitted.
+    /// Returns whether every solver that ran reached its tolerance. Derivatives are not considered, because those that
+    /// did not converge are omitted.
     bool converged() const {
         for (const auto& solver : {evidence.tangential, evidence.outer, evidence.force})
             if (solver && !solver->converged) return false;
@@ -152,7 +157,7 @@ struct ContactSolution {
     }
 };
 
-/// The arrays of a solution.
+/// Names the arrays of a solution.
 enum class SolutionField {
     element_division,
     pressure,
@@ -170,7 +175,7 @@ enum class SolutionField {
     upper_temperature,
     lower_temperature
 };
-/// The arrays to include in an answer.
+/// Selects the arrays to include in an answer.
 using SolutionFields = std::vector<SolutionField>;
 inline const SolutionFields all_solution_fields{SolutionField::element_division,
                                                 SolutionField::pressure,
@@ -188,17 +193,18 @@ inline const SolutionFields all_solution_fields{SolutionField::element_division,
                                                 SolutionField::upper_temperature,
                                                 SolutionField::lower_temperature};
 
-/// Returns the length of one step (mm): dq, or size_along of the elements where dq is 0.
+/// Returns the length of one step (mm): dq, or size_along of the elements if dq is 0.
 double step_length(const Rolling& rolling, const Grid& grid);
 
-/// Returns the vector from a particle to its position one step ago (mm): dq (cos chi, sin chi); zero without rolling.
+/// Returns the vector from a particle to its position one step ago (mm): dq (cos chi, sin chi), or zero without
+/// rolling.
 std::array<double, 2> step_of(const ContactProblem& problem);
 
-/// Returns the quantities that the operators of a problem depend on in addition to its set-up: the step, and for
-/// rolling viscoelastic bodies the velocity, otherwise zero.
+/// Returns the quantities besides the set-up that the operators of a problem depend on: the step and, if viscoelastic
+/// bodies roll, the velocity, otherwise zero.
 std::array<double, 3> rolling_of_operators(const ContactProblem& problem);
 
-/// Throws InvalidArgument naming the field by its path on the wire if the problem is invalid.
+/// Throws InvalidArgument, which names the field by its path on the wire, if the problem is invalid.
 void validate(const ContactProblem& problem);
 /// Checks a problem whose gap and load may be missing because later steps contain them.
 void validate_opening(const ContactProblem& problem);

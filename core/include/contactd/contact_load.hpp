@@ -1,4 +1,4 @@
-// The load of a step: position and motion of the bodies, and the initial state of the step.
+// Defines the load of a step: position and motion of the bodies, and the initial state of the step.
 #pragma once
 
 #include <optional>
@@ -9,12 +9,14 @@
 
 namespace contactd {
 
-/// Pressure and tractions on the upper body, each empty (zero) or of shape [ny, nx] (N/mm^2).
+/// Holds the pressure and the tractions on the upper body, each empty (zero) or of shape [ny, nx] (N/mm^2).
 struct SurfaceState {
     std::vector<double> pressure, traction_x, traction_y;
-    /// Of a layer that hardens or softens, in the same form; empty: no flow yet. Not needed for estimates.
+    /// Holds the yield stress of a layer that hardens or softens, in the same form; empty means that it has not flowed
+    /// yet. It is not needed for estimates.
     std::vector<double> yield_stress{};
-    std::vector<double> friction_coefficient{};  ///< with memory, in the same form; empty: the static one
+    std::vector<double> friction_coefficient{};  ///< for friction with memory, in the same form; empty: the static
+                                                 ///< coefficient
 
     bool empty() const { return pressure.empty() && traction_x.empty() && traction_y.empty(); }
     bool operator==(const SurfaceState&) const = default;
@@ -22,16 +24,16 @@ struct SurfaceState {
 
 struct ContactLoad {
     std::optional<Gap> gap;  ///< undeformed distance h without the approach
-    /// One of these two. The approach is delta (mm), with the gap before deformation h - delta. With a prescribed
-    /// normal force (N, >= 0), it is computed.
+    /// Exactly one of these two is prescribed. The approach is delta (mm), with the gap before deformation h - delta.
+    /// With a prescribed normal force (N, >= 0), the approach is computed.
     std::optional<double> approach, Fn;
     Motion motion{};  ///< not used without friction
-    /// Rigid slip of each element in addition to that of `motion`, for surfaces that do not move like a plane: for
-    /// a shift, in the step (mm); for rolling, per distance rolled, like creepages. Empty, or both of shape [ny,
-    /// nx].
+    /// Holds the rigid slip of each element in addition to that of `motion`, for surfaces that do not move like a
+    /// plane. For a shift it is a distance in the step (mm); for rolling it is per distance rolled, like creepages.
+    /// Both are empty, or both have shape [ny, nx].
     RigidSlip rigid_slip{};
-    /// Speed at which the upper surface passes through the contact (mm/s), for temperatures of wheels on rails; absent:
-    /// as in TemperatureRequest.
+    /// Speed at which the upper surface passes through the contact (mm/s), for temperatures of wheels on rails. If
+    /// absent, the speed is that of TemperatureRequest.
     std::optional<double> upper_speed{};
     SurfaceState previous;       ///< at the end of the previous step, where a shift or a transient step starts
     SurfaceState initial;        ///< initial estimates of the solvers

@@ -1,4 +1,4 @@
-// The set-up of a contact, which all steps of a simulation share.
+// Defines the set-up of a contact, which all steps of a simulation share.
 #pragma once
 
 #include <optional>
@@ -14,56 +14,57 @@
 
 namespace contactd {
 
-/// Stopping criterion and iteration limit of an iterative solver.
+/// Holds the stopping criterion and the iteration limit of an iterative solver.
 struct SolverSettings {
-    double tolerance = 1e-6;  ///< of the paper's stopping criteria (sections 4.1 and 4.2)
+    double tolerance = 1e-6;  ///< in the paper's stopping criteria (sections 4.1 and 4.2)
     int max_iterations = 1000;
 
     bool operator==(const SolverSettings&) const = default;
 };
 
-/// Solver of the tractions under friction: Newton's method on the friction law or, for shifts and transient rolling,
-/// TangCG, bound-constrained conjugate gradients (Zhao, Vollebregt, Oosterlee 2014; paper section 4.2).
+/// Selects the solver of the tractions under friction: Newton's method on the friction law or, for shifts and transient
+/// rolling, TangCG, bound-constrained conjugate gradients (Zhao, Vollebregt, Oosterlee 2014; paper section 4.2).
 enum class TangentialSolver { newton, tangcg };
 
-/// Settings of the solvers of a contact problem.
+/// Holds the settings of the solvers of a contact problem.
 struct ContactSettings {
     SolverSettings normal{1e-8, 1000};  ///< ||d||_rms / ||h||_rms; all results depend on the pressures
     SolverSettings tangential;          ///< ||p_t - p_t,old|| / ||p_t||, and the estimated error
     SolverSettings outer{1e-6, 100};    ///< of the loop for dissimilar bodies, slip laws and forces
-    /// If Newton's method fails, TangCG is tried after it, but not vice versa.
+    /// If Newton's method fails, TangCG is tried afterwards, but not vice versa.
     TangentialSolver tangential_solver = TangentialSolver::newton;
 
     bool operator==(const ContactSettings&) const = default;
 };
 
-/// full: boundary elements (NORM, TangCG, steady rolling). hertz: closed forms for elliptic contact. Those of vehicle
-/// codes, for steady rolling: fastsim, Kalker's simplified theory; fastrip, strip theory with FASTSIM in the slip
-/// area; polach, forces only. All but full require a paraboloid or semi-axes, unless a NormalModel computes the
-/// pressures.
+/// full uses boundary elements (NORM, TangCG, steady rolling). hertz uses closed forms for elliptic contact. The others
+/// are models of vehicle codes for steady rolling: fastsim is Kalker's simplified theory, fastrip is strip theory with
+/// FASTSIM in the slip area, and polach computes forces only. All models except full require a paraboloid or semi-axes,
+/// unless a NormalModel computes the pressures.
 enum class Model { full, hertz, fastsim, fastrip, polach };
 
-/// of_model: pressures by boundary elements or Hertz, according to the model. The others use the overlap of the
-/// undeformed surfaces: kp (Piotrowski and Kik 2008), kpec (Piotrowski, Liu and Bruni 2017), analyn (Sichani, Enblom
-/// and Berg 2014); or they prescribe the pressures: elliptic, Hertz's in the ellipse of the gap, and parabolic, a
-/// paraboloid over the same ellipse under the same force.
+/// of_model computes pressures by boundary elements or Hertz, according to the model. kp (Piotrowski and Kik 2008),
+/// kpec (Piotrowski, Liu and Bruni 2017) and analyn (Sichani, Enblom and Berg 2014) use the overlap of the undeformed
+/// surfaces. elliptic and parabolic prescribe the pressures: Hertz's in the ellipse of the gap, and a paraboloid over
+/// the same ellipse under the same force.
 enum class NormalModel { of_model, kp, kpec, analyn, elliptic, parabolic };
 
-/// Reduction of the initial slope (Spiryagin, Polach, Cole 2013): flexibilities over k = k0 (alpha + (1 - alpha)/
-/// (1 + beta eps)), eps = G pi a b k0 C11 w/(4 mu Fn), w the size of the creepage including spin.
+/// Describes the reduction of the initial slope (Spiryagin, Polach, Cole 2013). Flexibilities are divided by k = k0
+/// (alpha + (1 - alpha)/(1 + beta eps)), with eps = G pi a b k0 C11 w/(4 mu Fn) and w the size of the creepage
+/// including spin.
 struct SlopeReduction {
     double k0 = 1, alpha = 1, beta = 0;
 
     bool operator==(const SlopeReduction&) const = default;
 };
 
-/// FASTSIM's bound in an ellipse is mu 2 Fn/(pi a b) (1 - x^2/a^2 - y^2/b^2), or mu times Hertz's pressure.
+/// Selects FASTSIM's bound in an ellipse: mu 2 Fn/(pi a b) (1 - x^2/a^2 - y^2/b^2), or mu times Hertz's pressure.
 enum class TractionBound { parabolic, elliptic };
 
-/// Kalker's coefficients as computed here, or interpolated in the table of his book (1990, table E.3).
+/// Selects Kalker's coefficients: computed, or interpolated in the table of his book (1990, table E.3).
 enum class CreepageCoefficients { computed, printed };
 
-/// Options of the models fastsim, fastrip and polach. A model refuses options that it does not use.
+/// Holds options of the models fastsim, fastrip and polach. A model refuses options that it does not use.
 struct SimplifiedSettings {
     SlopeReduction slope;
     TractionBound bound = TractionBound::parabolic;
@@ -83,10 +84,10 @@ struct ContactSetup {
     Model model = Model::full;
     NormalModel normal_model = NormalModel::of_model;
     SimplifiedSettings simplified{};
-    /// Flexibility of a thin sheet between the bodies, for model full: its product with the pressure is added to the
-    /// normal displacement of the same element (mm^3/N).
+    /// The flexibility describes a thin sheet between the bodies, for model full (mm^3/N). Its product with the
+    /// pressure is added to the normal displacement of the same element.
     double sheet_flexibility = 0;
-    /// Thermal properties of both bodies, which request surface temperatures. Steady rolling along x only.
+    /// Thermal properties of both bodies request surface temperatures. They require steady rolling along x.
     std::optional<ThermalBodies> temperature{};
     std::optional<WearRequest> wear{};        ///< requests wear; steady rolling along x only
     std::optional<FatigueRequest> fatigue{};  ///< requests fatigue; steady rolling along x only
@@ -96,7 +97,7 @@ struct ContactSetup {
     std::optional<ContactRegions> regions{};  ///< regions of contact, for model full; absent: everywhere
 };
 
-/// Throws InvalidArgument ("simplified.*", "normal_model") for options that do not fit the model.
+/// Throws InvalidArgument ("simplified.*", "normal_model") if options do not fit the model.
 void validate_models(const ContactSetup& setup);
 
 /// Returns whether the bodies are those of a line contact, for models full and hertz.

@@ -1,5 +1,5 @@
-// Checks quotients as doubles before they become counts: a quotient that is too large, or NaN, is refused with the name
-// of the field that causes it, before memory is allocated.
+// Checks a quotient as a double before it becomes a count. A quotient that is too large, or NaN, is refused before
+// memory is allocated, with the name of the field that causes it.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace contactd {
 
-/// The words of the message that refuses a quotient: "FIELD PROBLEM makes COUNT THINGS; MOST are the most,
-/// CURE".
+/// Holds the words of the message that refuses a quotient: "FIELD PROBLEM, which results in COUNT THINGS; at most MOST
+/// are allowed: CURE".
 struct Counted {
     std::string field;        ///< as on the wire
     std::string problem;      ///< its value, e.g. "is 1e-06 of an element"
@@ -17,7 +17,8 @@ struct Counted {
     int most = 1'000'000;
 };
 
-/// Returns the quotient without its fraction. Throws InvalidArgument(counted.field) unless it is in [0, counted.most].
+/// Returns the quotient without its fraction. Throws InvalidArgument(counted.field) unless it lies in [0,
+/// counted.most].
 int count_of(double quotient, const Counted& counted);
 
 }  // namespace contactd

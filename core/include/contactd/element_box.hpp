@@ -1,11 +1,11 @@
-// A rectangle of elements of a grid.
+// Defines a rectangle of elements of a grid.
 #pragma once
 
 #include <cstddef>
 
 namespace contactd {
 
-/// Columns first_x .. first_x + nx - 1, and rows in the same way.
+/// The box contains the columns first_x .. first_x + nx - 1, and the rows first_y .. first_y + ny - 1.
 struct ElementBox {
     int first_x = 0, first_y = 0, nx = 0, ny = 0;
 

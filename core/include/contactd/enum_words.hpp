@@ -1,4 +1,4 @@
-// Enumerators and their keywords on the wire and in files: one list for each enum.
+// Maps enumerators to their keywords on the wire and in files, with one list for each enum.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace contactd {
 
-/// The keywords of an enum whose enumerators count from zero, in order. Specialise this for enums with keywords.
+/// Lists the keywords of an enum whose enumerators count from zero, in order. Specialise this for enums with keywords.
 template <class Enum>
 inline constexpr std::array<std::string_view, 0> enum_words{};
 
@@ -23,7 +23,7 @@ std::string_view name_of(Enum value) {
     return enum_words<Enum>[at];
 }
 
-/// The inverse: sets `value` and returns true, or returns false if no enumerator has that keyword.
+/// Sets `value` to the enumerator with that keyword and returns true, or returns false if there is none.
 template <HasWords Enum>
 bool from_name(std::string_view name, Enum& value) {
     for (std::size_t at = 0; at < enum_words<Enum>.size(); ++at)

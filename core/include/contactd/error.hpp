@@ -1,5 +1,5 @@
-// The exceptions of contactd. One base, so that a caller can catch everything the project throws with one handler;
-// the edge of a process (server, contactd-ic) turns them into status codes.
+// Defines the exceptions of contactd. They share one base, so that a caller can catch everything the project throws
+// with one handler. The edge of a process (server, contactd-ic) converts them to status codes.
 #pragma once
 
 #include <stdexcept>
@@ -8,14 +8,14 @@
 
 namespace contactd {
 
-/// Base of every exception thrown on purpose. `what()` is a whole sentence.
+/// This is the base of every exception thrown on purpose. `what()` is a whole sentence.
 class Error : public std::runtime_error {
    public:
     using std::runtime_error::runtime_error;
 };
 
-/// An invalid argument. `field()` is its path on the wire, e.g. "grid.nx" or "upper.nu". `problem()` states the value
-/// and the allowed values, e.g. "is -1; it must be positive". what() contains both.
+/// An argument is invalid. `field()` is its path on the wire, e.g. "grid.nx" or "upper.nu". `problem()` states the
+/// value and the allowed values, e.g. "is -1; it must be positive". what() contains both.
 class InvalidArgument : public Error {
    public:
     InvalidArgument(std::string field, std::string problem)

@@ -1,4 +1,4 @@
-// The only list of the fields of a FemSpec: the wire, files, keys and checks visit it.
+// This is the only list of the fields of a FemSpec. The wire, files, keys and checks visit it.
 #pragma once
 
 #include <limits>
@@ -8,15 +8,15 @@
 
 namespace contactd {
 
-/// The bounds of a number, and `rule` in words: "be 1 to 6".
+/// Holds the bounds of a number, and `rule` in words: "be 1 to 6".
 struct FemRange {
     double least = -std::numeric_limits<double>::infinity();
     double largest = std::numeric_limits<double>::infinity();
     const char* rule = nullptr;
 };
 
-/// A field. A new field must be optional, and is omitted from messages, files and keys while unset, so that existing
-/// tables keep their keys and can be read.
+/// Describes a field. A new field must be optional, and is omitted from messages, files and keys while unset, so that
+/// existing tables keep their keys and can be read.
 template <class Value>
 struct FemField {
     const char* name;         ///< on the wire, below `ics`; in files; in keys
@@ -25,9 +25,9 @@ struct FemField {
     /// Returns the violated rule other than bounds, or null. A rule for two fields belongs to one of
     /// them.
     const char* (*broken_rule)(const FemSpec& fem, LoadShape load) = nullptr;
-    /// Whether a table with this mesh and solver depends on the field; null: always.
+    /// Returns whether a table with this mesh and solver depends on the field; null: always.
     bool (*matters)(const FemSpec& fem) = nullptr;
-    /// False for fields that only end a build or do not affect its numbers.
+    /// Fields that only end a build or do not affect its numbers are not part of the key.
     bool in_key = true;
 };
 
@@ -46,7 +46,7 @@ constexpr bool is_prism(const FemSpec& fem) {
 constexpr bool is_adaptive(const FemSpec& fem) {
     return fem.mesh == MeshKind::adaptive;
 }
-/// An adaptive mesh starts from its own mesh, of which only the size can be set.
+/// An adaptive mesh starts from a built-in mesh, of which only the size can be set.
 constexpr bool has_layers(const FemSpec& fem) {
     return !is_adaptive(fem);
 }
@@ -56,7 +56,7 @@ constexpr bool may_iterate(const FemSpec& fem) {
 
 }  // namespace fem_rules
 
-/// In the order of the struct, which is that of the attributes in files.
+/// The order is that of the struct and of the attributes in files.
 inline constexpr std::tuple fem_fields{
     FemField<MeshKind>{.name = "mesh", .member = &FemSpec::mesh},
     FemField<int>{.name = "order", .member = &FemSpec::order, .range = {1, 6, "be 1 to 6"}},

@@ -1,4 +1,4 @@
-// The fields of a struct on the wire: their names, bounds and units, and access to them.
+// Describes the fields of a struct on the wire: their names, bounds and units, and access to them.
 //
 // `./dev generate` writes the lists from proto/schema, one for each struct (contactd/fields/*.hpp). Codec, bounds
 // checks, mirrored wheels and paths of the C interface use them, so a new field is declared once.
@@ -21,10 +21,11 @@
 
 namespace contactd {
 
-/// The form of a value on the wire. A value of kind `custom` has no list of fields; its users know its type.
+/// Selects the form of a value on the wire. A value of kind `custom` has no list of fields; the code that uses it
+/// handles its type.
 enum class FieldKind { number, integer, flag, text, keyword, object, list, custom };
 
-/// Bounds of a number. An excluded bound is itself invalid.
+/// Holds the bounds of a number. An excluded bound is itself invalid.
 struct Bounds {
     double least = -std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();
@@ -36,13 +37,13 @@ struct Bounds {
     }
 };
 
-/// The change of a number in the mirror image of a wheel, with opposite y: `odd` changes its sign.
+/// Selects the change of a number in the mirror image of a wheel, with opposite y: `odd` changes its sign.
 enum class MirrorParity { even, odd };
 
-/// NaN, which equals no number.
+/// NaN represents no number, because it equals no number.
 inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-/// Properties of a field besides its name and its member.
+/// Holds the properties of a field besides its name and its member.
 struct FieldNotes {
     Bounds bounds{};
     double none = no_number;
@@ -53,15 +54,15 @@ struct FieldNotes {
 
 struct FieldType;
 
-/// One field of a struct; `owner` is the address of the struct.
+/// Describes one field of a struct; `owner` is the address of the struct.
 struct Field {
     std::string_view name;
     const FieldType& (*type)();
     const void* (*find)(const void* owner);  ///< null if the field is optional and absent
     void* (*make)(void* owner);              ///< like `find`; an absent optional field first gets its default
     void (*clear)(void* owner);              ///< makes an optional field absent; null if the field is required
-    /// Whether an optional field, or an entry of a list, is present by default: then null or an empty list, not an
-    /// omitted member, makes it absent.
+    /// An optional field, or an entry of a list, may be present by default. Then only null or an empty list makes it
+    /// absent; an omitted member does not.
     bool present_by_default = false;
     bool required = false;  ///< a message without it is invalid, even if it is an empty list
     Bounds bounds{};
@@ -70,22 +71,22 @@ struct Field {
     MirrorParity parity = MirrorParity::even;
 };
 
-/// Form of a C++ type on the wire. There is one object per type, which its address identifies.
+/// Describes the form of a C++ type on the wire. There is one object per type, and its address identifies it.
 struct FieldType {
     FieldKind kind = FieldKind::custom;
     bool is_tuple = false;                                ///< for an object that is a list of values on the wire
     std::span<const Field> fields{};                      ///< of an object
-    std::span<const std::string_view> keywords{};         ///< for a keyword, by the enumerators' values
+    std::span<const std::string_view> keywords{};         ///< for a keyword, indexed by the enumerators' values
     std::int64_t (*integer)(const void* value) = {};      ///< for integers, flags and keywords
-    void (*set_integer)(void* value, std::int64_t) = {};  ///< of the same
-    const FieldType& (*element)() = {};                   ///< for a list, with the members below
+    void (*set_integer)(void* value, std::int64_t) = {};  ///< for the same kinds
+    const FieldType& (*element)() = {};                   ///< for a list, like the members below
     std::size_t (*size)(const void* list) = {};
-    const void* (*at)(const void* list, std::size_t index) = {};  ///< for writing to the list
+    const void* (*at)(const void* list, std::size_t index) = {};  ///< an entry; to write to it, cast away const
     void* (*add)(void* list) = {};                                ///< appends a default
     void (*empty)(void* list) = {};
 };
 
-/// The type of a member's value, without std::optional.
+/// Gives the type of a member's value, without std::optional.
 template <class T>
 struct FieldValue {
     using type = T;
@@ -120,7 +121,7 @@ struct member_of<member> {
 template <class T>
 const FieldType& type_of();
 
-/// The type of values without a list of fields.
+/// Returns the type of values without a list of fields.
 template <class T>
 const FieldType& custom_type() {
     static const FieldType type{FieldKind::custom};
@@ -137,7 +138,7 @@ FieldType integer_type(FieldKind kind) {
     return type;
 }
 
-/// A struct without members is `true` on the wire if present.
+/// Returns the type of a struct without members, which is `true` on the wire if present.
 inline FieldType presence_type() {
     FieldType type{FieldKind::flag};
     type.integer = [](const void*) { return std::int64_t{1}; };
@@ -180,7 +181,8 @@ FieldType make_type() {
     }
 }
 
-/// A step to one alternative of a variant: absent while the variant holds another one, which making it replaces.
+/// Represents a step to one alternative of a variant. It is absent while the variant holds another one; making it
+/// replaces that one.
 template <class T>
 inline constexpr std::type_identity<T> alternative{};
 
@@ -216,7 +218,8 @@ auto* make_next(Value& value, std::type_identity<T>) {
     T* found = std::get_if<T>(&value);
     return found ? found : &value.template emplace<T>();
 }
-/// Returns the value at the end of the steps from `value`; null if it is absent. Optional values are not steps.
+/// Returns the value at the end of the steps from `value`, or null if it is absent. Steps do not include optional
+/// values.
 template <auto step, auto... more, class Value>
 auto* find_along(Value& value) {
     auto* from = find_value(value);
@@ -236,7 +239,7 @@ auto* make_along(Value& value) {
         return make_along<more...>(*next);
 }
 
-/// The type of the member at the end of the steps, which may be std::optional.
+/// Gives the type of the member at the end of the steps, which may be std::optional.
 template <class Owner, auto... steps>
 using MemberAlong = std::remove_pointer_t<decltype(make_along<steps...>(std::declval<Owner&>()))>;
 
@@ -270,7 +273,7 @@ Field field_as(std::string_view name, const FieldType& (*type)(), const FieldNot
     return field;
 }
 
-/// The type of a field's value, without std::optional.
+/// Gives the type of a field's value, without std::optional.
 template <class Owner, auto... steps>
 using ValueAlong = typename FieldValue<MemberAlong<Owner, steps...>>::type;
 
@@ -296,7 +299,7 @@ Field custom_field(std::string_view name, const FieldNotes& notes = {}) {
     return custom_field_along<typename member_of<member>::Owner, member>(name, notes);
 }
 
-/// Returns a field below whose name messages have members of Owner itself.
+/// Returns a field that groups members of Owner itself: in messages, they are below its name.
 template <class Owner>
 Field field_within(std::string_view name, const FieldType& (*type)()) {
     Field field{name, type, {}, {}, {}};
@@ -305,7 +308,7 @@ Field field_within(std::string_view name, const FieldType& (*type)()) {
     return field;
 }
 
-/// Returns a field that is absent while the optional `member` is.
+/// Returns a field that groups members of Owner itself, and that is absent while the optional `member` is.
 template <class Owner, auto member>
 Field field_beside(std::string_view name, const FieldType& (*type)()) {
     Field field = field_within<Owner>(name, type);
@@ -339,18 +342,18 @@ const FieldType& type_of() {
     return type;
 }
 
-/// Throws InvalidArgument with `name` as its field if the number is out of the field's bounds, or not finite.
+/// Throws InvalidArgument with `name` as its field if the number is outside the field's bounds, or not finite.
 void check_number(const Field& field, double number, const std::string& name);
 
-/// Throws InvalidArgument for the first number in `value` or its fields that is out of bounds.
+/// Throws InvalidArgument for the first number in `value` or its fields that is outside its bounds.
 void check_bounds(const FieldType& type, const void* value);
 template <class T>
 void check_bounds(const T& value) {
     check_bounds(type_of<T>(), &value);
 }
 
-/// Mirrors `value`: changes the sign of every number in its fields that is odd, or in an object that is. The order of
-/// lists and values of custom types are unchanged.
+/// Mirrors `value`: changes the sign of every number in its fields that is odd or belongs to an odd object. The order
+/// of lists and values of custom types do not change.
 void mirror_fields(const FieldType& type, void* value);
 template <class T>
 void mirror_fields(T& value) {

@@ -1,4 +1,4 @@
-// The contents of an IC file as plain values: as stored by HDF5, and as ic.import receives them on the wire.
+// Holds the contents of an IC file as plain values, as stored by HDF5 and as ic.import receives them on the wire.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace contactd {
 
-/// Attributes and datasets by their paths, such as "spec/body"; those of the file itself have names without a slash.
-/// See docs/ic-tables.md for the list.
+/// Holds attributes and datasets by their paths, such as "spec/body". Names of the file's own attributes have no slash.
+/// docs/ic-tables.md lists them.
 struct FileContents {
     using Value = std::variant<double, long long, std::string, std::vector<double>, std::vector<std::string>>;
     struct Array {
@@ -24,7 +24,7 @@ struct FileContents {
     std::map<std::string, Array> datasets{};
 };
 
-/// Largest numbers of each in a file, so that readers can refuse more.
+/// These limits of a file allow readers to refuse larger ones.
 inline constexpr std::size_t most_file_attributes = 1000, most_file_datasets = 20, most_file_axes = 5,
                              longest_file_path = 100, longest_file_list = 10'000, longest_file_text = 100'000;
 

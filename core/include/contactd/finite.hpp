@@ -1,4 +1,4 @@
-// Numbers within the range of a double.
+// Checks that numbers are within the range of a double.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace contactd {
 
-/// Returns the count of numbers that are infinite or NaN.
+/// A number of a table is infinite or NaN.
 class NotFinite : public Error {
    public:
     using Error::Error;
@@ -17,7 +17,7 @@ class NotFinite : public Error {
 
 inline bool all_finite(std::span<const double> values) {
     constexpr double largest = std::numeric_limits<double>::max();
-    std::size_t finite = 0;  // counted without leaving the loop, so that compilers vectorise it
+    std::size_t finite = 0;  // The loop counts without an early exit, so that compilers vectorise it.
     for (const double value : values) finite += std::abs(value) <= largest;
     return finite == values.size();
 }

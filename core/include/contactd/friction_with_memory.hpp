@@ -1,11 +1,12 @@
-// Memory of friction that depends on slip velocity or temperature.
+// Defines the memory of friction that depends on slip velocity or temperature.
 #pragma once
 
 namespace contactd {
 
-/// Friction with memory (Vollebregt and Schuttelaars, J. Sound Vib. 2012): the coefficient of a particle follows the
-/// law over a distance d that it slips, d mu/dt = -max(v, v_0)/d (mu - mu(law)), from the one with which it enters: the
-/// static one, or that of surfaces that no friction heats. By implicit Euler over a step.
+/// Describes friction with memory (Vollebregt and Schuttelaars, J. Sound Vib. 2012). The coefficient of a particle
+/// follows the law over a distance d that it slips: d mu/dt = -max(v, v_0)/d (mu - mu(law)). A particle enters with the
+/// static coefficient, or with that of surfaces that friction does not heat. The equation is integrated over a step by
+/// the implicit Euler method.
 struct FrictionMemory {
     double distance = 0;        ///< d > 0 (mm)
     double least_velocity = 0;  ///< v_0 >= 0 (mm/s)

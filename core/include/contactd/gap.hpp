@@ -1,4 +1,4 @@
-// The undeformed distance between the two bodies, in the forms that a request accepts.
+// Defines the undeformed distance between the two bodies, in the forms that a request accepts.
 #pragma once
 
 #include <limits>
@@ -9,7 +9,8 @@
 
 namespace contactd {
 
-/// h = x^2/(2 Rx) + y^2/(2 Ry) (mm); an infinite radius is a flat direction, a negative one concave.
+/// Describes h = x^2/(2 Rx) + y^2/(2 Ry) (mm). A direction is flat if its radius is infinite, concave if it is
+/// negative.
 struct Paraboloid {
     double Rx = std::numeric_limits<double>::infinity();
     double Ry = std::numeric_limits<double>::infinity();
@@ -17,7 +18,7 @@ struct Paraboloid {
     bool operator==(const Paraboloid&) const = default;
 };
 
-/// The paraboloid whose Hertzian contact has these semi-axes (mm) under the approach or force of the problem.
+/// Describes the paraboloid whose Hertzian contact has these semi-axes (mm) under the approach or force of the problem.
 struct SemiAxes {
     double a = 0;  ///< along x
     double b = 0;  ///< along y
@@ -25,8 +26,8 @@ struct SemiAxes {
     bool operator==(const SemiAxes&) const = default;
 };
 
-/// Two half ellipses with prescribed pressures (mm), which join at y = (b_negative - b_positive)/2 (Piotrowski, Liu,
-/// Bruni 2017: SDEC). The corresponding surfaces are not computed.
+/// Describes two half ellipses with prescribed pressures (mm), which join at y = (b_negative - b_positive)/2
+/// (Piotrowski, Liu, Bruni 2017: SDEC). The corresponding surfaces are not computed.
 struct HalfEllipses {
     double a = 0;           ///< along x
     double b_negative = 0;  ///< across, towards -y
@@ -37,7 +38,7 @@ struct HalfEllipses {
     bool operator==(const HalfEllipses&) const = default;
 };
 
-/// The gap without the approach. An array contains h of each element, shape [ny, nx] (mm).
+/// Describes the gap without the approach. An array contains h of each element, shape [ny, nx] (mm).
 using Gap = std::variant<Paraboloid, SemiAxes, std::vector<double>, HalfEllipses>;
 
 /// Returns h at the element centres, shape [ny, nx] (mm).

@@ -1,11 +1,11 @@
-// The potential contact area: a rectangle of nx x ny elements, cell-centred.
+// Defines the potential contact area: a rectangle of nx x ny cell-centred elements.
 #pragma once
 
 #include <cstddef>
 
 namespace contactd {
 
-/// Element (ix, iy), 0 <= ix < nx, 0 <= iy < ny, has index iy*nx + ix: arrays over the grid have shape [ny, nx], C
+/// Element (ix, iy), 0 <= ix < nx, 0 <= iy < ny, has index iy*nx + ix. Arrays over the grid have shape [ny, nx] in C
 /// order.
 struct Grid {
     int nx = 0;     ///< number of elements along x, >= 1
@@ -39,14 +39,14 @@ struct Grid {
 /// rotating the object and chi by a right angle has no effect.
 double size_along(double chi, double x, double y);
 
-/// Returns a number of elements >= n (n >= 1) along an axis with fast transforms. There are few such numbers, so that
-/// grids of them need few operators.
+/// Returns a number of elements >= n (n >= 1) along an axis for which transforms are fast. There are few such numbers,
+/// so that their grids need few operators.
 int convenient_size(int n);
 
-/// Largest number of elements of one grid: limits memory before anything is allocated.
+/// The limit on the elements of one grid bounds memory before anything is allocated.
 inline constexpr std::size_t max_grid_elements = 4'000'000;
 
-/// Throws InvalidArgument naming `field`.nx, .ny, .dx, .dy, .x0 or .y0 if the grid is invalid.
+/// Throws InvalidArgument, which names `field`.nx, .ny, .dx, .dy, .x0 or .y0, if the grid is invalid.
 void validate(const Grid& grid, const char* field);
 
 }  // namespace contactd

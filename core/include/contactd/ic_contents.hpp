@@ -1,4 +1,4 @@
-// Converts a record of influence coefficients to the contents of a file, and back.
+// Converts a record of influence coefficients to the contents of a file and back.
 #pragma once
 
 #include "contactd/file_contents.hpp"

@@ -1,4 +1,4 @@
-// Exported files of tables: the IC file itself, and the text from which the CONTACT program (E.A.H. Vollebregt, user
+// Exports files of tables: the IC file itself, and the text from which the CONTACT program (E.A.H. Vollebregt, user
 // guide, digit C3 = 9) reads numerical influence coefficients.
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace contactd {
 
-/// Returns the bytes of an IC file, as write_ic_file writes them. The spec of `record` may have dimensions: the file
-/// then contains mm^3/N, with dx, dy and G.
+/// Returns the bytes of an IC file, as write_ic_file writes them. If the spec of `record` has dimensions, the file
+/// contains mm^3/N, with dx, dy and G.
 std::vector<unsigned char> to_ic_file(const IcRecord& record);
 
 /// Returns CONTACT's combined modulus of rigidity, the factor of its coefficients: 1/G = (1/G_upper + 1/G_lower)/2.

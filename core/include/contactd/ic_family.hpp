@@ -1,6 +1,6 @@
-// Tables for every Poisson's ratio at once: interpolation between tables at the Chebyshev-Lobatto points of two halves,
-// [0, family_break] and (family_break, largest_family_nu], each with meshes of its own (Trefethen, Approximation Theory
-// and Approximation Practice, chapters 2 and 5).
+// Interpolates tables over Poisson's ratio, so that one family serves every ratio. Tables lie at the Chebyshev-Lobatto
+// points of two halves, [0, family_break] and (family_break, largest_family_nu], each with its own meshes (Trefethen,
+// Approximation Theory and Approximation Practice, chapters 2 and 5).
 #pragma once
 
 #include <array>
@@ -15,15 +15,16 @@ namespace contactd {
 /// lower half and the first one of the upper, whose mesh may differ. The points of 2n - 1 include those of n.
 std::vector<double> family_points(int n);
 
-/// Interpolates `family`, tables of G = 1 at family_points(n), to `nu` in [0, largest_family_nu] (barycentric), among
-/// those of nu's half, which is determined by nu rounded to twelve digits, as in keys. Throws InvalidArgument:
-/// "material.nu" if outside, "family" for an invalid family.
+/// Interpolates `family`, tables of G = 1 at family_points(n), to `nu` in [0, largest_family_nu] (barycentric). Only
+/// the tables of nu's half are used; nu rounded to twelve digits, as in keys, determines the half. Throws
+/// InvalidArgument: "material.nu" if outside, "family" for an invalid family.
 IcTable interpolated(const std::vector<IcTable>& family, double nu);
 
-/// Returns the error that interpolation adds to that of the tables themselves, estimated by the last two Chebyshev
-/// coefficients: of xx, yy, zz relative, of the others times 2 pi rho / (dx dy), the largest over the table and nu.
+/// Returns the error that interpolation adds to that of the tables themselves, estimated from the last two Chebyshev
+/// coefficients. It is the largest over the table and nu, relative for xx, yy and zz, and times 2 pi rho / (dx dy) for
+/// the others.
 double interpolation_error(const IcSpec& spec, const std::vector<IcTable>& family);
-/// Returns this error of the lower and of the upper half.
+/// Returns this error for the lower and for the upper half.
 std::array<double, 2> interpolation_errors(const IcSpec& spec, const std::vector<IcTable>& family);
 
 }  // namespace contactd

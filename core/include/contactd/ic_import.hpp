@@ -1,4 +1,4 @@
-// A table that a daemon has imported from a file.
+// Describes a table that a daemon has imported from a file.
 #pragma once
 
 #include "contactd/ic_reply.hpp"

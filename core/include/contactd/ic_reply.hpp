@@ -1,4 +1,4 @@
-// Answers with tables of influence coefficients, and the origin of those of a solve.
+// Defines answers with tables of influence coefficients, and the origin of the tables of a solve.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace contactd {
 
-/// The answer of ic.get.
+/// Holds the answer of ic.get.
 struct IcReply {
     std::string key;
     std::string origin;  ///< "closed_form", "memory", "disk" or "built"
@@ -19,21 +19,21 @@ struct IcReply {
     std::vector<StripFrame> frames{};  ///< of the strips of a longitudinally uniform body
 };
 
-/// Origin of the coefficients of one body.
+/// Describes the origin of the coefficients of one body.
 struct IcUse {
     std::string origin;  ///< as in IcReply, or "given" if the request contained them
     std::string key;
     IcEvidence evidence;
 };
 
-/// Those of a contact problem; simplified models have none.
+/// Describes the origins of the coefficients of a contact problem; simplified models have none.
 struct IcUses {
-    std::optional<IcUse> upper{}, lower{};  ///< not of a rigid body
+    std::optional<IcUse> upper{}, lower{};  ///< absent for a rigid body
     std::optional<IcUse> pair{};            ///< instead of these, if the request contained a table of the pair
 };
 
-/// The answer of ic.export: the file of one body in the store (docs/ic-tables.md), its parts as ic.import accepts them,
-/// or the text for the CONTACT program, of a pair of bodies.
+/// Holds the answer of ic.export: the file of one body in the store (docs/ic-tables.md), its parts as ic.import accepts
+/// them, or the text of a pair of bodies for the CONTACT program.
 enum class FileFormat { hdf5, contents, contact };
 
 struct IcExport {

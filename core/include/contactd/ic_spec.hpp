@@ -1,4 +1,4 @@
-// The identity of an influence-coefficient table: everything that determines its numbers.
+// Defines the identity of an influence-coefficient table: everything that determines its numbers.
 #pragma once
 
 #include <optional>
@@ -13,38 +13,40 @@
 
 namespace contactd {
 
-/// Their keywords on the wire and in files are in contactd/fields/ic_spec.hpp.
+/// contactd/fields/ic_spec.hpp contains the keywords of these enums on the wire and in files.
 
-/// The elastic body: the half-space z <= 0, the block [-L,L]^2 x [-L,0] with u = 0 on all faces except the top, layers,
-/// or a longitudinally uniform body with any cross-section, uniform along x.
+/// Selects the elastic body: the half-space z <= 0, the block [-L,L]^2 x [-L,0] with u = 0 on all faces except the top,
+/// layers, or a longitudinally uniform body with any cross-section, uniform along x.
 enum class BodyShape { half_space, block, layered, longitudinally_uniform };
-/// Traction of the loaded element: 1 over it, or the bilinear hat function (paper, Remark 1): 1 at its centre,
-/// falling linearly to 0 at the neighbours' centres, (1 - |x|/dx)(1 - |y|/dy). The force is dx dy either way.
+/// Selects the traction of the loaded element: 1 over it, or the bilinear hat function (paper, Remark 1). The hat is 1
+/// at its centre and falls linearly to 0 at the neighbours' centres, (1 - |x|/dx)(1 - |y|/dy). The force is dx dy
+/// either way.
 enum class LoadShape { constant, bilinear };
-/// Closed form of the half-space, and for layers an integral exact to rounding; or finite elements.
+/// Selects the source: analytic is the closed form of the half-space, and for layers an integral exact to rounding; fem
+/// is finite elements.
 enum class IcSource { analytic, fem };
-/// Mesh1 of the paper (hexahedra, section 3.1), Mesh2 (prisms, extruded along x), or hexahedra refined according to an
-/// a-posteriori estimate of the error.
+/// Selects Mesh1 of the paper (hexahedra, section 3.1), Mesh2 (prisms, extruded along x), or hexahedra refined
+/// according to an a-posteriori estimate of the error.
 enum class MeshKind { hex, prism, adaptive };
-/// On the three far faces: u = 0 (Table 1), or the displacements of the half-space under the load (Boussinesq,
-/// Cerruti).
+/// Selects the condition on the three far faces: u = 0 (Table 1), or the displacements of the half-space under the load
+/// (Boussinesq, Cerruti).
 enum class FarBoundary { clamped, half_space };
-/// Evaluation of displacements at the element centres: the finite-element function itself, or linear interpolation. The
-/// paper (section 2.2) does not state the points: the vertices of the surface mesh, or all finite-element nodes,
-/// including those on edges and faces.
+/// Selects how displacements are evaluated at the element centres: from the finite-element function itself, or by
+/// linear interpolation. The paper (section 2.2) does not state the points of interpolation: `linear` uses the vertices
+/// of the surface mesh, `linear_nodes` all finite-element nodes, including those on edges and faces.
 enum class Sampling { fem, linear, linear_nodes };
-/// BoomerAMG-preconditioned conjugate gradients, sparse Cholesky (one process only), or the one that is faster.
+/// Selects BoomerAMG-preconditioned conjugate gradients, sparse Cholesky (one process only), or the faster of the two.
 enum class Solver { automatic, amg_pcg, direct };
-/// Conjugate gradients compare this with the tolerance: the true relative residual ||b - A u|| / ||b||, or the relative
-/// update ||u_new - u|| / ||u_new|| (the paper, section 3).
+/// Selects what conjugate gradients compare with the tolerance: the true relative residual ||b - A u|| / ||b||, or the
+/// relative update ||u_new - u|| / ||u_new|| (the paper, section 3).
 enum class StoppingCriterion { residual, update };
-/// The diagonal of Mesh2 that divides a quadrilateral of the cross-section into triangles. `outward` runs from the
-/// corner nearest to the origin to the farthest one, `across` joins the other two.
+/// Selects the diagonal of Mesh2 that divides a quadrilateral of the cross-section into triangles. `outward` runs from
+/// the corner nearest to the origin to the farthest one; `across` joins the other two.
 enum class Diagonal { outward, across };
 
-/// Mesh and solver of a finite-element table. Lengths are ratios to the element size: along x and y the loaded cube is
-/// (l/h) dx by (l/h) dy, in depth (l/h) sqrt(dx dy); L is (L/h) max(dx, dy). An adaptive mesh starts from its own mesh,
-/// without cube and layers. Names and rules are in fem_fields.hpp.
+/// Describes the mesh and the solver of a finite-element table. Lengths are ratios to the element size. Along x and y
+/// the loaded cube is (l/h) dx by (l/h) dy, in depth it is (l/h) sqrt(dx dy), and L is (L/h) max(dx, dy). An adaptive
+/// mesh starts from its own mesh, without cube and layers. fem_fields.hpp defines names and rules.
 struct FemSpec {
     MeshKind mesh = MeshKind::hex;
     int order = 2;          ///< polynomial order of the displacement, 1 to 6
@@ -54,7 +56,7 @@ struct FemSpec {
     double t1_over_hs = 0;  ///< thickness of the first layer over the cube's element size; 0 means f, as in the paper
     double L_over_h = 640;  ///< size of the block over the element size
     Diagonal diagonal = Diagonal::outward;  ///< of mesh prism only
-    long long max_dofs = 60'000;            ///< of mesh adaptive only: no refinement beyond
+    long long max_dofs = 60'000;            ///< of mesh adaptive only: limit of refinement
     FarBoundary far_boundary = FarBoundary::half_space;
     Sampling sampling = Sampling::fem;
     Solver solver = Solver::automatic;
@@ -66,34 +68,34 @@ struct FemSpec {
     bool operator==(const FemSpec&) const = default;
 };
 
-/// The presets of the paper's Table 2, u = 0 on the far faces and conjugate gradients: "paper-test1", "paper-test2",
-/// "paper-test3" on Mesh1, and "paper-mesh2-test1", ... on Mesh2. Empty when the name is unknown.
+/// Returns a preset of the paper's Table 2, with u = 0 on the far faces and conjugate gradients: "paper-test1",
+/// "paper-test2", "paper-test3" on Mesh1, and "paper-mesh2-test1", ... on Mesh2. It is empty if the name is unknown.
 std::optional<FemSpec> fem_preset(std::string_view name);
 
-/// A contact that is infinite and constant along y: plane strain for tractions and displacements in x and z, anti-plane
-/// strain for those along y. Displacements of the plane are determined except for a constant.
+/// Describes a contact that is infinite and constant along y: plane strain for tractions and displacements in x and z,
+/// anti-plane strain for those along y. Displacements in the plane are determined except for a constant.
 struct LineContactSpec {
-    /// Distance from a load, along the surface, at which its xx, yy and zz vanish (mm). It affects the approach and the
-    /// rigid shift, but not solutions for prescribed forces, or steady rolling.
+    /// At this distance from a load, along the surface, its xx, yy and zz vanish (mm). It affects the approach and the
+    /// rigid shift, but neither solutions for prescribed forces nor steady rolling.
     double datum = 0;
 
     bool operator==(const LineContactSpec&) const = default;
 };
 
-/// Origin of coefficients, independent of material and grid: `ics` of a request.
+/// Describes the origin of coefficients, independent of material and grid: `ics` of a request.
 struct Ics {
     IcSource source = IcSource::analytic;
     BodyShape body = BodyShape::half_space;
     LoadShape load_shape = LoadShape::constant;
-    /// > 0: the largest requested error, relative for xx, yy, zz (of a block to at least a fraction of the
-    /// half-space's, half_space.hpp), times 2 pi G rho / (dx dy) for the others. Mesh and solver are then chosen when
-    /// the table is built; of `fem` only L_over_h of a block is used.
+    /// If > 0, this is the largest allowed error. It is relative for xx, yy, zz (for a block, to at least a fraction of
+    /// the half-space's, half_space.hpp), and times 2 pi G rho / (dx dy) for the others. Mesh and solver are then
+    /// chosen when the table is built; of `fem` only L_over_h of a block is used.
     double accuracy = 0;
-    /// Requires source analytic and a grid with ny = 1; forces are those on the length dy.
+    /// A line contact requires source analytic and a grid with ny = 1; forces are those on the length dy.
     std::optional<LineContactSpec> line_contact;
     std::optional<Layers> layered;  ///< only for body layered
-    /// Only for body longitudinally_uniform. Its strips are the rows of a grid, dy wide along the outline. Source
-    /// analytic is the half-space, rotated from strip to strip (Blanco-Lorenzo et al., 2016).
+    /// A section is only for body longitudinally_uniform. Its strips are the rows of a grid, dy wide along the outline.
+    /// With source analytic, the half-space is rotated from strip to strip (Blanco-Lorenzo et al., 2016).
     std::optional<Section> section;
     bool any_nu = false;  ///< the family of tables over Poisson's ratio instead of one table
     FemSpec fem;          ///< not used if source is analytic
@@ -101,7 +103,7 @@ struct Ics {
     bool operator==(const Ics&) const = default;
 };
 
-/// Conversion of a number of a part to a dimensionless spec: unchanged, or divided by dx.
+/// Selects how a number of a part enters a dimensionless spec: unchanged, or divided by dx.
 enum class Dimension { ratio, length };
 template <class Part>
 struct PartField {
@@ -109,14 +111,14 @@ struct PartField {
     double Part::* member;
     Dimension dimension;
 };
-/// A part of `ics` for one kind of body or contact, an object that others omit.
+/// Describes a part of `ics` for one kind of body or contact: an object that the other kinds omit.
 template <class Part>
 struct IcsPart {
     const char* name;
     std::optional<Part> Ics::* member;
 };
 
-/// The only lists of the parts and of their fields: the wire, files and keys visit them.
+/// These are the only lists of the parts and of their fields. The wire, files and keys visit them.
 template <class Part>
 inline constexpr std::tuple<> part_fields{};
 template <>
@@ -134,7 +136,7 @@ void for_each_part_field(const Visit& visit) {
     std::apply([&](const auto&... field) { (visit(field), ...); }, part_fields<Part>);
 }
 
-/// One table: the source of its coefficients, and its body.
+/// Identifies one table: the source of its coefficients, and its body.
 struct IcSpec : Ics {
     Material material;  ///< nu is not used with any_nu; for body layered, that of its surface
     double dx = 0;      ///< element size along x (mm)
@@ -145,36 +147,38 @@ struct IcSpec : Ics {
     bool operator==(const IcSpec&) const = default;
 };
 
-/// Returns the number of rows of a table in ic.get and IcReply: offsets along y. A longitudinally uniform body, with
-/// coefficients between strips, has I ny + J for the observed strip I and the loaded one J.
+/// Returns the number of rows of a table in ic.get and IcReply, which are offsets along y. The rows of a longitudinally
+/// uniform body are pairs of strips: row I ny + J is for the observed strip I and the loaded strip J.
 inline int table_rows(const IcSpec& spec) {
     return spec.section ? spec.ny * spec.ny : spec.ny;
 }
 
-/// Bounds of the requested accuracy, and of Poisson's ratio in a family.
+/// These are the bounds of the requested accuracy, and of Poisson's ratio in a family.
 inline constexpr double finest_accuracy = 1e-4, coarsest_accuracy = 1e-1;
 inline constexpr double largest_family_nu = 0.49;
-/// The largest Poisson's ratio of a longitudinally uniform body by finite elements.
+/// Poisson's ratio of a longitudinally uniform body by finite elements is at most this.
 inline constexpr double largest_uniform_nu = 0.499;
-/// Interpolation of a family and choice of meshes are separate below and above it: nearly incompressible materials need
-/// finer meshes.
+/// Below and above this ratio, a family is interpolated separately and has separate meshes, because nearly
+/// incompressible materials need finer meshes.
 inline constexpr double family_break = 0.3;
 
-/// Throws InvalidArgument naming the field (as on the wire, e.g. "fem.h_over_hs") if no table can be made from it.
+/// Throws InvalidArgument, which names the field (as on the wire, e.g. "fem.h_over_hs"), if no table can be made from
+/// the spec.
 void validate(const IcSpec& spec);
-/// Names the material as in a problem: "bodies.upper" instead of "material".
+/// Checks a spec like the function above; errors name the material as in a problem: "bodies.upper" instead of
+/// "material".
 void validate(const IcSpec& spec, const std::string& material);
 
-/// Returns a sentence for each deviation from the paper's advice (Table 3: L/h >= 80, 1 <= l/h <= 1.25, h/hs >= 4, f
-/// from 1 to 1.5 on Mesh1 and from 1.5 to 2 on Mesh2, quadratic elements) for its model, u = 0 on the far faces, and
-/// for a block with a Poisson's ratio for which elements of this order lock.
+/// Returns a sentence for each deviation from the paper's advice for its model with u = 0 on the far faces (Table 3:
+/// L/h >= 80, 1 <= l/h <= 1.25, h/hs >= 4, f from 1 to 1.5 on Mesh1 and from 1.5 to 2 on Mesh2, quadratic elements).
+/// Also returns one for a block with a Poisson's ratio for which elements of this order lock.
 std::vector<std::string> warnings(const IcSpec& spec);
 
 /// Returns a sentence if the modelling error of a block's table (IcEvidence::modelling_error) for `spec` exceeds the
 /// requested accuracy or, for a given mesh, 1 %.
 std::vector<std::string> modelling_warnings(const IcSpec& spec, double error);
 
-/// The size of Mesh1 or Mesh2 for a spec; that of an adaptive mesh is only known after it is built.
+/// Holds the size of Mesh1 or Mesh2 for a spec. That of an adaptive mesh is only known after it is built.
 struct MeshSize {
     int elements_per_edge;  ///< m, of the cube and of every layer
     int layers;             ///< k, of growing thickness

@@ -1,4 +1,4 @@
-// A table of influence coefficients and the evidence for its numbers.
+// Defines a table of influence coefficients and the evidence for its numbers.
 #pragma once
 
 #include <array>
@@ -13,8 +13,9 @@
 
 namespace contactd {
 
-/// A[i,j](k,l): displacement component i (mm) at the element whose offset from the loaded element is (k,l), for a unit
-/// traction (1 N/mm^2) along j on the loaded element. Body z <= 0, outward normal +z, load positive along its axis.
+/// A[i,j](k,l) is the displacement component i (mm) at the element whose offset from the loaded element is (k,l), for a
+/// unit traction (1 N/mm^2) along j on the loaded element. The body is z <= 0 with the outward normal +z, and a load is
+/// positive along its axis.
 struct IcTable {
     int nx = 0;         ///< offsets 0..nx-1 along x
     int ny = 0;         ///< offsets 0..ny-1 along y
@@ -30,13 +31,13 @@ struct IcTable {
     }
     double& operator()(Axis i, Axis j, int k, int l) { return values[index(i, j, k, l)]; }  ///< k, l >= 0
     double operator()(Axis i, Axis j, int k, int l) const { return values[index(i, j, k, l)]; }
-    /// Offsets of either sign, |k| < nx and |l| < ny, by parity.
+    /// Returns the coefficient at offsets of either sign, |k| < nx and |l| < ny, by parity.
     double at(Axis i, Axis j, int k, int l) const;
 
     bool operator==(const IcTable&) const = default;
 };
 
-/// One solve of a finite-element build.
+/// Describes one solve of a finite-element build.
 struct LoadCaseEvidence {
     Axis load = Axis::z;
     int iterations = 0;
@@ -47,22 +48,22 @@ struct LoadCaseEvidence {
                                    ///< stopping criterion
 };
 
-/// Relative errors against the closed form: the paper's measure (3.1) at the origin, signed (FEM/closed form - 1), and
-/// the largest absolute one over the table.
+/// Holds relative errors against the closed form: the paper's measure (3.1) at the origin, signed (FEM/closed form -
+/// 1), and the largest absolute one over the table.
 struct ComponentError {
     double origin = 0;
     double largest = 0;
 };
 
-/// Errors over a table, if known.
+/// Holds errors over a table, if known.
 struct IcErrors {
     std::optional<ComponentError> xx, yy, zz;
-    /// Largest |FEM - closed form| * 2 pi G rho / (dx dy) over the offsets except the origin, for the components that
-    /// vanish on the axes, where relative errors are useless: xy and yx, and xz, zx, yz and zy.
+    /// These are the largest |FEM - closed form| * 2 pi G rho / (dx dy) over the offsets except the origin. They are
+    /// for the components that vanish on the axes, where relative errors are useless: xy and yx, and xz, zx, yz and zy.
     std::optional<double> scaled_xy, scaled_xz;
 };
 
-/// Times of a build (s).
+/// Holds the times of a build (s).
 struct BuildSeconds {
     double assembly = 0;
     double setup = 0;  ///< of the preconditioners
@@ -70,21 +71,21 @@ struct BuildSeconds {
     double total = 0;
 };
 
-/// Computation of the transform of a longitudinally uniform body's coefficients, and its errors over zz of the
-/// half-space under an element as long as the width of a strip.
+/// Describes how the transform of a longitudinally uniform body's coefficients was computed, and its errors over zz of
+/// the half-space under an element as long as the width of a strip.
 struct SectionEvidence {
     int order = 0;        ///< of the elements
-    int wavenumbers = 0;  ///< that it was computed at
+    int wavenumbers = 0;  ///< number of wavenumbers at which it was computed
     double error = 0;     ///< of any coefficient: the sum of the three below
     double mesh_error = 0;
     double wavenumber_error = 0;    ///< of interpolation between them
     double end_error = 0;           ///< of the part beyond the last wavenumber
-    double reciprocity_defect = 0;  ///< before it was made symmetric, which removes it
+    double reciprocity_defect = 0;  ///< before the table was made symmetric, which removes the defect
 
     bool operator==(const SectionEvidence&) const = default;
 };
 
-/// The origin of the numbers of a table and how good they are.
+/// Describes the origin and the accuracy of the numbers of a table.
 struct IcEvidence {
     std::string source;   ///< "analytic" or "fem"
     std::string version;  ///< contactd and libraries that computed the table
@@ -96,31 +97,31 @@ struct IcEvidence {
     std::string solver;                 ///< "amg_pcg", "direct" or "tensor_pcg"; empty for a closed form
     std::optional<FemSpec> mesh;        ///< chosen for IcSpec::accuracy; not for a block
     std::vector<std::string> warnings;  ///< sentences for users of the table
-    /// Against the closed form if there is one (half-space). For a block with a requested accuracy, estimated from the
-    /// difference to a coarser mesh; `errors_estimated` is then set.
+    /// Errors are relative to the closed form if there is one (half-space). For a block with a requested accuracy, they
+    /// are estimated from the difference to a coarser mesh; `errors_estimated` is then set.
     IcErrors errors;
     bool errors_estimated = false;
-    /// Dependence of a block's coefficients on the loaded element: the largest difference between the table and a load
-    /// in the corner of as many elements as the table has offsets, about the middle of the block, in the measures of
-    /// IcSpec::accuracy.
+    /// Coefficients of a block depend on the loaded element. This is the largest difference between the table and that
+    /// of a load in the corner of as many elements as the table has offsets, about the middle of the block, in the
+    /// measures of IcSpec::accuracy.
     std::optional<double> modelling_error;
-    /// The computed Poisson's ratios of a family, and the largest additional error of interpolation between them, in
-    /// the measures above.
+    /// These are the computed Poisson's ratios of a family, and the largest additional error of interpolation between
+    /// them, in the measures above.
     std::vector<double> family_nu;
     std::optional<double> interpolation_error;
     std::optional<SectionEvidence> section;  ///< of a longitudinally uniform body by finite elements
     bool imported = false;                   ///< the table was imported, and contactd did not verify this
 };
 
-/// Returns all values times `factor`: A for G and dx from the dimensionless table with factor = dx/G.
+/// Returns all values times `factor`. With factor = dx/G, the dimensionless table becomes A for G and dx.
 IcTable scaled(const IcTable& table, double factor);
 
 /// Returns the part with offsets 0..nx-1 x 0..ny-1, times `factor`. Throws InvalidArgument if the table is smaller.
 IcTable cropped(const IcTable& table, int nx, int ny, double factor = 1);
 
-/// Coefficients of the difference of displacements of the two bodies for equal and opposite tractions: sums xx, yy, zz,
-/// xy, yx and subtracts xz, zx, yz, zy (upper from lower: a pressure is positive, a load along z pulls). Throws
-/// InvalidArgument if the extents differ.
+/// Returns the coefficients of the difference of displacements of the two bodies for equal and opposite tractions. It
+/// sums xx, yy, zz, xy, yx and subtracts xz, zx, yz, zy of the upper body from those of the lower, because a pressure
+/// is positive and a load along z pulls. Throws InvalidArgument if the extents differ.
 IcTable pair_of(IcTable upper, const IcTable& lower);
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-// A layered body: one or more layers, bonded to each other and to their base, uniform along x and y.
+// Describes a layered body: one or more layers, bonded to each other and to their base, uniform along x and y.
 #pragma once
 
 #include <vector>
@@ -25,7 +25,7 @@ struct Layers {
     bool operator==(const Layers&) const = default;
 };
 
-/// Tested limits of the coefficients: the number of layers, the ratio of shear moduli, and thicknesses over
+/// Coefficients are tested within these limits: the number of layers, the ratio of shear moduli, and thicknesses over
 /// dx.
 inline constexpr int most_layers = 20;
 inline constexpr double largest_layer_contrast = 1e9;

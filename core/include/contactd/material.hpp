@@ -1,4 +1,4 @@
-// Linear elastic, homogeneous, isotropic material, and the pair of bodies in contact.
+// Describes a linear elastic, homogeneous, isotropic material, and the pair of bodies in contact.
 #pragma once
 
 #include <limits>
@@ -18,8 +18,8 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
-/// The materials of the two bodies. A contact problem uses the difference of their surface displacements; forces act
-/// on the upper one.
+/// Holds the materials of the two bodies. A contact problem uses the difference of their surface displacements; forces
+/// act on the upper one.
 struct MaterialPair {
     Material upper;
     Material lower;
@@ -34,7 +34,7 @@ struct MaterialPair {
     bool operator==(const MaterialPair&) const = default;
 };
 
-/// Throws InvalidArgument naming `field`.G or `field`.nu if the material is invalid. nu = 0.5 requires
+/// Throws InvalidArgument, which names `field`.G or `field`.nu, if the material is invalid. nu = 0.5 requires
 /// `incompressible_allowed`, because displacement-based finite elements do not support it.
 void validate(const Material& material, const char* field, bool incompressible_allowed);
 

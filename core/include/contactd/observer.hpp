@@ -1,4 +1,4 @@
-// Progress and cancellation of a computation: the caller passes an observer; the solver never prints.
+// Reports progress and cancels a computation: the caller passes an observer, and the solver never prints.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ struct Progress {
     double fraction = 0;     ///< of the whole computation, 0..1, an estimate
     int iteration = 0;       ///< within the stage
     double residual = 0;     ///< the value of the stage's stopping criterion, 0 without one
-    /// For a step that begins now and does not report until its end (a factorisation): its expected time (s), and the
+    /// A step that begins now and does not report until its end (a factorisation) has this expected time (s), and this
     /// fraction at its end.
     double step_seconds = 0;
     double step_fraction = 0;
@@ -27,7 +27,7 @@ class Observer {
     virtual void on_progress(const Progress&) {}
     /// Called between iterations; if it returns true, the solver throws Cancelled.
     virtual bool cancelled() const { return false; }
-    /// The user of the computation, for its requests such as tables; empty without users.
+    /// Returns the user of the computation, for its requests such as tables; empty without users.
     virtual std::string_view user() const { return {}; }
 
     void throw_if_cancelled() const {

@@ -1,4 +1,4 @@
-// Operators of contacts between wheel and rail that are curved across the track.
+// Creates operators of contacts between wheel and rail that are curved across the track.
 #pragma once
 
 #include <functional>
@@ -26,8 +26,8 @@ class RotatedPatches {
     RotatedPatches(const RotatedPatches&) = delete;
     RotatedPatches& operator=(const RotatedPatches&) = delete;
 
-    /// `flat`, if given, creates the operators of flat rows. Answers do not depend on earlier calls. Throws
-    /// InvalidArgument ("dy") for symbols of too many numbers, and Cancelled.
+    /// Creates the operators of a problem; `flat`, if given, creates those of flat rows. Answers do not depend on
+    /// earlier calls. Throws InvalidArgument ("dy") for symbols of too many numbers, and Cancelled.
     ContactInfluence of(const ContactProblem& problem, const PatchStrips& strips, const Observer& observer = {},
                         const std::function<ContactInfluence()>& flat = {});
 

@@ -1,4 +1,4 @@
-// The curve of a wheel's or a rail's profile.
+// Represents the curve of a wheel's or a rail's profile.
 #pragma once
 
 #include <cstddef>
@@ -10,20 +10,20 @@
 
 namespace contactd {
 
-/// Parametric cubic splines y(s), z(s) through points. s (mm) is the length of the chords from the first point.
-/// The curve is C2, with natural ends, and broken at kinks, where only its points are continuous; values at a
-/// kink are those after it. Its tangents extend it beyond its ends. Immutable and thread-safe; copies share
-/// data.
+/// Consists of parametric cubic splines y(s), z(s) through points. s (mm) is the length of the chords from the first
+/// point. The curve is C2, with natural ends, and broken at kinks, where only its points are continuous; values at a
+/// kink are those after it. Its tangents extend it beyond its ends. Objects are immutable and thread-safe, and copies
+/// share data.
 class ProfileCurve {
    public:
-    /// The point of a parameter, and its first and second derivatives with respect to s.
+    /// Holds the point of a parameter, and its first and second derivatives with respect to s.
     struct Place {
         ProfilePoint at, slope, curving;
     };
 
-    /// `kinks` are indices of inner points, ascending. Throws InvalidArgument, naming "points[i]" or "kinks[i]", for
-    /// fewer than two points, points that are not finite or beyond 1e5 mm, coincident neighbours, and kinks that are
-    /// not inner points or not ascending.
+    /// `kinks` are indices of inner points, ascending. Throws InvalidArgument, which names "points[i]" or "kinks[i]",
+    /// for fewer than two points, points that are not finite or beyond 1e5 mm, coincident neighbours, and kinks that
+    /// are not inner points or not ascending.
     explicit ProfileCurve(std::vector<ProfilePoint> points, std::vector<std::size_t> kinks = {});
 
     double begin() const { return 0; }
@@ -38,8 +38,8 @@ class ProfileCurve {
 
     double arc_length(double s) const;  ///< from the first point (mm); negative before it
     double s_at_arc_length(double arc_length) const;
-    /// Returns the first s at which the curve has this y. Fast if y of the points is monotone, otherwise a search. For
-    /// a y beyond all points, returns the nearest end of the curve.
+    /// Returns the first s at which the curve has this y. It is fast if y of the points is monotone; otherwise it
+    /// searches. For a y beyond all points, returns the nearest end of the curve.
     double s_at_y(double y) const;
 
     const std::vector<ProfilePoint>& points() const;
@@ -47,8 +47,7 @@ class ProfileCurve {
     const std::vector<double>& knots() const;  ///< s of the points
     bool y_is_monotone() const;                ///< strictly, for the points, by at least 1e-6 mm from end to end
 
-    /// Returns the origin of lengths across a rail: y = 0, or the nearest end, unless another one was
-    /// set.
+    /// Returns the origin of lengths across a rail, which is y = 0 or the nearest end unless another one was set.
     double middle() const { return middle_ ? *middle_ : s_at_y(0); }
     ProfileCurve counted_from(double s) const;
 

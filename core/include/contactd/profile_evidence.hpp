@@ -1,4 +1,4 @@
-// Evidence of a profile, as plain values.
+// Defines the evidence of a profile as plain values.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,10 @@ namespace contactd {
 
 enum class ProfileFormat { simpack, miniprof, columns };
 
-/// Source of the direction of z of a file's points: the file, their shape, or the user.
+/// Selects the source of the direction of z of a file's points: the file, their shape, or the user.
 enum class OrientedBy { file, shape, request };
 
-/// Detected properties of a file.
+/// Holds the detected properties of a file.
 struct ProfileReading {
     ProfileFormat format = ProfileFormat::columns;
     double unit = 1;                          ///< unit of its points in mm
@@ -27,7 +27,7 @@ struct ProfileReading {
     bool operator==(const ProfileReading&) const = default;
 };
 
-/// Characteristic points of a wheel.
+/// Holds characteristic points of a wheel.
 struct WheelLandmarks {
     ProfilePoint tip;     ///< of the flange, the lowest point
     ProfilePoint throat;  ///< the point of largest concave curvature between the flange and the tread
@@ -36,7 +36,7 @@ struct WheelLandmarks {
     bool operator==(const WheelLandmarks&) const = default;
 };
 
-/// Evidence of the processing of the points.
+/// Describes how the points were processed.
 struct ProfileEvidence {
     std::size_t points_given = 0, points_kept = 0;
     double spacing = 0;           ///< mean distance of the used points (mm)

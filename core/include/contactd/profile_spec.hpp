@@ -1,4 +1,4 @@
-// A profile as a plain value: a named formula with parameters, or points.
+// Defines a profile as a plain value: a named formula with parameters, or points.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace contactd {
 
-/// A point of a profile, or a vector in its plane (mm): y to the field side, z downwards.
+/// Holds a point of a profile, or a vector in its plane (mm): y to the field side, z downwards.
 struct ProfilePoint {
     double y = 0, z = 0;
 
@@ -22,19 +22,19 @@ enum class ProfileKind { wheel, rail };
 template <>
 inline constexpr std::array enum_words<ProfileKind>{std::string_view("wheel"), std::string_view("rail")};
 
-/// The wheel S1002 of EN 13715: z = 0 at its tape circle, y = 0; the flange is at y < 0.
+/// Selects the wheel S1002 of EN 13715: z = 0 at its tape circle, y = 0; the flange is at y < 0.
 struct S1002 {
     bool operator==(const S1002&) const = default;
 };
 
-/// The head of the rail 60E1 (UIC60), inclined towards its gauge side at y < 0; its top is at z = 0.
+/// Selects the head of the rail 60E1 (UIC60), inclined towards its gauge side at y < 0; its top is at z = 0.
 struct Rail60E1 {
     double inclination = 0;  ///< a slope, e.g. 1/40
 
     bool operator==(const Rail60E1&) const = default;
 };
 
-/// A circular arc through the origin.
+/// Describes a circular arc through the origin.
 struct ArcProfile {
     double radius = 0;  ///< mm; positive: falls to both sides, like a rail's head or a hollow wheel; negative: rises
     double slope = 0;   ///< dz/dy at y = 0
@@ -43,7 +43,7 @@ struct ArcProfile {
     bool operator==(const ArcProfile&) const = default;
 };
 
-/// A straight line through the origin: a conical wheel has the slope -conicity.
+/// Describes a straight line through the origin; a conical wheel has the slope -conicity.
 struct ConeProfile {
     double slope = 0;            ///< dz/dy
     double from = -40, to = 40;  ///< y of its ends (mm)
@@ -51,7 +51,7 @@ struct ConeProfile {
     bool operator==(const ConeProfile&) const = default;
 };
 
-/// Points in the order of the curve, from either end.
+/// Holds points in the order of the curve, from either end.
 struct ProfilePoints {
     std::vector<ProfilePoint> points;
     double unit = 1;  ///< unit of the points in mm: 1000 for metres
@@ -70,15 +70,17 @@ struct KinkRule {
     bool operator==(const KinkRule&) const = default;
 };
 
-/// The content of a file in a format of read_profile.hpp. The options here apply in addition to those in the file.
+/// Holds the content of a file in a format of read_profile.hpp. The options here apply in addition to those in the
+/// file.
 struct ProfileFile {
     std::string name;  ///< its extension is the format of the text; a folder before it is ignored
     std::string text;
     std::optional<double> unit{};     ///< unit of its points in mm, instead of that in the file
     bool mirror_y = false;            ///< y is mirrored, after the options of the file
-    std::optional<bool> mirror_z{};   ///< z is mirrored, or not, after that; absent: according to the shape
+    std::optional<bool> mirror_z{};   ///< z is mirrored, or not, after the options of the file; absent: according to
+                                      ///< the shape
     double shift_y = 0, shift_z = 0;  ///< added to the points last (mm)
-    double smoothing_length = 0;      ///< as of ProfilePoints
+    double smoothing_length = 0;      ///< as in ProfilePoints
     int smoothing_order = 2;          ///< order of the derivative that smoothing minimises: 2 or 3
     double smoothing_lambda = 0;      ///< weight of the curvature over that of a point, instead of a length (mm^3)
     KinkRule kinks{};
@@ -96,15 +98,15 @@ struct ProfileSpec {
     bool operator==(const ProfileSpec&) const = default;
 };
 
-/// Largest number of points in a profile.
+/// A profile has at most this number of points.
 inline constexpr std::size_t most_profile_points = 20000;
-/// Largest number of points in all slices of a rail, or of a wheel.
+/// All slices of a rail, or of a wheel, together have at most this number of points.
 inline constexpr std::size_t most_points_of_slices = 10 * most_profile_points;
-/// Largest size of the text of a ProfileFile in bytes.
+/// The text of a ProfileFile has at most this size in bytes.
 inline constexpr std::size_t most_profile_text = 2 << 20;
 
-/// Throws InvalidArgument naming the field below "profile" if a parameter is invalid. make_profile checks the shape of
-/// the points.
+/// Throws InvalidArgument, which names the field below "profile", if a parameter is invalid. make_profile checks the
+/// shape of the points.
 void validate(const ProfileSpec& spec);
 
 }  // namespace contactd

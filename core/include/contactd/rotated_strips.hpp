@@ -1,4 +1,4 @@
-// Coefficients of a body by its cross-section without finite elements.
+// Computes coefficients of a body from its cross-section without finite elements.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@
 
 namespace contactd {
 
-/// mm^3/N, at the offsets k dx + shift, k = 0..nx-1, between the grid.ny strips of the section, each grid.dy wide: the
-/// half-space's closed form at the distance along the surface, in axes midway between those of the two strips, then
-/// rotated by half the angle between them (Blanco-Lorenzo et al.). It includes curvature, but not edges, thickness, or
-/// the clamping of the body. On flat strips it is the half-space's table. Throws InvalidArgument as strip_frames(), and
-/// Cancelled (the observer can cancel after each strip).
+/// Returns coefficients (mm^3/N) at the offsets k dx + shift, k = 0..nx-1, between the grid.ny strips of the section,
+/// each grid.dy wide. They are the half-space's closed form at the distance along the surface, in axes midway between
+/// those of the two strips, then rotated by half the angle between them (Blanco-Lorenzo et al.). They include
+/// curvature, but not edges, thickness, or the clamping of the body. On flat strips the table is that of the
+/// half-space. Throws InvalidArgument as strip_frames(), and Cancelled; the observer can cancel after each strip.
 StripTable rotated_strips(const Section& section, const Grid& grid, const Material& material, LoadShape load,
                           double shift = 0, const std::string& field = "section", const Observer& observer = {});
 

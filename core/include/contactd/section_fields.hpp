@@ -1,4 +1,4 @@
-// The only lists of the fields of a section: the wire, files and keys visit them.
+// These are the only lists of the fields of a section. The wire, files and keys visit them.
 #pragma once
 
 #include <array>
@@ -94,7 +94,7 @@ inline constexpr std::tuple named_members<Section>{
     NamedMember{"shape", &Section::shape}, NamedMember{"size", &Section::size}, NamedMember{"turn", &Section::turn},
     NamedMember{"free", &Section::free}};
 
-/// The alternatives of a std::variant, in their order.
+/// Lists the names of the alternatives of a std::variant, in their order.
 template <class Variant>
 inline constexpr std::array<std::string_view, 0> alternative_names{};
 template <>

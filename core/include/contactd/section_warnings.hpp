@@ -1,4 +1,4 @@
-// Warnings of tables of longitudinally uniform bodies whose stated error exceeds the requested accuracy.
+// Warns of tables of longitudinally uniform bodies whose stated error exceeds the requested accuracy.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace contactd {
 
-/// Returns a sentence if the stated error exceeds `accuracy`, for tables and for all answers computed with them.
+/// Returns a sentence if the stated error exceeds `accuracy`. It applies to tables and to all answers computed with
+/// them.
 std::vector<std::string> section_warnings(double accuracy, const SectionEvidence& evidence);
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-// A contact problem and its solution.
+// Solves contact problems.
 #pragma once
 
 #include "contactd/contact.hpp"

@@ -1,4 +1,4 @@
-// Answers of contact.solve and contact.solve_many.
+// Defines answers of contact.solve and contact.solve_many.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@
 
 namespace contactd {
 
-/// Operators that are larger than the memory for all operators: only those used last are kept.
+/// Describes operators that are larger than the memory for all operators. Only the last ones used are kept.
 struct OperatorUse {
-    bool made = false;             ///< for this solve; otherwise kept from an earlier one
+    bool made = false;             ///< whether they were created for this solve; otherwise kept from an earlier one
     std::size_t bytes = 0;         ///< approximate memory
     std::size_t budget_bytes = 0;  ///< store.influence_budget_bytes
 
@@ -26,7 +26,7 @@ struct SolveReply {
     std::optional<OperatorUse> operators{};  ///< if they exceed the budget
 };
 
-/// The solution of each of many problems, or the reason why there is none.
+/// Holds the solution of each of many problems, or the reason why there is none.
 using ReplyOrStatus = std::variant<SolveReply, Status>;
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-// Computes contact forces from profiles, and position and motion of a wheelset.
+// Computes contact forces from profiles and from position and motion of a wheelset.
 #pragma once
 
 #include <functional>
@@ -15,24 +15,24 @@
 
 namespace contactd {
 
-/// A function that creates the operators of a problem, using only set-up and motion, on the strips of its patch. It is
-/// called repeatedly for patches of one size. The observer receives the progress of tables, and can cancel.
+/// Creates the operators of a problem on the strips of its patch; it uses only the set-up and the motion. It is called
+/// repeatedly for patches of one size. The observer receives the progress of tables, and can cancel.
 using InfluenceSource = std::function<ContactInfluence(const ContactProblem&, const PatchStrips&, Observer&)>;
 
-/// One wheel on its rail: keeps the curves of the profiles and, unless a source is given, the operators of the grids
-/// used last. Safe to use from several threads at once; answers depend only on the state.
+/// Represents one wheel on its rail: keeps the curves of the profiles and, unless a source is given, the operators of
+/// the grids used last. It is safe to use from several threads at once, and answers depend only on the state.
 class WheelRailContact {
    public:
-    /// Without a source, bodies are half-spaces; other bodies, and conformal fem, need one. Throws InvalidArgument
-    /// naming the field, and Cancelled while profiles are read.
+    /// Without a source, bodies are half-spaces. Other bodies, and conformal fem, need one. Throws InvalidArgument,
+    /// which names the field, and Cancelled while profiles are read.
     explicit WheelRailContact(WheelRailSetup setup, InfluenceSource source = nullptr, const Observer& observer = {});
 
-    /// The answer may have no contact, may not have converged, or may have warnings. Throws InvalidArgument for an
-    /// invalid state ("position.z" if the wheel is far inside the rail), and Cancelled.
+    /// Solves a state. The answer may have no contact, may not have converged, or may have warnings. Throws
+    /// InvalidArgument for an invalid state ("position.z" if the wheel is far inside the rail), and Cancelled.
     WheelRailSolution solve(const WheelRailState& state, Observer& observer) const;
 
-    /// Solves within the tolerances, from the end of the previous step; the solves of a search for a force start from
-    /// each other. `estimates` become those for the next step, and are invalid after an exception.
+    /// Solves a state within the tolerances, from the end of the previous step; the solves of a search for a force
+    /// start from each other. `estimates` become those for the next step, and are invalid after an exception.
     WheelRailSolution solve(const WheelRailState& state, WheelRailEstimates& estimates, Observer& observer) const;
     /// Solves one of several states in the search for a step; estimates.end_step() ends it.
     WheelRailSolution solve_within_step(const WheelRailState& state, WheelRailEstimates& estimates,
@@ -42,7 +42,7 @@ class WheelRailContact {
     /// force. Throws as solve.
     WheelRailGeometry locate(const WheelRailState& state, const Observer& observer = {}) const;
 
-    /// Returns position.z at first contact of wheel and rail (mm); none if they are not above each other.
+    /// Returns position.z at first contact of wheel and rail (mm), or nothing if they are not above each other.
     std::optional<double> first_contact_height(const WheelRailState& state, const Observer& observer = {}) const;
 
     /// Returns this contact with another friction, sharing cached data. Throws InvalidArgument ("friction.mu",
@@ -65,7 +65,7 @@ WheelRailSolution solve_wheel_rail(const WheelRailSetup& setup, const WheelRailS
 /// WheelRailContact::solve, and InvalidArgument ("Fz_left", "left", ...).
 WheelsetSolution solve_wheelset(const WheelRailContact& left, const WheelRailContact& right, const WheelsetState& state,
                                 Observer& observer, double height_tolerance = 1e-6);
-/// Solves within the tolerances, from the end of the previous step.
+/// Solves both wheels within the tolerances, from the end of the previous step.
 WheelsetSolution solve_wheelset(const WheelRailContact& left, const WheelRailContact& right, const WheelsetState& state,
                                 WheelsetEstimates& estimates, Observer& observer, double height_tolerance = 1e-6);
 

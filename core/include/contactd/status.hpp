@@ -1,4 +1,4 @@
-// The status of a request: gRPC's status codes, which every reply contains, and contactd's stable reasons.
+// Defines the status of a request: gRPC's status codes, which every reply contains, and contactd's stable reasons.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace contactd {
 
-/// Numbers and names defined by gRPC.
+/// gRPC defines these numbers and names.
 enum class StatusCode {
     ok = 0,
     cancelled = 1,
@@ -31,10 +31,10 @@ enum class StatusCode {
     unauthenticated = 16
 };
 std::string_view name_of(StatusCode code);  ///< "INVALID_ARGUMENT", ...
-/// Returns the code with that name. Throws std::out_of_range.
+/// Returns the code with that name. Throws std::out_of_range for other names.
 StatusCode code_named(std::string_view name);
 
-/// Stable upper-case keywords for programs; see docs/protocol.md for their meanings.
+/// Reasons are stable upper-case keywords for programs; see docs/protocol.md for their meanings.
 namespace reason {
 inline constexpr std::string_view not_json = "NOT_JSON";
 inline constexpr std::string_view not_an_object = "NOT_AN_OBJECT";
@@ -75,8 +75,8 @@ inline constexpr std::string_view stopping = "STOPPING";
 inline constexpr std::string_view unexpected = "UNEXPECTED";
 }  // namespace reason
 
-/// An invalid field of a request. `field` is a path from the envelope's root or, below "params", from there: "grid.nx",
-/// "bodies.upper.nu", "gap.array".
+/// Describes an invalid field of a request. `field` is a path from the envelope's root or, below "params", from there:
+/// "grid.nx", "bodies.upper.nu", "gap.array".
 struct Violation {
     std::string field;
     std::string description;
@@ -93,7 +93,7 @@ struct Status {
     bool ok() const { return code == StatusCode::ok; }
 };
 
-/// A status as an exception: the server answers with it, and the C++ client throws it.
+/// Wraps a status as an exception: the server answers with it, and the C++ client throws it.
 class StatusError : public Error {
    public:
     explicit StatusError(Status status) : Error(status.message), status_(std::move(status)) {}

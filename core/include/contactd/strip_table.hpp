@@ -1,4 +1,4 @@
-// Influence coefficients of strips of elements on a body that is uniform along x, with any cross-section.
+// Defines influence coefficients of strips of elements on a body that is uniform along x, with any cross-section.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 
 namespace contactd {
 
-/// A[i,j](I,J,k): displacement component i (mm) in the frame of strip I, at the middle of its arc, k elements ahead
-/// along x of the loaded element, x_I - x_J = k dx, for a unit traction (1 N/mm^2) along j of the frame of strip J.
-/// Axes of a frame: x, y along the outline (s of StripFrame), z outward. Strips are numbered along s, as rows of a
-/// grid are along y. xx, yy, zz, yz and zy are even in k, xy, yx, xz and zx odd.
+/// A[i,j](I,J,k) is the displacement component i (mm) in the frame of strip I, at the middle of its arc, for a unit
+/// traction (1 N/mm^2) along j of the frame of strip J. The observed element is k elements ahead of the loaded one
+/// along x: x_I - x_J = k dx. The axes of a frame are x, y along the outline (s of StripFrame), and z outward. Strips
+/// are numbered along s, as rows of a grid are along y. xx, yy, zz, yz and zy are even in k; xy, yx, xz and zx are odd.
 struct StripTable {
     int nx = 0;         ///< offsets 0..nx-1 along x
     int strips = 0;     ///< along the cross-section
@@ -33,7 +33,7 @@ struct StripTable {
     }
     double& operator()(Axis i, Axis j, int I, int J, int k) { return values[index(i, j, I, J, k)]; }  ///< k >= 0
     double operator()(Axis i, Axis j, int I, int J, int k) const { return values[index(i, j, I, J, k)]; }
-    /// Offsets of either sign, |k| < nx, by parity.
+    /// Returns the coefficient at offsets of either sign, |k| < nx, by parity.
     double at(Axis i, Axis j, int I, int J, int k) const;
 
     bool operator==(const StripTable&) const = default;
@@ -47,14 +47,14 @@ StripTable cropped(const StripTable& table, int first, int strips, int nx, doubl
 /// Returns the table of a flat surface, which is also Toeplitz along y: A(I,J,k) = A(k, l = I - J), on all offsets.
 StripTable strip_table_of(const IcTable& flat);
 
-/// Returns the largest |A[i,j](I,J,k) - A[j,i](J,I,-k)| over the mean zz of elements on themselves. It is zero by
-/// Betti's theorem, except for errors, and because displacements are those at centres, not means over elements.
+/// Returns the largest |A[i,j](I,J,k) - A[j,i](J,I,-k)| over the mean zz of elements on themselves. By Betti's theorem,
+/// it would be zero without errors if displacements were means over elements instead of values at centres.
 double reciprocity_defect(const StripTable& table);
 
-/// Returns (A + A')/2 with A'[i,j](I,J,k) = A[j,i](J,I,-k), for operators.
+/// Returns the symmetric table (A + A')/2 for operators, with A'[i,j](I,J,k) = A[j,i](J,I,-k).
 StripTable symmetrised(StripTable table);
 
-/// Returns the table of the body mirrored in y: strips in reverse order, and opposite signs of y. Throws
+/// Returns the table of the body mirrored in y: strips are in reverse order, and signs of y are opposite. Throws
 /// Cancelled.
 StripTable mirrored(const StripTable& table, const Observer& observer = {});
 

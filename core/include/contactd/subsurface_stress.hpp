@@ -1,4 +1,4 @@
-// Stresses inside a body as plain values: requests and answers.
+// Defines requests and answers of stresses inside a body as plain values.
 #pragma once
 
 #include <array>
@@ -17,14 +17,15 @@ namespace contactd {
 /// upper one is its mirror image: in the frame of the problem, xz and yz of the upper body have the opposite sign.
 enum class ContactBody { upper, lower };
 
-/// Tractions that act on the surface of a body, in its frame, each of shape [ny, nx] (N/mm^2); empty means zero.
+/// Holds tractions that act on the surface of a body, in its frame, each of shape [ny, nx] (N/mm^2); empty means zero.
 struct SurfaceTractions {
     std::vector<double> x, y, z;
 };
 
 using StressPoints = std::vector<std::array<double, 3>>;
 
-/// The points (x[ix], y[iy], z[iz]) in any order, with index (iz*ny + iy)*nx + ix: results have shape [nz, ny, nx].
+/// Describes the points (x[ix], y[iy], z[iz]) in any order, with index (iz*ny + iy)*nx + ix. Results have shape [nz,
+/// ny, nx].
 struct StressBlock {
     std::vector<double> x, y, z;  ///< (mm), z <= 0
 
@@ -33,43 +34,43 @@ struct StressBlock {
 
 using SubsurfacePoints = std::variant<StressPoints, StressBlock>;
 
-/// At the requested points (mm), in the frame of the body. They vanish far away.
+/// Holds displacements at the requested points (mm), in the frame of the body. They vanish far away.
 struct SubsurfaceDisplacement {
     std::vector<double> x, y, z;
 };
 
-/// At the requested points, in order (N/mm^2); tension is positive.
+/// Holds stresses at the requested points, in order (N/mm^2); tension is positive.
 struct SubsurfaceStress {
     std::vector<double> xx, yy, zz, xy, xz, yz;
     std::vector<double> von_mises;
-    /// After find_invariants: the mean of the normal stresses, the principal stresses, the first of which is the
-    /// largest and the third the smallest, and the Tresca stress, the difference of these two.
+    /// find_invariants fills these: the mean of the normal stresses, the principal stresses, the first of which is the
+    /// largest and the third the smallest, and the Tresca stress, which is the difference of these two.
     std::vector<double> hydrostatic, principal_1, principal_2, principal_3, tresca;
     std::size_t largest = 0;  ///< the point with the largest von Mises stress; the first of equal ones
 };
 
-/// A request for stresses inside one body of a contact problem. Points are in the frame of that body.
+/// Requests stresses inside one body of a contact problem. Points are in the frame of that body.
 struct SubsurfaceRequest {
     Grid grid;
     double nu = 0;  ///< Poisson's ratio of the body, 0 to 0.5; not used if ics has layers
     ContactBody body = ContactBody::lower;
-    Ics ics;  ///< of the solved problem: a half-space (also with a line contact) or layers; with
-              ///< angles also a longitudinally uniform body; no others
-    /// Tractions of a contact solution, for either body: those on the upper one. Shape [ny, nx] (N/mm^2); tractions may
-    /// be empty, which means zero.
+    Ics ics;  ///< of the solved problem: a half-space (also with a line contact) or layers; with angles also a
+              ///< longitudinally uniform body
+    /// Holds the tractions on the upper body of a contact solution, for requests of either body. The shape is [ny, nx]
+    /// (N/mm^2); tractions may be empty, which means zero.
     std::vector<double> pressure, traction_x, traction_y;
-    /// Inclination of each row (rad), as for subsurface_stress(); none for a plane.
+    /// Holds the inclination of each row (rad), as for subsurface_stress(); it is empty for a plane.
     std::vector<double> angles{};
     SubsurfacePoints points;
     bool invariants = false;  ///< whether the reply includes those of find_invariants
-    /// The body's shear modulus (N/mm^2), which requests displacements, for half-spaces only.
+    /// If given, the body's shear modulus (N/mm^2) requests displacements, for half-spaces only.
     std::optional<double> G{};
 
     std::vector<std::size_t> shape() const;                ///< of the results: [n], or [nz, ny, nx] for a block
     std::array<double, 3> point(std::size_t index) const;  ///< the point of a result
 };
 
-/// The point with the largest von Mises stress.
+/// Describes the point with the largest von Mises stress.
 struct LargestStress {
     double von_mises = 0;        ///< (N/mm^2)
     double x = 0, y = 0, z = 0;  ///< (mm)

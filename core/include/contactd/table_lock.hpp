@@ -8,8 +8,8 @@
 
 namespace contactd {
 
-/// An advisory lock on a file next to the tables; the kernel releases it when its holder ends. If locks or files are
-/// unavailable, it reports this, and the build continues without: two writers only duplicate work.
+/// Holds an advisory lock on a file next to the tables, which the kernel releases when its holder ends. If locks or
+/// files are unavailable, it reports this, and the build continues without: two writers only duplicate work.
 class TableLock {
    public:
     enum class State { held, busy, unavailable };
@@ -22,8 +22,8 @@ class TableLock {
     TableLock& operator=(const TableLock&) = delete;
 
     State try_lock();
-    /// The holder must call this every few seconds, so that others do not wait for a stopped holder or a failed
-    /// machine.
+    /// Renews the sign of life. The holder must call this every few seconds, so that others do not wait for a stopped
+    /// holder or a failed machine.
     void give_sign() const;
     /// Returns the last sign of life of the holder. Only its changes are meaningful, because clocks may differ.
     std::optional<Sign> sign() const;

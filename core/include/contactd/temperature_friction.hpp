@@ -1,4 +1,4 @@
-// Friction that depends on the surface temperature.
+// Defines friction that depends on the surface temperature.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@
 
 namespace contactd {
 
-/// The coefficient of friction goes from that of the law (mu) at `reference` to mu + change at `reference` + `range`,
-/// in a straight line, and is constant on both sides: mu + change min(1, max(0, (T - reference)/range)). T is the
-/// temperature of the element itself, including its own heat.
+/// The coefficient of friction changes linearly from that of the law (mu) at `reference` to mu + change at `reference`
+/// + `range`, and is constant on both sides: mu + change min(1, max(0, (T - reference)/range)). T is the temperature of
+/// the element itself, including its own heat.
 struct TemperatureFriction {
     double change = 0;     ///< for a hot surface; negative if friction decreases
     double reference = 0;  ///< (degrees Celsius)
@@ -23,8 +23,8 @@ struct TemperatureFriction {
 /// Returns the coefficient at the temperature T (degrees Celsius); `mu` is that of the law.
 double friction_coefficient(const TemperatureFriction& law, double mu, double T);
 
-/// Throws InvalidArgument ("friction.temperature.change", ...) unless all are finite, range and the distance of memory
-/// are positive, and a coefficient is left of each of `mu` where the surface is hot.
+/// Throws InvalidArgument ("friction.temperature.change", ...) unless all values are finite, range and the distance of
+/// memory are positive, and each coefficient of `mu` stays valid where the surface is hot.
 void validate(const TemperatureFriction& law, std::span<const double> mu);
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-// Arrays whose memory is not touched before it is written.
+// Defines arrays whose memory is not touched before it is written.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace contactd {
 
-/// Leaves values without initializers unset. Unneeded zeros would take a quarter of the time of a large table: the
-/// system allocates memory page by page, on the first access.
+/// Leaves values without initializers unset. Unneeded zeros would take a quarter of the time of a large table, because
+/// the system allocates memory page by page on the first access.
 template <class T>
 struct UnsetAllocator : std::allocator<T> {
     template <class U>
@@ -26,7 +26,7 @@ struct UnsetAllocator : std::allocator<T> {
     }
 };
 
-/// `UnsetArray(n)` and `resize(n)` set nothing; `UnsetArray(n, 0.0)` does.
+/// `UnsetArray(n)` and `resize(n)` leave values unset; `UnsetArray(n, 0.0)` sets them.
 using UnsetArray = std::vector<double, UnsetAllocator<double>>;
 
 }  // namespace contactd

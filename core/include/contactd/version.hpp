@@ -1,4 +1,4 @@
-// The origin of a result: the versions of contactd and of the libraries that core uses.
+// Describes the origin of a result: the versions of contactd and of the libraries that core uses.
 #pragma once
 
 #include <map>

@@ -1,5 +1,5 @@
-// Wear of surfaces in steady rolling, as plain values: laws stated by users, with a source and their tested range, and
-// the answers of a contact. There are no default laws or coefficients.
+// Defines wear of surfaces in steady rolling as plain values: laws stated by users, with a source and their tested
+// range, and the answers of a contact. There are no default laws or coefficients.
 //
 // Surfaces pass a contact along x. A point of a row loses the depth h = int f dx, with f the depth per length of path
 // by a law of pressure p, traction t and relative slip s (slip over distance rolled; zero in adhesion). Depths are
@@ -12,22 +12,22 @@
 
 namespace contactd {
 
-/// The surface to which a law applies; the contact itself does not depend on it.
+/// Selects the surface to which a law applies; the contact itself does not depend on it.
 enum class WornBody { upper, lower };
 
-/// Scaling of the dissipation |t s| of the elements, whose sum is too low by a term of first order in dx. `scaled`:
-/// slips are multiplied by one factor per patch, so that the sum is T gamma from forces and creepages, with spin;
-/// `plain`: not scaled.
+/// Selects the scaling of the dissipation |t s| of the elements, whose sum is too low by a term of first order in dx.
+/// `scaled` multiplies slips by one factor per patch, so that the sum is T gamma from forces and creepages, with spin.
+/// `plain` does not scale them.
 enum class WearEnergy { scaled, plain };
 
-/// Tested range of a law's argument.
+/// Describes the tested range of a law's argument.
 struct WearRange {
     double least = 0, most = 0;
 
     bool operator==(const WearRange&) const = default;
 };
 
-/// Archard's k (-) for sliding velocities between two bounds.
+/// Describes Archard's k (-) for sliding velocities between two bounds.
 struct SevereWear {
     double k = 0;
     WearRange velocity{};  ///< (mm/s)
@@ -35,7 +35,7 @@ struct SevereWear {
     bool operator==(const SevereWear&) const = default;
 };
 
-/// Archard's k (-) for pressures above a fraction of the hardness, at any velocity.
+/// Describes Archard's k (-) for pressures above a fraction of the hardness, at any velocity.
 struct SeizureWear {
     double k = 0;
     double pressure = 0;  ///< over the hardness
@@ -43,8 +43,8 @@ struct SeizureWear {
     bool operator==(const SeizureWear&) const = default;
 };
 
-/// Archard (1953): f = k p |s|/H, with k by a map of sliding velocity V |s| and pressure. Its argument is the sliding
-/// velocity (mm/s).
+/// Describes Archard's law (1953): f = k p |s|/H, with k from a map of sliding velocity V |s| and pressure. Its
+/// argument is the sliding velocity (mm/s).
 struct ArchardWear {
     double hardness = 0;                 ///< H (N/mm^2), > 0
     double mild = 0;                     ///< k (-) outside both other regions
@@ -54,56 +54,58 @@ struct ArchardWear {
     bool operator==(const ArchardWear&) const = default;
 };
 
-/// f = c |t s|. Its argument is |t s| (N/mm^2).
+/// Describes the law f = c |t s|. Its argument is |t s| (N/mm^2).
 struct EnergyWear {
     double coefficient = 0;  ///< c (mm^3/J)
 
     bool operator==(const EnergyWear&) const = default;
 };
 
-/// A piece of a piecewise linear function, from an argument on: value + slope (argument - from).
+/// Describes a piece of a piecewise linear function, from an argument on: value + slope (argument - from).
 struct WearPiece {
     double from = 0, value = 0, slope = 0;
 
     bool operator==(const WearPiece&) const = default;
 };
 
-/// Sheffield's function (Lewis and Dwyer-Joyce 2004; Braghin et al. 2006): f = K(|t s|)/density. Its argument is |t s|
-/// (N/mm^2), its values are K (ug/(m mm^2)).
+/// Describes Sheffield's function (Lewis and Dwyer-Joyce 2004; Braghin et al. 2006): f = K(|t s|)/density. Its argument
+/// is |t s| (N/mm^2), its values are K (ug/(m mm^2)).
 struct UsfdWear {
-    std::vector<WearPiece> pieces{};  ///< the first one from 0, ascending
+    std::vector<WearPiece> pieces{};  ///< ascending; the first one starts at 0
     double density = 0;               ///< (kg/m^3)
 
     bool operator==(const UsfdWear&) const = default;
 };
 
-/// British Rail's function (Pearce and Sherratt 1991), of a whole patch: D times the area that a wheel of diameter D
-/// loses of its section per distance (mm mm^2/km), by T gamma without spin (N). A passage is a revolution, in which the
-/// diameter cancels. The area is distributed over the rows by |t s|.
+/// Describes British Rail's function (Pearce and Sherratt 1991) of a whole patch. Its values are D times the area that
+/// the section of a wheel of diameter D loses per distance (mm mm^2/km), its argument is T gamma without spin (N). A
+/// passage is a revolution, in which the diameter cancels. The area is distributed over the rows by |t s|.
 struct BrWear {
-    std::vector<WearPiece> pieces{};  ///< the first one from 0, ascending
+    std::vector<WearPiece> pieces{};  ///< ascending; the first one starts at 0
 
     bool operator==(const BrWear&) const = default;
 };
 
-/// Zobory (1997): f = k |t s|/density. Its argument is the power V |t s| (W/mm^2), its values are k (kg/J).
+/// Describes Zobory's law (1997): f = k |t s|/density. Its argument is the power V |t s| (W/mm^2), its values are k
+/// (kg/J).
 struct ZoboryWear {
-    std::vector<WearPiece> pieces{};  ///< the first one from 0, ascending
+    std::vector<WearPiece> pieces{};  ///< ascending; the first one starts at 0
     double density = 0;               ///< (kg/m^3)
 
     bool operator==(const ZoboryWear&) const = default;
 };
 
-/// A factor for depths on a surface inclined by `angle` (rad, from the horizontal, negative on the gauge side).
+/// Describes a factor for depths on a surface inclined by `angle` (rad, from the horizontal, negative on the gauge
+/// side).
 struct WearZone {
     double angle = 0, factor = 0;
 
     bool operator==(const WearZone&) const = default;
 };
 
-/// A law of wear: one of its five kinds.
+/// Describes a law of wear, which has one of five kinds.
 struct WearLaw {
-    std::string name, source;  ///< neither is empty; no two laws have one name
+    std::string name, source;  ///< neither is empty; each law has its own name
     WornBody body = WornBody::upper;
     WearRange range{};  ///< of the argument
     std::optional<ArchardWear> archard{};
@@ -111,7 +113,8 @@ struct WearLaw {
     std::optional<UsfdWear> usfd{};
     std::optional<BrWear> br{};
     std::optional<ZoboryWear> zobory{};
-    /// By ascending angles, linear between, constant beyond; none: 1 everywhere. Use it for lubricated flanges.
+    /// Zones are in order of ascending angles; factors are linear between them and constant beyond. Without zones, the
+    /// factor is 1 everywhere. Use them for lubricated flanges.
     std::vector<WearZone> zones{};
 
     bool operator==(const WearLaw&) const = default;
@@ -119,12 +122,12 @@ struct WearLaw {
 
 struct WearRequest {
     WearEnergy energy = WearEnergy::scaled;
-    std::vector<WearLaw> laws{};  ///< none: rows only contain the variables of laws
+    std::vector<WearLaw> laws{};  ///< if empty, rows only contain the variables of laws
 
     bool operator==(const WearRequest&) const = default;
 };
 
-/// A row of elements, dy wide, from the first to the last one in contact.
+/// Describes a row of elements, dy wide, from the first to the last one in contact.
 struct WearRow {
     double y = 0, z = 0;           ///< its middle (mm); for wheels on rails in track coordinates
     double angle = 0;              ///< its inclination (rad); depths are along its normal
@@ -135,11 +138,11 @@ struct WearRow {
     bool operator==(const WearRow&) const = default;
 };
 
-/// The wear of a contact by a law.
+/// Describes the wear of a contact by a law.
 struct LawWear {
     std::string name;
     WornBody body = WornBody::upper;
-    double area = 0;      ///< of the section, removed in a passage (mm^2): the volume per distance rolled
+    double area = 0;      ///< area of the section removed in a passage (mm^2): the volume per distance rolled
     double depth = 0;     ///< the largest of the rows (mm)
     double argument = 0;  ///< the largest argument of the law, in the unit of its range
 
@@ -153,13 +156,13 @@ struct ContactWear {
     double factor = 1;             ///< factor of the slips
     double largest_pressure_slip = 0, largest_dissipation = 0;  ///< of p |s| and |t s| at an element (N/mm^2)
     double largest_sliding_velocity = 0;                        ///< (mm/s)
-    std::vector<WearRow> rows{};                                ///< by ascending y of the grid; none without contact
+    std::vector<WearRow> rows{};                                ///< by ascending y of the grid; empty without contact
     std::vector<LawWear> laws{};                                ///< in the order of the request
 
     bool operator==(const ContactWear&) const = default;
 };
 
-/// Throws InvalidArgument (`field` and below, such as "wear.laws[0].source").
+/// Throws InvalidArgument, which names `field` or a field below it, such as "wear.laws[0].source".
 void validate(const WearRequest& request, const std::string& field);
 
 /// Returns whether a law depends on the velocity of rolling.

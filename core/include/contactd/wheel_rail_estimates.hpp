@@ -1,4 +1,4 @@
-// Estimates from a step of a wheel on its rail for the next one.
+// Keeps estimates from a step of a wheel on its rail for the next one.
 #pragma once
 
 #include <cmath>
@@ -12,18 +12,18 @@
 
 namespace contactd {
 
-/// The logarithm of the vertical force over that of Hertz's theory at the same height, a linear function of z.
+/// Describes the logarithm of the vertical force over that of Hertz's theory at the same height as a linear function of
+/// z.
 struct HeightCorrection {
     double logarithm = 0, slope = 0;  ///< (1, 1/mm)
 };
 
-/// A number that changes slowly from step to step.
+/// Extrapolates a number that changes slowly from step to step.
 class Trend {
    public:
-    /// Returns the value learnt in this step, or else one extrapolated from earlier steps; none if nothing is
-    /// known.
+    /// Returns the value learnt in this step, or else one extrapolated from earlier steps, or nothing if none is known.
     const std::optional<double>& expected() const { return expected_; }
-    /// Sets the value; none if the step does not have it.
+    /// Sets the value, or unsets it if the step does not have it.
     void learn(std::optional<double> value) { expected_ = value; }
     /// Ends the step with the value learnt last.
     void end_step() {
@@ -38,12 +38,12 @@ class Trend {
     }
 
    private:
-    static constexpr double largest_change = 0.05;  // of a step: a larger change is a jump and is not extrapolated
+    static constexpr double largest_change = 0.05;  // in a step: a larger change is a jump and is not extrapolated
     std::optional<double> expected_, last_, before_, before_that_;
 };
 
-/// Starts of the searches and solvers of a step. They affect its cost, and its answer only within the tolerances. A
-/// step that is not steady continues from the tractions.
+/// Holds starts of the searches and solvers of a step. They affect its cost, and its answer only within the tolerances.
+/// A step that is not steady continues from the tractions.
 struct WheelRailEstimates {
     HeightCorrection height{};
     Trend height_logarithm{};  ///< of the correction at the computed height
@@ -53,13 +53,13 @@ struct WheelRailEstimates {
         Grid grid;
         double y = 0;  ///< of the reference of a right wheel (mm)
         RailPlace on_rail;
-        double x = 0;  ///< position.x then (mm)
+        double x = 0;  ///< position.x at that time (mm)
         SurfaceState tractions;
     };
     std::vector<Patch> patches{};          ///< of model full
     std::optional<double> rail_y{};        ///< lateral deflection of a flexible rail (mm)
     std::optional<double> slip{};          ///< the pitch rate that produces Fx, over that without creepage, minus 1
-    std::vector<double> balance_slopes{};  ///< derivatives of the forces for both, row by row
+    std::vector<double> balance_slopes{};  ///< derivatives of the forces with respect to both, row by row
     std::size_t regions = 0;               ///< of overlap, in all patches; 0: unknown
 
     void end_step() {
@@ -68,7 +68,7 @@ struct WheelRailEstimates {
     }
 };
 
-/// Estimates from a step of a wheelset with free roll for the next one.
+/// Keeps estimates from a step of a wheelset with free roll for the next one.
 struct WheelsetEstimates {
     WheelRailEstimates left{}, right{};
     Trend roll{};  ///< (rad)

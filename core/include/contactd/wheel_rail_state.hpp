@@ -1,4 +1,4 @@
-// Inputs of a step of a wheel on a rail: position and motion of the wheelset.
+// Defines the inputs of a step of a wheel on a rail: position and motion of the wheelset.
 #pragma once
 
 #include <optional>
@@ -7,30 +7,30 @@ namespace contactd {
 
 struct WheelRailSetup;
 
-/// Position of the wheelset's centre in track coordinates: y and z (mm) relative to the central position with its tape
-/// circles on the plane of the track. Angles (rad) rotate from y to z (roll), z to x (pitch) and x to y (yaw), the yaw
-/// first.
+/// Describes the position of the wheelset's centre in track coordinates: y and z (mm) are relative to the central
+/// position with its tape circles on the plane of the track. Angles (rad) rotate from y to z (roll), z to x (pitch) and
+/// x to y (yaw), the yaw first.
 struct WheelsetPosition {
     double y = 0;
     std::optional<double> z{};  ///< absent if a force is prescribed instead; searches then start at 0
     double roll = 0, yaw = 0;
-    double x = 0;      ///< along the track (mm) on a rail that varies; forces and references are relative to it
+    double x = 0;      ///< along the track (mm), for a rail that varies; forces and references are relative to it
     double pitch = 0;  ///< rotation about its axle (rad), for an out-of-round wheel; any number of revolutions
 
     double height() const { return z.value_or(0); }
     bool operator==(const WheelsetPosition&) const = default;
 };
 
-/// Velocity of the wheelset's centre (mm/s, along x, y and z of the track) and about its own axes (rad/s): a wheelset
-/// that rolls forward has a pitch rate near -x/nominal_radius.
+/// Describes the velocity of the wheelset's centre (mm/s, along x, y and z of the track) and about its own axes
+/// (rad/s). A wheelset that rolls forward has a pitch rate near -x/nominal_radius.
 struct WheelsetVelocity {
     double x = 0, y = 0, z = 0, roll = 0, yaw = 0, pitch = 0;
 
     bool operator==(const WheelsetVelocity&) const = default;
 };
 
-/// Deviation of the rail from its place by track and gauge, in track coordinates, also for a left rail (mm, rad, mm/s,
-/// rad/s).
+/// Describes the deviation of the rail from its place by track and gauge, in track coordinates, also for a left rail
+/// (mm, rad, mm/s, rad/s).
 struct RailDeviation {
     double y = 0, z = 0, roll = 0;
     double y_velocity = 0, z_velocity = 0, roll_velocity = 0;
@@ -39,9 +39,9 @@ struct RailDeviation {
     bool operator==(const RailDeviation&) const = default;
 };
 
-/// Deviation of the wheel from its place on a rigid wheelset, for example due to axle bending: displacement of the
-/// origin of its profile along the wheelset's axes (mm), and rotation about that point (rad), yaw first. Rates are
-/// added to the motion of the wheelset (mm/s, rad/s).
+/// Describes the deviation of the wheel from its place on a rigid wheelset, for example due to axle bending:
+/// displacement of the origin of its profile along the wheelset's axes (mm), and rotation about that point (rad), yaw
+/// first. Rates are added to the motion of the wheelset (mm/s, rad/s).
 struct WheelDeviation {
     double x = 0, y = 0, z = 0, roll = 0, yaw = 0;
     double pitch = 0;  ///< for an out-of-round wheel
@@ -51,9 +51,9 @@ struct WheelDeviation {
     bool operator==(const WheelDeviation&) const = default;
 };
 
-/// Kind of step. Steady rolling does not depend on the previous steps. Transient rolling and a shift start from the
-/// tractions at the end of the previous step. Elements of transient rolling move with the wheelset; those of a shift
-/// are fixed to the rail.
+/// Selects the kind of step. Steady rolling does not depend on the previous steps. Transient rolling and a shift start
+/// from the tractions at the end of the previous step. Elements of transient rolling move with the wheelset; those of a
+/// shift are fixed to the rail.
 enum class WheelRailMotion { steady_rolling, transient_rolling, shift };
 
 struct WheelRailState {
@@ -62,24 +62,24 @@ struct WheelRailState {
     WheelDeviation wheel{};
     RailDeviation rail{};
     double roller_pitch = 0;  ///< pitch rate of a roller (rad/s), > 0 if the wheel on it turns as in forward rolling
-    /// Vertical force of this wheel on the rail (N, at least 1e-6). It determines position.z, whose value is then the
-    /// start of the search. Absent: position.z is prescribed. A solve requires one of them.
+    /// The wheel's vertical force on the rail (N, at least 1e-6) determines position.z, whose value is then the start
+    /// of the search. If it is absent, position.z is prescribed. A solve requires one of them.
     std::optional<double> Fz{};
-    /// Longitudinal force on the rail (N) along the wheelset's x axis. It determines velocity.pitch, whose value is
-    /// then ignored. Requires friction.
+    /// The longitudinal force on the rail (N), along the wheelset's x axis, determines velocity.pitch, whose value is
+    /// then ignored. It requires friction.
     std::optional<double> Fx{};
     WheelRailMotion motion = WheelRailMotion::steady_rolling;
-    /// Duration of a step that is not steady (s). A shift has the velocities for this time, and transient rolling
-    /// covers the distance of the rolling velocity. Absent: transient rolling covers dq of the set-up.
+    /// A step that is not steady has this duration (s). A shift has the velocities for this time, and transient rolling
+    /// covers the distance of the rolling velocity. If absent, transient rolling covers dq of the set-up.
     std::optional<double> time_step{};
-    bool derivatives = false;    ///< whether the solution has derivatives
-    bool displacements = false;  ///< whether the patches have displacements
+    bool derivatives = false;    ///< whether the solution includes derivatives
+    bool displacements = false;  ///< whether the patches include displacements
 
     bool operator==(const WheelRailState&) const = default;
 };
 
-/// Both wheels, each under its own vertical force. position.z and position.roll are computed; their values are the
-/// start of the search.
+/// Describes both wheels, each under its own vertical force. position.z and position.roll are computed; their values
+/// are the start of the search.
 struct WheelsetState {
     WheelsetPosition position{};
     WheelsetVelocity velocity{};
@@ -91,18 +91,18 @@ struct WheelsetState {
     bool operator==(const WheelsetState&) const = default;
 };
 
-/// Returns the state of one of its wheels, with the position and the force of the wheelset.
+/// Return the state of one wheel, with the position and the force of the wheelset.
 WheelRailState state_of_right_wheel(const WheelsetState& state);
 WheelRailState state_of_left_wheel(const WheelsetState& state);
 
-/// Throws InvalidArgument naming the field, e.g. "position.roll".
+/// Throws InvalidArgument, which names the field, e.g. "position.roll".
 void validate(const WheelRailState& state);
 /// Also throws InvalidArgument for a field of the state that the set-up does not allow, e.g. "Fx" without friction,
 /// "rail.Fy" on a rail without that spring, or "motion" with temperatures. Call it before any contact is prepared.
 void validate(const WheelRailSetup& setup, const WheelRailState& state);
 /// Throws InvalidArgument ("Fz") for a state that has neither Fz nor position.z, at which no contact can be solved.
 void check_height_or_force(const WheelRailState& state);
-/// Throws InvalidArgument naming the field, e.g. "left_rail.y", "Fz_right".
+/// Throws InvalidArgument, which names the field, e.g. "left_rail.y", "Fz_right".
 void validate(const WheelsetState& state);
 
 }  // namespace contactd

@@ -1,7 +1,7 @@
-// Contacts of a rigid wheelset on rigid rails: contact points, angles and radii against its lateral shift.
+// Computes contacts of a rigid wheelset on rigid rails: contact points, angles and radii against its lateral shift.
 //
-// Track coordinates: y to the right in the direction of travel, z down, the origin on the plane of the track. Profiles
-// have y to the field side on both sides. Lengths in mm, angles in rad.
+// In track coordinates, y is to the right in the direction of travel, z is down, and the origin is on the plane of the
+// track. Profiles have y to the field side on both sides. Lengths are in mm, angles in rad.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace contactd {
 
-/// A wheel above its rail, seen from the middle of the track outwards.
+/// Describes a wheel above its rail, seen from the middle of the track outwards.
 struct WheelOverRail {
     ProfileCurve wheel;
     ProfileCurve rail;
@@ -26,16 +26,17 @@ struct WheelsetOnTrack {
     WheelOverRail left, right;
 };
 
-/// Throws InvalidArgument naming the field, "track.gauge", "wheelset.flange_back_distance", ...
+/// Returns one side of a wheelset on a track. Throws InvalidArgument, which names the field, "track.gauge",
+/// "wheelset.flange_back_distance", ...
 WheelOverRail wheel_over_rail(const ProfileCurve& wheel, const ProfileCurve& rail, const Track& track = {},
                               const Wheelset& wheelset = {});
-/// Uses the same profiles on both sides. Throws as wheel_over_rail.
+/// Returns a wheelset with the same profiles on both sides. Throws as wheel_over_rail.
 WheelsetOnTrack wheelset_on_track(const ProfileCurve& wheel, const ProfileCurve& rail, const Track& track = {},
                                   const Wheelset& wheelset = {});
 
-/// Returns the contacts of the wheelset shifted to the right by `shift`, without yaw. Such a wheelset touches rollers
-/// at their tops, where they are cut. If a wheel touches at two points, returns the one with the smaller gap by
-/// rounding. Throws InvalidArgument for shifts at which a wheel is not above its rail.
+/// Returns the contacts of the wheelset shifted to the right by `shift`, without yaw. Without yaw, a wheelset touches
+/// rollers at their tops, where their sections are used. If a wheel touches at two points, rounding decides which one
+/// is returned. Throws InvalidArgument for shifts at which a wheel is not above its rail.
 WheelsetContacts contacts_at(const WheelsetOnTrack& wheelset, double shift, WheelsetRoll roll = WheelsetRoll::demanded);
 
 }  // namespace contactd
