@@ -20,7 +20,7 @@ bool takes_incompressible(const Body& body) {
     return ics == nullptr || ics->source == IcSource::analytic;
 }
 
-/// One pair of elements carries one traction: what its shape is cannot differ between the bodies.
+/// A pair of elements carries one traction, so its shape must be the same for both bodies.
 void check_agreement(const Bodies& bodies) {
     const Ics* upper = bodies.upper.computed();
     const Ics* lower = bodies.lower.computed();
@@ -57,7 +57,8 @@ void check_creep(const Body& body, const std::string& field) {
                                   "is " + number_text(value) + "; it must lie in [0, " + number_text(most) + "]");
 }
 
-/// Coefficients of a body that creeps are known of half-spaces by their closed form, and so must be those beside them.
+/// Coefficients of a viscoelastic body are only available for half-spaces in closed form; the other body must be one,
+/// too.
 void check_half_space(const Body& body, const std::string& field) {
     if (body.material.is_rigid()) return;
     const std::string why =

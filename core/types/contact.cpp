@@ -20,7 +20,7 @@ void check_array(const std::vector<double>& values, std::size_t size, const std:
     if (values.size() != size)
         throw InvalidArgument(field, "has " + std::to_string(values.size()) + " values; the grid has " +
                                          std::to_string(size) + " elements");
-    // One look at each value: steps of small contacts feel more. No comparison holds of what is not a number.
+    // Each value is read only once, because small steps notice the cost. Comparisons with NaN are false.
     const auto is_in_range = [](double value) { return std::abs(value) <= largest_magnitude; };
     if (std::all_of(values.begin(), values.end(), is_in_range)) return;
     if (!std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
@@ -119,7 +119,7 @@ void check_gap(const ContactProblem& problem) {
     }
 }
 
-// Areas and approaches of smaller forces leave the range of a double.
+// Areas and approaches of smaller forces are below the range of a double.
 constexpr double least_force = 1e-100;
 
 void check_load(const ContactProblem& problem) {
@@ -143,7 +143,7 @@ void check_motion(const Shift& shift, const Grid&) {
     check_force(shift.force, "friction.force");
 }
 
-// Displacements a millionth of an element apart do not differ any more to a useful number of digits.
+// Displacements less than a millionth of an element apart do not differ by a useful number of digits.
 void check_step(const Rolling& rolling, const Grid& grid) {
     const double least = 1e-6 * size_along(rolling.chi, grid.dx, grid.dy), most = 1e5 * std::min(grid.dx, grid.dy);
     if (rolling.dq == 0 || (rolling.dq >= least && rolling.dq <= most)) return;
@@ -191,7 +191,8 @@ void check_friction(const ContactProblem& problem) {
     check_rigid_slip(problem.rigid_slip, grid.size());
 }
 
-// Several steps are refused, since tractions before each follow the motion, too; a slip law, since bounds follow slip.
+// Refuses several steps, since tractions before each depend on the motion, too, and a slip law, since bounds depend on
+// slip.
 void check_derivatives(const ContactProblem& problem) {
     if (!problem.derivatives || !problem.friction) return;
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
@@ -209,7 +210,7 @@ void check_derivatives(const ContactProblem& problem) {
             "are not available with a slip law; remove friction.kinetic, or use finite differences of solves");
 }
 
-/// Pressures of virtual penetration do not follow the tractions, and change by whole rows of elements.
+/// Pressures of virtual penetration do not depend on the tractions, and change by whole rows of elements.
 void check_penetration(const ContactProblem& problem) {
     if (problem.normal_model == NormalModel::of_model) return;
     const std::string model = "normal_model computes pressures of half-spaces in a plane";
@@ -252,7 +253,7 @@ void check_displacements(const ContactProblem& problem) {
         throw InvalidArgument("displacements", "require model full; simplified models do not compute them");
 }
 
-// The state of a layer that hardens travels along rows; TangCG knows no third kind of element.
+// The state of a layer that hardens travels along rows. TangCG does not support a third state of elements.
 void check_layer(const ContactProblem& problem) {
     if (!problem.friction || !problem.friction->layer) return;
     const InterfacialLayer& layer = *problem.friction->layer;

@@ -16,7 +16,7 @@ std::string names_of(const FieldType& type) {
     return names;
 }
 
-/// "springs" or "patches[2]", as name and index.
+/// Parses "springs" or "patches[2]" to name and index.
 std::pair<std::string_view, std::optional<std::size_t>> parsed(std::string_view segment, const std::string& path) {
     const std::size_t bracket = segment.find('[');
     if (bracket == std::string_view::npos) return {segment, {}};

@@ -7,7 +7,7 @@
 namespace contactd {
 namespace {
 
-/// "lie in (0, 1]", or the words for bounds at zero, which read better; with the unit.
+/// Returns "lie in (0, 1]", or simpler words for bounds at zero, with the unit.
 std::string must(const Bounds& bounds, std::string_view unit) {
     const bool bounded = std::isfinite(bounds.most);
     const std::string most = number_text(bounds.most);
@@ -57,11 +57,11 @@ void check_bounds(const FieldType& type, const void* value) {
 
 namespace {
 
-/// Turns the sign of every number, whatever its parity.
+/// Reverses the sign of every number, whatever its parity.
 void negate(const FieldType& type, void* value) {
     if (type.kind == FieldKind::number) {
         double& number = *static_cast<double*>(value);
-        number = 0 - number;  // no negative zero
+        number = 0 - number;  // avoids a negative zero
     }
     for (const Field& field : type.fields)
         if (field.find(value) != nullptr) negate(field.type(), field.make(value));

@@ -11,7 +11,7 @@
 namespace contactd {
 namespace {
 
-// Returns what a term has left of its fall.
+// Returns the remaining fraction of a term.
 double share(SlipLaw law, double relative) {
     switch (law) {
         case SlipLaw::linear:

@@ -10,7 +10,7 @@
 
 namespace contactd {
 
-// x y/hypot(y cos chi, x sin chi), without rounding along the axes.
+// Computes x y/hypot(y cos chi, x sin chi), without rounding errors along the axes.
 double size_along(double chi, double x, double y) {
     const double c = std::cos(chi), s = std::sin(chi);
     return y * std::abs(c) >= x * std::abs(s) ? x / std::hypot(c, s * (x / y)) : y / std::hypot(s, c * (y / x));

@@ -1,4 +1,4 @@
-// How large and how small numbers of a problem may be.
+// Limits the magnitude of the numbers of a problem.
 #pragma once
 
 #include <cmath>
@@ -9,10 +9,11 @@
 
 namespace contactd {
 
-/// Largest magnitude in arrays: products of larger numbers leave the range of a double.
+/// Magnitudes in arrays are at most this, because products of larger numbers exceed the range of a double.
 constexpr double largest_magnitude = 1e100;
 
-/// For quotients and powers of such values, which otherwise leave the range of a double: curvatures, areas, tables.
+/// Throws for a value whose quotients and powers, such as curvatures, areas and tables, would exceed the range of a
+/// double.
 inline void check_magnitude(double value, const std::string& field) {
     constexpr double smallest = 1e-30;
     if (std::abs(value) < smallest)

@@ -10,7 +10,7 @@
 namespace contactd {
 
 bool MaterialPair::quasi_identical() const {
-    const double a = (1 - 2 * upper.nu) / upper.G;  // zero of a rigid one
+    const double a = (1 - 2 * upper.nu) / upper.G;  // zero for a rigid body
     const double b = (1 - 2 * lower.nu) / lower.G;
     return std::abs(a - b) <= 1e-12 * (1 / upper.G + 1 / lower.G);
 }

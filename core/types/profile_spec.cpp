@@ -11,7 +11,7 @@
 namespace contactd {
 namespace {
 
-constexpr double most_inclination = 0.2, most_slope = 3, widest = 1000;  // widest: mm
+constexpr double most_inclination = 0.2, most_slope = 3, widest = 1000;  // widest in mm
 constexpr double farthest_shift = 1e4;                                   // mm
 
 void check_ends(double from, double to, const std::string& name) {

@@ -54,7 +54,7 @@ void check_profile(const ProfileSpec& profile, ProfileKind kind, const std::stri
     renaming(in_place_of("profile", field), [&] { validate(profile); });
 }
 
-/// Features that exist follow one another: absent ones stand at the ends of the list.
+/// Existing features must be adjacent: absent ones are at the ends of the list.
 void check_features(const std::vector<double>& features, std::size_t of_first, const std::string& field) {
     if (features.size() != of_first)
         throw InvalidArgument(
@@ -118,7 +118,7 @@ void check(const PatchRules& rules) {
             "be larger than patches.distance_separate, " + number_text(rules.distance_separate));
 }
 
-/// One coefficient that holds everywhere is a number in every client but C++, and has no index.
+/// A single coefficient at all angles is a number without an index in every client except C++.
 void check_single(const std::optional<WheelRailFriction>& friction) {
     if (friction && friction->mu.size() == 1 && friction->mu[0].angle == 0)
         below("friction", [&] { check_bounds(friction->mu[0]); });
@@ -153,7 +153,7 @@ void check_models(const WheelRailSetup& setup) {
                 " mm^3/N, but normal_model does not support a sheet between bodies; remove one of them");
 }
 
-/// The least coefficient between angles is that at one of the angles of either list, as both are straight lines.
+/// The least coefficient is at one of the angles of either list, because both are linear between angles.
 void check_by_angle(const WheelRailFriction& friction) {
     const auto& laws = friction.temperature_by_angle;
     if (laws.empty()) return;
@@ -233,7 +233,7 @@ void validate(const WheelRailSetup& setup) {
     check_slices(setup);
     check_slices(setup.wheel_slices);
     check(setup.wheelset);
-    // The grid is known at each contact only; bodies that need one are checked there.
+    // The grid is only known at each contact; bodies that need one are checked there.
     validate(setup.bodies, Grid::of_elements(2, 2, 1, 1));
     for (const auto& [body, name] : {std::pair(&setup.bodies.upper, "bodies.upper.viscoelastic"),
                                      std::pair(&setup.bodies.lower, "bodies.lower.viscoelastic")})

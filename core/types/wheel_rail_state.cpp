@@ -13,7 +13,7 @@
 namespace contactd {
 namespace {
 
-constexpr double least_vertical = 1e-6;  // N: brings an approach of 1e-8 mm
+constexpr double least_vertical = 1e-6;  // N; produces an approach of 1e-8 mm
 
 void check_vertical(double force, const std::string& field) {
     if (!(force > 0 && std::isfinite(force)))

@@ -14,7 +14,7 @@ std::string frame(std::size_t at) {
     return "columns.frames[" + std::to_string(at) + "]";
 }
 
-// A chord is never longer than its arc, and shorter by little where columns are fit to resolve a contact.
+// A chord is never longer than its arc, and only slightly shorter if columns are suitable for a contact.
 void check_distance(const ContactColumns& columns, std::size_t at, double dy) {
     constexpr double longest = 1 + 1e-6, shortest = 0.6;
     const StripFrame &here = columns.frames[at], &before = columns.frames[at - 1];

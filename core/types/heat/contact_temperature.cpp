@@ -32,7 +32,7 @@ void check_elements(const Bodies& bodies) {
                 "is bilinear, but temperature requires elements with constant tractions: use constant");
 }
 
-/// Each with the coefficients of its row.
+/// Checks the law of each row with the coefficients of that row.
 void check_rows(const ContactProblem& problem) {
     const FrictionLaw& friction = *problem.friction;
     const std::size_t nx = static_cast<std::size_t>(problem.grid.nx), ny = static_cast<std::size_t>(problem.grid.ny);

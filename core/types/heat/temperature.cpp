@@ -10,7 +10,7 @@
 namespace contactd {
 
 double ThermalBody::effusivity() const {
-    constexpr double from_si = 1e-3;  // a joule is 1e3 N mm, a square metre 1e6 mm^2
+    constexpr double from_si = 1e-3;  // A joule is 1e3 N mm, and a square metre is 1e6 mm^2.
     return from_si * std::sqrt(conductivity * density * heat_capacity);
 }
 
@@ -24,7 +24,7 @@ bool rolls_along_x(double chi) {
 }
 
 void validate(const ThermalBodies& bodies, const std::string& field) {
-    constexpr double least = 1e-15;  // the rise goes with its reciprocal
+    constexpr double least = 1e-15;  // The rise is proportional to the reciprocal.
     below(field, [&] { check_bounds(bodies); });
     if (const double both = bodies.upper.effusivity() + bodies.below().effusivity(); both < least)
         throw InvalidArgument(field + ".upper.conductivity",

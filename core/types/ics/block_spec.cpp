@@ -10,7 +10,7 @@
 namespace contactd {
 namespace {
 
-/// The paper's aim (3.1).
+/// This is the paper's criterion (3.1).
 constexpr double largest_unremarked_error = 0.01;
 
 [[noreturn]] void refuse(const IcSpec& spec, const std::string& what) {

@@ -21,7 +21,7 @@ const char* h_over_hs(const FemSpec& fem, LoadShape) {
 }
 
 const char* l_over_h(const FemSpec& fem, LoadShape load) {
-    if (!is_even(fem.h_over_hs)) return nullptr;  // which is what to mend first
+    if (!is_even(fem.h_over_hs)) return nullptr;  // The number must be corrected first.
     if (load == LoadShape::constant && !(std::isfinite(fem.l_over_h) && fem.l_over_h >= 0.5))
         return "be at least 0.5, so that the cube holds the load";
     if (load == LoadShape::bilinear && !(std::isfinite(fem.l_over_h) && fem.l_over_h >= 1))

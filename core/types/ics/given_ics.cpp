@@ -29,7 +29,7 @@ void check_element_size(double size, double of_grid, const std::string& field, c
                                      " along " + axis + ", but a table is valid for one element size only");
 }
 
-// Squares of smaller numbers leave the range of a double.
+// Squares of smaller numbers are below the range of a double.
 constexpr double smallest_coefficient = 1e-100;
 
 void check_size(const IcTable& table, const std::string& field) {
@@ -43,7 +43,7 @@ void check_size(const IcTable& table, const std::string& field) {
                                                          "; every value must be finite, from -1e100 to 1e100");
 }
 
-/// A load does work on the displacement below it, and |A(k,l)| <= A(0,0) in a positive definite matrix A(i-j).
+/// A load does positive work on the displacement below it, and |A(k,l)| <= A(0,0) in a positive definite matrix A(i-j).
 void check_is_elastic(const IcTable& table, Axis i, const std::string& field) {
     const double own = table(i, i, 0, 0);
     if (own <= 0)

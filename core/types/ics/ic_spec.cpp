@@ -18,9 +18,10 @@
 namespace contactd {
 namespace {
 
-constexpr long long max_elements = 200'000;              // some millions of unknowns: what one machine can hold
-constexpr std::size_t most_uniform_values = 50'000'000;  // of each of nine components: 3.6 GB
-constexpr double largest_accuracy_aspect = 8;            // where the choice of meshes was tested with a margin
+constexpr long long max_elements = 200'000;              // some millions of unknowns, the capacity of one machine
+constexpr std::size_t most_uniform_values = 50'000'000;  // limit of each of nine components: 3.6 GB in total
+// The choice of meshes was tested up to this aspect ratio.
+constexpr double largest_accuracy_aspect = 8;
 
 void require(bool holds, const char* field, double value, const char* rule) {
     if (!holds) throw InvalidArgument(field, "is " + number_text(value) + "; it must " + rule);
@@ -46,7 +47,7 @@ void validate(const FemSpec& fem, LoadShape load) {
             "ics.solver", "is direct, which does not support the hanging nodes of mesh adaptive; use amg_pcg or auto");
 }
 
-// Rows of elements have no end in a line contact, so that dy says nothing of their shape.
+// Rows of elements are infinite in a line contact, so dy does not determine their shape.
 void validate_line_contact(const IcSpec& spec) {
     if (spec.source != IcSource::analytic)
         throw InvalidArgument("ics.line_contact",
@@ -63,8 +64,8 @@ void validate_line_contact(const IcSpec& spec) {
                                   number_text(length) + " mm, so that surfaces move in the direction of loads");
 }
 
-/// The closed form of constant loads keeps nine digits of the largest coefficient on elements a million times as long
-/// as wide.
+/// The closed form of constant loads is accurate to nine digits of the largest coefficient on elements a million times
+/// as long as wide.
 void validate_aspect(const IcSpec& spec) {
     const bool is_closed_form = spec.source == IcSource::analytic && spec.body == BodyShape::half_space &&
                                 spec.load_shape == LoadShape::constant;
@@ -105,7 +106,7 @@ void validate_uniform(const IcSpec& spec) {
         throw InvalidArgument("grid.ny", "is " + std::to_string(spec.ny) +
                                              "; a longitudinally uniform body has at most " +
                                              std::to_string(most_strips) + " columns");
-    // By finite elements the record serves any nx; what a request makes of it is for body_table to limit.
+    // By finite elements, the record serves any nx; body_table limits the table of a request.
     if (spec.source == IcSource::analytic &&
         static_cast<std::size_t>(spec.nx) * static_cast<std::size_t>(spec.ny) * static_cast<std::size_t>(spec.ny) >
             most_uniform_values)
@@ -159,7 +160,7 @@ void validate_accuracy(const IcSpec& spec) {
                 "be at most 0.49 if an accuracy is requested");
 }
 
-/// Up to here errors next to the load stayed below 1 % (docs/ic-tables.md).
+/// Up to these values, errors next to the load are below 1 % (docs/ic-tables.md).
 double largest_nu(int order) {
     return order == 2 ? 0.49 : order == 3 ? 0.499 : 0.5;
 }
@@ -241,12 +242,12 @@ std::vector<std::string> warnings(const IcSpec& spec) {
     const auto advise = [&](bool holds, const std::string& field, const std::string& value, const char* advice) {
         if (!holds) result.push_back(field + " is " + value + "; the paper advises " + advice + " (Table 3).");
     };
-    // For a half-space the error itself is known.
+    // For a half-space, the error itself is known.
     if (const double most = largest_nu(fem.order); spec.body == BodyShape::block && spec.material.nu > most)
         result.push_back("nu is " + number_text(spec.material.nu) + "; elements of order " + std::to_string(fem.order) +
                          " lock near 1/2. Their errors may exceed 1 % above " + number_text(most) +
                          "; use a higher order.");
-    // Beyond its order-2 meshes and u = 0 the paper's ranges say nothing.
+    // The paper's ranges apply only to its meshes of order 2 and u = 0 on the far faces.
     advise(fem.order >= 2, "order", std::to_string(fem.order), "quadratic elements");
     if (fem.far_boundary == FarBoundary::clamped && spec.body == BodyShape::half_space)
         advise(fem.L_over_h >= 80, "L_over_h", number_text(fem.L_over_h), "at least 80");
@@ -270,7 +271,7 @@ MeshSize mesh_size(const IcSpec& spec) {
     const int m = static_cast<int>(std::lround(std::clamp(fem.l_over_h * fem.h_over_hs, 0.0, most)));
     const int k = static_cast<int>(std::lround(std::clamp(layers, 1.0, most)));
     double elements = 1.0 * m * m * (m + 3.0 * k);
-    // Mesh2: the cross-section of m^2 + 2 m k quadrilaterals, each two triangles, times m + k slices.
+    // Mesh2 has a cross-section of m^2 + 2 m k quadrilaterals, each two triangles, times m + k slices.
     if (fem.mesh == MeshKind::prism && k < 1'000'000) elements = 2 * (1.0 * m * m + 2.0 * m * k) * (m + k);
     return {m, k, static_cast<long long>(std::min(elements, 9e18))};
 }
@@ -296,7 +297,7 @@ IcSpec dimensionless(const IcSpec& spec) {
         if (!base.is_rigid()) base = {rounded(base.G / spec.material.G), rounded(base.nu)};
     }
     if (result.section) {
-        // By finite elements all lengths are over the width of a column, and any dx is served.
+        // By finite elements, all lengths are over the width of a column, and any dx is served.
         const bool any_dx = spec.source == IcSource::fem;
         result.section = scaled(*result.section, 1 / (any_dx ? spec.dy : spec.dx));
         if (any_dx) {
@@ -310,7 +311,7 @@ IcSpec dimensionless(const IcSpec& spec) {
     }
     FemSpec& fem = result.fem;
     if (spec.accuracy != 0) {
-        // Choices that are made later do not tell one request from another; neither do accuracies between two levels.
+        // Requests do not differ by choices that are made later, nor by accuracies between two levels.
         result.accuracy = spec.accuracy >= 1e-2 ? 1e-2 : spec.accuracy >= 1e-3 ? 1e-3 : 1e-4;
         fem = FemSpec{};
         fem.L_over_h = spec.body == BodyShape::block ? rounded(spec.fem.L_over_h) : 0;

@@ -36,7 +36,7 @@ void check_below(double value, const std::string& field, double bound, const cha
             field, "is " + number_text(value) + "; it must be less than " + bound_name + ", " + number_text(bound));
 }
 
-// Counts what its outlines have, and what of it is clamped.
+// Counts the parts of outlines, and their clamped parts.
 class OutlineCheck {
    public:
     void add(const Outline& outline, const std::string& field) {
@@ -77,7 +77,7 @@ class OutlineCheck {
     bool clamped_ = false;
 };
 
-// Each returns whether something is clamped.
+// These functions return whether something is clamped.
 bool check(const OutlineSection& section, const std::string& field) {
     const std::string name = field + ".outline";
     if (section.holes.size() > most_holes)

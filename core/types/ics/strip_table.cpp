@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array<Axis, 3> axes = {Axis::x, Axis::y, Axis::z};
 
-// -1 where displacement and load are one along `axis` and one across it.
+// Returns -1 if exactly one of displacement and load is along `axis`, otherwise 1.
 double sign_of(Axis axis, Axis i, Axis j) {
     return (i == axis) != (j == axis) ? -1 : 1;
 }
@@ -34,7 +34,7 @@ StripTable cropped(const StripTable& table, int first, int strips, int nx, doubl
         throw InvalidArgument("grid", "needs " + std::to_string(strips) + " strips, starting at strip " +
                                           std::to_string(first) + ", and " + std::to_string(nx) +
                                           " offsets along x; the table contains " + extent(table));
-    StripTable result;  // whose values are set below, so that large ones are written once
+    StripTable result;  // Its values are set below, so that large ones are written once.
     result.nx = nx;
     result.strips = strips;
     result.values = UnsetArray(9 * result.component_size());

@@ -1,4 +1,4 @@
-// What goes with which simplified model.
+// Checks which options each simplified model supports.
 #include <string>
 
 #include "contactd/contact_setup.hpp"

@@ -1,4 +1,4 @@
-// A number as a person writes it in a sentence: to four digits, without an exponent from 0.001 to a million.
+// Formats a number for a sentence: to four digits, without an exponent from 0.001 to a million.
 #pragma once
 
 #include <cmath>

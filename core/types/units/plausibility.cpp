@@ -11,19 +11,19 @@
 namespace contactd {
 namespace {
 
-/// A unit that values may be in by mistake, and its size in the unit of the field.
+/// Describes a unit that values may be in by mistake, and its size in the unit of the field.
 struct OtherUnit {
     std::string_view name{};
     double size = 0;
 };
 
-/// Sizes from `from` to `to`, both of which are usual, and what is to be said of those between them.
+/// Describes doubtful values between `from` and `to`, which are both usual, and the message about them.
 struct DoubtfulRange {
     Quantity quantity;
     double from, to;
-    std::string_view unit;     ///< of the field; empty for ratios
+    std::string_view unit;     ///< unit of the field; empty for ratios
     std::string_view meaning;  ///< follows the value
-    std::string_view remedy;   ///< is followed by the units in which it should not be given
+    std::string_view remedy;   ///< precedes the units in which it should not be given
     std::array<OtherUnit, 2> others;
 };
 

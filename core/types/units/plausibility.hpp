@@ -1,4 +1,4 @@
-// One table of values that are legal and that are probably meant in another unit.
+// Defines one table of values that are valid but probably meant in another unit.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace contactd {
 
-/// The physical quantity of a field.
+/// Selects the physical quantity of a field.
 enum class Quantity {
     angle,                 ///< of wheelsets and rails (rad)
     friction_coefficient,  ///< as a ratio
@@ -18,14 +18,15 @@ enum class Quantity {
     shear_modulus,         ///< of wheels and rails (N/mm^2)
 };
 
-/// Trains run at 5 to 100 m/s, and at 20 to 400 km/h (mm/s). Tests at such speeds in mm/s run on rollers.
+/// Trains run at 5 to 100 m/s, or 20 to 400 km/h. A smaller number (mm/s) is probably in one of these units; tests at
+/// such low speeds run on rollers.
 inline constexpr double slowest_vehicle = 400;
 
-/// Returns whether a value lies where it is probably meant in another unit.
+/// Returns whether a value is probably meant in another unit.
 bool is_doubtful(Quantity quantity, double value);
 
-/// Returns a sentence about a doubtful value, with its size in the units that it may be mistaken for; nothing for other
-/// values. `says` is the field with its verb, such as "position.y is"; `more` is added to the reason for doubt.
+/// Returns a sentence about a doubtful value, with its size in the units that it may be confused with; nothing for
+/// other values. `says` is the field with its verb, such as "position.y is"; `more` is added to the reason for doubt.
 std::optional<std::string> doubt(Quantity quantity, std::string_view says, double value, std::string_view more = {});
 
 }  // namespace contactd

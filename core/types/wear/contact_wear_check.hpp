@@ -1,4 +1,4 @@
-// Checks whether the wear of a contact is known.
+// Checks whether the wear of a contact can be computed.
 #pragma once
 
 #include <optional>
@@ -7,11 +7,11 @@
 
 namespace contactd {
 
-/// Throws InvalidArgument naming the field as on the wire; nothing where no wear is wanted. `problem` is checked
-/// otherwise; where it is not `complete` later steps may bring friction.
+/// Throws InvalidArgument, which names the field as on the wire, if it cannot; never if no wear is requested. Other
+/// properties of `problem` are not checked. If it is not `complete`, later steps may add friction.
 void check_wear(const ContactProblem& problem, bool complete);
 
-/// Throws InvalidArgument ("model") where the model does not tell the slip of each element.
+/// Throws InvalidArgument ("model") if the model does not compute the slip of each element.
 void check_wear_model(Model model);
 /// Throws InvalidArgument ("friction.layer.yield_stress") for a layer that flows.
 void check_wear_layer(const std::optional<InterfacialLayer>& layer);
