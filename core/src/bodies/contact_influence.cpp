@@ -20,7 +20,7 @@
 namespace contactd {
 namespace {
 
-/// Those of the bodies' materials, with the singularity that the bodies have under a load.
+/// Returns the half-spaces of the bodies' materials, which have the same singularity under a load as the bodies.
 std::optional<HalfSpaces> nearest_half_spaces(const Bodies& bodies) {
     if (bodies.pair) return {};
     HalfSpaces half_spaces{bodies.materials(), LoadShape::constant, line_contact_of(bodies)};
@@ -54,8 +54,8 @@ ShiftedTable ahead_of(const ContactProblem& problem, const Body& body, const IcT
     return ahead_of(alone, table, x, y, observer);
 }
 
-/// Shifts the tables of both bodies one by one where one has layers: its difference to a half-space is as sharp as the
-/// layers are thin.
+/// Returns the change of coefficients over a step. If one body has layers, the tables of both are shifted separately,
+/// because the difference of layers to a half-space is the sharper the thinner they are.
 ShiftedTable change_of(const ContactProblem& problem, const IcTable& pair, const IcTable& upper, const IcTable& lower,
                        const Observer& observer) {
     const auto [x, y] = step_of(problem);
@@ -69,7 +69,7 @@ ShiftedTable change_of(const ContactProblem& problem, const IcTable& pair, const
     return change_over_step(pair, ahead);
 }
 
-/// With what a step changes, where there is one.
+/// Creates the operators, including that of the change over a step if there is one.
 ContactInfluence influence_of(const ContactProblem& problem, IcTable pair, std::optional<ShiftedTable> change) {
     const Grid& grid = problem.grid;
     ContactInfluence influence;
@@ -98,7 +98,7 @@ ContactInfluence influence_of(const ContactProblem& problem, IcTable upper, cons
     return influence_of(problem, std::move(pair), std::optional(std::move(change)));
 }
 
-/// Makes the operators of one body alone, as if it lay below a rigid one; a rigid body has none.
+/// Creates the operators of one body alone, as if it lay below a rigid one. A rigid body has none.
 ContactInfluence influence_alone(const ContactProblem& problem, const Body& body, IcTable table, bool /*is_upper*/,
                                  const Observer& observer) {
     if (body.material.is_rigid()) return {};
@@ -107,7 +107,7 @@ ContactInfluence influence_alone(const ContactProblem& problem, const Body& body
     return make_influence(alone, std::move(table), observer);
 }
 
-/// The upper body is reflected in the plane of contact, and its strips are numbered as the lower's.
+/// The upper body is reflected in the plane of contact, and its strips are numbered like those of the lower body.
 ContactInfluence influence_alone(const ContactProblem& problem, const Body& body, StripTable table, bool is_upper,
                                  const Observer& observer) {
     if (body.material.is_rigid()) return {};
@@ -122,8 +122,8 @@ bool is_closed_half_space(const Body& body) {
            ics->load_shape == LoadShape::constant && !ics->line_contact;
 }
 
-/// A half-space as the strips that a longitudinally uniform body's table has: one product with both costs a third of
-/// two.
+/// Returns a half-space as strips like those of a longitudinally uniform body's table. One product with both costs a
+/// third of two products.
 StripTable half_space_strips(const ContactProblem& problem, const Body& body, const StripTable& beside,
                              const Observer& observer) {
     IcSpec spec;
@@ -135,7 +135,7 @@ StripTable half_space_strips(const ContactProblem& problem, const Body& body, co
     return strip_table_of(half_space_table(spec, observer));
 }
 
-/// Bodies of which only one has strips.
+/// Creates the operators of bodies of which only one has strips.
 template <class Upper, class Lower>
 ContactInfluence influence_of_two_kinds(const ContactProblem& problem, Upper upper, Lower lower,
                                         const Observer& observer) {
@@ -166,7 +166,7 @@ std::size_t influence_bytes(const Grid& grid, const Bodies& bodies) {
                                                                        : ConvolutionOperator::bytes_per_element) +
                                             ShiftedOperator::bytes_per_element);
     if (!bodies.any_uniform()) return flat;
-    // A step that is not of whole elements has two tables of its own; one of an element reads one offset more.
+    // A step that is not of whole elements has two separate tables; a step of one element reads one more offset.
     const std::size_t strips = 3 * TableCoefficients::bytes_of(grid.nx + 1, grid.ny);
     const auto has_strips = [](const Body& body) { return body.section() != nullptr || body.material.is_rigid(); };
     return strips + (has_strips(bodies.upper) && has_strips(bodies.lower) ? flat : 2 * flat);
@@ -190,7 +190,7 @@ ContactInfluence make_influence(const ContactProblem& problem, IcTable pair, con
 ContactInfluence make_influence(const ContactProblem& problem, BodyTable upper, BodyTable lower,
                                 const Observer& observer) {
     check_strips_of_uniform(problem);
-    if (problem.bodies.any_viscoelastic())  // half-spaces both
+    if (problem.bodies.any_viscoelastic())  // Both bodies are half-spaces.
         return make_influence(problem, pair_of(std::get<IcTable>(std::move(upper)), std::get<IcTable>(lower)),
                               observer);
     return std::visit(

@@ -18,10 +18,10 @@
 namespace contactd {
 namespace {
 
-/// By how much products may change a coefficient, over zz of an element on itself. Of a patch whose symbols the nearest
-/// caches hold nothing is gained.
+/// Returns how much products may change a coefficient, over zz of an element on itself. It is zero for patches whose
+/// symbols fit into the nearest caches, because nothing is gained there.
 double change_of_coefficients(const Grid& grid) {
-    constexpr double few = 16'384;  // offsets along x times pairs of rows
+    constexpr double few = 16'384;  // number of offsets along x times pairs of rows
     return static_cast<double>(grid.nx) * grid.ny * grid.ny > few ? largest_change : 0;
 }
 
@@ -42,7 +42,7 @@ IcTable pair_table(const ContactProblem& problem, int nx, const Observer& observ
     return pair_of(std::move(table), table_of(lower));
 }
 
-/// All six components that MidwayKernels has.
+/// Returns all six components of MidwayKernels.
 std::array<double, 6> six_values(const HalfSpaceModel& model, const KernelIntegrals& integrals) {
     using enum Axis;
     return {model.coefficient(x, x, integrals), model.coefficient(x, y, integrals),
@@ -50,7 +50,8 @@ std::array<double, 6> six_values(const HalfSpaceModel& model, const KernelIntegr
             model.coefficient(y, z, integrals), model.coefficient(x, z, integrals)};
 }
 
-/// The coefficients less those a step (mm) ahead: what of it has their own parity along x, and what has the opposite.
+/// Returns the coefficients minus those a step (mm) ahead, divided into the parts with the same and with the opposite
+/// parity along x.
 std::pair<MidwayKernels::Values, MidwayKernels::Values> change_over(double step, const HalfSpaceModel& model,
                                                                     const Grid& grid, const Observer& observer) {
     MidwayKernels::Values natural, opposite;
@@ -70,7 +71,7 @@ std::pair<MidwayKernels::Values, MidwayKernels::Values> change_over(double step,
         for (std::size_t c = 0; c < values.size(); ++c) {
             const double sign = c == MidwayKernels::xs || c == MidwayKernels::xn ? -1 : 1;
             const std::size_t at = index(k, l);
-            // No offset is one of both signs.
+            // The offset 0 has no sign and counts for both.
             if (k >= 0) {
                 natural[c][at] -= 0.5 * values[c];
                 opposite[c][at] -= 0.5 * values[c];

@@ -1,4 +1,4 @@
-// From half-spaces that turn from row to row to the operators of a contact.
+// Makes the operators of a contact from half-spaces that rotate from row to row.
 #pragma once
 
 #include <memory>
@@ -9,27 +9,27 @@
 
 namespace contactd {
 
-/// Holds the part that operators of half-spaces share on all grids of one size, wherever their rows lie and however
-/// these turn.
+/// Holds the part that operators of half-spaces share on all grids of one size, independent of the positions and angles
+/// of their rows.
 struct MidwayInfluence {
-    ContactInfluence flat;  ///< of rows that lie side by side
-    /// Coefficients between rows, which reach as far beyond the grid as a step of whole elements does.
+    ContactInfluence flat;  ///< for rows in one plane
+    /// Coefficients between rows extend as far beyond the grid as a step of whole elements.
     std::shared_ptr<const MidwayKernels> current;
-    /// Their change over a step that is not of whole elements, by parity; else null.
+    /// Hold the change of the coefficients over a step that is not of whole elements, by parity; null otherwise.
     std::shared_ptr<const MidwayKernels> natural, opposite;
 };
 
-/// A thousandth of the error that half-spaces which turn have anyway.
+/// Coefficients may change by this much, which is a thousandth of the error of rotated half-spaces.
 inline constexpr double largest_change = 1e-6;
 
-/// `flat` has the operators of the problem for rows that are not turned. The bodies are half-spaces. Throws
-/// InvalidArgument: "friction.rolling.chi" and ".dq" for a step that is not along x, or longer than the grid; and
-/// Cancelled.
+/// Returns the shared part for half-spaces; `flat` holds the operators of the problem for rows that are not rotated.
+/// Throws InvalidArgument ("friction.rolling.chi" and ".dq") for a step that is not along x, or longer than the grid,
+/// and Cancelled.
 MidwayInfluence midway_influence(const ContactProblem& problem, ContactInfluence flat, const Observer& observer = {});
 
-/// Returns operators of rows in these frames (shape [ny]), of which the angles count: those of rotated_half_space. No
-/// coefficient of large patches is changed by more than `largest_change` of zz of an element on itself, where products
-/// leave out large wavenumbers of distant rows; patches of few rows have none that is worth it.
+/// Returns the operators of rows in these frames (shape [ny]), of which only the angles matter; they are those of
+/// rotated_half_space. In large patches, products omit large wavenumbers of distant rows if no coefficient changes by
+/// more than `largest_change` of zz of an element on itself. In patches of few rows, this does not pay.
 ContactInfluence rotated_influence(const ContactProblem& problem, const MidwayInfluence& midway,
                                    std::span<const StripFrame> frames);
 

@@ -1,4 +1,4 @@
-// Steps of rolling of bodies whose coefficients differ from strip to strip.
+// Computes steps of rolling of bodies whose coefficients differ from strip to strip.
 #pragma once
 
 #include <cstdlib>
@@ -7,15 +7,16 @@
 
 namespace contactd {
 
-/// A step of rolling along x, in elements; zero where the bodies do not roll.
+/// Describes a step of rolling along x, in elements. It is zero if the bodies do not roll.
 struct StepAlongStrips {
-    int whole = 0;        ///< of a step by whole elements, else the part below
+    int whole = 0;        ///< the step, or its whole part
     double fraction = 0;  ///< 0 <= fraction < 1
 
     int reach() const { return std::abs(fraction == 0 ? whole : whole + 1); }
 };
 
-/// Throws InvalidArgument: "friction.rolling.chi" and ".dq" for a step that is not along x, or longer than the grid.
+/// Returns the step of a problem. Throws InvalidArgument ("friction.rolling.chi" and ".dq") for a step that is not
+/// along x, or longer than the grid.
 StepAlongStrips step_along_strips(const ContactProblem& problem);
 
 }  // namespace contactd

@@ -33,8 +33,8 @@ IcTable half_space(const ContactProblem& problem, const Body& body, int nx, cons
     return half_space_table(spec, observer);
 }
 
-/// By what products may change a coefficient, over zz of half-spaces under an element: a thousandth of the error that
-/// the tables of longitudinally uniform bodies have anyway. Nothing where tables were given, which may be exact.
+/// Returns how much products may change a coefficient, over zz of half-spaces under an element: a thousandth of the
+/// error of the tables of longitudinally uniform bodies. It is zero for given tables, which may be exact.
 double negligible(const Bodies& bodies) {
     constexpr double of_error = 1e-3, of_turned_half_spaces = 1e-3;
     double error = 0;
@@ -63,7 +63,8 @@ StripTable extended(const StripTable& table, const IcTable& near) {
     return result;
 }
 
-/// The table at the offsets k + step, i = x and y: that of half-spaces, and the difference to them interpolated.
+/// Computes the table at the offsets k + step, i = x and y: that of half-spaces plus the interpolated difference to
+/// them.
 class Shifted {
    public:
     Shifted(const StripTable& table, const IcTable& near, const ShiftedTable& near_ahead, const StepAlongStrips& step)
@@ -89,7 +90,8 @@ class Shifted {
     const std::array<double, 4> weights_;
 };
 
-/// Loads along x and y that displace along z, which no step asks for, by reciprocity: operators take means of both.
+/// Sets the coefficients of loads along x and y and displacements along z, which steps do not need, by reciprocity,
+/// because operators use means of both.
 void complete(StripTable& table) {
     for (const Axis j : {Axis::x, Axis::y}) {
         const double sign = parity(j, Axis::z).along_x;
@@ -99,7 +101,7 @@ void complete(StripTable& table) {
     }
 }
 
-/// A(k) less the mean of A' = A(k + step) at both signs of k, by parity, and half of what these differ by.
+/// Returns A(k) minus the mean of A' = A(k + step) at both signs of k, by parity, and half of their difference.
 StripIncrement change_of(const StripTable& table, const Shifted& ahead, int nx, double left_out,
                          const Observer& observer) {
     StripTable natural(nx, table.strips), opposite(nx, table.strips);

@@ -15,13 +15,13 @@ namespace {
 using Frames = std::vector<StripFrame>;
 
 constexpr double rounding = 1e-6;    // of angles, and of lengths over dy
-constexpr double largest_lag = 0.3;  // rad: between bodies that lie along each other
+constexpr double largest_lag = 0.3;  // (rad) between bodies that lie along each other
 
 Frames frames_of(const Body& body, const Grid& grid, const std::string& name) {
     return strip_frames(*body.section(), grid.ny, grid.dy, name + ".ics.section");
 }
 
-/// By how much strip i is turned from the first one.
+/// Returns the rotation of strip i relative to the first one.
 double turn(const Frames& frames, std::size_t i) {
     return frames[i].angle - frames.front().angle;
 }
@@ -50,7 +50,7 @@ void check_same(const Frames& stated, const Frames& of_section, double dy) {
     }
 }
 
-/// The upper body's strips run the other way.
+/// The upper body's strips are in reverse order.
 void check_along(const Frames& stated, Frames of_upper) {
     std::reverse(of_upper.begin(), of_upper.end());
     for (std::size_t i = 0; i < stated.size(); ++i)

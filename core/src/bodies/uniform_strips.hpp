@@ -1,13 +1,13 @@
-// Checks the strips on which a contact of longitudinally uniform bodies lies.
+// Checks the strips of a contact of longitudinally uniform bodies.
 #pragma once
 
 #include "contactd/contact.hpp"
 
 namespace contactd {
 
-/// Throws InvalidArgument: "columns" where they are missing and a longitudinally uniform body is not flat;
-/// "columns.frames[i]" where they are not those of the lower body's section, but for where it lies, or the upper one's
-/// section does not lie along them.
+/// Throws InvalidArgument ("columns") if strips are missing and a longitudinally uniform body is not flat. Throws
+/// InvalidArgument ("columns.frames[i]") if they differ, apart from their position, from those of the lower body's
+/// section, or if the upper one's section does not lie along them.
 void check_strips_of_uniform(const ContactProblem& problem);
 
 }  // namespace contactd

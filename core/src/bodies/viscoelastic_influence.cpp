@@ -13,7 +13,8 @@
 namespace contactd {
 namespace {
 
-/// Shares of a body in the compliance of a long wave of the pair, along x, y and z: those of A[i,i].
+/// Returns the shares of a body in the compliance of the pair for a long wave, along x, y and z, which are those of
+/// A[i,i].
 std::array<double, 3> shares_of(const Material& body, const MaterialPair& pair) {
     const auto along = [&](const auto& compliance) {
         const double of_body = compliance(body);
