@@ -1,4 +1,4 @@
-// Numbers that know how they change with up to three inputs: forward differentiation.
+// Defines numbers with their derivatives with respect to up to three inputs: forward differentiation.
 #pragma once
 
 #include <array>
@@ -18,14 +18,14 @@ struct DualOf {
 
     DualOf() = default;
     CONTACTD_INLINE DualOf(const Number& value_) : value(value_) {}
-    /// An input itself.
+    /// Returns an input, whose derivative with respect to itself is 1.
     static DualOf input(const Number& value, std::size_t which) {
         DualOf result(value);
         result.by[which] = 1;
         return result;
     }
 
-    /// f(a), f(a, b) with the given value and partial derivatives.
+    /// Returns f(a) or f(a, b) with the given value and partial derivatives.
     CONTACTD_INLINE static DualOf of(const Number& value, const DualOf& a, const Number& by_a) {
         DualOf result(value);
         for (std::size_t i = 0; i < 3; ++i) result.by[i] = by_a * a.by[i];
@@ -53,7 +53,7 @@ struct DualOf {
         const Number ratio = a.value / b.value, inverse = 1 / b.value;
         return of(ratio, a, inverse, b, -ratio * inverse);
     }
-    // Without these, constants would be multiplied as inputs are.
+    // Without these operators, constants would be multiplied as inputs are.
     CONTACTD_INLINE friend DualOf operator*(const Number& a, const DualOf& b) { return of(a * b.value, b, a); }
     CONTACTD_INLINE friend DualOf operator*(const DualOf& a, const Number& b) { return b * a; }
     CONTACTD_INLINE friend DualOf operator/(const DualOf& a, const Number& b) { return (1 / b) * a; }
@@ -85,7 +85,7 @@ inline Dual sum_of(const DualOf<Quad>& a) {
     return result;
 }
 
-/// At zero, where it has none, its derivative is taken as zero.
+/// At zero, the square root has no derivative; it is set to zero.
 template <class Number>
 CONTACTD_INLINE DualOf<Number> sqrt(const DualOf<Number>& a) {
     using std::sqrt;

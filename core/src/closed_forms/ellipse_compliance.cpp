@@ -6,9 +6,9 @@
 
 namespace contactd {
 
-// Along the straight line through a point at the angle t the kernel's 1/rho cancels, and sqrt(1 - x^2/a^2 - y^2/b^2)
-// integrates to a half-circle (the way of Galin's theorem, Kalker 1990, section 5.A). With D = cos^2 t/a^2 + sin^2
-// t/b^2 and K_xx = 1 - nu + nu cos^2 t, K_yy = 1 - nu + nu sin^2 t
+// Along the straight line through a point at the angle t, the kernel's 1/rho cancels, and sqrt(1 - x^2/a^2 - y^2/b^2)
+// integrates to a half-circle (as in Galin's theorem, Kalker 1990, section 5.A). With D = cos^2 t/a^2 + sin^2 t/b^2 and
+// K_xx = 1 - nu + nu cos^2 t, K_yy = 1 - nu + nu sin^2 t, the displacement is
 //     u_i = 3F/(4 pi G ab) I_0^pi K_ii D^-1/2 (1 - x^2 sin^2 t/(a^2 b^2 D) - ...) dt.
 // The substitution tan t = tan s/sqrt(a/b) keeps the integrand smooth for slender ellipses: equally spaced s converge
 // exponentially. A circle gives (2-nu)/4, (4-3nu)/32 and (4-nu)/32 of Johnson (3.91).
@@ -35,8 +35,9 @@ EllipseCompliance ellipse_compliance(const SemiAxes& axes, const Material& combi
     return {unit * sums.centre_x, unit * sums.centre_y, unit * sums.along_x, unit * sums.along_y};
 }
 
-// Line forces displace the surface by (1-nu)/(pi G) ln(datum/|x|), and along the strip by 1/(pi G) ln(datum/|x|), of
-// each body; twice that of the combined material. Integrated over an elliptic traction this is a parabola inside.
+// Each body's line forces displace the surface by (1-nu)/(pi G) ln(datum/|x|), and along the strip by 1/(pi G)
+// ln(datum/|x|). The sum of both bodies is twice that of the combined material. Its integral over an elliptic traction
+// is a parabola inside.
 EllipseCompliance compliance_of(const EllipticContact& contact, const SemiAxes& axes) {
     if (!contact.is_strip()) return ellipse_compliance(axes, contact.combined);
     const double a = contact.axes.a, logarithm = std::log(2 * contact.datum / a) + 0.5;

@@ -8,7 +8,7 @@
 namespace contactd {
 
 Material combined_material(const MaterialPair& bodies) {
-    const double compliance = 0.5 * (1 / bodies.upper.G + 1 / bodies.lower.G);  // zero of a rigid one
+    const double compliance = 0.5 * (1 / bodies.upper.G + 1 / bodies.lower.G);  // zero for a rigid body
     const double nu = 0.5 * (bodies.upper.nu / bodies.upper.G + bodies.lower.nu / bodies.lower.G) / compliance;
     return {1 / compliance, nu};
 }

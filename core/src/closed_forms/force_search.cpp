@@ -10,10 +10,10 @@
 namespace contactd {
 namespace {
 
-constexpr double tolerance = 1e-9;  // of the bound
+constexpr double tolerance = 1e-9;  // relative to the bound
 constexpr int max_iterations = 100;
 
-// The search in units of bound and scale; components that are not prescribed have no equation and do not move.
+// Searches in units of bound and scale. Components that are not prescribed have no equation and do not change.
 class Search {
    public:
     Search(const std::function<Pair(const Pair&)>& force, const PrescribedForce& prescribed, const Pair& scale)
@@ -27,7 +27,7 @@ class Search {
         return r;
     }
 
-    // Columns dr/d(motion[j]/scale[j]), by differences.
+    // Returns the columns dr/d(motion[j]/scale[j]), by differences.
     std::array<Pair, 2> jacobian(const Pair& motion, const Pair& r) const {
         constexpr double step = 1e-6;
         std::array<Pair, 2> columns{};
@@ -73,7 +73,7 @@ void check_reach(const PrescribedForce& prescribed, const char* field) {
 std::optional<SolverEvidence> find_motion(const std::function<Pair(const Pair&)>& force,
                                           const PrescribedForce& prescribed, const Pair& scale, Pair& motion) {
     if (!prescribed.Fx && !prescribed.Fy) return std::nullopt;
-    if (!(prescribed.bound > 0)) return SolverEvidence{0, 0, true, 0};  // no force, as any motion gives
+    if (!(prescribed.bound > 0)) return SolverEvidence{0, 0, true, 0};  // The force is zero for any motion.
     const auto start = std::chrono::steady_clock::now();
     const Search search(force, prescribed, scale);
     SolverEvidence evidence;

@@ -1,4 +1,4 @@
-// Finds the motion (shift or creepages) that goes with prescribed forces, where a force costs microseconds.
+// Searches the motion (shift or creepages) for prescribed forces, if a force takes microseconds.
 #pragma once
 
 #include <array>
@@ -16,12 +16,12 @@ struct PrescribedForce {
     double bound;  // mu Fn
 };
 
-/// Throws InvalidArgument(`field`) when friction cannot carry the force.
+/// Throws InvalidArgument(`field`) if friction cannot carry the force.
 void check_reach(const PrescribedForce& prescribed, const char* field);
 
-/// Changes those components of `motion` whose force is prescribed, by Levenberg's and Marquardt's method from the
-/// estimate it holds, until the force is met to 1e-9 of the bound. `scale` is the motion in each direction that makes
-/// most of the area slip. Nothing where no force is prescribed.
+/// Changes those components of `motion` whose force is prescribed, by the Levenberg-Marquardt method from the given
+/// estimate, until the error of the force is at most 1e-9 of the bound. `scale` is the motion in each direction that
+/// makes most of the area slip. Returns nothing if no force is prescribed.
 std::optional<SolverEvidence> find_motion(const std::function<Pair(const Pair&)>& force,
                                           const PrescribedForce& prescribed, const Pair& scale, Pair& motion);
 

@@ -1,4 +1,4 @@
-// Derivatives of tangential forces by the motion, as the simplified models find them.
+// Defines derivatives of tangential forces with respect to the motion, for the simplified models.
 #pragma once
 
 #include <array>
@@ -7,15 +7,15 @@
 
 namespace contactd {
 
-/// Fx, Fy and Mz by the motion along x, along y and about z.
+/// Holds the derivatives of Fx, Fy and Mz with respect to the motion along x, along y and about z.
 using ForcesByMotion = std::array<std::array<double, 3>, 3>;
 
-/// Moves a motion away from zero, where a derivative exists but cannot be computed: it is taken right beside.
+/// Moves a motion away from zero, where a derivative exists but cannot be computed; it is evaluated right beside.
 inline std::array<double, 2> away_from_zero(const std::array<double, 2>& w, double scale) {
     return w[0] == 0 && w[1] == 0 ? std::array{1e-12 * scale, 0.0} : w;
 }
 
-/// From those in the frame of rolling: forces and motion turn with it.
+/// Converts derivatives from the frame of rolling: forces and motion rotate with it.
 inline ForcesByMotion in_coordinates(const RollingFrame& frame, const ForcesByMotion& local) {
     ForcesByMotion result;
     for (std::size_t k = 0; k < 3; ++k) {

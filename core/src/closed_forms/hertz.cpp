@@ -22,14 +22,14 @@ void require_finite(double value, const char* field) {
     if (!std::isfinite(value)) throw InvalidArgument(field, "is " + number_text(value) + "; it must be finite");
 }
 
-// With e^2 = 1 - (b/a)^2 and K, E the complete elliptic integrals of modulus e:
-// B = (E - (1 - e^2) K)/e^2 and D = (K - E)/e^2, K = B + D.
+// Holds B = (E - (1 - e^2) K)/e^2 and D = (K - E)/e^2, K = B + D, where e^2 = 1 - (b/a)^2 and K, E are the complete
+// elliptic integrals of modulus e.
 struct Elliptic {
     double B, D;
     double K() const { return B + D; }
 
-    // How log((b/a)^2 D/B) rises with log(b/a): by 1.5 for a circle, up to 2 for a line. From dB/de = (D - B)/e and
-    // dD/de = (B/(1 - e^2) - D)/e; near a circle these are differences of nothing.
+    // Returns the slope of log((b/a)^2 D/B) over log(b/a): 1.5 for a circle, up to 2 for a line. It follows from dB/de
+    // = (D - B)/e and dD/de = (B/(1 - e^2) - D)/e, whose differences cancel near a circle.
     double slope(double ratio) const {
         constexpr double circle = 1.5, line = 2, nearly_circular = 1e-6;
         const double r2 = ratio * ratio, e2 = (1 - ratio) * (1 + ratio);
@@ -38,8 +38,9 @@ struct Elliptic {
     }
 };
 
-// By the arithmetic-geometric mean (Abramowitz and Stegun 17.6): E = K (1 - sum 2^(n-1) c_n^2). Differences are taken
-// in closed form, so that nearly circular ellipses lose no digits; that is why std::comp_ellint_1 and _2 do not serve.
+// Uses the arithmetic-geometric mean (Abramowitz and Stegun 17.6): E = K (1 - sum 2^(n-1) c_n^2). Differences are taken
+// in closed form, so that nearly circular ellipses lose no digits. Therefore std::comp_ellint_1 and _2 are not
+// suitable.
 Elliptic elliptic(double ratio) {  // b/a <= 1
     if (ratio == 1) return {pi / 4, pi / 4};
     const double e2 = (1 - ratio) * (1 + ratio);
@@ -56,13 +57,13 @@ Elliptic elliptic(double ratio) {  // b/a <= 1
     return {K * (1 - sum), K * sum};
 }
 
-// Johnson (4.26)-(4.29), a >= b: with q = pmax/E*, 1/(2 Rx) = q (b/a) D/a, 1/(2 Ry) = q B/b, approach = q b K.
+// Uses Johnson (4.26)-(4.29), a >= b: with q = pmax/E*, 1/(2 Rx) = q (b/a) D/a, 1/(2 Ry) = q B/b, approach = q b K.
 struct Shape {
-    static constexpr double usual_share = 0.636;  // of log(b/a) in log(R_smaller/R_larger), roughly
+    static constexpr double usual_share = 0.636;  // approximate ratio of log(b/a) to log(R_smaller/R_larger)
     static constexpr double rounding = 4e-16;
 
-    double ratio;  // of the shorter to the longer semi-axis
-    bool along_y;  // the longer one
+    double ratio;  // shorter over longer semi-axis
+    bool along_y;  // whether the longer semi-axis is along y
     Elliptic integrals;
 
     explicit Shape(const SemiAxes& axes)
@@ -70,7 +71,7 @@ struct Shape {
           along_y(axes.b > axes.a),
           integrals(elliptic(ratio)) {}
 
-    // From the ratio of the radii, by Newton's method: log((b/a)^2 D/B) = log(R_smaller/R_larger).
+    // Solves log((b/a)^2 D/B) = log(R_smaller/R_larger) for the ratio of the radii by Newton's method.
     explicit Shape(const Paraboloid& gap) : ratio(1), along_y(gap.Ry > gap.Rx) {
         const double target = std::log(std::min(gap.Rx, gap.Ry) / std::max(gap.Rx, gap.Ry));
         double log_ratio = usual_share * target;
@@ -84,7 +85,7 @@ struct Shape {
         }
     }
 
-    // 1/(2 R) of the shorter direction, times b/q: the stronger curvature.
+    // Returns 1/(2 R) of the shorter direction, times b/q, which is the stronger curvature.
     double strong_curvature() const { return integrals.B; }
     double weak_curvature() const { return ratio * ratio * integrals.D; }
     SemiAxes axes(double shorter) const {
@@ -94,7 +95,7 @@ struct Shape {
         const double strong = shorter / (2 * q * strong_curvature()), weak = shorter / (2 * q * weak_curvature());
         return along_y ? Paraboloid{strong, weak} : Paraboloid{weak, strong};
     }
-    // From the shorter semi-axis and q = pmax/E*.
+    // Returns the contact from the shorter semi-axis and q = pmax/E*.
     HertzContact contact(double shorter, double q, double compliance) const {
         const SemiAxes ellipse = axes(shorter);
         const double pmax = q / compliance;
@@ -113,7 +114,7 @@ void check(const SemiAxes& axes) {
     require_positive(axes.b, "gap.b");
 }
 
-// q of the ellipse, by the force and by the approach.
+// Return q of the ellipse, from the force or from the approach.
 double q_of_force(const SemiAxes& axes, double compliance, double Fn) {
     return 1.5 * Fn * compliance / (pi * axes.a * axes.b);
 }
@@ -132,7 +133,7 @@ HertzContact hertz_of_force(const Paraboloid& gap, double compliance, double Fn)
     require_finite(Fn, "Fn");
     if (!(Fn > 0)) return {};
     const Shape shape(gap);
-    // 1/(2R) = q B/b and q = 3 Fn c/(2 pi a b) with a = b/ratio.
+    // These follow from 1/(2R) = q B/b and q = 3 Fn c/(2 pi a b) with a = b/ratio.
     const double R = std::min(gap.Rx, gap.Ry);
     const double shorter = std::cbrt(3 * R * Fn * compliance * shape.ratio * shape.strong_curvature() / pi);
     HertzContact contact = shape.contact(shorter, shorter / (2 * R * shape.strong_curvature()), compliance);
@@ -147,7 +148,7 @@ HertzContact hertz_of_approach(const Paraboloid& gap, double compliance, double 
     contact.approach = approach;
     if (!(approach > 0)) return contact;
     const Shape shape(gap);
-    // 1/(2R) = q B/b and approach = q b K.
+    // These follow from 1/(2R) = q B/b and approach = q b K.
     const double R = std::min(gap.Rx, gap.Ry);
     const double shorter = std::sqrt(2 * R * approach * shape.strong_curvature() / shape.integrals.K());
     contact = shape.contact(shorter, shorter / (2 * R * shape.strong_curvature()), compliance);
@@ -192,7 +193,8 @@ HertzContact hertz_of_line_force(const CylinderGap& gap, double compliance, doub
     return contact;
 }
 
-// By Newton's method on the logarithms of width and approach, of which one grows 1.1 to 2 times as fast as the other.
+// Solves by Newton's method on the logarithms of width and approach, of which one grows 1.1 to 2 times as fast as the
+// other.
 HertzContact hertz_of_line_approach(const CylinderGap& gap, double compliance, double approach) {
     check(gap, compliance);
     require_finite(approach, "approach");

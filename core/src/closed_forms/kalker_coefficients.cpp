@@ -15,7 +15,7 @@ namespace {
 constexpr int rows = static_cast<int>(std::size(kalker_table));
 constexpr int columns = static_cast<int>(kalker_nu.size());
 
-// Lagrange's weights of equidistant nodes 0, 1, ..., N-1 at t.
+// Returns Lagrange's weights of equidistant nodes 0, 1, ..., N-1 at t.
 template <std::size_t N>
 std::array<double, N> lagrange(double t) {
     std::array<double, N> weights;
@@ -30,7 +30,7 @@ std::array<double, N> lagrange(double t) {
 
 using Logs = std::array<double, 4>;
 
-// Slender contacts have coefficients proportional to 1/(1-nu) across the long axis: (1-nu) C is what is smooth.
+// Coefficients of slender contacts across the long axis are proportional to 1/(1-nu), so that (1-nu) C is smooth.
 Logs logs_at(int row, double nu) {
     const auto weights = lagrange<columns>(nu / kalker_nu[1]);
     Logs values{};
@@ -42,7 +42,7 @@ Logs logs_at(int row, double nu) {
 
 }  // namespace
 
-// Ratios that are off the ends of the table by rounding belong to it.
+// Ratios beyond the ends of the table by rounding errors count as inside.
 bool has_kalker_coefficients(double a_over_b) {
     constexpr double last = 0.5 * (rows - 1) * kalker_log2_step, rounding = 1e-9;
     return a_over_b > 0 && std::abs(std::log2(a_over_b)) <= last + rounding;

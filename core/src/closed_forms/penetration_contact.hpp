@@ -1,4 +1,4 @@
-// Pressures that a model of virtual penetration has found.
+// Holds pressures computed by a model of virtual penetration.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace contactd {
 struct PenetrationContact {
     std::vector<double> pressure;  ///< shape [ny, nx] (N/mm^2)
     double approach = 0;           ///< (mm)
-    double Fn = 0, pmax = 0;       ///< sums and the largest of the pressures
+    double Fn = 0, pmax = 0;       ///< sum and largest value of the pressures
     SolverEvidence evidence;       ///< of the search for an approach: |Fn - prescribed|/prescribed
     std::vector<std::string> warnings;
 };

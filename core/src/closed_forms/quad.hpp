@@ -1,5 +1,5 @@
-// Four numbers that go the same way side by side, in one SIMD register where the processor has it; and choices that
-// four make each for itself, as one number makes them.
+// Represents four numbers that are computed side by side, in one SIMD register if the processor has it, and choices
+// between them, which each of the four makes as a single number would.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace contactd {
 struct Quad {
     Four value{};
 
-    /// Where something holds of the four.
+    /// Holds which of the four satisfy a condition.
     struct Mask {
         decltype(Four{} > Four{}) value;
 

@@ -1,4 +1,5 @@
-// The frame of a rolling elliptic contact: x along the rolling direction, so that the leading edge is at positive x.
+// Defines the frame of a rolling elliptic contact: x is along the rolling direction, so that the leading edge is at
+// positive x.
 #pragma once
 
 #include <cmath>
@@ -10,7 +11,7 @@
 namespace contactd {
 
 struct RollingFrame {
-    double c = 1, s = 0;  ///< of the rolling direction
+    double c = 1, s = 0;  ///< cosine and sine of the rolling direction
     SemiAxes axes;        ///< a along the rolling direction
 
     double along(double x, double y) const { return c * x + s * y; }
@@ -19,7 +20,8 @@ struct RollingFrame {
     double y_of(double along, double across) const { return s * along + c * across; }
 };
 
-/// Throws InvalidArgument ("friction.rolling.chi") when the rolling direction is no axis of the ellipse.
+/// Returns the frame. Throws InvalidArgument ("friction.rolling.chi") if the rolling direction is not an axis of the
+/// ellipse.
 inline RollingFrame rolling_frame(const SemiAxes& axes, double chi) {
     constexpr double tolerance = 1e-9;
     const double c = std::cos(chi), s = std::sin(chi);

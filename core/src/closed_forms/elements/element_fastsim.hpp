@@ -1,4 +1,4 @@
-// FASTSIM (Kalker 1982) in whole steps of elements, on a contact of any shape.
+// Computes FASTSIM (Kalker 1982) in whole steps of elements, on a contact of any shape.
 #pragma once
 
 #include <span>
@@ -8,9 +8,9 @@
 
 namespace contactd {
 
-/// p = p_before - dx (xi/L1 - phi y/L3, eta/L2 + phi x/L3) from element to element, from zero ahead of the first one,
-/// scaled to its bound g where it exceeds that. x is that of the centre, spin_ahead further on. `bound` is g over mu,
-/// shape [ny, nx] (N/mm^2).
+/// Returns the tractions p = p_before - dx (xi/L1 - phi y/L3, eta/L2 + phi x/L3) from element to element, from zero
+/// ahead of the first one, scaled to the bound g where they exceed it. x is that of the centre plus spin_ahead. `bound`
+/// is g over mu, shape [ny, nx] (N/mm^2).
 template <class Number>
 ElementTractions<Number> fastsim_on_elements(const ElementLines& lines, std::span<const double> bound,
                                              const RollingTheory& theory, const FastsimCreepages<Number>& w,

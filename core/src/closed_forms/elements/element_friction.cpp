@@ -12,7 +12,7 @@
 namespace contactd {
 namespace {
 
-constexpr double least_mu = 1e-100;  // products of less with pressures are no numbers that can be divided by
+constexpr double least_mu = 1e-100;  // Products of smaller coefficients with pressures are too small as divisors.
 
 class RollingModel {
    public:
@@ -38,7 +38,7 @@ class RollingModel {
     const ElementLines& lines() const { return *lines_; }
     bool has_tractions() const { return lines_.has_value(); }
 
-    /// One coefficient for all of the contact, at the velocity of its creepage.
+    /// Returns the one coefficient of the whole contact, at the velocity of its creepage.
     double mu(const Pair& w) const {
         const auto& kinetic = problem_.friction->kinetic;
         if (!kinetic) return theory_.static_mu;
@@ -69,7 +69,7 @@ class RollingModel {
         const auto sum = sums(local(w), mu(w));
         return {frame_.x_of(sum.Fx, sum.Fy), frame_.y_of(sum.Fx, sum.Fy)};
     }
-    /// Forces of a small unit creepage along and across.
+    /// Returns the forces of a small unit creepage along and across.
     Pair slope() const {
         const double unit = theory_.G * theory_.axes.a * theory_.axes.b * theory_.settings.slope.k0;
         const double k = 0.5 * (theory_.settings.k_adhesion + theory_.settings.k_slip);
@@ -87,7 +87,7 @@ class RollingModel {
     std::optional<ElementLines> lines_;
 };
 
-/// An estimate of the creepage for a force: the cubic law of Vermeulen and Johnson with Kalker's slopes.
+/// Estimates the creepage for a force by the cubic law of Vermeulen and Johnson with Kalker's slopes.
 Pair creepage_for(const RollingModel& model, const Force& force, double bound) {
     const double x = force.Fx.value_or(0), y = force.Fy.value_or(0), size = std::hypot(x, y);
     if (size == 0) return {};
@@ -111,7 +111,7 @@ void take_tractions(const RollingModel& model, const Pair& w, EllipticFriction& 
     result.element_division = std::move(t.division);
 }
 
-/// Returns what there is without tractions: which elements are in contact.
+/// Returns the division without tractions: elements in contact count as slip.
 std::vector<ElementState> all_slip(const std::vector<double>& bound) {
     std::vector<ElementState> division(bound.size(), ElementState::exterior);
     for (std::size_t i = 0; i < bound.size(); ++i)

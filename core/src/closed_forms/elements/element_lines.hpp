@@ -1,4 +1,4 @@
-// The elements of a grid as lines along the rolling direction, each from the leading edge backwards.
+// Orders the elements of a grid as lines along the rolling direction, each from the leading edge backwards.
 #pragma once
 
 #include <cstddef>
@@ -10,17 +10,17 @@ namespace contactd {
 
 class ElementLines {
    public:
-    /// Throws InvalidArgument ("friction.rolling.chi") where the rolling direction is no axis of the grid.
+    /// Throws InvalidArgument ("friction.rolling.chi") if the rolling direction is not an axis of the grid.
     ElementLines(const Grid& grid, const RollingFrame& frame);
 
     int count() const { return rows_ ? grid_.ny : grid_.nx; }
     int length() const { return rows_ ? grid_.nx : grid_.ny; }
     double step() const { return rows_ ? grid_.dx : grid_.dy; }   ///< size of an element along the lines (mm)
-    double width() const { return rows_ ? grid_.dy : grid_.dx; }  ///< and across them
+    double width() const { return rows_ ? grid_.dy : grid_.dx; }  ///< size of an element across the lines (mm)
 
-    /// Its number in arrays over the grid; place 0 is at the leading edge.
+    /// Returns the index of an element in arrays over the grid; place 0 is at the leading edge.
     std::size_t element(int line, int place) const;
-    /// Coordinates of centres in the frame of rolling (mm).
+    /// Return coordinates of centres in the frame of rolling (mm).
     double along(int place) const;
     double across(int line) const;
 

@@ -11,7 +11,7 @@
 namespace contactd {
 namespace {
 
-// The paraboloid of an ellipse is as high as twice the mean, and Hertz's pressure half as high again as the mean.
+// The height of an ellipse's paraboloid is twice the mean, and that of Hertz's pressure 3/2 of the mean.
 void make_parabolic(const EllipticContact& contact, std::vector<double>& pressure) {
     const double p0 = contact.pmax(), factor = 4.0 / 3 / p0;
     for (double& p : pressure) p *= factor * p;

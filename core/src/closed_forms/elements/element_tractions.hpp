@@ -1,4 +1,4 @@
-// Tractions of rolling on elements, in the frame of rolling.
+// Defines tractions of rolling on elements, in the frame of rolling.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace contactd {
 
-/// Shape [ny, nx]; slip is relative to the rolling velocity.
+/// Arrays have shape [ny, nx]; slip is relative to the rolling velocity.
 template <class Number>
 struct ElementTractions {
     std::vector<Number> px, py, slip_x, slip_y;
@@ -19,7 +19,7 @@ struct ElementTractions {
         : px(n), py(n), slip_x(n), slip_y(n), division(n, ElementState::exterior) {}
 };
 
-/// Sums over the elements; power is over the rolling velocity.
+/// Holds sums over the elements; power is over the rolling velocity.
 template <class Number>
 struct ElementSums {
     Number Fx{}, Fy{}, Mz{}, power{};

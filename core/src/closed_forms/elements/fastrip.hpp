@@ -1,11 +1,12 @@
-// FaStrip (Sichani, Enblom, Berg 2016): strip theory where elements adhere, FASTSIM's direction where they slip.
+// Computes FaStrip (Sichani, Enblom, Berg 2016): strip theory where elements adhere, FASTSIM's direction where they
+// slip.
 #pragma once
 
 #include "element_fastsim.hpp"
 
 namespace contactd {
 
-/// The spin of strip theory, S = -3 G sqrt(ab) C23 phi/(2 pi mu p0); the theory is meant for sizes below 1.
+/// Returns the spin of strip theory, S = -3 G sqrt(ab) C23 phi/(2 pi mu p0). The theory is intended for |S| < 1.
 template <class Number>
 Number strip_spin(const RollingTheory& theory, const Number& phi, double mu) {
     const auto [a, b] = theory.counted;
@@ -15,13 +16,13 @@ Number strip_spin(const RollingTheory& theory, const Number& phi, double mu) {
 
 namespace strip {
 
-/// A strip of the contact, a line of elements that begins at the place `first`.
+/// Describes a strip of the contact, a line of elements that begins at the place `first`.
 struct Row {
     int line, first, last;  // places, the last one included
-    double middle, half;    // of its length (mm)
+    double middle, half;    // middle of the strip and half of its length (mm)
 };
 
-/// Rows of elements above zero; a line that is interrupted has several.
+/// Visits rows of elements above zero; a line that is interrupted has several.
 template <class Visit>
 void each_row(const ElementLines& lines, std::span<const double> bound, Visit visit) {
     for (int line = 0; line < lines.count(); ++line)
@@ -34,7 +35,7 @@ void each_row(const ElementLines& lines, std::span<const double> bound, Visit vi
         }
 }
 
-/// Theory of one strip; d is half of the length of its slip zone.
+/// Holds the theory of one strip; d is half of the length of its slip zone.
 template <class Number>
 struct Strip {
     Number d, c, l, S;
@@ -48,7 +49,7 @@ Strip<Number> strip_of(const RollingTheory& theory, const FastsimCreepages<Numbe
     const auto [a, b] = theory.counted;
     const double p0 = 1.5 * theory.Fn / (std::numbers::pi * a * b);
     const double unit = -2 * theory.G * (1 - theory.nu) / (std::numbers::pi * std::numbers::pi * mu * p0);
-    // Flexibilities that are reduced make the slope of strips as much smaller.
+    // Reduced flexibilities reduce the slope of strips by the same factor.
     const Number slope = slope_factor(theory, w, mu), none{};
     const Number S = slope * strip_spin(theory, w.phi, mu);
     const Number k = slope * (unit * theory.C.C11 * w.xi) - across / a * S;
@@ -75,9 +76,10 @@ Strip<Number> strip_of(const RollingTheory& theory, const FastsimCreepages<Numbe
 
 }  // namespace strip
 
-/// Tractions by strips. Each has the constant creepage of its line; its slip zone is 2 d long, at the trailing edge.
-/// Elements there have the direction of FASTSIM's tractions and the size of their bound g. Strips whose tractions would
-/// exceed mu times the largest pressure keep those of FASTSIM. `bound` is g over mu, shape [ny, nx] (N/mm^2).
+/// Returns the tractions by strips. Each strip has the constant creepage of its line, and a slip zone of length 2 d at
+/// the trailing edge. Elements there have the direction of FASTSIM's tractions and the size of their bound g. Strips
+/// whose tractions would exceed mu times the largest pressure keep those of FASTSIM. `bound` is g over mu, shape [ny,
+/// nx] (N/mm^2).
 template <class Number>
 ElementTractions<Number> fastrip(const ElementLines& lines, std::span<const double> bound, const RollingTheory& theory,
                                  const FastsimCreepages<Number>& w, double mu) {

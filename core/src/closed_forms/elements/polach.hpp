@@ -1,4 +1,4 @@
-// Polach's forces of rolling (Polach 1999; Polach 2005), in closed form.
+// Computes Polach's forces of rolling (Polach 1999; Polach 2005), in closed form.
 #pragma once
 
 #include "rolling_theory.hpp"
@@ -10,10 +10,10 @@ struct RollingForces {
     Number Fx{}, Fy{};
 };
 
-/// With C11 and C22 blended by the direction of the creepage, e of lateral_with_spin and eps = G pi a b C
-/// sqrt(xi^2 + e^2)/(4 mu Fn), the force is 2 mu Fn/pi (kA eps/(1 + (kA eps)^2) + atan(kS eps)) against (xi, e); of its
-/// lateral part the creepage eta has its share, and spin adds the moment's counterpart. Small creepages and a small
-/// spin give Kalker's forces, full slip mu Fn.
+/// Returns the force 2 mu Fn/pi (kA eps/(1 + (kA eps)^2) + atan(kS eps)) against (xi, e), with e of lateral_with_spin,
+/// eps = G pi a b C sqrt(xi^2 + e^2)/(4 mu Fn), and C11 and C22 blended by the direction of the creepage. The creepage
+/// eta has its share of the lateral part, and spin adds the counterpart of the moment. Small creepages and a small spin
+/// give Kalker's forces, full slip gives mu Fn.
 template <class Number>
 RollingForces<Number> polach(const RollingTheory& theory, const FastsimCreepages<Number>& w, double mu) {
     using std::abs, std::atan, std::sqrt;

@@ -11,7 +11,7 @@ constexpr std::size_t lines = 10, coefficients = 4, columns = 3;
 using Line = std::array<std::array<double, columns>, coefficients>;  // C11, C22, C23, C33 for nu = 0, 1/4, 1/2
 using Lines = std::array<Line, lines>;
 
-// The lines are for a/b = 0.1, 0.2, and so on to 1.
+// These lines are for a/b = 0.1, 0.2, and so on to 1.
 constexpr Lines short_ellipses{{
     {{{2.51, 3.31, 4.85}, {2.51, 2.52, 2.53}, {0.334, 0.473, 0.731}, {6.42, 8.28, 11.7}}},
     {{{2.59, 3.37, 4.81}, {2.59, 2.63, 2.66}, {0.483, 0.603, 0.809}, {3.46, 4.27, 5.66}}},

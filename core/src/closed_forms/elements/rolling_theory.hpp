@@ -1,4 +1,4 @@
-// What FASTSIM on elements, FaStrip and Polach's theory have in common, in the frame of rolling.
+// Defines the common part of FASTSIM on elements, FaStrip and Polach's theory, in the frame of rolling.
 #pragma once
 
 #include <algorithm>
@@ -13,26 +13,26 @@
 
 namespace contactd {
 
-/// A contact in the frame of rolling: a is along it.
+/// Describes a contact in the frame of rolling: a is along the rolling direction.
 struct RollingTheory {
     SemiAxes axes, counted;
     KalkerCoefficients C{};
     double G = 0, nu = 0, Fn = 0;
     double static_mu = 0;
-    double spin_ahead = 0;  ///< how far ahead of centres spin is taken (mm)
-    /// What flexibilities are blended by where forces are prescribed: the motion as it was given, so that they stay the
-    /// same while it is searched; otherwise the motion itself.
+    double spin_ahead = 0;  ///< distance ahead of centres at which spin is evaluated (mm)
+    /// Blends flexibilities if forces are prescribed. It is the motion as given, so that they do not change during the
+    /// search for the motion. If absent, the motion itself blends them.
     std::optional<FastsimCreepages<double>> given{};
     SimplifiedSettings settings;
 };
 
-/// Displacement over traction of creepages along and across, and of spin (mm^3/N).
+/// Holds displacement over traction for creepages along and across, and for spin (mm^3/N).
 template <class Number>
 struct FlexibilitiesOf {
     Number L1, L2, L3;
 };
 
-/// The lateral creepage with the share of spin, where that adds to it: e = eta + phi a, or eta where that is larger.
+/// Returns the lateral creepage with the share of spin if that increases it: e = eta + phi a, or eta if that is larger.
 template <class Number>
 Number lateral_with_spin(const FastsimCreepages<Number>& w, double a) {
     using std::abs;
@@ -40,7 +40,7 @@ Number lateral_with_spin(const FastsimCreepages<Number>& w, double a) {
     return abs(with) > abs(w.eta) ? with : w.eta;
 }
 
-/// The factor k of SlopeReduction.
+/// Returns the factor k of SlopeReduction.
 template <class Number>
 Number slope_factor(const RollingTheory& theory, const FastsimCreepages<Number>& w, double mu) {
     using std::sqrt;
@@ -53,9 +53,9 @@ Number slope_factor(const RollingTheory& theory, const FastsimCreepages<Number>&
     return slope.k0 * (slope.alpha + Number(1 - slope.alpha) / (1 + slope.beta * eps));
 }
 
-/// Flexibilities of FASTSIM with all that the settings make of them. Blended ones become one where creepages are three
-/// times those of full slip, xi = mu Fn/(a b G C11) and eta likewise: the mean of the three, weighted by the squares of
-/// xi, eta and 3 pi a phi/32.
+/// Returns the flexibilities of FASTSIM with all settings applied. Blended ones become equal where creepages are three
+/// times those of full slip, xi = mu Fn/(a b G C11) and eta likewise. They become the mean of the three, weighted by
+/// the squares of xi, eta and 3 pi a phi/32.
 template <class Number>
 FlexibilitiesOf<Number> flexibilities_of(const RollingTheory& theory, const FastsimCreepages<Number>& w, double mu) {
     using std::sqrt;

@@ -9,9 +9,9 @@
 namespace contactd {
 namespace {
 
-// Johnson (7.42): shift = C mu Fn (1 - k^2), force = mu Fn (1 - k^3); C times the force is the displacement of the
-// adhesion area. Of a strip shift = C mu Fn (1 - k^2 + l k^2 ln k), force = mu Fn (1 - k^2), with l the logarithm of
-// EllipseCompliance.
+// Uses Johnson (7.42): shift = C mu Fn (1 - k^2), force = mu Fn (1 - k^3), where C times the force is the displacement
+// of the adhesion area. For a strip, shift = C mu Fn (1 - k^2 + l k^2 ln k), force = mu Fn (1 - k^2), with l the
+// logarithm of EllipseCompliance.
 class ShiftLaw {
    public:
     ShiftLaw(const EllipticContact& contact, double mu) : bound_(mu * contact.Fn), n_(contact.force_power()) {
@@ -25,7 +25,8 @@ class ShiftLaw {
     template <class Number>
     EllipseState<Number> state(const std::array<Number, 2>& w) const {
         using std::hypot, std::sqrt;
-        const std::array<Number, 2> force{-w[0] / compliance_[0], -w[1] / compliance_[1]};  // as if all adhered
+        const std::array<Number, 2> force{-w[0] / compliance_[0],
+                                          -w[1] / compliance_[1]};  // as if all elements adhered
         const Number size = hypot(force[0], force[1]);
         if (size == Number(0)) return {};
         if (size >= Number(bound_)) return {direction_of_slip(w, full_shift()), Number(0)};
@@ -43,9 +44,9 @@ class ShiftLaw {
         return {-compliance_[0] * share * force[0], -compliance_[1] * share * force[1]};
     }
 
-    // The shift at which k stays grows as Fn^(2/3) in ellipses of one gap. In strips it is C mu Fn, which is
-    // proportional to ln(2 datum/a) + 1/2, times the part above, of which 1 - k^2 alone grows with this logarithm; it
-    // falls by 1/2 where Fn grows e-fold.
+    // Returns the exponent of Fn in the shift at constant k, which is 2/3 for ellipses of one gap. For strips, the
+    // shift is C mu Fn, which is proportional to ln(2 datum/a) + 1/2, times the part above, of which only 1 - k^2 grows
+    // with this logarithm. The logarithm decreases by 1/2 if Fn grows e-fold.
     double exponent(const Pair& w) const {
         if (logarithm_ == 0) return 2.0 / 3;
         const double k = state(w).k;
@@ -56,8 +57,8 @@ class ShiftLaw {
     double part(double k) const {
         return 1 - k * k + (logarithm_ != 0 && k > 0 ? logarithm_ * k * k * std::log(k) : 0);
     }
-    /// From the part of the shift at which all slips, below 1. Of a strip by Newton's method: the part falls with the
-    /// square, and is convex; the last step brings derivatives.
+    /// Computes k^2 from the fraction of the shift of full slip, below 1. For a strip it uses Newton's method: the
+    /// fraction decreases with the square, and is convex. The last step adds derivatives.
     template <class Number>
     Number square_of_k(const Number& given) const {
         if (logarithm_ == 0) return 1 - given;

@@ -5,7 +5,7 @@ namespace {
 
 using Table = DerivativeTable;
 
-// Fn as the input, the approach as an answer, in place of each other.
+// Exchanges Fn as an answer and the approach as an input.
 void exchange(DerivativeTable& table) {
     auto& values = table.values;
     const double stiffness = values[Table::Fn][Table::approach];

@@ -1,4 +1,4 @@
-// Derivatives as a table, and by their names.
+// Holds derivatives as a table, and converts them to names.
 #pragma once
 
 #include <array>
@@ -7,18 +7,19 @@
 
 namespace contactd {
 
-/// A table of derivatives of forces: by the approach, by the motion along x, along y and about z, and by friction, all
-/// with the approach prescribed.
+/// Holds derivatives of forces with respect to the approach, to the motion along x, along y and about z, and to
+/// friction, all with the approach prescribed.
 struct DerivativeTable {
     enum Row { Fn, Fx, Fy, Mz, rows };
     enum Column { approach, along_x, along_y, about_z, mu, columns };
 
     std::array<std::array<double, columns>, rows> values{};
-    /// Derivatives that the model does not know are left out.
+    /// Derivatives that the model does not have are omitted.
     bool has_rotation = true, has_mu = true;
 };
 
-/// By the inputs of the problem; where it prescribes the normal force, with that and the approach exchanged.
+/// Returns the derivatives with respect to the inputs of the problem. If it prescribes the normal force, force and
+/// approach are exchanged.
 Derivatives named(const DerivativeTable& table, const ContactProblem& problem);
 
 }  // namespace contactd

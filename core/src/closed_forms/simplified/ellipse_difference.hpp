@@ -1,4 +1,5 @@
-// Tractions of both closed-form theories: Hertz-like over the ellipse, less Hertz-like over a similar, smaller one.
+// Computes the tractions of both closed-form theories: Hertz-like over the ellipse, minus Hertz-like over a similar,
+// smaller one.
 #pragma once
 
 #include <array>
@@ -12,21 +13,22 @@
 
 namespace contactd {
 
-/// value k^n, multiplied from left to right.
+/// Returns value k^n, multiplied from left to right.
 template <class Number>
 Number times_power(Number value, const Number& k, int n) {
     for (int i = 0; i < n; ++i) value = value * k;
     return value;
 }
 
-/// The n-th root, n being the force_power of a contact.
+/// Returns the n-th root, with n the force_power of a contact.
 inline double root(double value, int n) {
     return n == 2 ? std::sqrt(value) : std::cbrt(value);
 }
 
-/// Direction of the force when all slips, |w/full| >= 1: the elastic displacement (or its gradient along the rolling
-/// direction) is -full n, and the rest of the motion w slips, against the force. Joins w/full where slip becomes full.
-/// w = -(lambda + full) n with |n| = 1, by Newton's method on 1/|n| - 1, which is nearly linear in lambda.
+/// Returns the direction of the force in full slip, |w/full| >= 1. The elastic displacement (or its gradient along the
+/// rolling direction) is -full n, and the rest of the motion w slips, against the force. The direction is continuous
+/// with w/full at the start of full slip. w = -(lambda + full) n with |n| = 1 is solved by Newton's method on 1/|n| -
+/// 1, which is nearly linear in lambda.
 template <class Number>
 std::array<Number, 2> direction_of_slip(const std::array<Number, 2>& w, const Pair& full) {
     using std::abs, std::hypot, std::sqrt;
@@ -48,21 +50,22 @@ std::array<Number, 2> direction_of_slip(const std::array<Number, 2>& w, const Pa
     return {n[0] / norm, n[1] / norm};
 }
 
-/// The direction of the force and how large the ellipse is that adheres, as of ellipse_difference.
+/// Holds the direction of the force and the size of the ellipse that adheres, as for ellipse_difference.
 template <class Number>
 struct EllipseState {
     std::array<Number, 2> direction{};
     Number k = 1;
 
-    /// `n` is the contact's force_power.
+    /// Returns the force; `n` is the contact's force_power.
     std::array<Number, 2> force(double bound, int n) const {
         const Number size = bound * (1 - times_power(k, k, n - 1));
         return {size * direction[0], size * direction[1]};
     }
 };
 
-/// `direction` is the unit vector of the force (zero without one); the smaller ellipse, k times as large, adheres; its
-/// centre lies (1-k) a ahead of the other's in rolling, so that they touch there, and at the same place in a shift.
+/// Returns the tractions. `direction` is the unit vector of the force (zero without one). The smaller ellipse, k times
+/// as large, adheres. In rolling, its centre lies (1-k) a ahead of the other's, so that they touch at the leading edge;
+/// in a shift, both centres coincide.
 EllipticFriction ellipse_difference(const Grid& grid, const EllipticContact& contact, double mu, const Pair& direction,
                                     double k, const RollingFrame* rolling);
 

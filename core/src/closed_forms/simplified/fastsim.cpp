@@ -24,7 +24,7 @@ void validate(const FastsimSettings& settings) {
     check(settings.slices, "fastsim.slices");
 }
 
-// An estimate of the creepage for a force: the cubic law of Vermeulen and Johnson with Kalker's slopes.
+// Estimates the creepage for a force by the cubic law of Vermeulen and Johnson with Kalker's slopes.
 Pair estimate(const Pair& force, double bound, const Pair& slope) {
     const double size = std::hypot(force[0], force[1]);
     if (size == 0) return {};

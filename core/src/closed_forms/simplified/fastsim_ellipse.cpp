@@ -11,7 +11,7 @@
 namespace contactd {
 namespace {
 
-// Four slices, and where the march through them stands.
+// Holds four slices, and the current points of the march through them.
 template <class Number>
 struct FourSlices {
     FastsimSlice<Number> slice;
@@ -20,13 +20,13 @@ struct FourSlices {
     SliceSums<Number> sum;
 };
 
-// Nodes of the usual settings are made once.
+// Nodes of the default settings are created once.
 std::shared_ptr<const FastsimNodes> nodes_of(const FastsimSettings& settings) {
     static const auto usual = std::make_shared<const FastsimNodes>(FastsimSettings{});
     return settings == FastsimSettings{} ? usual : std::make_shared<const FastsimNodes>(settings);
 }
 
-// Groups take turns at each position, since each waits for its own square roots.
+// Groups alternate at each position, since each waits for its own square roots.
 template <class Number>
 CONTACTD_INLINE void follow_each(const FastsimLaw<Number>& law, std::span<const double> positions,
                                  std::span<FourSlices<Number>> groups) {
@@ -52,9 +52,9 @@ FastsimNodes::FastsimNodes(const FastsimSettings& settings) {
     for (int j = 1; j <= settings.steps; ++j)
         positions.push_back(j == settings.steps ? -1.0 : std::cos(std::numbers::pi * j / settings.steps));
 
-    // Where all adheres or all slips a slice carries a multiple of its chord squared (creepage) or cubed (spin, bound).
-    // Equal steps of t are exact for its chord and the cube, which are cos^2 t and cos^4 t there, and nearly so for the
-    // square, cos^3 t: a share of cos 6t, which alters neither of the others, makes up for the rest.
+    // In full adhesion or full slip, a slice contributes a multiple of its chord squared (creepage) or cubed (spin,
+    // bound). Equal steps of t are exact for the chord and its cube, which are cos^2 t and cos^4 t there, and nearly
+    // exact for the square, cos^3 t. A share of cos 6t, which changes neither of the others, compensates the error.
     const double dt = std::numbers::pi / settings.slices;
     const auto angle = [&](int k) { return (k + 0.5) * dt - 0.5 * std::numbers::pi; };
     double square = 0, change = 0;
@@ -101,8 +101,8 @@ FastsimTotals<Number> FastsimEllipse::totals_of_four(const FastsimCreepages<Numb
         total.Fx += dy * sum.px;
         total.Fy += dy * sum.py;
         total.Mz += dy * (sum.x_py - y * sum.px);
-        // Slip does the work of the rigid slip: what the springs take up they give back, since the traction is zero at
-        // both ends of the slice.
+        // Slip does the work of the rigid slip. The springs return the work that they store, since the traction is zero
+        // at both ends of the slice.
         const Number work =
             L_.L1 * (groups[k].slice.slope_x * sum.px) + L_.L2 * (shared.slope_y * sum.py + shared.slope_yx * sum.x_py);
         total.power += -dy * work;

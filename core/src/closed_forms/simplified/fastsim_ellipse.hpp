@@ -1,4 +1,4 @@
-// The contact area of FASTSIM by its own slices, from which its forces come.
+// Divides the contact area of FASTSIM into its own slices, from which its forces are computed.
 #pragma once
 
 #include <cmath>
@@ -18,16 +18,16 @@ struct FastsimTotals {
     Number Fx{}, Fy{}, Mz{}, power{}, slip_area{};  // in the rolling frame; power over the rolling velocity
 };
 
-// Where slices lie and where steps end, for an ellipse of semi-axes 1.
+// Holds the positions of slices and the ends of steps, for an ellipse of semi-axes 1.
 struct FastsimNodes {
-    std::vector<double> positions;      // of x over half the chord, after the leading edge
+    std::vector<double> positions;      // x over half the chord, after the leading edge
     std::vector<Quad> heights, widths;  // of the slices over b; those beyond the last have no width
 
     explicit FastsimNodes(const FastsimSettings& settings);
 };
 
-// y = b sin t at equally spaced t, x = a(y) cos s at equally spaced s, so that steps are small at the edges, where
-// traction changes from adhesion to zero.
+// Slices are at y = b sin t for equally spaced t, steps at x = a(y) cos s for equally spaced s. So steps are small at
+// the edges, where traction changes from adhesion to zero.
 class FastsimEllipse {
    public:
     FastsimEllipse(const RollingFrame& frame, const Material& combined, double bound, const FastsimSettings& settings);
@@ -45,7 +45,7 @@ class FastsimEllipse {
                 mean / L_.L1,
                 mean / L_.L2};
     }
-    // y: one number or four, as in `Number`.
+    // Returns a slice; y is one number or four, as in `Number`.
     template <class Number, class Y>
     FastsimSlice<Number> slice(const FastsimCreepages<Number>& creepages, const Y& y) const {
         return {1 - y * y / (axes_.b * axes_.b), (1 / L_.L1) * creepages.xi - y / L_.L3 * creepages.phi};

@@ -21,10 +21,10 @@ struct Element {
     double along;
 };
 
-// Elements that one march passes, from the leading edge backwards.
+// Describes elements that one march passes, from the leading edge backwards.
 struct Line {
     double across;
-    std::size_t first, count;  // of the elements of all lines
+    std::size_t first, count;  // index of the first element and number of elements
 };
 
 struct Lines {
@@ -36,11 +36,11 @@ struct Lines {
 
 struct Sample {
     Quad px, py;
-    Quad::Mask slips;         // in the last step
-    Quad excess_x, excess_y;  // what took the trial traction beyond the bound, per length: the slip is -L times this
+    Quad::Mask slips;         // state in the last step
+    Quad excess_x, excess_y;  // excess of the trial traction over the bound per length: the slip is -L times this
 };
 
-// Four lines side by side; the march through a line that has ended stays where it is.
+// Holds four lines side by side; the march through a line stops at its end.
 struct FourLines {
     FastsimSlice<Quad> slice;
     Quad longest_step;
@@ -48,17 +48,17 @@ struct FourLines {
     std::vector<Quad> along;
     std::vector<Sample> samples;
 
-    /// Where lines are shorter than others the last element stands for those that there are not.
+    /// Repeats the last element in lines that are shorter than others.
     void extend(std::size_t length) {
         along.resize(length, along.back());
         samples.resize(length);
     }
 };
 
-// Three of them take turns at each step, since each waits for its own square roots.
+// Three groups alternate at each step, since each waits for its own square roots.
 constexpr std::size_t together = 3;
 
-// The way of four lines to their next elements.
+// Describes the path of four lines to their next elements.
 struct NextElement {
     Quad begin, x, way, steps, per_step;
     TractionAt<Quad> last;
@@ -127,8 +127,8 @@ std::size_t index_of(const Grid& grid, int ix, int iy) {
     return static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(ix);
 }
 
-/// Where the rolling direction is that of rows or of columns, these are the lines. The place along depends on the place
-/// in the line alone, so that elements of a line are those between two that change little from line to line.
+/// Adds rows or columns as lines if they are along the rolling direction. The position along a line depends only on the
+/// index in it, so that elements inside the ellipse lie between two indices that change little from line to line.
 void add_rows(const Grid& grid, const RollingFrame& frame, Lines& lines) {
     const bool columns = frame.c == 0, backwards = (columns ? frame.s : frame.c) > 0;
     const int count = columns ? grid.nx : grid.ny, length = columns ? grid.ny : grid.nx;
@@ -136,7 +136,7 @@ void add_rows(const Grid& grid, const RollingFrame& frame, Lines& lines) {
         const int at = backwards ? length - 1 - k : k;
         return columns ? std::pair{number, at} : std::pair{at, number};
     };
-    std::vector<double> along, square;  // the latter of the place along over the semi-axis
+    std::vector<double> along, square;  // square of the position over the semi-axis
     int middle = 0;
     for (int k = 0; k < length; ++k) {
         const auto [ix, iy] = place(0, k);
@@ -181,7 +181,7 @@ Lines lines_of(const Grid& grid, const RollingFrame& frame) {
     return result;
 }
 
-/// Lines at the same distance from the middle are about as long, and so side by side.
+/// Lines at the same distance from the middle have nearly the same length, so they are paired.
 void pair_lines(std::vector<Line>& lines) {
     const std::vector<Line> given = lines;
     for (std::size_t j = 0; j < given.size(); ++j) lines[j] = given[j % 2 == 0 ? j / 2 : given.size() - 1 - j / 2];
@@ -193,7 +193,7 @@ void place(const Lines& all, std::span<const Line> lines, const FastsimEllipse& 
     for (const Line& line : lines) longest = std::max(longest, line.count);
     four.along.resize(longest);
     Quad across;
-    for (std::size_t k = 0; k < lanes; ++k) {  // those beyond the last are like it
+    for (std::size_t k = 0; k < lanes; ++k) {  // Lines beyond the last one repeat it.
         const Line& line = lines[std::min(k, lines.size() - 1)];
         across.value[k] = line.across;
         const std::span<const Element> elements = all.of(line);
@@ -223,7 +223,7 @@ void sample(const Grid& grid, const RollingFrame& frame, const FastsimEllipse& e
         for (std::size_t g = 0; g < together; ++g) {
             const std::size_t from = std::min(first + g * lanes, all.lines.size());
             lines[g] = {all.lines.data() + from, std::min(lanes, all.lines.size() - from)};
-            // With no lines left it is like the one before.
+            // Without remaining lines, the group repeats the previous one.
             place(all, lines[g].empty() ? lines[0] : lines[g], ellipse, shared, steps, groups[g]);
         }
         std::size_t longest = 0;

@@ -1,4 +1,4 @@
-// FASTSIM's march through one slice of the contact area (Kalker 1982), or through four of them side by side.
+// Computes FASTSIM's march through one slice of the contact area (Kalker 1982), or through four of them side by side.
 #pragma once
 
 #include <cmath>
@@ -8,13 +8,13 @@
 
 namespace contactd {
 
-// `Number` is Quad, or DualOf<Quad> where derivatives by the creepages are wanted.
+// `Number` is Quad, or DualOf<Quad> for derivatives with respect to the creepages.
 template <class Number>
 struct FastsimCreepages {
     Number xi, eta, phi;  // in the rolling frame
 };
 
-// Values that all slices of a contact area share.
+// Holds values that all slices of a contact area share.
 template <class Number>
 struct FastsimLaw {
     double bound, curvature;   // the bound is bound (1 - curvature x^2 - y^2/b^2)
@@ -22,7 +22,7 @@ struct FastsimLaw {
     double stiff_x, stiff_y;   // the mean flexibility over L1 and L2
 };
 
-// A slice y = constant.
+// Describes a slice y = constant.
 template <class Number>
 struct FastsimSlice {
     Number rest;     // 1 - y^2/b^2
@@ -37,17 +37,17 @@ struct TractionAt {
 template <class Number>
 using FastsimMask = decltype(Number{} > Number{});
 
-// Where the march through a slice stands: it begins at the leading edge with zeros.
+// Describes the current point of the march through a slice, which begins at the leading edge with zeros.
 template <class Number>
 struct FastsimPoint {
     TractionAt<Number> traction;
-    FastsimMask<Number> slips{};  // or adheres
+    FastsimMask<Number> slips{};  // whether it slips or adheres
 };
 
 template <class Number>
 struct FastsimStep {
     FastsimPoint<Number> end;
-    Number slip_start;  // its beginning, its end (all adheres), or between
+    Number slip_start;  // start of slip: the slice's beginning, its end (all adheres), or between
 };
 
 template <class Number>
@@ -56,7 +56,7 @@ CONTACTD_INLINE Number bound_at(const FastsimLaw<Number>& law, const FastsimSlic
     return law.bound * chosen(share > none, share, none);
 }
 
-// The traction at x if all adheres from there on: exact, since its slope is linear in x.
+// Returns the traction at x if all adheres from there on. It is exact, since its slope is linear in x.
 template <class Number>
 CONTACTD_INLINE TractionAt<Number> adhering(const FastsimLaw<Number>& law, const FastsimSlice<Number>& slice,
                                             const TractionAt<Number>& from, const Number& x) {
@@ -64,9 +64,10 @@ CONTACTD_INLINE TractionAt<Number> adhering(const FastsimLaw<Number>& law, const
     return {x, from.px - h * slice.slope_x, from.py - h * (law.slope_y + law.slope_yx * (0.5 * (from.x + x)))};
 }
 
-// From the trial traction t to |p| = g with the slip, -L (t - p)/h, opposite to p: p_i = t_i/(1 + m/L_i), m >= 0. One
-// step of Newton's method for m, on 1/|p|, then scaling to g: exact for equal flexibilities and in full slip. Divisors
-// are 1 where the way is not taken, since programs around us may trap divisions by zero.
+// Returns the traction p from the trial traction t, so that |p| = g and the slip -L (t - p)/h is opposite to p: p_i =
+// t_i/(1 + m/L_i), m >= 0. One step of Newton's method for m, on 1/|p|, then scaling to g is exact for equal
+// flexibilities and in full slip. Divisors of branches not taken are 1, since the calling program may trap divisions by
+// zero.
 template <class Number>
 CONTACTD_INLINE FastsimStep<Number> step(const FastsimLaw<Number>& law, const FastsimSlice<Number>& slice,
                                          const FastsimPoint<Number>& from, const Number& x) {
@@ -80,7 +81,7 @@ CONTACTD_INLINE FastsimStep<Number> step(const FastsimLaw<Number>& law, const Fa
     const Number beyond = chosen(slips, Number(sqrt(squared) - g), none);
     taken.slip_start = chosen(slips, from.traction.x, x);
     if (const auto begins = slips & (slips ^ from.slips); any(begins)) {
-        // Where the traction comes to its bound, both taken to be straight.
+        // Slip begins where the traction reaches its bound; both are taken as linear.
         const Number& px = from.traction.px;
         const Number& py = from.traction.py;
         const Number room = bound_at(law, slice, from.traction.x) - Number(sqrt(px * px + py * py));
@@ -98,13 +99,13 @@ CONTACTD_INLINE FastsimStep<Number> step(const FastsimLaw<Number>& law, const Fa
     return taken;
 }
 
-// Integrals of p_x, p_y and x p_y along a slice; the length that slips.
+// Holds integrals of p_x, p_y and x p_y along a slice, and the length that slips.
 template <class Number>
 struct SliceSums {
     Number px{}, py{}, x_py{}, slip{};
 };
 
-// By Simpson's rule, exact for cubics.
+// Adds an interval by Simpson's rule, which is exact for cubics.
 template <class Number>
 CONTACTD_INLINE void add(const TractionAt<Number>& from, const TractionAt<Number>& middle, const TractionAt<Number>& to,
                          SliceSums<Number>& sum) {
@@ -114,9 +115,9 @@ CONTACTD_INLINE void add(const TractionAt<Number>& from, const TractionAt<Number
     sum.x_py += unit * (from.x * from.py + 4 * (middle.x * middle.py) + to.x * to.py);
 }
 
-// One step, and what it adds to the sums. It has a part that adheres, a part that slips, or one after the other. The
-// traction is a quadratic function of x on the first; on the second it follows the bound, a parabola, and its direction
-// changes little: in the middle it is the bound in the mean direction.
+// Advances by one step and adds it to the sums. A step adheres, slips, or does first one and then the other. The
+// traction is a quadratic function of x in the part that adheres. In the part that slips, it follows the bound, a
+// parabola, and its direction changes little: in the middle it is the bound in the mean direction.
 template <class Number>
 CONTACTD_INLINE FastsimPoint<Number> advance(const FastsimLaw<Number>& law, const FastsimSlice<Number>& slice,
                                              const FastsimPoint<Number>& from, const Number& x,

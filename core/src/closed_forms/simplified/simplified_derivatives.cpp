@@ -16,7 +16,7 @@ using Table = DerivativeTable;
 struct KnownMotion {
     std::array<double, 3> motion;
     ForcesByMotion by_motion;
-    double size_exponent;  // of Fn, in the translation at which the same part of the contact slips
+    double size_exponent;  // exponent of Fn in the translation with the same slipping part of the contact
 };
 
 KnownMotion known_motion(const ContactProblem& problem, const EllipticContact& contact, const Motion& motion) {
@@ -42,8 +42,8 @@ KnownMotion known_motion(const ContactProblem& problem, const EllipticContact& c
 //
 //     F / (mu Fn) is the same for the same  xi, eta / (mu Fn^(1/3)),  phi / mu,  shift / (mu Fn^(2/3)),
 //
-// and so is Mz / (mu Fn^(4/3)). What they do by friction and by Fn follows from what they do by the motion. The width
-// of a strip grows as Fn^(1/2), and its shift as cattaneo_mindlin_exponent says.
+// and so is Mz / (mu Fn^(4/3)). Therefore, derivatives by friction and by Fn follow from those by the motion. The width
+// of a strip grows as Fn^(1/2), and its shift with cattaneo_mindlin_exponent.
 void take_friction(const KnownMotion& known, double mu, const EllipticContact& contact, const ContactSolution& solution,
                    Table& table) {
     const std::array forces{solution.forces.Fx, solution.forces.Fy, solution.forces.Mz};
@@ -59,7 +59,8 @@ void take_friction(const KnownMotion& known, double mu, const EllipticContact& c
     }
 }
 
-// The approach of a strip grows as Fn (ln(2 datum/a) + 1/2), in which the logarithm falls by 1/2 where Fn grows e-fold.
+// The approach of a strip grows as Fn (ln(2 datum/a) + 1/2), in which the logarithm decreases by 1/2 if Fn grows
+// e-fold.
 double stiffness(const EllipticContact& contact, double approach) {
     if (!contact.is_strip()) return 1.5 * contact.Fn / approach;
     const double logarithm = std::log(2 * contact.datum / contact.axes.a);

@@ -58,7 +58,7 @@ void check_is_simple(const ContactProblem& problem) {
     if (!rolling && problem.model != Model::hertz) unknown(problem, "friction", "is a shift");
 }
 
-/// FaStrip is made for Hertz's pressures.
+/// FaStrip requires Hertz's pressures.
 TractionBound bound_of(const ContactProblem& problem) {
     return problem.model == Model::fastsim ? problem.simplified.bound : TractionBound::elliptic;
 }
@@ -67,7 +67,7 @@ EllipticFriction friction_of(const ContactProblem& problem, const EllipticContac
                              std::vector<std::string>& warnings) {
     if (rolls_on_elements(problem))
         return element_friction(problem, patch_of(problem.grid, contact, bound_of(problem)), warnings);
-    constexpr double least_mu = 1e-100;  // products of less with pressures are no numbers that can be divided by
+    constexpr double least_mu = 1e-100;  // Products of smaller coefficients with pressures are too small as divisors.
     const double given = problem.friction->mu[0], mu = given >= least_mu ? given : 0;
     if (const auto* shift = std::get_if<Shift>(&problem.motion))
         return cattaneo_mindlin(problem.grid, contact, mu, *shift);
@@ -110,7 +110,7 @@ void differentiate(const ContactProblem& problem, const EllipticContact& contact
     const auto start = std::chrono::steady_clock::now();
     solution.derivatives = simplified_derivatives(problem, contact, solution);
     const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
-    solution.evidence.derivatives = SolverEvidence{0, 0, true, duration.count()};  // closed form
+    solution.evidence.derivatives = SolverEvidence{0, 0, true, duration.count()};  // This is a closed form.
 }
 
 ContactSolution solve_on_pressures(const ContactProblem& problem, const PenetrationContact& found) {
@@ -143,7 +143,7 @@ ContactSolution solve_by_simplified_model(const ContactProblem& problem, const P
         contact.datum = line->datum;
     }
     ContactSolution solution;
-    solution.evidence.normal.converged = true;  // closed form
+    solution.evidence.normal.converged = true;  // This is a closed form.
     solution.approach = found.approach;
     solution.forces.Fn = found.Fn;
     solution.pmax = found.pmax;

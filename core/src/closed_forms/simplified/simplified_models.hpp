@@ -1,4 +1,4 @@
-// Hertz, and simplified models of friction, as answers to a contact problem.
+// Solves contact problems by Hertz and by simplified models of friction.
 #pragma once
 
 #include "closed_forms/penetration_contact.hpp"
@@ -6,11 +6,12 @@
 
 namespace contactd {
 
-/// `penetration` has the pressures of problem.normal_model, where that is not of_model; models of rolling take the
-/// ellipse that is equivalent to their elements. For model hertz (Hertz, with Cattaneo-Mindlin for shifts and
-/// Vermeulen-Johnson for rolling) and fastsim, fastrip and polach (Hertz, with these for rolling). Of line contacts,
-/// which hertz alone knows, it is Hertz, Cattaneo and Carter. Forces, areas and pmax are those of the whole ellipse,
-/// arrays samples. `problem` is valid. Throws InvalidArgument for what these theories do not know.
+/// Solves a valid `problem` with model hertz (Hertz, with Cattaneo-Mindlin for shifts and Vermeulen-Johnson for
+/// rolling), or fastsim, fastrip or polach (Hertz, with these for rolling). Line contacts, which only hertz supports,
+/// are solved by Hertz, Cattaneo and Carter. `penetration` holds the pressures of problem.normal_model if that is not
+/// of_model; models of rolling then use the ellipse that is equivalent to their elements. Forces, areas and pmax are
+/// those of the whole ellipse, arrays are samples. Throws InvalidArgument for problems that these theories do not
+/// cover.
 ContactSolution solve_by_simplified_model(const ContactProblem& problem,
                                           const PenetrationContact* penetration = nullptr);
 

@@ -9,7 +9,7 @@
 namespace contactd {
 namespace {
 
-// 1 - k is the length of the creepage in units of what makes all slip, each direction its own.
+// 1 - k is the length of the creepage, in units of the creepage of full slip in each direction.
 template <class Number>
 EllipseState<Number> state_of_creepage(const std::array<Number, 2>& creepage, const Pair& full) {
     using std::hypot;
@@ -20,7 +20,7 @@ EllipseState<Number> state_of_creepage(const std::array<Number, 2>& creepage, co
     return {{share[0] / size, share[1] / size}, 1 - size};
 }
 
-// Returns the creepages at which all slips; the parts of both tractions are below.
+// Returns the creepages of full slip; the parts of both tractions are below.
 Pair full_creepage(const RollingFrame& frame, const EllipticContact& contact, double bound) {
     const EllipseCompliance u = compliance_of(contact, frame.axes);
     const double unit = 2 * bound * frame.axes.a;
@@ -29,7 +29,7 @@ Pair full_creepage(const RollingFrame& frame, const EllipticContact& contact, do
 
 }  // namespace
 
-// Both tractions bend the surface alike, by `along` of the ellipse's compliance, about centres (1-k) a apart: in the
+// Both tractions bend the surface equally, by `along` of the ellipse's compliance, about centres (1-k) a apart. In the
 // adhesion area du/dx is the constant 2 along mu Fn (1-k) a, which is the creepage.
 EllipticFriction vermeulen_johnson(const Grid& grid, const EllipticContact& contact, double mu,
                                    const Rolling& rolling) {
