@@ -10,7 +10,7 @@
 namespace contactd {
 namespace {
 
-constexpr double out_of_reach = 1e6;  // mm: far beyond any approach, and no infinity
+constexpr double out_of_reach = 1e6;  // mm: far beyond any approach, but finite
 
 bool holds(const Extent& extent, double at) {
     return at >= extent.from && at <= extent.to;

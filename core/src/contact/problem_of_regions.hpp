@@ -1,4 +1,4 @@
-// A contact whose regions feel each other's pressures in part, as a plain one.
+// Converts a contact whose regions interact partially to a plain contact.
 #pragma once
 
 #include "contactd/contact.hpp"
@@ -7,11 +7,11 @@
 
 namespace contactd {
 
-/// The region of each element, by its centre.
+/// Returns the region of each element, by its centre.
 RegionShares region_shares(const ContactRegions& regions, const Grid& grid);
 
-/// A problem without regions: the undeformed distance keeps elements of none from touching, and the bodies weigh the
-/// displacements. Needs regions, and the influence of bodies for the problem's grid.
+/// Holds a problem without regions: the undeformed distance prevents contact of elements in no region, and the bodies
+/// weigh the displacements. It requires regions, and the influence of bodies for the problem's grid.
 struct ProblemOfRegions {
     ProblemOfRegions(const ContactProblem& with_regions, const ContactInfluence& of_bodies);
 

@@ -33,16 +33,18 @@
 namespace contactd {
 namespace {
 
-/// Returns where a longitudinally uniform body by finite elements ends: the half-space of an analytic one goes on
-/// behind an edge.
+/// Returns the ends of a longitudinally uniform body by finite elements. The half-space of an analytic one continues
+/// beyond an edge.
 StripEnds ends_of(const Body& body, const Grid& grid, const char* name) {
     if (body.section() == nullptr || body.computed()->source == IcSource::analytic) return {};
     return strip_ends(*body.section(), grid.ny, grid.dy, name);
 }
 
-/// Tells a line contact by one row of long elements, whose ends are not those of a contact that goes on beyond them.
+/// Returns whether one row of long elements represents a line contact, whose ends are not those of a contact that
+/// continues beyond them.
 bool is_long_row(const ContactProblem& problem, const ContactSolution& solution) {
-    constexpr double longer = 5;  // than the contact, from where on pressures are off by less than a percent
+    // If rows are longer than the contact by this factor, the error of pressures is less than a percent.
+    constexpr double longer = 5;
     if (problem.grid.ny != 1 || !problem.gap) return false;
     const auto* paraboloid = std::get_if<Paraboloid>(&*problem.gap);
     const bool is_cylinder = paraboloid != nullptr && !std::isfinite(paraboloid->Ry);
@@ -55,7 +57,7 @@ BorderRows border_rows(const ContactProblem& problem, const ContactSolution& sol
     if (!problem.bodies.any_uniform()) return {};
     const StripEnds below = ends_of(problem.bodies.lower, problem.grid, "bodies.lower.ics.section"),
                     above = ends_of(problem.bodies.upper, problem.grid, "bodies.upper.ics.section");
-    // The upper body's strips run the other way.
+    // The upper body's strips are in reverse order.
     return {!below.first && !above.last, !below.last && !above.first};
 }
 
@@ -67,7 +69,7 @@ void count_elements(const ContactProblem& problem, ContactSolution& solution) {
     }
     solution.elements.contact = solution.elements.adhesion + solution.elements.slip + solution.elements.flow;
     solution.elements.border = border_elements(problem.grid, solution.pressure);
-    if (solution.elements.border > 0)  // takes a look at sections
+    if (solution.elements.border > 0)  // This evaluates sections.
         solution.elements.border = border_elements(problem.grid, solution.pressure, border_rows(problem, solution));
 }
 
@@ -87,8 +89,8 @@ void sum_up(const ContactSetup& setup, ContactSolution& solution) {
     solution.area.flow = solution.elements.flow * area;
 }
 
-/// Slip of rolling is over the distance rolled, which the solvers do not divide by. Adhesion loses nothing: its slip is
-/// what the tolerance leaves. The sum stands as it is: one clearly below zero tells of a wrong solution.
+/// Slip in rolling is per distance rolled; the solvers do not divide by that distance. Adhesion dissipates nothing: its
+/// slip is within the tolerance. The sum is not corrected: one clearly below zero indicates a wrong solution.
 void take_friction_losses(const ContactProblem& problem, ContactSolution& solution) {
     if (!solution.motion) return;
     double work = 0;
@@ -123,7 +125,7 @@ void take_friction_losses(const ContactProblem& problem, ContactSolution& soluti
     }
 }
 
-/// Closed forms take each strip for the surface of a half-space: they know neither the edge of a block nor its ground.
+/// Closed forms treat each strip as the surface of a half-space. They neglect the edge of a block and its support.
 void warn_of_edges(const ContactProblem& problem, ContactSolution& solution) {
     const Grid& grid = problem.grid;
     int first = grid.ny, last = -1;
@@ -153,7 +155,7 @@ void warn_of_edges(const ContactProblem& problem, ContactSolution& solution) {
                 " mm high, and the contact is " + short_text(width) +
                 " mm wide. Closed forms neglect the support below the block; use ics.source fem.");
     };
-    warn_of(problem.bodies.upper, "upper", first);  // whose strips run the other way
+    warn_of(problem.bodies.upper, "upper", first);  // The upper body's strips are in reverse order.
     warn_of(problem.bodies.lower, "lower", grid.ny - 1 - last);
 }
 
@@ -183,7 +185,7 @@ void warn(const ContactProblem& problem, ContactSolution& solution) {
                                 "the solution neglects. Use a larger grid.");
 }
 
-/// The layer of a third body shears as a sheet does.
+/// The layer of a third body shears like a sheet.
 void add_sheets(const ContactProblem& problem, ContactInfluence& bodies) {
     const bool sheared = problem.friction && problem.friction->layer;
     const SheetFlexibility sheets{problem.sheet_flexibility, sheared ? problem.friction->layer->flexibility : 0};

@@ -1,4 +1,4 @@
-// Temperatures of a contact that was solved.
+// Computes temperatures of a solved contact.
 #pragma once
 
 #include "contactd/contact.hpp"
@@ -6,8 +6,8 @@
 
 namespace contactd {
 
-/// Takes temperatures, where the problem asks for them, into the solution, whose slip is relative; and their warnings;
-/// and the speed that they depend on.
+/// If the problem requests temperatures, adds them, their warnings and the speed that they depend on to the solution,
+/// whose slip is relative.
 void find_temperature(const ContactProblem& problem, ContactSolution& solution, Observer& observer);
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-// Displacements of the surfaces under the tractions of a solution.
+// Computes displacements of the surfaces under the tractions of a solution.
 #pragma once
 
 #include "contactd/contact.hpp"
@@ -7,7 +7,7 @@
 
 namespace contactd {
 
-/// Adds the displacements of the upper body less those of the lower one (mm), u = A p, and the elastic energy.
+/// Adds the displacements of the upper body minus those of the lower one (mm), u = A p, and the elastic energy.
 void find_displacements(const Grid& grid, const InfluenceOperator& influence, ContactSolution& solution);
 
 }  // namespace contactd

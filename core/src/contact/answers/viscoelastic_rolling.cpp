@@ -10,14 +10,14 @@
 namespace contactd {
 namespace {
 
-constexpr double shortest_length = 0.5;  // of creep, V tau, in elements
-constexpr double longest_length = 100;   // the same in lengths of the contact
+constexpr double shortest_length = 0.5;  // length of creep, V tau, in elements
+constexpr double longest_length = 100;   // length of creep in lengths of the contact
 
 const Rolling* rolling_of(const ContactProblem& problem) {
     return problem.friction ? std::get_if<Rolling>(&problem.motion) : nullptr;
 }
 
-/// Central differences along x; one-sided at both ends of a row.
+/// Returns central differences along x, which are one-sided at both ends of a row.
 std::vector<double> slope_along_x(const Grid& grid, const std::vector<double>& values) {
     std::vector<double> slope(values.size());
     for (int iy = 0; iy < grid.ny; ++iy)

@@ -1,4 +1,5 @@
-// What bodies that creep as they roll have beside elastic ones: a resistance to rolling, and limits of the speed.
+// Computes the additional answers of rolling viscoelastic bodies: the resistance to rolling, and warnings about the
+// speed.
 #pragma once
 
 #include <optional>
@@ -10,11 +11,11 @@
 
 namespace contactd {
 
-/// The resistance to rolling; nothing without contact. Slopes are central differences.
+/// Returns the resistance to rolling, or nothing without contact. Slopes are central differences.
 std::optional<RollingResistance> rolling_resistance(const ContactProblem& problem, const InfluenceOperator& influence,
                                                     const ContactSolution& solution);
 
-/// Warns where V tau is so short or so long that a limit of it is as good: sentences.
+/// Returns warnings if V tau is so short or so long that its limit is as accurate.
 std::vector<std::string> creep_warnings(const ContactProblem& problem, const ContactSolution& solution);
 
 }  // namespace contactd

@@ -19,11 +19,12 @@ using Vector = KrylovSpace::Vector;
 using Table = DerivativeTable;
 using Right = KrylovSpace::Right;
 
-// Relative tolerances of the linear equations: the rest of right-hand sides, or the change of forces in a step.
+// These are relative tolerances of the linear equations, for the residual of right-hand sides or the change of forces
+// in a step.
 constexpr double residual_tolerance = 2e-5, coupled_tolerance = 1e-6, change_tolerance = 2e-5;
-// This one holds where forces err by its square.
+// This tolerance applies if the error of forces is its square.
 constexpr double symmetric_tolerance = 7e-4;
-// The part that slips counts as so much at least: the effect of friction is found as a difference, which is small then.
+// The slipping part counts as at least this much, because the effect of friction is a difference, which is then small.
 constexpr double least_slip_part = 0.1;
 
 class Differentiation {
@@ -45,7 +46,7 @@ class Differentiation {
     SolverEvidence evidence() const { return {iterations_, residual_, converged_, stopwatch_.seconds()}; }
 
    private:
-    // Bodies alike: pressures follow the approach alone.
+    // Solves for similar bodies, whose pressures depend only on the approach.
     void find_one_by_one() {
         const Vector dp = press(), dg = contact_.bound_of_pressure(dp);
         if (!problem_.friction) return;
@@ -78,7 +79,7 @@ class Differentiation {
         return {residual_tolerance, part * change_tolerance, change_of_forces()};
     }
 
-    // Pressures for one unit of approach, and their force.
+    // Returns pressures for a unit of approach, and their force.
     Vector press() {
         const Eigen::Index size = contact_.pressures();
         const Vector ones = Vector::Ones(size);
@@ -103,7 +104,7 @@ class Differentiation {
         };
         const Vector none = Vector::Zero(pressures);
         for (int k = 0; k < 3; ++k) add_right(none, contact_.of_motion(k), Vector::Zero(4));
-        // The effect of friction on pressures is so much smaller, and is needed as well.
+        // The effect of friction on pressures is smaller by this factor, and is needed as well.
         add_right(Vector::Ones(pressures), {Vector::Zero(tractions), 0}, Vector::Zero(4),
                   std::min(contact_.mean_friction(), 1.0));
         const Vector dg = contact_.bound_of_friction();
@@ -136,7 +137,7 @@ class Differentiation {
         return space;
     }
 
-    // Compares Fx, Fy and Mz, over the largest of them.
+    // Returns the largest change of Fx, Fy and Mz, over the largest of them.
     double relative_change(const Vector& now, const Vector& before) const {
         const Eigen::Vector3d unit(1, 1, 1 / contact_.length());
         const double largest = now.cwiseProduct(unit).cwiseAbs().maxCoeff();
@@ -145,7 +146,7 @@ class Differentiation {
     KrylovSpace::Change change_of_forces() const {
         return [this](const Vector& now, const Vector& before) { return relative_change(now, before); };
     }
-    // And of Fn, over the largest of all.
+    // Also includes the change of Fn, over the largest of all.
     KrylovSpace::Change change_of_all() const {
         return [this](const Vector& now, const Vector& before) {
             const double normal = std::abs(now[0] - before[0]) / now.cwiseAbs().maxCoeff();
@@ -157,7 +158,7 @@ class Differentiation {
         for (int k = 0; k < 3; ++k) table_.values[Table::Fx + k][column] = forces[k];
     }
 
-    // Whether tractions double with bounds and motion: where slip owes nothing to anything else.
+    // Returns whether tractions are proportional to bounds and motion: slip must not depend on anything else.
     bool is_homogeneous() const {
         const auto* rolling = problem_.friction ? std::get_if<Rolling>(&problem_.motion) : nullptr;
         const bool starts_anew = problem_.previous.empty() || (rolling != nullptr && rolling->steady());
@@ -165,7 +166,7 @@ class Differentiation {
                problem_.rigid_slip.empty();
     }
 
-    // By Euler: mu dF/dmu + the motion times dF/d(motion) = F.
+    // Uses Euler's theorem: mu dF/dmu + the motion times dF/d(motion) = F.
     void follow_friction() {
         const TangentialForces sum = tangential_forces(problem_.grid, solution_.traction_x, solution_.traction_y);
         const std::array forces{sum.Fx, sum.Fy, sum.Mz};
@@ -184,7 +185,7 @@ class Differentiation {
         }
     }
 
-    // From units of rigid slip: where the bodies roll, spin acts somewhat ahead.
+    // Converts from units of rigid slip: if the bodies roll, spin acts somewhat ahead.
     void to_units_of_motion() {
         const auto* rolling = problem_.friction ? std::get_if<Rolling>(&problem_.motion) : nullptr;
         if (rolling == nullptr) return;

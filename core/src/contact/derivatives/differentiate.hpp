@@ -1,4 +1,4 @@
-// Derivatives of a solved contact, by implicit differentiation of its equations.
+// Computes derivatives of a solved contact by implicit differentiation of its equations.
 #pragma once
 
 #include "contactd/contact.hpp"
@@ -7,8 +7,8 @@
 
 namespace contactd {
 
-/// Gives a converged solution as the solvers leave it, its slip in mm, `derivatives` and their evidence. Where the
-/// equations do not reach their tolerance, and without contact, it gets none, and a warning. Throws Cancelled.
+/// Adds `derivatives` and their evidence to a converged solution of the solvers, whose slip is in mm. If the equations
+/// do not reach their tolerance, or without contact, adds only a warning. Throws Cancelled.
 void differentiate(const ContactProblem& problem, const ContactInfluence& influence, Observer& observer,
                    ContactSolution& solution);
 

@@ -13,7 +13,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr double least_friction = 1e-100;  // as of boundary elements
+constexpr double least_friction = 1e-100;  // as in boundary elements
 
 bool is_steady_rolling(const ContactProblem& problem) {
     const auto* rolling = problem.friction ? std::get_if<Rolling>(&problem.motion) : nullptr;
@@ -39,7 +39,7 @@ Values coefficients(const ContactProblem& problem) {
     return mu;
 }
 
-/// EnteringParticles::part of transient rolling, else none.
+/// Returns EnteringParticles::part of transient rolling, otherwise none.
 Values entering(const ContactProblem& problem, const Grid& grid, const Values& pressure) {
     const auto* rolling = problem.friction ? std::get_if<Rolling>(&problem.motion) : nullptr;
     if (rolling == nullptr || rolling->steady()) return {};
@@ -87,7 +87,8 @@ FrozenContact::FrozenContact(const ContactProblem& problem, const ContactInfluen
     take_law(solution);
     if (rubbed_.size() == 0) return;
     const auto [x, y] = step_of(problem);
-    // Several right-hand sides share steps, so that levels would save a sixth of them and make each half as dear again.
+    // Several right-hand sides share steps, so that levels would save a sixth of them and make each half as expensive
+    // again.
     compliance_ = compliance_of({influence_, increment_, grid_, x, y, PreconditionerLevels::never}, rubbed_);
     compliance_->linearise(law_);
     take_weights();
@@ -121,7 +122,7 @@ void FrozenContact::take_law(const ContactSolution& solution) {
     linearise_law(m, law_.slips.data(), p, s, inverse_bound.data(), law_.normal, law_.tangent_stiffness.data(),
                   residual);
 
-    // Friction that begins opposes the slip that there is without it.
+    // Friction that begins opposes the slip without friction.
     for (const std::size_t i : pressed_.elements) {
         const double size = std::hypot(slip.x[i], slip.y[i]);
         if (mu_[i] > 0 || size == 0) continue;
@@ -138,8 +139,8 @@ void FrozenContact::take_law(const ContactSolution& solution) {
     }
 }
 
-// Where the tangent is stiff little is left of a large residual: all are measured by the tractions that they are about,
-// and these as displacements, along with the residuals of the pressures.
+// Large residuals matter little where the tangent is stiff. Therefore all are measured by their approximate tractions,
+// converted to displacements, together with the residuals of the pressures.
 void FrozenContact::take_weights() {
     const double stiffness = mean(influence_.diagonal(Axis::z));
     const Values& self = compliance_->self();
@@ -185,7 +186,7 @@ void FrozenContact::add_free() {
     }
 }
 
-// s_ = K q_
+// Computes s_ = K q_.
 void FrozenContact::find_slip() {
     if (increment_ != nullptr)
         increment_->tangential(q_.x, q_.y, s_.x, s_.y);
@@ -197,7 +198,7 @@ void FrozenContact::give_normal(double* result) const {
     for (const Contact::Run& run : pressed_.runs) std::copy_n(&u_[run.grid_first], run.size, result + run.first);
 }
 
-// P u + D dq for the response u in out_. Nothing that adheres turns.
+// Returns P u + D dq for the response u in out_. In adhesion, nothing rotates.
 FrozenContact::Vector FrozenContact::tangential_residual() {
     add_product(rubbed_.size(), law_.tangent_stiffness.data(), in_.x.data(), out_.x.data());
     add_product(rubbed_.size(), law_.tangent_stiffness.data(), in_.y.data(), out_.y.data());

@@ -1,4 +1,4 @@
-// The equations of a solved contact to first order, its element division frozen.
+// Linearises the equations of a solved contact, with a frozen element division.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,32 +16,34 @@
 
 namespace contactd {
 
-// Unknowns are changes of the pressures, dp, and of what is free of the tractions, dq: both components in adhesion,
-// across the slip where there is slip. There the traction is g n with g = mu p, and changes by dq + n dg. The equations
+// The unknowns are changes of the pressures, dp, and of the free components of the tractions, dq: both components in
+// adhesion, the component across the slip in slip. In slip, the traction is g n with g = mu p, and changes by dq + n
+// dg. The equations
 //
 //     A_zz dp + A_zt (dq + n dg) = d(delta)                          in contact
 //     P (K (dq + n dg) + K_tz dp + dw) + D dq = 0,   D = |s|/g       in adhesion and slip
 //
-// with P, which projects on what is free, and K, A or C, as Newton's method on the friction law has them. Vectors hold
-// dp of each element in contact, or what is free of dq: of each element along x where it adheres, across its traction
-// where it slips, and then along y of those that adhere. All of them hold dp first. On the right: what equations leave.
+// use the projection P on the free components, and K, A or C, as in Newton's method on the friction law. Vectors
+// contain dp of each element in contact, or the free components of dq: first the one along x for each element that
+// adheres, or across its traction for each that slips, and then the one along y for those that adhere. Vectors of all
+// unknowns contain dp first. The right-hand side is the residual of the equations.
 class FrozenContact {
    public:
     using Vector = Eigen::VectorXd;
     using Values = std::vector<double>;
 
-    // Takes a solution as solvers leave it: slip is in mm. Problem and operators outlive it.
+    // Uses a solution of the solvers, with slip in mm. Problem and operators must outlive this object.
     FrozenContact(const ContactProblem& problem, const ContactInfluence& influence, const ContactSolution& solution);
 
-    // Whether pressures follow tractions; otherwise the tangential part of the equations stands alone.
+    // Returns whether pressures depend on tractions. Otherwise the tangential part of the equations is separate.
     bool coupled() const { return coupled_; }
-    // Whether that part is its own transpose.
+    // Returns whether the tangential part is symmetric.
     bool symmetric() const { return increment_ == nullptr; }
-    // Over the elements in contact.
+    // Returns the mean coefficient over the elements in contact.
     double mean_friction() const;
-    // Returns the part of the elements with a bound that slips.
+    // Returns the fraction of the elements with a bound that slips.
     double slip_part() const { return 1 - static_cast<double>(adhering_.size()) / static_cast<double>(rubbed_.size()); }
-    // About the size of the contact (mm).
+    // Returns the approximate size of the contact (mm).
     double length() const { return std::sqrt(grid_.element_area() * static_cast<double>(pressed_.size())); }
     Eigen::Index pressures() const { return static_cast<Eigen::Index>(pressed_.size()); }
     Eigen::Index tractions() const { return weights_.size(); }
@@ -50,36 +52,38 @@ class FrozenContact {
     void precondition_normal(const Vector& r, Vector& z);
     void tangential(const Vector& dq, Vector& result);
     void precondition_tangential(const Vector& r, Vector& z, int step);
-    // Both, as they depend on each other.
+    // Applies both parts with their coupling.
     void all(const Vector& both, Vector& result);
     void precondition_all(const Vector& r, Vector& z, int step);
 
-    // How residuals of the tangential equations are measured, and those of both.
+    // Return the weights that measure residuals of the tangential equations, and of all equations.
     const Vector& weights() const { return weights_; }
     Vector weights_of_all() const;
-    // Columns: what makes the forces Fn, Fx, Fy and Mz of dp and dq, the bounds following the pressures.
+    // Returns columns that compute the forces Fn, Fx, Fy and Mz from dp and dq, with bounds that follow the pressures.
     Eigen::MatrixXd forces_of_all();
-    // Its columns make the forces Fx, Fy and Mz of dq alone.
+    // Returns columns that compute the forces Fx, Fy and Mz from dq alone.
     Eigen::MatrixXd forces_of_tractions();
 
-    // The right-hand side, and its weighted length before all that is not free of it was projected out, without which
-    // rounding alone may be left.
+    // Holds the right-hand side, and its weighted length before the projection on the free components, after which only
+    // rounding errors may be left.
     struct Right {
         Vector values;
         double size;
     };
-    // For one unit of rigid slip along x (0), along y (1) or about the origin (2).
+    // Returns the right-hand side for a unit of rigid slip along x (0), along y (1) or about the origin (2).
     Right of_slip(int direction);
-    // For one unit of that in a step, which particles that enter during it make a part of.
+    // Returns the right-hand side for a unit of rigid slip in a step. Particles that enter during the step slip only
+    // for part of it.
     Right of_motion(int direction);
-    // For bounds that change by dg while pressures stay, of the tangential equations and of the others.
+    // Return the right-hand sides of the tangential and the other equations for bounds that change by dg at constant
+    // pressures.
     Right of_bound(const Vector& dg);
     Vector pressures_of_bound(const Vector& dg);
-    // dg of each element in contact for one unit of friction, and for a change of the pressures.
+    // Return dg of each element in contact for a unit of friction, and for a change of the pressures.
     Vector bound_of_friction() const;
     Vector bound_of_pressure(const Vector& dp) const;
 
-    // Changes of Fx, Fy and Mz.
+    // Holds changes of Fx, Fy and Mz.
     using Forces = Eigen::Vector3d;
     Forces forces_of_bound(const Vector& dg);
     double element_area() const { return grid_.element_area(); }
@@ -107,15 +111,16 @@ class FrozenContact {
     const Grid grid_;
     const bool coupled_;
     const Values pressure_, mu_;
-    const Values entering_;           // EnteringParticles::part; empty: none enters
+    const Values entering_;           // EnteringParticles::part; empty if none enters
     Field radial_;                    // n
-    const Contact pressed_, rubbed_;  // elements with a pressure; those of them with a bound
+    const Contact pressed_, rubbed_;  // elements with a pressure, and those of them with a bound
     std::unique_ptr<Compliance> compliance_;
     Linearisation law_;
-    Field along_;                        // what is free: e_x in adhesion, across the traction in slip
-    std::vector<std::size_t> adhering_;  // where e_y is free, too; of rubbed_
+    Field along_;                        // free direction: e_x in adhesion, across the traction in slip
+    std::vector<std::size_t> adhering_;  // elements of rubbed_ where e_y is free, too
     Vector weights_;                     // of the tangential equations
-    // On the box: dp, what it makes of the gap, dq + n dg, and its slip. On elements with a bound: dq, and its slip.
+    // On the box, these are dp and its effect on the gap, and dq + n dg and its slip; on elements with a bound, they
+    // are dq and its slip.
     Values p_, u_;
     Field q_, s_, coupling_;
     Field in_, out_;

@@ -1,4 +1,4 @@
-// Right-hand sides of the equations by inputs, and the forces that result.
+// Computes right-hand sides of the equations by inputs, and the resulting forces.
 #include <cmath>
 
 #include "contact/rolling/rolling.hpp"
@@ -12,7 +12,7 @@ double FrozenContact::mean_friction() const {
     return sum / static_cast<double>(pressed_.size());
 }
 
-// Makes the right-hand side of the slip in out_.
+// Makes the right-hand side from the slip in out_.
 FrozenContact::Right FrozenContact::right_of_slip() const {
     double squares = 0;
     for (std::size_t e = 0; e < rubbed_.size(); ++e) {

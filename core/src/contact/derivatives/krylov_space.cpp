@@ -8,11 +8,12 @@ namespace contactd {
 namespace {
 
 constexpr Eigen::Index most_steps = 500, fewest_steps = 50, kept_values = 32 << 20;
-constexpr double cancelled_digits = 0.01;  // what may be left of an image before it is made orthogonal once more
-constexpr double least_fall = 0.2;         // of the change of sums, from step to step
-constexpr double dependent = 1e-12;        // the same, at which a step adds nothing
+constexpr double cancelled_digits = 0.01;  // fraction of an image below which it is made orthogonal again
+constexpr double least_fall = 0.2;         // least decrease of the change of sums from step to step
+constexpr double dependent = 1e-12;        // fraction at which a step is linearly dependent
 
-// A right-hand side that is shorter than this part of its size counts as that long: what is left of it may be rounding.
+// A right-hand side that is shorter than this fraction of its size counts as that long, because it may consist of
+// rounding errors.
 constexpr double rounding = 1e-7;
 
 }  // namespace
@@ -68,7 +69,7 @@ void KrylovSpace::solve(const std::vector<Right>& rights, const Tolerance& toler
             }
             goes_on = true;
             if (tolerance.change == 0) continue;
-            // Steps to come change sums by less and less. That a step hardly changes them may be chance.
+            // Future steps change sums by less and less. A small change in one step may be chance.
             const double change = std::max(tolerance.change_of(sums_.col(i), before), least_fall * state.change);
             state.ended = change * std::min(change / state.change, 1.0) <= tolerance.change;
             state.change = change;

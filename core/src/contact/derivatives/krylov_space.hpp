@@ -1,4 +1,4 @@
-// Linear equations with one matrix and several right-hand sides, of whose solutions a few sums are outputs.
+// Solves linear equations with one matrix and several right-hand sides. The outputs are a few sums of the solutions.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,18 +13,19 @@ struct LinearEquations {
     using Vector = Eigen::VectorXd;
 
     std::function<void(const Vector& x, Vector& y)> matrix;
-    // z ~ matrix^-1 r. `step` counts those for one right-hand side.
+    // Computes z ~ matrix^-1 r. `step` counts those for one right-hand side.
     std::function<void(const Vector& r, Vector& z, int step)> precondition;
-    // Matrix and preconditioner are their own transposes and positive definite, the latter the same in all steps.
+    // If set, matrix and preconditioner are symmetric and positive definite, and the preconditioner is the same in all
+    // steps.
     bool symmetric = false;
-    Vector weights;           // > 0: residuals are measured with them
+    Vector weights;           // > 0; they measure residuals
     Eigen::MatrixXd outputs;  // columns c: the sums c . x
 };
 
-// Steps of the preconditioner, for one right-hand side after the other and of use to all. Of the combinations of steps
-// that is taken which leaves the least residual (GCR; Eisenstat, Elman and Schultz 1983), or for symmetric equations
-// the least error in energy (conjugate gradients with several right-hand sides; O'Leary 1980), where sums with the
-// right-hand sides err by the square of that.
+// Makes steps of the preconditioner for each right-hand side in turn; all right-hand sides use them. The combination of
+// steps has the smallest residual (GCR; Eisenstat, Elman and Schultz 1983), or for symmetric equations the smallest
+// energy of the error (conjugate gradients with several right-hand sides; O'Leary 1980). In the symmetric case, sums
+// with the right-hand sides have the square of that error.
 class KrylovSpace {
    public:
     using Vector = LinearEquations::Vector;
@@ -32,21 +33,22 @@ class KrylovSpace {
 
     struct Right {
         Vector values;
-        double size;         // length of what it is a difference of, weighted
+        double size;         // weighted length of the vectors whose difference it is
         Vector known;        // to be added to its sums
-        double measure = 1;  // its residual is relative to that many times its length
+        double measure = 1;  // factor on its length, to which the residual is relative
     };
     using Change = std::function<double(const Vector& now, const Vector& before)>;
     struct Tolerance {
         double residual;  // relative
-        // Or what steps to come are expected to change of the sums, as told by change_of; 0: residuals alone count.
+        // Limits the change of the sums that future steps are expected to make, measured by change_of; 0: only
+        // residuals count.
         double change = 0;
         Change change_of{};
     };
 
     explicit KrylovSpace(LinearEquations equations);
 
-    // To the tolerance, or until no more steps are kept. To be called once.
+    // Solves to the tolerance, or until the memory for steps is full. It must be called only once.
     void solve(const std::vector<Right>& rights, const Tolerance& tolerance, const Observer& observer);
 
     bool converged() const { return converged_; }
@@ -54,7 +56,7 @@ class KrylovSpace {
     int steps() const { return static_cast<int>(count_); }
     // Returns the sums of one right-hand side.
     Vector sums(std::size_t right) const { return sums_.col(static_cast<Eigen::Index>(right)); }
-    // x itself; of symmetric equations only.
+    // Returns x itself, for symmetric equations only.
     Vector solution(std::size_t right) const;
 
    private:
@@ -66,7 +68,7 @@ class KrylovSpace {
 
     void begin(const std::vector<Right>& rights);
     double relative(Eigen::Index right) const;
-    // Whether there was another step to make.
+    // Returns whether another step was possible.
     bool add_step(Eigen::Index right);
     void make_orthogonal(double length);
     void use_newest();
@@ -75,8 +77,8 @@ class KrylovSpace {
     const LinearEquations equations_;
     const Eigen::Index size_, most_;
     Eigen::Index count_ = 0;
-    // Columns: what the matrix makes of directions; the directions, which only symmetric equations need; the sums of
-    // them; shares of them in the solutions, by rows. Images are orthonormal, or the directions conjugate.
+    // Columns are the images of directions under the matrix, the directions, which only symmetric equations need, their
+    // sums, and, in rows, their shares in the solutions. Images are orthonormal, or directions conjugate.
     Matrix images_, directions_, direction_sums_, shares_;
     Matrix residuals_, sums_;  // of the right-hand sides; residuals weighted unless symmetric
     std::vector<State> states_;

@@ -1,4 +1,4 @@
-// Motion and forces on strips of elements that are curved along y.
+// Computes motion and forces on strips of elements that are curved along y.
 #pragma once
 
 #include <vector>
@@ -8,20 +8,20 @@
 
 namespace contactd {
 
-/// Cosines of the angles between the elements' normals and the direction of approach, shape [ny, nx].
+/// Returns the cosines of the angles between the elements' normals and the direction of approach, shape [ny, nx].
 std::vector<double> facing(const ContactColumns& strips, const Grid& grid);
 
-/// Returns the rigid slip of a body that translates by (xi, eta) along x and along the direction across x and the
-/// approach, and rotates by phi about the direction of approach at the strips' origin; along the axes of each strip.
-/// `slip_of` gives that of a plane's row of elements: each strip is one at its distance across from the origin, seen at
-/// an angle.
+/// Returns the rigid slip of a body along the axes of each strip. The body translates by (xi, eta) along x and along
+/// the direction across x and the approach, and rotates by phi about the direction of approach at the strips' origin.
+/// `slip_of` returns the slip of a plane's row of elements: each strip is such a row at its distance across from the
+/// origin, seen at an angle.
 template <class SlipOf>
 RigidSlip rigid_slip(const ContactColumns& strips, const Grid& grid, const SlipOf& slip_of);
 
-/// Sums of a solution, which has its arrays: forces and resultant.
+/// Computes forces and resultant of a solution, which contains its arrays.
 void sum_forces(const ContactColumns& strips, const Grid& grid, ContactSolution& solution);
 
-/// A row of the grid as a row of a plane: its y is the distance of the strip from the origin across x and the
+/// Returns a row of the grid as a row of a plane: its y is the distance of the strip from the origin across x and the
 /// direction.
 Grid row_across(const ContactColumns& strips, const Grid& grid, int iy);
 

@@ -14,11 +14,11 @@ namespace {
 using Values = std::vector<double>;
 
 constexpr std::size_t smallest_to_coarsen = 1000;  // elements in contact
-// From there on, a coarser grid gives a better start than an estimate whose residual is larger than this over the
-// number of elements along the contact. With forces its rigid slip is found there, too.
+// From this number of elements on, a coarser grid is a better start than an estimate whose residual exceeds this over
+// the number of elements along the contact. With forces, the rigid slip is computed there, too.
 constexpr double poor_times_elements = 10, poor_times_elements_for_forces = 3;
 
-// On the `n` elements that the contact is part of.
+// Returns the solution on the `n` elements that contain the contact.
 RollingSolution solution_of(const FrictionNewton& newton, const Contact& contact, std::size_t n) {
     RollingSolution result;
     for (std::vector<double>* values : {&result.traction_x, &result.traction_y, &result.slip_x, &result.slip_y})
@@ -36,7 +36,7 @@ RollingSolution solution_of(const FrictionNewton& newton, const Contact& contact
     return result;
 }
 
-// That of a box, on all `n` elements: exterior outside the box.
+// Returns the solution of a box on all `n` elements, which are exterior outside the box.
 RollingSolution whole_of(const RollingSolution& part, const Restriction& restriction, std::size_t n) {
     RollingSolution whole;
     const auto paste = [&](const auto& from, auto& to) {
@@ -54,7 +54,7 @@ RollingSolution whole_of(const RollingSolution& part, const Restriction& restric
 
 }  // namespace
 
-// The parts that stay as long as the contact area does: its elements, operators on a box around them, and the
+// Holds the data that remain valid as long as the contact area: its elements, operators on a box around them, and the
 // iteration.
 class FrictionSolver::Area {
    public:
@@ -160,7 +160,7 @@ FrictionSolver::FrictionSolver(const FrictionBodies& bodies) : bodies_(bodies) {
 FrictionSolver::~FrictionSolver() = default;
 
 void FrictionSolver::start(const FrictionTask& task, Observer& observer) {
-    area_.reset();  // gives its memory to the next one
+    area_.reset();  // frees its memory for the next one
     area_ = std::make_unique<Area>(bodies_, task);
     const bool may_coarsen = !task.estimate_is_good && area_->elements() >= smallest_to_coarsen;
     if (!may_coarsen) return area_->start(task);
@@ -183,7 +183,7 @@ FrictionSolution FrictionSolver::solve(const FrictionTask& task, Observer& obser
     area_->newton().iterate(task.settings.max_iterations, task.settings, observer);
     FrictionSolution solution = area_->solution();
     solution.evidence.seconds = stopwatch.seconds();
-    if (!solution.evidence.converged) area_.reset();  // what it has learnt is of no use
+    if (!solution.evidence.converged) area_.reset();  // Its data are useless.
     return solution;
 }
 

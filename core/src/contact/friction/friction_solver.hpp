@@ -1,4 +1,5 @@
-// Newton's method on the friction law for a whole grid: shifts and rolling, the motion known or found from forces.
+// Solves the friction law on a whole grid by Newton's method: shifts and rolling, with the motion prescribed or
+// computed from forces.
 #pragma once
 
 #include <memory>
@@ -14,48 +15,48 @@
 
 namespace contactd {
 
-/// A layer that hardens or softens as it flows, on the grid (FlowLaw).
+/// Describes a layer that hardens or softens as it flows, on the grid (FlowLaw).
 struct FlowTask {
     double first = 0, hardening = 0, least = 0;
-    std::vector<double> before;  ///< yield stress of the particles before the step; of steady rolling empty
+    std::vector<double> before;  ///< yield stress of the particles before the step; empty for steady rolling
 };
 
 struct FrictionTask {
     std::span<const double> bound;
-    const Field& rigid;                 ///< w (mm), without what the forces make of it
-    std::optional<ForcesGiven> forces;  ///< where given, a uniform part of w is found
-    Pair uniform = Pair::Zero();        ///< an estimate of that (mm)
-    const Field& estimate;              ///< of the tractions; zero is none
+    const Field& rigid;                 ///< w (mm), without the uniform part that forces determine
+    std::optional<ForcesGiven> forces;  ///< if given, a uniform part of w is computed
+    Pair uniform = Pair::Zero();        ///< estimate of the uniform part (mm)
+    const Field& estimate;              ///< estimate of the tractions; zero means none
     SolverSettings settings;
-    bool estimate_is_good = false;  ///< is not left for tractions of a coarser grid
+    bool estimate_is_good = false;  ///< whether the estimate must not be replaced by tractions of a coarser grid
     const FlowTask* flow = nullptr;
 };
 
 struct FrictionSolution : RollingSolution {
-    Pair uniform = Pair::Zero();  ///< rigid slip that the forces take (mm)
-    double force_residual = 0;    ///< |F - prescribed| over the largest that friction carries
+    Pair uniform = Pair::Zero();  ///< uniform rigid slip that the forces determine (mm)
+    double force_residual = 0;    ///< |F - prescribed| over the largest force that friction carries
 };
 
 class FrictionSolver {
    public:
-    /// The operators outlive it.
+    /// The operators must outlive this object.
     explicit FrictionSolver(const FrictionBodies& bodies);
     ~FrictionSolver();
 
-    /// From the estimate, or where that is poor from tractions on a coarser grid. While the contact area stands and the
-    /// last solve has converged: from its solution, with all that was learnt there.
+    /// Solves from the estimate, or if that is poor from tractions on a coarser grid. If the contact area is unchanged
+    /// and the last solve has converged, starts from its solution and its previous steps.
     ///
-    /// Converged means that the division stands as FrictionNewton has it, that |p| <= g everywhere and |p| = g in slip
-    /// hold exactly, that forces are met, and evidence.residual <= tolerance, the larger of
+    /// The solution has converged if the division is stable as in FrictionNewton, |p| <= g everywhere and |p| = g in
+    /// slip hold exactly, forces are met, and evidence.residual <= tolerance. The residual is the larger of
     /// - the violation of the friction law, |s| in adhesion, |s x p|/g and s . p/g > 0 in slip, as a root mean square
     ///   over the contact relative to that of w, and
     /// - the estimated error of the tractions, the violation times an approximate inverse of the law's Jacobian,
     ///   relative to the tractions.
     FrictionSolution solve(const FrictionTask& task, Observer& observer);
-    /// The tractions on all elements that a solve which knows of no other would start from, for other solvers. Like
-    /// forget() afterwards.
+    /// Returns tractions on all elements from which other solvers can start: those from which a solve without history
+    /// would start. Afterwards, the solver is as after forget().
     Field first_tractions(const FrictionTask& task, Observer& observer);
-    /// The next solve has nothing to do with the last one.
+    /// Makes the next solve independent of the last one.
     void forget();
 
    private:

@@ -34,7 +34,7 @@ void LayerFlow::limit(Values& bound) const {
     for (double& g : bound) g = std::min(g, layer_.yield_stress);
 }
 
-// Returns the yield stress that the particle takes along from element i, to which it brought v.
+// Returns the yield stress that the particle carries on from element i, where it arrived with v.
 double LayerFlow::yield_stress_behind(std::size_t i, double v, double bound, double diagonal,
                                       RollingSolution& solution) const {
     const auto [first, least] = std::pair(layer_.yield_stress, layer_.residual * layer_.yield_stress);

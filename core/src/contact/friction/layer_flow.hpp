@@ -1,4 +1,5 @@
-// A layer between the bodies that yields: what its particles bring to a step, and what of the motion is flow.
+// Computes plastic flow in a layer between the bodies: the state carried by particles, and the plastic part of the
+// relative motion.
 #pragma once
 
 #include <optional>
@@ -13,20 +14,20 @@ namespace contactd {
 
 class LayerFlow {
    public:
-    /// `problem` has a layer that yields, and outlives this.
+    /// `problem` has a layer that yields, and must outlive this object.
     explicit LayerFlow(const ContactProblem& problem);
 
-    /// A new step begins. `yield_stress` is that at the end of the step before, shape [ny, nx] (N/mm^2); empty: no
-    /// particle has flowed.
+    /// Begins a new step. `yield_stress` is that at the end of the previous step, shape [ny, nx] (N/mm^2); if it is
+    /// empty, no particle has flowed.
     void begin(const std::vector<double>& yield_stress);
 
-    /// Solvers take this of a layer that hardens or softens; else it is null.
+    /// Returns the task for solvers if the layer hardens or softens, otherwise null.
     const FlowTask* task() const { return layer_.hardens() ? &task_ : nullptr; }
-    /// Limits what friction can bear (N/mm^2) to what the layer bears, where that never changes.
+    /// Limits the friction bound (N/mm^2) to the yield stress of the layer if that is constant.
     void limit(std::vector<double>& bound) const;
 
-    /// Parts what the solvers call slip into slip and flow; `bound` is that of friction alone. Fills flow and yield
-    /// stress of the solution, which are zero and that of the virgin layer outside contact.
+    /// Divides the slip of the solvers into slip and flow; `bound` is that of friction alone. Sets flow and yield
+    /// stress of the solution; outside the contact these are zero and that of the virgin layer.
     void divide(std::span<const double> bound, RollingSolution& solution) const;
 
    private:

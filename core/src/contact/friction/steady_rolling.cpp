@@ -12,9 +12,9 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr int most_rounds = 2;            // of marching on and trying again
-constexpr int most_steps = 120;           // of one march
-constexpr double march_tolerance = 1e-4;  // a start for the direct iteration needs no more
+constexpr int most_rounds = 2;            // of transient and direct steps
+constexpr int most_steps = 120;           // of one transient
+constexpr double march_tolerance = 1e-4;  // sufficient as a start of the direct iteration
 
 void check(const RollingBodies& bodies) {
     validate(bodies.grid, "grid");
@@ -37,7 +37,7 @@ void check_arrays(std::size_t size, std::span<const double> bound, std::span<con
     if (!initial_y.empty()) require_size(initial_y, size, "initial.traction_y");
 }
 
-// w - A' p, with A' = A - C.
+// Returns w - A' p, with A' = A - C.
 RigidSlip rigid_slip_after(const FrictionBodies& bodies, const Field& rigid, const Field& p) {
     const std::size_t n = bodies.grid.size();
     RigidSlip result{Values(n), Values(n)};
@@ -51,7 +51,7 @@ RigidSlip rigid_slip_after(const FrictionBodies& bodies, const Field& rigid, con
     return result;
 }
 
-// The transient from the tractions `p` until they stand, nearly.
+// Makes transient steps from the tractions `p` until they are nearly steady.
 void march(const FrictionBodies& bodies, const FrictionTask& task, Field& p, Observer& observer) {
     SilentObserver silent(observer);
     const SolverSettings settings{march_tolerance, 200};
@@ -80,7 +80,7 @@ Field field_of(std::span<const double> x, std::span<const double> y, std::size_t
 RollingSolution march_to_steady_state(const FrictionBodies& bodies, const FrictionTask& task,
                                       const RollingSolution& found, Observer& observer) {
     RollingSolution solution = found;
-    if (!bodies.influence.is_symmetric()) return solution;  // TangCG marches
+    if (!bodies.influence.is_symmetric()) return solution;  // TangCG requires symmetric matrices.
     for (int round = 0; round < most_rounds && !solution.evidence.converged; ++round) {
         const SolverEvidence before = solution.evidence;
         const int left = task.settings.max_iterations - before.iterations;

@@ -34,7 +34,7 @@ TangentialStep::TangentialStep(const ContactProblem& problem, const ContactInflu
     if (rolling()) unit_ = step_length(*rolling(), problem.grid);
 }
 
-// Slip of the motion itself, w of a shift, dq w of rolling, and what the elements have beside it.
+// Returns the slip of the motion itself, w for a shift and dq w for rolling, plus the additional slip of the elements.
 Field TangentialStep::rigid_slip() const {
     const auto of_plane = [&](const Grid& grid) {
         return rolling() ? contactd::rigid_slip(grid, *rolling(), unit_)
@@ -57,7 +57,7 @@ Field TangentialStep::rigid_slip() const {
     return result;
 }
 
-// A particle that enters during the step slips from where it enters, and had the displacements of that place.
+// A particle that enters during the step slips from its point of entry on, and had the displacements of that point.
 Field TangentialStep::history(std::span<const double> pressure) {
     entering_ = {};
     Field result = history_;
@@ -76,8 +76,8 @@ RollingBodies TangentialStep::bodies() const {
     return {*influence_.current, *influence_.increment, problem_.grid, x, y};
 }
 
-// Particles had the displacements A' p_before of where they were, and A' = A - C; of a shift C is zero. A steady state
-// knows no step before.
+// Particles had the displacements A' p_before of their previous positions, with A' = A - C; for a shift C is zero. A
+// steady state has no previous step.
 void TangentialStep::begin(const Tractions& before) {
     solver_.forget();
     is_first_ = true;
@@ -143,7 +143,7 @@ RollingSolution TangentialStep::solve_for_motion(const Field& rest, std::span<co
     return other;
 }
 
-// The solvers know the elements that friction may hold; where there is contact without friction the surfaces slip too.
+// The solvers only consider elements with friction. Where there is contact without friction, the surfaces slip, too.
 void TangentialStep::add_free_slip(std::span<const double> pressure, std::span<const double> bound, const Field& rest,
                                    RollingSolution& solution) const {
     const auto is_free = [&](std::size_t i) { return pressure[i] > 0 && !(bound[i] > 0); };
@@ -164,8 +164,8 @@ void TangentialStep::add_free_slip(std::span<const double> pressure, std::span<c
     }
 }
 
-// By TangCG, from where Newton's method starts; steady rolling, whose operator is not symmetric, and layers that harden
-// by Newton's method.
+// Solves by TangCG, from the start of Newton's method. Steady rolling, whose operator is not symmetric, and layers that
+// harden are solved by Newton's method.
 RollingSolution TangentialStep::solve_with(const FrictionTask& task, Observer& observer) {
     const std::span<const double> bound = task.bound;
     const Field& rigid = task.rigid;

@@ -1,4 +1,4 @@
-// The tangential half of a step: shift or rolling, the motion prescribed or found from forces.
+// Solves the tangential half of a step: shift or rolling, with the motion prescribed or computed from forces.
 #pragma once
 
 #include <optional>
@@ -16,49 +16,49 @@
 
 namespace contactd {
 
-/// Tractions on all elements of the grid, on the upper body (N/mm^2).
+/// Holds tractions on all elements of the grid, on the upper body (N/mm^2).
 struct Tractions {
     std::vector<double> pressure;
     Field tangential;
-    /// A layer that yields (N/mm^2) and kinetic friction have these at the end of the step; else empty.
+    /// Hold the values at the end of the step for a layer that yields (N/mm^2) and for kinetic friction; empty
+    /// otherwise.
     std::vector<double> yield_stress{}, friction_coefficient{};
 };
 
-/// Whether one or both components of the force are given.
+/// Returns whether one or both components of the force are prescribed.
 bool prescribes_force(const Motion& motion);
 
 class TangentialStep {
    public:
-    /// `problem` has friction; both arguments outlive this.
+    /// `problem` has friction; both arguments must outlive this object.
     TangentialStep(const ContactProblem& problem, const ContactInfluence& influence);
 
-    /// A new step begins: slip is counted from here.
+    /// Begins a new step, from which slip is counted.
     void begin(const Tractions& before);
 
-    /// The next solve starts from tractions that go with this motion, as good as those that coarser grids tell of.
-    /// Where forces are given it starts from the motion, too.
+    /// Announces that the next solve starts from tractions that match this motion, and are as good as those of coarser
+    /// grids. If forces are prescribed, the solve starts from the motion, too.
     void expect(const Motion& motion);
 
-    /// Tractions and slip for a pressure and the bounds that friction makes of it. `estimate` is where to start; solves
-    /// of a step that follow the first know what that has learnt. Forces are met to the larger one of the tolerances of
-    /// `settings` and of the problem's outer settings.
-    /// `flow` is that of a layer that hardens, or null.
+    /// Returns tractions and slip for a pressure and the friction bounds. `estimate` is the start; later solves of a
+    /// step reuse data of the first. Forces are met to the larger of the tolerances of `settings` and of the problem's
+    /// outer settings. `flow` is that of a layer that hardens, or null.
     RollingSolution solve(std::span<const double> pressure, std::span<const double> bound, const Field& estimate,
                           const SolverSettings& settings, const FlowTask* flow, Observer& observer);
 
-    /// Returns the motion of the request, completed by what prescribed forces found.
+    /// Returns the motion of the request, completed by components computed for prescribed forces.
     const Motion& motion() const { return motion_; }
     const std::optional<SolverEvidence>& force_evidence() const { return force_evidence_; }
-    /// Returns which solver found the tractions of the last solve.
+    /// Returns the solver that computed the tractions of the last solve.
     TangentialSolver solver_used() const { return solver_used_; }
-    /// Slip per unit of the motion: dq of creepages, 1 of shifts (mm).
+    /// Returns slip per unit of the motion: dq for creepages, 1 for shifts (mm).
     double unit() const { return unit_; }
 
    private:
     const Rolling* rolling() const { return std::get_if<Rolling>(&motion_); }
     bool is_steady() const { return rolling() && rolling()->steady(); }
     Field rigid_slip() const;
-    /// What slip owes to the step before, in a contact of these pressures.
+    /// Returns the contribution of the previous step to the slip, for a contact with these pressures.
     Field history(std::span<const double> pressure);
     RollingBodies bodies() const;
     void add_coupling(std::span<const double> pressure, Field& rigid) const;
@@ -84,15 +84,16 @@ class TangentialStep {
     const std::size_t n_;
     Motion motion_;
     double unit_ = 1;
-    // What slip owes to the step before: of particles that were a step upstream, and of those at the same place.
+    // Hold the contribution of the previous step to the slip, for particles that were a step upstream, and for those at
+    // the same place.
     Field history_, same_place_;
-    EnteringParticles entering_;  // of the present pressures
+    EnteringParticles entering_;  // for the present pressures
     std::optional<SolverEvidence> force_evidence_;
     FrictionSolver solver_;
-    const FlowTask* flow_ = nullptr;  // of the present solve
+    const FlowTask* flow_ = nullptr;  // for the present solve
     TangentialSolver solver_used_ = TangentialSolver::newton;
-    double slip_scale_ = 0;  // of the first solve of this step
-    bool is_first_ = true;   // solve of this step
+    double slip_scale_ = 0;  // from the first solve of this step
+    bool is_first_ = true;   // whether this is the first solve of this step
     bool estimate_is_good_ = false;
 };
 

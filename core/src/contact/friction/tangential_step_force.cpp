@@ -1,4 +1,4 @@
-// Steps whose motion is found from forces.
+// Solves steps whose motion is computed from prescribed forces.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -21,7 +21,7 @@ Motion with_translation(Motion motion, const Pair& translation) {
     return motion;
 }
 
-/// Weighted with the bound: the slip that tractions near it hold up against.
+/// Returns the mean slip weighted with the bound: the slip that tractions near the bound resist.
 Pair mean_slip(const Field& slip, std::span<const double> bound) {
     Pair sum = Pair::Zero();
     double weight = 0;
@@ -32,8 +32,8 @@ Pair mean_slip(const Field& slip, std::span<const double> bound) {
     return weight > 0 ? Pair(sum / weight) : sum;
 }
 
-/// Returns the rigid slip to start with, of the components that forces ask for. With tractions to start from, the
-/// motion of the request goes with them.
+/// Returns the initial rigid slip of the components with prescribed forces. If there are initial tractions, the motion
+/// of the request belongs to them.
 Pair first_rigid_slip(const PrescribedForces& forces, const Field& rest, std::span<const double> bound,
                       const Field& estimate) {
     const auto of_forces = [&](const Pair& all) { return Pair(forces.Fx ? all.x() : 0, forces.Fy ? all.y() : 0); };
@@ -73,7 +73,7 @@ RollingSolution TangentialStep::solve_for_force(const Field& rest, std::span<con
     return solution;
 }
 
-// Leaves the motion as it is where that does not converge.
+// Leaves the motion unchanged if the solve does not converge.
 FrictionSolution TangentialStep::solve_at_once(const PrescribedForces& forces, const Field& rest,
                                                std::span<const double> bound, const Field& estimate,
                                                const SolverSettings& settings, Observer& observer) {
@@ -98,8 +98,8 @@ FrictionSolution TangentialStep::solve_at_once(const PrescribedForces& forces, c
     return solution;
 }
 
-// Forces are met to the problem's tolerance in loose outer iterations, too: near the bound, rough forces do not tell
-// the motion.
+// Forces are met to the problem's tolerance even in loose outer iterations, because near the bound, inaccurate forces
+// do not determine the motion.
 RollingSolution TangentialStep::search(const PrescribedForces& forces, const Field& rest, std::span<const double> bound,
                                        const Field& estimate, Observer& observer) {
     RollingSolution solution;
@@ -130,7 +130,7 @@ RollingSolution TangentialStep::search(const PrescribedForces& forces, const Fie
     return solution;
 }
 
-// Where outer iterations are around the search, their limit is not that of the search within each of them.
+// If outer iterations contain the search, their limit does not apply to the search within each of them.
 SolverSettings TangentialStep::search_settings() const {
     SolverSettings settings = problem_.settings.outer;
     const bool is_within =
@@ -139,7 +139,7 @@ SolverSettings TangentialStep::search_settings() const {
     return settings;
 }
 
-// The evidence is that of all solves of a step together; the last one says how it stands.
+// The evidence covers all solves of a step; the last one determines its state.
 void TangentialStep::continue_force_evidence(const SolverEvidence& next) {
     SolverEvidence all = is_first_ ? SolverEvidence{} : force_evidence_.value_or(SolverEvidence{});
     force_evidence_ = {all.iterations + next.iterations, next.residual, next.converged, all.seconds + next.seconds};
@@ -159,7 +159,7 @@ PrescribedForces TangentialStep::prescribed_forces(std::span<const double> bound
         forces.wy = unit_ * given->eta;
         forces.field = "friction.rolling.force";
         if (given->steady()) {
-            // Particles slip that far on their way through the contact, of which a step is a part.
+            // On the way through the contact, of which a step is a part, particles slip by this amount.
             const double radius = std::sqrt(static_cast<double>(in_contact) * area / std::numbers::pi);
             if (radius > 0) forces.scale *= std::min(unit_ / radius, 1.0);
             forces.exponent = PrescribedForces::rolling_exponent;
@@ -174,11 +174,11 @@ PrescribedForces TangentialStep::prescribed_forces(std::span<const double> bound
     return forces;
 }
 
-// A force beyond the first bound of a step is refused. Later ones belong to an iterate, of which nobody should hear:
-// where friction has fallen below the force, or the pressure has, the force is what they carry until they rise again.
-// Returns what is missing, over the bound.
+// A force beyond the first bound of a step is refused. Later bounds belong to an iterate, which must not cause an
+// error: if friction or the pressure has decreased below the force, the force is reduced to what they carry until they
+// increase again. Returns the missing part over the bound.
 double TangentialStep::reduce_to_bound(PrescribedForces& forces) const {
-    constexpr double carried = 0.99;  // all of it needs an infinite slip
+    constexpr double carried = 0.99;  // The full bound would need an infinite slip.
     const double force = std::hypot(forces.Fx.value_or(0), forces.Fy.value_or(0));
     if (force == 0 || force < largest_force_with_a_slip(forces.largest, problem_.settings.outer)) return 0;
     const double part = carried * forces.largest / force;

@@ -22,7 +22,8 @@ double coefficient_of_own_heat(const TemperatureFriction& law, double mu, double
     if (T0 + rise * mu <= law.reference) return mu;
     const double hot = mu + law.change;
     if (T0 + rise * hot >= law.reference + law.range) return hot;
-    // In between it is linear; a slope of 1 or more has no solution there, and left by one of the ends.
+    // Between both ends the law is linear. With a slope of 1 or more there is no solution here, and one of the ends
+    // applies.
     const double T = (T0 + rise * (mu - law.change * law.reference / law.range)) / (1 - rise * law.change / law.range);
     return friction_coefficient(law, mu, T);
 }
@@ -48,7 +49,7 @@ bool TemperatureLaw::has_memory() const {
     return std::ranges::any_of(laws_, [](const TemperatureFriction& law) { return law.memory.has_value(); });
 }
 
-/// A row of elements on its way from the leading to the trailing edge.
+/// Marches a row of elements from the leading to the trailing edge.
 class TemperatureLaw::Row {
    public:
     Row(const TemperatureLaw& all, std::size_t row, const MotionOfElements& motion, std::span<const double> pressure,
@@ -81,14 +82,15 @@ class TemperatureLaw::Row {
 
     double rise_at(std::size_t behind) const { return shares_.unit * all_.heat_.weight(behind); }
 
-    // Implicit Euler along the way of the particle, which was dq ahead: of what it brings a part stays, and of the law
-    // the rest counts, so that its temperature still follows from one equation.
+    // Applies implicit Euler along the path of the particle, which was dq ahead: a part of the carried coefficient
+    // remains, and the law determines the rest, so that its temperature still follows from one equation.
     double coefficient(std::size_t k, std::size_t i, double T, double rise) {
         const TemperatureFriction& law = all_.law_of(row_);
         const double cold = all_.cold_[i];
         if (!law.memory) return coefficient_of_own_heat(law, cold, T, rise);
         const double slipped = all_.seconds_ * std::max(motion_.slip_velocity[i], law.memory->least_velocity);
-        const double from_behind = std::min(all_.step_, 1.0);  // a step shorter than an element mixes in its own value
+        // A step shorter than an element mixes in the element's own value.
+        const double from_behind = std::min(all_.step_, 1.0);
         const double brought = law.memory->distance * from_behind, part = brought / (brought + slipped);
         const double entering = friction_coefficient(law, cold, shares_.contact_temperature);
         TemperatureFriction rest = law;
@@ -99,7 +101,7 @@ class TemperatureLaw::Row {
         return mu;
     }
 
-    // Returns the change of a particle's coefficient since it entered the contact, as it arrives at element k.
+    // Returns the change of a particle's coefficient from its entry into the contact to its arrival at element k.
     double change_ahead(std::size_t k) const {
         const double step = std::max(all_.step_, 1.0), elements = std::floor(step), beyond = step - elements;
         const auto at = [&](double ahead) {
@@ -114,7 +116,7 @@ class TemperatureLaw::Row {
     const std::span<const double> pressure_;
     std::vector<double>& mu_;
     const RowShares shares_;
-    std::vector<std::pair<std::size_t, double>> sources_;  // place and heat of those ahead
+    std::vector<std::pair<std::size_t, double>> sources_;  // position and heat of those ahead
     std::vector<double> changes_;                          // of coefficients since particles entered
 };
 

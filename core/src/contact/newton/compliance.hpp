@@ -1,4 +1,4 @@
-// The bodies as Newton's method on the friction law sees them: slip for tractions, and about the inverse of that.
+// Represents the bodies in Newton's method on the friction law: slip for tractions, and an approximate inverse.
 #pragma once
 
 #include <string_view>
@@ -8,26 +8,27 @@
 
 namespace contactd {
 
-// K of the slip s = w + K p, on the elements in contact: A of shifts and steps of a transient, C of steady rolling.
+// Represents K of the slip s = w + K p on the elements in contact: A for shifts and transient steps, C for steady
+// rolling.
 class Compliance {
    public:
     virtual ~Compliance() = default;
-    // u = K p
+    // Computes u = K p.
     virtual void apply(const Field& p, Field& u) = 0;
-    // Returns the displacement by a traction on an element there (mm^3/N), > 0.
+    // Returns the displacement of an element under its own traction (mm^3/N), > 0.
     virtual const std::vector<double>& self() const = 0;
 
-    // The law has changed: precondition() is for this one now, which outlives the next call.
+    // Sets the law for precondition(). It must outlive the next call.
     virtual void linearise(const Linearisation& law) = 0;
-    enum class Residual { first, later };  // of a solve: the first is smooth up to the edges
-    // z ~ J^-1 r with the reduced Jacobian J = P (K + D); r is projected, and so is z. Some get better when what they
-    // do changes from iteration to iteration.
+    enum class Residual { first, later };  // within a solve; the first residual is smooth up to the edges
+    // Computes z ~ J^-1 r with the reduced Jacobian J = P (K + D); r is projected, and so is z. Some implementations
+    // converge faster if they change from iteration to iteration.
     virtual void precondition(const Field& r, Field& z, Residual kind, int iteration) = 0;
 
-    // Whether a traction slips far from where it acts, too, so that to move some of them spoils the slip of all.
+    // Returns whether a traction causes slip far from its element. Moving some tractions then spoils the slip of all.
     virtual bool is_far_reaching() const = 0;
 
-    // Progress is told under this name.
+    // Returns the name of the stage in progress reports.
     virtual std::string_view stage() const = 0;
 };
 

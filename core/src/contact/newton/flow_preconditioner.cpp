@@ -5,7 +5,7 @@
 namespace contactd {
 namespace {
 
-constexpr double least_left = 0.2;  // of a diagonal that softening takes from
+constexpr double least_left = 0.2;  // least fraction of a diagonal that softening reduces
 
 }  // namespace
 
@@ -16,7 +16,7 @@ void FlowPreconditioner::linearise(const Linearisation::Flow& flow) {
     flow_ = &flow;
     for (std::size_t e = 0; e < self_.size(); ++e) {
         const double soft = soft_ * self_[e], slope = flow.slope[e], unit = flow.unit[e];
-        if (!(unit > 0)) continue;  // has never flowed
+        if (!(unit > 0)) continue;  // It has never flowed.
         const double hard = std::max(slope, 0.0);
         rows_[e] = slope > 0 ? soft / (unit * (1 + soft * hard)) : 0;
         columns_[e] = soft * hard / (1 + soft * hard);

@@ -1,4 +1,4 @@
-// What preconditioners of the kind W M W + (1 - W^2)/diagonal take along the direction of flow.
+// Provides the part along the direction of flow for preconditioners of the form W M W + (1 - W^2)/diagonal.
 #pragma once
 
 #include <vector>
@@ -7,18 +7,19 @@
 
 namespace contactd {
 
-// Rows along flow are unit (1 + slope A): by A's own preconditioner M where the slope is so steep that A rules, by the
-// diagonal elsewhere. Across, the scalars are those that slip has.
+// Rows along the flow are unit (1 + slope A). If the slope is so steep that A dominates, A's own preconditioner M
+// inverts them, otherwise the diagonal does. Across the flow, the scalars are those of slip.
 class FlowPreconditioner {
    public:
-    // `self`: A's diagonal of each element in contact; `soft` times that is where A rules, `close` times that stands in
-    // for A with close neighbours.
+    // `self` is A's diagonal of each element in contact. A dominates above `soft` times `self`, and `close` times
+    // `self` replaces A with close neighbours.
     FlowPreconditioner(const std::vector<double>& self, double soft, double close);
 
     void linearise(const Linearisation::Flow& flow);
-    // to = W r, with `across` in place of W where nothing flows.
+    // Computes to = W r, with `across` in place of W for elements that do not flow.
     void scale_rows(const std::vector<double>& across, const Field& r, Field& to) const;
-    // z = W z + (1 - W^2) r/diagonal, with `across` and `rest` where nothing flows; z is M W r before.
+    // Computes z = W z + (1 - W^2) r/diagonal, with `across` and `rest` for elements that do not flow; z is M W r
+    // before.
     void complete(const std::vector<double>& across, const std::vector<double>& rest, const Field& r, Field& z) const;
 
    private:

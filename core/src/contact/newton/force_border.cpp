@@ -8,8 +8,8 @@
 namespace contactd {
 namespace {
 
-constexpr double outdated = 0.1;    // part of the division that may change
-constexpr double singular = 1e-10;  // of sums: full slip, which no rigid slip changes
+constexpr double outdated = 0.1;    // part of the division that may change before an update
+constexpr double singular = 1e-10;  // sums in full slip, which rigid slip does not change
 
 }  // namespace
 

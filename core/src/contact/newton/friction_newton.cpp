@@ -9,16 +9,18 @@ namespace contactd {
 namespace {
 
 constexpr std::size_t most_steps = 50;            // in the history
-constexpr std::size_t history_values = 16 << 20;  // that its arrays may hold
-constexpr double far_off = 0.5;        // squared, relative: part of a step against the bounds at which it tells nothing
+constexpr std::size_t history_values = 16 << 20;  // limit of its arrays
+// A step is not reliable if its squared relative part against the bounds exceeds this.
+constexpr double far_off = 0.5;
 constexpr double much_changed = 0.05;  // relative change of the tractions that makes linearised steps stale
-constexpr double negligible = 1e-12;   // traction over bound that counts as none
-constexpr double accepted_push = 0.1;  // times the tolerance: slip along the traction that is no reason to adhere
-constexpr double accepted_move = 0.3;  // times the tolerance: move to the bounds that the slip found knows nothing of
-constexpr double straight = 1e-3;      // tolerance that leaves steps so short that bounds do not bend them
-constexpr double promising = 4;        // times the tolerance: residual that combined steps may bring to it
-constexpr double nearly_met = 0.3;     // violation of the law from which on forces have a say
-constexpr int most_failures = 30;      // iterations without a better residual
+constexpr double negligible = 1e-12;   // traction over bound that counts as zero
+constexpr double accepted_push = 0.1;  // times the tolerance: slip along the traction at which elements still slip
+// The computed slip need not include moves to the bounds up to this number times the tolerance.
+constexpr double accepted_move = 0.3;
+constexpr double straight = 1e-3;   // tolerance at which steps are so short that bounds do not bend them
+constexpr double promising = 4;     // times the tolerance: residual that combined steps may reduce to it
+constexpr double nearly_met = 0.3;  // violation of the law below which forces are included
+constexpr int most_failures = 30;   // iterations without a better residual
 
 std::size_t capacity(std::size_t m) {
     return std::clamp<std::size_t>(history_values / (6 * std::max<std::size_t>(m, 1)), 6, most_steps);
@@ -47,7 +49,7 @@ FrictionNewton::FrictionNewton(Compliance& compliance, const Contact& contact, c
     hold_rigid_slips(*forces);
 }
 
-// A rigid slip is a step like others: no traction, and one unit of slip everywhere.
+// A rigid slip is a step like others, with no traction and a unit of slip everywhere.
 void FrictionNewton::hold_rigid_slips(const ForcesGiven& forces) {
     for (const std::size_t k : {0u, 1u}) {
         if (!forces.given[k]) continue;
@@ -84,8 +86,8 @@ bool FrictionNewton::iterate(int iterations, const SolverSettings& settings, Obs
     for (int iteration = 0;; ++iteration) {
         observer.throw_if_cancelled();
         if (border_ && !joined_ && violation_ <= nearly_met) join_forces();
-        // The next step estimates the error of the tractions, but costs a preconditioner product; the last step tells
-        // as much, since errors fall as violations do.
+        // The next step estimates the error of the tractions, but costs a preconditioner product. The last step is an
+        // equivalent estimate, since errors decrease like violations.
         if (iteration == 0 && !has_step_) find_step();
         const double error_per_residual = iteration == 0 ? 0 : last_update / last_residual;
         report(std::max(violation_, iteration == 0 ? relative_step() : error_per_residual * residual()), settings,

@@ -1,4 +1,4 @@
-// Where FrictionNewton starts: an estimate, or its own solution of a problem that is near.
+// Starts FrictionNewton from an estimate, or from its own solution of a nearby problem.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,8 +9,8 @@
 namespace contactd {
 namespace {
 
-constexpr double far_moved = 1e-2;  // relative change by moves to the bounds that asks for the slip anew
-constexpr double start_self = 8;    // times the self-influence: turns slip into traction for the division
+constexpr double far_moved = 1e-2;  // relative change by moves to the bounds above which the slip is recomputed
+constexpr double start_self = 8;    // times the self-influence: converts slip to traction for the division
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void FrictionNewton::start(const Field& estimate, const Pair& rigid) {
     contact_.gather(estimate.y, p_.y);
     rigid_ = rigid;
     take_rigid_slip();
-    if (rms_w_ == 0) p_ = Field(m_);  // nothing drives them
+    if (rms_w_ == 0) p_ = Field(m_);  // Nothing drives them.
     for (std::size_t e = 0; e < m_; ++e)
         if (size(e) > g_[e]) let_slip(e);
     history_.clear();
@@ -66,7 +66,7 @@ void FrictionNewton::begin() {
     linearise();
 }
 
-// Returns the relative change of the tractions since the slip was found.
+// Returns the relative change of the tractions since the slip was computed.
 double FrictionNewton::moved() const {
     double change = 0;
     for (std::size_t e = 0; e < m_; ++e)
@@ -74,8 +74,8 @@ double FrictionNewton::moved() const {
     return std::sqrt(change / inner(p_, p_));
 }
 
-// This finds slip, as TangCg does, also when the bound has grown a little since the estimate. The slip remains that of
-// the estimate, which the first step makes good.
+// As in TangCg, this detects slip also if the bound has increased slightly since the estimate. The slip remains that of
+// the estimate; the first step corrects it.
 std::size_t FrictionNewton::find_division() {
     update_slip();
     if (!any(p_)) return 0;
@@ -100,7 +100,7 @@ std::size_t FrictionNewton::find_division() {
     return moved;
 }
 
-// An element that has just come into contact has no traction, and that of others may point along the slip.
+// An element that has just come into contact has no traction, and the traction of others may point along the slip.
 void FrictionNewton::oppose_slip(std::size_t e) {
     p_.x[e] = -s_.x[e];
     p_.y[e] = -s_.y[e];

@@ -6,10 +6,10 @@
 namespace contactd {
 namespace {
 
-constexpr double on_bound = 1e-9;    // relative distance from a bound that counts as being on it
-constexpr double near_bound = 1e-3;  // the same, of tractions that have come back to it
+constexpr double on_bound = 1e-9;    // relative distance from a bound within which elements count as on it
+constexpr double near_bound = 1e-3;  // the same for tractions that have returned to it
 constexpr double stiff = 1e3;        // hardening over the stiffness of an element
-constexpr double from_push = 10;     // the end of flow over that of slip
+constexpr double from_push = 10;     // push that ends flow over that which ends slip
 constexpr double with_close = 1.5;   // times the self-influence: of an element with its close neighbours
 
 }  // namespace
@@ -36,7 +36,7 @@ void PlasticFlow::scale(Field& p, std::size_t e, double length) const {
     p.y[e] *= factor;
 }
 
-// Returns the yield stress that a particle takes along.
+// Returns the yield stress that a particle carries on.
 double PlasticFlow::behind(std::size_t e, double v, double length, bool slips) const {
     if (flows_[e]) return length;
     return slips && v < g_[e] && law_.hardening > 0 ? g_[e] : v;
@@ -65,9 +65,10 @@ void PlasticFlow::divide_by_size(Field& p, std::vector<char>& slips) {
 }
 
 void PlasticFlow::divide_by_slip(Field& p, const Field& s, double push, std::vector<char>& slips) {
-    // Where an element slips along its traction flow ends, but not before the traction is back at the yield stress.
-    // Hardening that is much stiffer than the bodies is nearly adhesion, and ends at once. In steady rolling elements
-    // that begin to flow from the bound of friction leave it at once: it would be the yield stress of all behind them.
+    // If an element slips along its traction, flow ends, but not before the traction has returned to the yield stress.
+    // Hardening that is much stiffer than the bodies is nearly adhesion, and ends at once. In steady rolling, elements
+    // that begin to flow from the bound of friction leave it at once, because it would become the yield stress of all
+    // elements behind them.
     const double k = law_.hardening / law_.diagonal(), held = from_push * push;
     const auto divide = [&](std::size_t e, double v) {
         incoming_[e] = v;

@@ -1,4 +1,4 @@
-// Plastic flow of a layer between the bodies, as Newton's method on the friction law takes it.
+// Handles plastic flow of a layer between the bodies in Newton's method on the friction law.
 #pragma once
 
 #include <optional>
@@ -10,19 +10,19 @@
 
 namespace contactd {
 
-// A layer that hardens or softens as it flows, on the elements in contact.
+// Describes a layer that hardens or softens as it flows, on the elements in contact.
 struct FlowLaw {
     double first = 0;                  // yield stress of particles that enter (N/mm^2)
-    double hardening = 0;              // k: the yield stress rises by that times the length of the flow; not zero
-    double least = 0;                  // yield stress that softening leaves
-    std::vector<double> before;        // yield stress of the particles before the step; of steady rolling empty
-    std::optional<Upstream> upstream;  // of steady rolling: the elements that particles come from
+    double hardening = 0;              // k, not zero: the yield stress increases by k times the length of the flow
+    double least = 0;                  // least yield stress after softening
+    std::vector<double> before;        // yield stress of the particles before the step; empty for steady rolling
+    std::optional<Upstream> upstream;  // for steady rolling: the elements that particles come from
 
-    // What interpolation between particles leaves of an element's own yield stress.
+    // Returns the weight of an element's own yield stress in the interpolation between particles.
     double diagonal() const { return upstream ? upstream->diagonal() : 1; }
 
-    // Takes yield stresses from leading to trailing edges, or each by itself: value(e, v) is the one behind element e
-    // where v came to it.
+    // Computes yield stresses from leading to trailing edges, or separately for each element. value(e, v) is the yield
+    // stress behind element e for an incoming one of v.
     template <class Value>
     void travel(const Value& value, std::vector<double>& behind) const {
         if (upstream) return upstream->travel(first, value, behind);
@@ -30,32 +30,33 @@ struct FlowLaw {
     }
 };
 
-// The elements that flow: |p| = v + k |t|, below g, with t the flow over the step against p and v the yield stress that
-// the particle brings. Where v >= g the law is Coulomb's; where |p| would exceed g the layer slips, too.
+// Determines the elements that flow: |p| = v + k |t|, below g, with t the flow over the step against p, and v the yield
+// stress of the incoming particle. If v >= g, the law is Coulomb's; if |p| would exceed g, the layer slips, too.
 class PlasticFlow {
    public:
-    // `self`: displacement by a traction on an element there, of the bodies and not of their steps. `law` and `contact`
-    // outlive this.
+    // `self` is the displacement of the bodies at an element under its own traction, without those of a step. `law` and
+    // `contact` must outlive this object.
     PlasticFlow(const FlowLaw& law, const Contact& contact, const std::vector<double>& self);
 
     const std::vector<char>& flows() const { return flows_; }
     void forget() { std::fill(flows_.begin(), flows_.end(), 0); }
-    // Divides the contact by the sizes of the tractions, brings those to the bounds that lie there, and says which
-    // slip.
+    // Divides the contact by the sizes of the tractions, moves those at the bounds to them, and determines which
+    // elements slip.
     void divide_by_size(Field& p, std::vector<char>& slips);
-    // Divides it by the slip, too: flow ends where t is along the traction by more than `push`, slip begins where the
-    // yield stress has risen to the bound of friction.
+    // Divides the contact by the slip as well: flow ends where t is along the traction by more than `push`, and slip
+    // begins where the yield stress has increased to the bound of friction.
     void divide_by_slip(Field& p, const Field& s, double push, std::vector<char>& slips);
-    // Divides it by what tractions and slip together say, `stiffness` (N/mm^3) turning slip into traction; returns how
-    // many tractions moved.
+    // Divides the contact by tractions and slip together, where `stiffness` (N/mm^3) converts slip to traction. Returns
+    // the number of tractions that moved.
     std::size_t divide_at_start(Field& p, const Field& s, const std::vector<double>& flexibility,
                                 std::vector<char>& slips);
 
-    // The direction of flow, its tangent stiffness, and the residual there: across the direction that of slip, along it
-    // how far the traction is off, in units of slip. Adds to what linearise_law() found, for which these elements
-    // adhere. Returns the sum of squares of slip along the tractions, which would be flow back.
+    // Computes the direction of flow, its tangent stiffness and its residual. Across the direction, the residual is
+    // that of slip; along it, it is the error of the traction in units of slip. Adds to the result of linearise_law(),
+    // for which these elements adhere. Returns the sum of squares of slip along the tractions, which would be reverse
+    // flow.
     double linearise(const Field& p, const Field& s, Linearisation& law, Field& r);
-    // Makes of the image of a step, in which the elements that flow adhere, the right one.
+    // Corrects the image of a step that was computed as if the elements that flow adhered.
     void correct_image(const Linearisation& law, const Vectors& step, const Vectors& response,
                        const MutableVectors& image) const;
 
@@ -69,8 +70,8 @@ class PlasticFlow {
     const std::size_t m_;
     std::vector<double> self_;
     std::vector<char> flows_;
-    std::vector<double> incoming_, behind_;  // yield stresses that come to the elements, and leave them
-    mutable std::vector<double> change_;     // of those that leave them
+    std::vector<double> incoming_, behind_;  // yield stresses before and behind each element
+    mutable std::vector<double> change_;     // change of those behind
 };
 
 }  // namespace contactd

@@ -9,10 +9,11 @@
 namespace contactd {
 namespace {
 
-constexpr double dependent = 1e-12;  // squared distance from the others, relative, at which a step adds nothing
+// A step is linearly dependent if its squared relative distance from the others is below this.
+constexpr double dependent = 1e-12;
 
-// Rounded up to one of eight sizes for each power of two: a contact area that changes by a few elements finds the
-// memory of the last one.
+// The size is rounded up to one of eight sizes for each power of two, so that a contact area that changes by a few
+// elements reuses the memory of the last one.
 std::size_t rounded_up(std::size_t size) {
     const std::size_t part = std::max<std::size_t>(std::bit_floor(size) / 8, 1);
     return (size + part - 1) / part * part;
@@ -69,8 +70,8 @@ double SecantHistory::product_with(std::size_t slot_index, const Field& r, const
     return x.c + y.c + of_forces;
 }
 
-// Normal equations by Cholesky, newest step first so that old ones are dropped where steps depend on each other. What
-// rounding costs in them the next iteration repairs.
+// Solves the normal equations by Cholesky, newest step first, so that old ones are dropped if steps are dependent. The
+// next iteration corrects rounding errors.
 Pair SecantHistory::minimise(Field& r, Pair& forces, Field& d) {
     std::fill(d.x.begin(), d.x.end(), 0.0);
     std::fill(d.y.begin(), d.y.end(), 0.0);
@@ -113,7 +114,7 @@ Pair SecantHistory::minimise(Field& r, Pair& forces, Field& d) {
     return rigid;
 }
 
-// to += sign sum right_j part_j, four at a time: what is added to is read and written less often.
+// Computes to += sign sum right_j part_j, four at a time, so that the sum is read and written less often.
 void SecantHistory::add(Part part, double sign, Field& to) const {
     for (std::size_t first = 0; first < used_.size(); first += 4) {
         FourArrays x{}, y{};

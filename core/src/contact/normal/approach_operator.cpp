@@ -31,7 +31,7 @@ Values average_of(const CoarserGrid& grid, std::span<const double> fine) {
 
 }  // namespace
 
-/// Keeps the operator of a box that it stands for.
+/// Holds the operator of the box that it represents.
 class ApproachOperator::Part {
    public:
     Part(std::shared_ptr<const InfluenceOperator> inner, Values cosine)

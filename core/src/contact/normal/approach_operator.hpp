@@ -1,4 +1,4 @@
-// Normal contact whose elements face the approach at angles, in terms of what counts along the approach.
+// Represents normal contact whose elements face the approach at angles, in quantities along the approach.
 #pragma once
 
 #include <memory>
@@ -9,16 +9,17 @@
 
 namespace contactd {
 
-/// With c the cosine between an element's normal and the approach, q = c p and u/c take the places of pressure and
-/// displacement: an approach delta closes the gap h/c by delta, and q sums up to the normal force. A becomes
-/// c^-1 A c^-1, symmetric and positive definite as A is, so that NORM knows nothing of angles. Normal components only.
+/// With c the cosine between an element's normal and the approach, q = c p and u/c replace pressure and displacement.
+/// Then an approach delta closes the gap h/c by delta, and q sums to the normal force. A becomes c^-1 A c^-1, which is
+/// symmetric and positive definite like A, so that NORM does not depend on angles. Only normal components are
+/// supported.
 class ApproachOperator final : public InfluenceOperator {
    public:
-    /// `cosine` > 0, of each element. `inner` outlives it.
+    /// `cosine` > 0 is that of each element. `inner` must outlive this object.
     ApproachOperator(const InfluenceOperator& inner, std::vector<double> cosine);
     ~ApproachOperator() override;
 
-    /// From values along the normal to such along the approach, and back.
+    /// Convert values along the normal to values along the approach, and back.
     std::vector<double> times_cosine(std::vector<double> values) const;
     std::vector<double> over_cosine(std::vector<double> values) const;
 

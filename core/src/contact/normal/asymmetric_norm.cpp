@@ -6,10 +6,10 @@
 namespace contactd {
 namespace {
 
-constexpr int changes_of_a_kind = 6;  // of the set, before it is changed less eagerly
-constexpr double less_eagerly = 2;    // times the violation that changes it
-constexpr double solved = 1e3;        // such a violation waits until the equations within the set are solved
-constexpr int most_in_vain = 8;       // changes that do not lower the number of violations
+constexpr int changes_of_a_kind = 6;  // changes of the set before it changes less often
+constexpr double less_eagerly = 2;    // factor on the violation that changes it
+constexpr double solved = 1e3;        // Such a violation waits until the equations within the set are solved.
+constexpr int most_in_vain = 8;       // changes that do not reduce the number of violations
 
 }  // namespace
 
@@ -58,7 +58,8 @@ bool AsymmetricNorm::change_last() {
     return false;
 }
 
-// The least residual in the space of all directions since the set has changed; zero when rounding leaves no way down.
+// Returns the step to the least residual in the space of all directions since the last change of the set, or zero if
+// rounding errors prevent a decrease.
 double AsymmetricNorm::choose_step() {
     if (steps_ == 0) {
         directions_.clear();

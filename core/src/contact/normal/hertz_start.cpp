@@ -19,20 +19,20 @@ struct Ellipse {
     double pmax = 0;
 };
 
-// Returns the contact of a cylinder on as much of its length as the grid has. The approach of line contacts depends on
-// what is far away.
+// Returns the contact of a cylinder over the length of the grid. The approach of line contacts depends on the far
+// field.
 Ellipse strip(const ContactProblem& problem, const Paraboloid& gap) {
     if (!problem.Fn) return {};
     const Grid& grid = problem.grid;
     const bool along_y = gap.Ry == infinity;
     const double length = along_y ? grid.ny * grid.dy : grid.nx * grid.dx;
     const double force = *problem.Fn / length, R = std::min(gap.Rx, gap.Ry);
-    // Johnson (4.43), (4.45), of the force over the length.
+    // These are Johnson's (4.43) and (4.45), with the force over the length.
     const double a = std::sqrt(4 * force * R * problem.bodies.materials().normal_compliance() / std::numbers::pi);
     return {along_y ? SemiAxes{a, infinity} : SemiAxes{infinity, a}, 2 * force / (std::numbers::pi * a)};
 }
 
-// Empty where Hertz has no answer.
+// Returns an empty ellipse if Hertz's theory does not apply.
 Ellipse ellipse(const ContactProblem& problem, const Paraboloid& gap) {
     const double load = problem.Fn ? *problem.Fn : *problem.approach;
     if (!(gap.Rx > 0 && gap.Ry > 0 && load > 0) || std::min(gap.Rx, gap.Ry) == infinity) return {};

@@ -8,7 +8,7 @@
 namespace contactd {
 namespace {
 
-// Part of the set that may change before the weights of the sum are found anew: any weights keep the sum, good ones
+// This part of the set may change before the weights of the sum are recomputed. Any weights keep the sum; good ones
 // save iterations.
 constexpr double outdated = 0.2;
 
@@ -76,7 +76,7 @@ void Norm::go_on(const NormProblem& problem, const SolverSettings& settings, Obs
     check_ = advance(0);
 }
 
-// Iterations change the distance by ever smaller multiples of about the same field.
+// Outer iterations change the distance by decreasing multiples of nearly the same field.
 void Norm::go_along_last_change() {
     for (std::size_t i = 0; i < n_; ++i) {
         v_[i] = p_[i] - last_p_[i];
@@ -89,7 +89,8 @@ void Norm::go_along_last_change() {
     const double curvature = dot(v_, q_);
     if (outside > 0 || !(curvature > 0)) return;
     const double alpha = dot(r_, v_) / curvature;
-    if (!(std::abs(alpha) < 1)) return;  // no such series; a change that is rounding only asks for huge multiples
+    // This is not such a series; a change that consists of rounding errors would lead to huge multiples.
+    if (!(std::abs(alpha) < 1)) return;
     for (std::size_t i = 0; i < n_; ++i) {
         p_[i] += alpha * v_[i];
         u_[i] += alpha * q_[i];
@@ -99,7 +100,7 @@ void Norm::go_along_last_change() {
 
 SolverEvidence Norm::solve() {
     SolverEvidence evidence;
-    bool exhausted = false;  // no way down on this set
+    bool exhausted = false;  // no decrease is possible on this set
     for (int iteration = 0;; ++iteration) {
         observer_->throw_if_cancelled();
         const Check check = check_;
@@ -127,7 +128,7 @@ bool Norm::good_enough(const Check& check, int iteration) const {
     return check.residual() <= settings_.tolerance && check.right_set();
 }
 
-// The multiple of the estimate with the lowest f; zero when f rises along it.
+// Takes the multiple of the estimate with the lowest f, or zero if f increases along it.
 void Norm::take_multiple_of(std::span<const double> estimate) {
     const double unit = *std::max_element(estimate.begin(), estimate.end());
     for (std::size_t i = 0; i < n_; ++i) p_[i] = std::max(estimate[i] / unit, 0.0);
@@ -148,13 +149,13 @@ void Norm::scale_to_sum(Values& p, Values& u) const {
     for (double& value : u) value *= factor;
 }
 
-// The mean over the set makes the defect least.
+// The mean over the set minimises the defect.
 void Norm::find_approach() {
     if (!problem_.pressure_sum) return;
     approach_ = mean_distance(state());
 }
 
-// Goes `alpha` along the direction and looks at the contact conditions there, in one pass; zero: only looks.
+// Moves by `alpha` along the direction and evaluates the contact conditions there, in one pass; zero only evaluates.
 Norm::Check Norm::advance(double alpha) {
     const NormViolations found = contactd::advance(state(), alpha, v_.data(), q_.data(), approach_, rounding);
     return {found.defect, found.reference, found.suction * self_ * self_, found.overlap};
@@ -167,8 +168,8 @@ void Norm::report(int iteration, double residual) {
         {"normal", log_fraction(first_residual_, residual, settings_.tolerance), iteration, residual});
 }
 
-// Where the sum is prescribed, the directions leave it: with E the projection that subtracts a multiple of the weights,
-// E A^-1 E' takes the place of A^-1.
+// If the sum is prescribed, the directions must not change it. With E the projection that subtracts a multiple of the
+// weights, E A^-1 E' replaces A^-1.
 void Norm::weigh_sum() {
     if (changed_elements_ <= outdated * dot(in_contact_, in_contact_)) return;
     influence_.precondition(Axis::z, in_contact_, weight_);
@@ -188,8 +189,8 @@ void Norm::keep_sum_of_direction() {
     for (std::size_t i = 0; i < n_; ++i) z_[i] -= mean * weight_[i];
 }
 
-// The direction of conjugate gradients on the set and the way to go along it; zero when rounding or an indefinite table
-// leaves no way down. The approach follows.
+// Chooses the direction of conjugate gradients on the set and returns the step along it. The step is zero if rounding
+// errors or an indefinite table prevent a decrease. The approach follows.
 double Norm::choose_step() {
     if (problem_.pressure_sum) {
         weigh_sum();

@@ -1,4 +1,4 @@
-// NORM, the iteration itself, on the elements of one influence operator.
+// Implements the iteration of NORM on the elements of one influence operator.
 #pragma once
 
 #include <cmath>
@@ -15,38 +15,38 @@
 namespace contactd {
 
 struct NormProblem {
-    std::span<const double> distance;    // h, with the approach subtracted where that is prescribed
+    std::span<const double> distance;    // h, minus the approach if that is prescribed
     std::optional<double> pressure_sum;  // prescribed instead of the approach, > 0
-    bool estimate_only = false;          // ends when residual and violations together are below the tolerance
+    bool estimate_only = false;          // whether to end when residual and violations together are below the tolerance
 };
 
-// Minimises f(p) = p'Ap/2 + h'p over p >= 0, where prescribed also over sum(p) = const. The optimality conditions are
-// the contact conditions, the approach is the multiplier of the sum. Preconditioned conjugate gradients on the contact
-// set; when they have brought the residual down to where it matters, negative pressures leave the set and elements that
-// overlap enter it. A watch on f keeps the set from changing for ever.
+// Minimises f(p) = p'Ap/2 + h'p over p >= 0 and, if it is prescribed, sum(p) = const. The optimality conditions are the
+// contact conditions, and the approach is the multiplier of the sum. Preconditioned conjugate gradients run on the
+// contact set. When they have reduced the residual enough, negative pressures leave the set and elements that overlap
+// enter it. Monitoring f prevents endless changes of the set.
 class Norm {
    public:
     Norm(const InfluenceOperator& influence, const NormProblem& problem, const SolverSettings& settings,
          Observer& observer);
     virtual ~Norm() = default;
 
-    // Takes the estimate and returns how far it is from a solution, in the measure of the stopping criterion.
-    // `set_is_good`: the elements with pressure are the best guess of the contact, for the estimate is too rough to
+    // Sets the estimate and returns its distance from a solution, in the measure of the stopping criterion. With
+    // `set_is_good`, the elements with pressure are the best guess of the contact, because the estimate is too rough to
     // show overlaps.
     double start(std::span<const double> estimate, bool set_is_good);
-    // Another distance, near the last one whose solution this has, or another sum where one is prescribed: goes on from
-    // there, along the change before where there was one.
+    // Continues with another distance, near that of the present solution, or another sum if one is prescribed. Starts
+    // from the present solution, extrapolated along the previous change if there was one.
     void go_on(const NormProblem& problem, const SolverSettings& settings, Observer& observer);
     SolverEvidence solve();
 
     const std::vector<double>& pressure() const { return p_; }
-    double approach() const { return approach_; }  // 0 where it was prescribed
+    double approach() const { return approach_; }  // 0 if it was prescribed
 
    protected:
     using Values = std::vector<double>;
     static constexpr double rounding = 1e-14;
 
-    // The contact conditions at the present pressures; squares are sums over elements, in mm^2.
+    // Holds the contact conditions at the present pressures; squares are sums over elements, in mm^2.
     struct Check {
         double defect = 0, reference = 0;
         double suction = 0;  // violation of p >= 0, times the influence of an element on itself
@@ -67,7 +67,7 @@ class Norm {
     bool good_enough(const Check& check, int iteration) const;
     virtual bool change_set(Check check, bool change_all);
     void clip();
-    /// Looks at f, and returns false where it has moved the pressures.
+    /// Monitors f, and returns false if it has moved the pressures.
     virtual bool watch();
     void projected_gradient_step();
     virtual double choose_step();
@@ -83,24 +83,25 @@ class Norm {
     SolverSettings settings_;
     Observer* observer_;
     const std::size_t n_;
-    const double self_;     // the largest influence of an element on itself: turns suction into a displacement
+    const double self_;     // the largest influence of an element on itself, which converts suction to a displacement
     Values p_, u_;          // u = A p
     Values r_, z_, v_, q_;  // residual, preconditioned; direction, q = A v
     Values in_contact_;     // 1 in the contact set, 0 outside
-    Values weight_;         // about A^-1 1 on the set: what a change of the approach does to the pressures
-    double changed_elements_ = std::numeric_limits<double>::infinity();  // of the set since the weights were found
+    Values weight_;         // about A^-1 1 on the set: effect of a change of the approach on the pressures
+    // Counts the elements of the set that have changed since the weights were computed.
+    double changed_elements_ = std::numeric_limits<double>::infinity();
     double approach_ = 0;
-    Check check_;  // at the present pressures
+    Check check_;  // conditions at the present pressures
     bool set_is_good_ = false;
-    // Violations larger than this part of the defect change the set; smaller ones wait until the iteration, which
-    // starts again with every change, has brought the defect down.
+    // Violations larger than this fraction of the defect change the set. Smaller ones wait until the iteration has
+    // reduced the defect, because every change restarts it.
     double weighty_ = 0.1;
-    Values last_p_, last_u_;  // the solution for the distance before, or empty
+    Values last_p_, last_u_;  // solution for the previous distance, or empty
     Values best_p_, best_u_;
     double best_f_ = std::numeric_limits<double>::infinity();  // lowest at a change of the set
     int failures_ = 0;
     double curvature_ = 0;
-    int steps_ = 0;  // since the last change of the set
+    int steps_ = 0;  // steps since the last change of the set
     double norm_of_A_ = 0;
     double first_residual_ = 0;
 };

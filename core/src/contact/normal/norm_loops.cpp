@@ -4,7 +4,7 @@
 
 #include "types/simd.hpp"
 
-// `omp simd` lets sums be taken in several parts.
+// `omp simd` allows sums to be computed in several parts.
 namespace contactd {
 
 CONTACTD_SIMD

@@ -1,4 +1,4 @@
-// NORM's contact set: what enters it, what leaves it, and what keeps it from changing for ever.
+// Changes NORM's contact set, and prevents endless changes.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,7 +9,7 @@
 namespace contactd {
 namespace {
 
-constexpr int most_failures = 8;  // changes of the set that do not lower f
+constexpr int most_failures = 8;  // changes of the set that do not reduce f
 // Moves p to the nearest point of p >= 0, sum(p) = sum (Michelot 1986).
 void project_on_simplex(std::vector<double>& p, double sum) {
     double shift = -std::numeric_limits<double>::infinity();
@@ -33,8 +33,8 @@ bool Norm::overlaps(std::size_t i) const {
     return gap(i) < -rounding * (std::abs(u_[i]) + std::abs(h_[i]) + std::abs(approach_));
 }
 
-// Keeps the pressures of the lowest f. Removing pressures may raise f for a while; when it does so too often in a row,
-// a step that cannot raise f starts again from the best; returns false then.
+// Keeps the pressures of the lowest f. Removing pressures may increase f temporarily. If this occurs too often in a
+// row, restarts from the best by a step that cannot increase f, and returns false.
 bool Norm::watch() {
     double value = potential(state());
     bool keeps = true;
@@ -54,7 +54,7 @@ bool Norm::watch() {
     return keeps;
 }
 
-// Takes negative pressures out of the set.
+// Removes negative pressures from the set.
 void Norm::clip() {
     for (std::size_t i = 0; i < n_; ++i) {
         if (p_[i] > 0) continue;
@@ -99,7 +99,7 @@ bool Norm::change_set(Check check, bool change_all) {
     return true;
 }
 
-// From the best pressures, with a step no longer than 1/||A||: f cannot rise.
+// Starts from the best pressures, with a step of at most 1/||A||, which cannot increase f.
 void Norm::projected_gradient_step() {
     if (norm_of_A_ == 0) {
         std::fill(p_.begin(), p_.end(), 1.0);

@@ -1,4 +1,5 @@
-// NORM (Kalker 1990; paper section 4.1; Vollebregt 2014): normal contact by an active set around conjugate gradients.
+// Solves normal contact by NORM (Kalker 1990; paper section 4.1; Vollebregt 2014): an active set around conjugate
+// gradients.
 #pragma once
 
 #include <functional>
@@ -13,37 +14,37 @@ namespace contactd {
 
 struct NormalSolution {
     std::vector<double> pressure;  ///< (N/mm^2), > 0 in contact, 0 outside
-    double approach = 0;           ///< found by solve_normal_force (mm); 0 where it was prescribed
+    double approach = 0;           ///< computed by solve_normal_force (mm); 0 if it was prescribed
     SolverEvidence evidence;       ///< residual: ||A p + h||_rms / ||h||_rms over the contact (section 4.1)
 };
 
-/// Makes an estimate of the pressures where it is asked to; empty where it has none. May be null.
+/// Returns an estimate of the pressures, or an empty one if there is none. The function may be null.
 using PressureEstimate = std::function<std::vector<double>()>;
 
-/// Finds p >= 0 with A_zz p + h = 0 where p > 0 and A_zz p + h >= 0 elsewhere. `gap` is h with the approach subtracted
-/// (mm, negative where the undeformed bodies overlap), one entry per element; `initial` is empty or an estimate of p.
-/// Where that is not near, `closed_form` is asked for one.
-/// No overlap gives p = 0, converged. A solution that missed the tolerance says so in its evidence.
-/// Throws Cancelled through the observer and InvalidArgument for arrays of the wrong size.
+/// Finds p >= 0 with A_zz p + h = 0 where p > 0 and A_zz p + h >= 0 elsewhere. `gap` is h minus the approach (mm,
+/// negative where the undeformed bodies overlap), one entry per element. `initial` is empty or an estimate of p; if
+/// that is not near, `closed_form` is called for one. Without overlap, p = 0 has converged. The evidence reports a
+/// missed tolerance. Throws Cancelled through the observer and InvalidArgument for arrays of the wrong size.
 NormalSolution solve_normal(const InfluenceOperator& influence, std::span<const double> gap,
                             const SolverSettings& settings, std::span<const double> initial, Observer& observer,
                             const PressureEstimate& closed_form = {});
 
-/// Solves with the force prescribed: finds p and the approach delta with sum(p) = `pressure_sum`, which is Fn / element
+/// Solves with a prescribed force: finds p and the approach delta with sum(p) = `pressure_sum`, which is Fn / element
 /// area, for the gap h = `undeformed_distance` - delta (mm). There is always a solution: at most, all elements are in
-/// contact. Without a force p = 0 and delta is the least undeformed distance, where bodies just touch. Throws also
+/// contact. Without a force, p = 0 and delta is the least undeformed distance, where bodies just touch. Also throws
 /// InvalidArgument ("Fn") for a negative force or one that is not finite.
 NormalSolution solve_normal_force(const InfluenceOperator& influence, std::span<const double> undeformed_distance,
                                   double pressure_sum, const SolverSettings& settings, std::span<const double> initial,
                                   Observer& observer, const PressureEstimate& closed_form = {});
 
-/// Beyond which of them a contact may go on: it does not beyond the row where a body ends at an edge of its own.
+/// Selects the border rows beyond which a contact may extend. It does not extend beyond the row where a body ends at
+/// its own edge.
 struct BorderRows {
     bool first = true, last = true;
 };
 
-/// Elements with pressure in the first or last column, or in these rows: where there are any, the contact may reach
-/// beyond the potential contact area, and the solution is that of bodies cut off there.
+/// Counts elements with pressure in the first or last column, or in these rows. If there are any, the contact may
+/// extend beyond the potential contact area, and the solution is that of bodies cut off there.
 int border_elements(const Grid& grid, std::span<const double> pressure, const BorderRows& rows = {});
 
 }  // namespace contactd

@@ -23,7 +23,7 @@ struct NormTask {
 
 }  // namespace
 
-// Elements around a contact, and the iteration on them.
+// Holds elements around a contact, and the iteration on them.
 class NormalBox {
    public:
     NormalBox(const InfluenceOperator& influence, const NormTask& task, const ElementBox& needed, Observer& observer)
@@ -53,7 +53,7 @@ class NormalBox {
 
     const ElementBox& box() const { return restriction_.box(); }
 
-    // Elements outside the box that overlap under the pressures within it.
+    // Returns the elements outside the box that overlap under the pressures within it.
     ElementBox overlaps_outside(std::span<const double> h, const NormalSolution& solution) const {
         constexpr double rounding = 1e-14;
         if (restriction_.is_whole()) return {};
@@ -81,8 +81,8 @@ class NormalBox {
 namespace {
 
 constexpr double coarse_tolerance = 1e-4;
-constexpr double poor_estimate = 0.3;             // relative error from which a coarser grid gives a better start
-constexpr double poor_beside_closed_form = 4e-3;  // the same of a closed form
+constexpr double poor_estimate = 0.3;             // relative error above which a coarser grid is a better start
+constexpr double poor_beside_closed_form = 4e-3;  // the same for a closed form
 
 bool any_pressure(std::span<const double> p) {
     return std::any_of(p.begin(), p.end(), [](double value) { return value > 0; });
@@ -90,22 +90,22 @@ bool any_pressure(std::span<const double> p) {
 
 struct Start {
     Values pressure;                              // may be empty
-    bool set_is_good = false;                     // as of Norm::start
-    std::function<bool(double error)> is_poor{};  // something else is the better start; null: nothing is
+    bool set_is_good = false;                     // as in Norm::start
+    std::function<bool(double error)> is_poor{};  // whether there is a better start; null: there is none
 };
 
 struct Found {
     NormalSolution solution;
-    std::unique_ptr<NormalBox> box;  // that it was found on
+    std::unique_ptr<NormalBox> box;  // on which it was computed
 };
 
 std::optional<Found> solve_from(const InfluenceOperator& influence, const NormTask& task, Start start,
                                 Observer& observer);
 Found solve_from_coarser(const InfluenceOperator& influence, const NormTask& task, Observer& observer);
 
-// Coarse pressures on the finer grid: the square of the pressure is smooth up to the edge of the contact, so that is
-// interpolated, no element beyond the coarse contact gets any, and every coarse element keeps its force, without which
-// the displacements far from it would be wrong.
+// Returns coarse pressures on the finer grid. The square of the pressure is smooth up to the edge of the contact, so it
+// is interpolated. Elements beyond the coarse contact get no pressure. Every coarse element keeps its force, because
+// otherwise distant displacements would be wrong.
 Values refined(const CoarserGrid& grid, std::size_t fine_size, const Values& coarse) {
     Values squares = coarse, factors(coarse.size()), result(fine_size), copied(fine_size);
     for (double& value : squares) value = std::max(value, 0.0) * std::max(value, 0.0);
@@ -134,8 +134,8 @@ Found solve_from_coarser(const InfluenceOperator& influence, const NormTask& tas
     return *solve_from(influence, task, {estimate_on_coarser_grid(influence, task, observer), true, {}}, observer);
 }
 
-// Solves on a box around the estimate, or where the undeformed bodies overlap without one, and makes it larger as long
-// as the contact conditions are violated outside. Nothing where the start is too far off.
+// Solves on a box around the estimate or, without one, around the overlap of the undeformed bodies. The box grows as
+// long as the contact conditions are violated outside. Returns nothing if the start is too inaccurate.
 std::optional<Found> solve_from(const InfluenceOperator& influence, const NormTask& task, Start start,
                                 Observer& observer) {
     const ElementBox extent = extent_of(influence);
@@ -164,7 +164,7 @@ std::optional<Found> solve_from(const InfluenceOperator& influence, const NormTa
 
 Found solve_from_best(const InfluenceOperator& influence, const NormTask& task, std::span<const double> initial,
                       const PressureEstimate& closed_form, Observer& observer) {
-    // A closed form knows nothing of what creep makes of a contact; coarser grids do.
+    // A closed form neglects creep; coarser grids do not.
     const double poor = influence.is_symmetric() ? poor_estimate : poor_beside_closed_form;
     const auto is_poor = [&](double error) { return error > poor && influence.coarser() != nullptr; };
     Values known;
@@ -186,7 +186,7 @@ Found solve_from_best(const InfluenceOperator& influence, const NormTask& task, 
     return solve_from_coarser(influence, task, observer);
 }
 
-// Only differences of the distance matter where the approach is found: the least is zero then.
+// If the approach is computed, only differences of the distance matter, so the least one becomes zero.
 struct Shifted {
     explicit Shifted(const NormalTask& task) : gap(task.gap.begin(), task.gap.end()) {
         if (!task.pressure_sum) return;
@@ -216,7 +216,7 @@ NormalSolution NormalSolver::solve(const NormalTask& task, std::span<const doubl
     check(task, influence_.size());
     if (!initial.empty()) require_size(initial, influence_.size(), "initial.pressure");
     const Stopwatch stopwatch;
-    box_.reset();  // gives its memory to the next one
+    box_.reset();  // frees its memory for the next one
     const Shifted shifted(task);
     NormalSolution solution;
     if (task.pressure_sum == 0.0) {

@@ -1,4 +1,5 @@
-// Normal contact for one gap after another: what NORM starts from, on how many elements, and what it keeps.
+// Solves normal contact for a sequence of gaps: selects the start of NORM and its elements, and keeps data between
+// solves.
 #pragma once
 
 #include <memory>
@@ -12,25 +13,26 @@
 namespace contactd {
 
 struct NormalTask {
-    std::span<const double> gap;         ///< undeformed (mm), with the approach subtracted where that is prescribed
+    std::span<const double> gap;         ///< undeformed gap (mm), minus the approach if that is prescribed
     std::optional<double> pressure_sum;  ///< prescribed instead of the approach: Fn / element area
     SolverSettings settings;
-    bool to_be_refined = false;  ///< another solve follows: to go on need not look for overlap beyond the last box
+    bool to_be_refined = false;  ///< whether another solve follows; then solve_again() need not find overlap beyond the
+                                 ///< last box
 };
 
 class NormalBox;
 
 class NormalSolver {
    public:
-    /// The operator outlives it.
+    /// The operator must outlive this object.
     explicit NormalSolver(const InfluenceOperator& influence);
     ~NormalSolver();
 
     /// Solves like solve_normal and solve_normal_force.
     NormalSolution solve(const NormalTask& task, std::span<const double> initial, const PressureEstimate& closed_form,
                          Observer& observer);
-    /// Solves for a gap near the last one: where that was solved, from its solution and without a product to start
-    /// with; otherwise from `initial`.
+    /// Solves for a gap near the last one. If that was solved, starts from its solution and without an initial product;
+    /// otherwise starts from `initial`.
     NormalSolution solve_again(const NormalTask& task, std::span<const double> initial, Observer& observer);
 
    private:

@@ -27,9 +27,10 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr double least_friction = 1e-100;  // a coefficient below is none: squares of such tractions underflow
+// Smaller coefficients count as zero, because squares of such tractions underflow.
+constexpr double least_friction = 1e-100;
 
-/// Iterations and times of solves that follow each other; how it stands is what the last one says.
+/// Adds iterations and times of successive solves; the last one determines the state.
 void continue_with(SolverEvidence& evidence, const SolverEvidence& next) {
     evidence = {evidence.iterations + next.iterations, next.residual, next.converged, evidence.seconds + next.seconds};
 }
@@ -72,7 +73,7 @@ class BoundaryElements {
             make_tractions(n_, problem_.previous.pressure, problem_.previous.traction_x, problem_.previous.traction_y);
         before.yield_stress = problem_.previous.yield_stress;
         before.friction_coefficient = problem_.previous.friction_coefficient;
-        Field last;  // tractions of the step before that
+        Field last;  // tractions of the previous step but one
         for (int step = 0; step < steps; ++step) {
             PartObserver part(observer, static_cast<double>(step) / steps, (step + 1.0) / steps);
             if (step_) step_->begin(before);
@@ -88,7 +89,7 @@ class BoundaryElements {
     }
 
    private:
-    // The motion is the same in all steps: they start where the last two lead to.
+    // The motion is the same in all steps, so they start from an extrapolation of the last two.
     void go_on(const Field& before, const Field& last) {
         for (std::size_t i = 0; i < n_; ++i) {
             now_.tangential.x[i] += before.x[i] - last.x[i];
@@ -102,7 +103,7 @@ class BoundaryElements {
         return rolling && !rolling->steady() ? rolling->steps : 1;
     }
 
-    // A step that is left unsolved spoils all that follow, however well these end.
+    // A step that has not converged makes all following steps wrong, however well these converge.
     void remember_failures() {
         const auto keep = [](const std::optional<SolverEvidence>& now, std::optional<SolverEvidence>& failed) {
             if (now && !now->converged && !(failed && failed->residual > now->residual)) failed = now;
@@ -113,8 +114,8 @@ class BoundaryElements {
         if (step_) keep(step_->force_evidence(), failed_.force);
     }
 
-    // Panagiotopoulos' process where the bodies couple, and successive coefficients where friction follows slip or
-    // heat.
+    // Applies Panagiotopoulos' process if the bodies are coupled, and successive coefficients if friction depends on
+    // slip or heat.
     void take_step(Observer& observer, bool first) {
         const bool coupled = step_ && influence_.coupled();
         const bool repeats = coupled || slip_law_ || temperature_law_;
@@ -132,7 +133,8 @@ class BoundaryElements {
             if (!repeats) return;
             const double friction_change = follow_friction();
             tolerances.follow(std::max(relative_change(now_, last), friction_change));
-            const bool is_settled = temperature_law_ && !coupled && friction_change == 0;  // the same solve again
+            // The next solve would be the same.
+            const bool is_settled = temperature_law_ && !coupled && friction_change == 0;
             const double left = is_settled ? 0 : tolerances.left();
             const bool converged = left <= problem_.settings.outer.tolerance && solved_finally;
             solution_.evidence.outer = {iteration, left, converged, stopwatch.seconds()};
@@ -140,7 +142,7 @@ class BoundaryElements {
         }
     }
 
-    /// Pressures of virtual penetration, which do not follow the tractions.
+    /// Computes pressures by virtual penetration, which do not depend on the tractions.
     void take_penetration() {
         if (influence_.coupled())
             throw InvalidArgument("normal_model",
@@ -184,7 +186,7 @@ class BoundaryElements {
 
     NormalSolution solve_along_approach(Values& gap, const Values& estimate, const OuterTolerances& tolerances,
                                         Observer& observer) {
-        // Pressures that miss a part of the contact may not carry a force that is prescribed.
+        // Pressures that miss a part of the contact may not carry a prescribed force.
         NormalTask task{gap, {}, tolerances.normal(), !tolerances.are_final() && !prescribes_force(problem_.motion)};
         if (problem_.Fn) {
             task.pressure_sum = *problem_.Fn / problem_.grid.element_area();
@@ -218,7 +220,7 @@ class BoundaryElements {
         solution_.evidence.tangential_solver = step_->solver_used();
     }
 
-    // Outer iterations on the coarser grid replace the first one.
+    // Replaces the first outer iteration by iterations on the coarser grid.
     bool start_on_coarser(const Observer& observer) {
         if (any(now_.tangential) || problem_.settings.outer.max_iterations == 1) return false;
         bound_ = bound_of(static_mu_);
@@ -241,7 +243,7 @@ class BoundaryElements {
         return bound;
     }
 
-    // Tractions that were at their bound stay there, so that the estimate knows where there was slip.
+    // Keeps tractions at their bound if they were there, so that the estimate shows where there was slip.
     void keep_at_bound(const Values& bound) {
         constexpr double on_bound = 1e-9;
         if (bound == bound_) return;
@@ -255,7 +257,7 @@ class BoundaryElements {
         }
     }
 
-    /// How far the coefficients of friction were from those that slip, or its heat, asks for; they follow it.
+    /// Updates the coefficients of friction to the slip or its heat, and returns their distance from the new ones.
     double follow_friction() {
         if (!slip_law_ && !temperature_law_) return 0;
         const auto* rolling = std::get_if<Rolling>(&problem_.motion);
@@ -298,7 +300,8 @@ class BoundaryElements {
         solution_.pressure = std::move(now_.pressure);
         solution_.element_division.assign(n_, ElementState::exterior);
         for (std::size_t i = 0; i < n_; ++i)
-            if (solution_.pressure[i] > 0) solution_.element_division[i] = ElementState::slip;  // no friction holds it
+            // Without friction all elements slip.
+            if (solution_.pressure[i] > 0) solution_.element_division[i] = ElementState::slip;
         solution_.traction_x.resize(n_);
         solution_.traction_y.resize(n_);
         if (step_) take_tangential_solution();
@@ -340,20 +343,21 @@ class BoundaryElements {
     const std::size_t n_;
     const Values distance_;
     std::optional<TangentialStep> step_;
-    std::optional<LayerFlow> layer_;  // that yields
+    std::optional<LayerFlow> layer_;  // of a layer that yields
     Tractions now_;
-    const std::unique_ptr<const ApproachOperator> along_approach_;  // of curved strips only
+    const std::unique_ptr<const ApproachOperator> along_approach_;  // for curved strips only
     NormalSolver normal_;
-    bool has_pressures_ = false;  // of an earlier solve, nearer than those of a closed form
-    Values static_mu_;            // per element
-    Values bound_;                // of the tractions as they are
+    // It is set if there are pressures of an earlier solve, which are nearer than a closed form.
+    bool has_pressures_ = false;
+    Values static_mu_;  // per element
+    Values bound_;      // of the present tractions
     std::optional<CarriedFriction> memory_;
     std::optional<SlipLawIteration> slip_law_;
     std::optional<TemperatureLaw> temperature_law_;
     RollingSolution tangential_;
     struct {
         std::optional<SolverEvidence> normal, tangential, outer, force;
-    } failed_;  // of all steps the worst
+    } failed_;  // worst of all steps
     ContactSolution solution_;
 };
 

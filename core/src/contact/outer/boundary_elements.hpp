@@ -1,4 +1,4 @@
-// Contact by boundary elements: normal contact, tangential contact, and the loop between them.
+// Solves contact by boundary elements: normal contact, tangential contact, and the loop between them.
 #pragma once
 
 #include "contactd/contact.hpp"
@@ -7,7 +7,7 @@
 
 namespace contactd {
 
-/// Fills everything of a solution but the sums over its arrays. `problem` is valid, its operators fit.
+/// Sets everything in a solution except the sums over its arrays. `problem` is valid, and its operators fit.
 ContactSolution solve_boundary_elements(const ContactProblem& problem, const ContactInfluence& influence,
                                         Observer& observer);
 

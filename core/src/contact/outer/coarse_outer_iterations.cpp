@@ -25,7 +25,7 @@ std::optional<ContactInfluence> coarser(const ContactInfluence& fine) {
                             fine.increment ? std::shared_ptr<const StepOperator>(fine.increment, increment) : nullptr};
 }
 
-// On the coarser grid, where forces are met roughly, those near what friction holds would be refused.
+// On the coarser grid forces are met only roughly, so forces near the bound of friction would be refused.
 bool is_well_within_bound(const ContactProblem& problem) {
     constexpr double well = 0.95;
     const Force force = std::visit([](const auto& motion) { return motion.force; }, problem.motion);

@@ -12,12 +12,12 @@ namespace contactd {
 
 struct OuterStart {
     Field tractions;  ///< on the grid, within the bound
-    Motion motion;    ///< as asked, with what forces made of it
+    Motion motion;    ///< as given, with components computed for prescribed forces
 };
 
 /// Iterates roughly between pressures and tractions on the coarser grid. `distance` is the problem's undeformed
-/// distance, `bound` what friction holds under pressures that are about right. Nothing where few elements are in
-/// contact or there is no coarser grid, where the problem has more than bodies, load and motion, or where it did not
+/// distance, `bound` the friction bound for approximate pressures. Returns nothing if few elements are in contact, if
+/// there is no coarser grid, if the problem has more than bodies, load and motion, or if the iteration did not
 /// converge.
 std::optional<OuterStart> outer_iterations_on_coarser(const ContactProblem& problem, const ContactInfluence& influence,
                                                       const std::vector<double>& distance,

@@ -6,17 +6,18 @@ namespace contactd {
 namespace {
 
 constexpr double first_normal = 3e-3, first_tangential = 0.1;
-constexpr double normal_part = 0.01, tangential_part = 0.2;  // of the expected change
+constexpr double normal_part = 0.01, tangential_part = 0.2;  // fraction of the expected change
 constexpr double least_rate = 0.03, largest_rate = 0.3, first_rate = 0.05;
-// Rates that tell what is left: smaller ones may be luck, and larger ones are no sign of a series that ends. Of the
-// last two the smaller one counts: the next iteration makes up for what one left unsolved, which adds to its change.
+// Rates in this range allow an estimate of the remaining change. Smaller ones may be chance, and larger ones do not
+// indicate a convergent series. The smaller one of the last two counts, because the next iteration also corrects what
+// one left unsolved, which adds to its change.
 constexpr double least_sure_rate = 0.1, largest_sure_rate = 0.5;
 
 void tighten(SolverSettings& settings, double tolerance, const SolverSettings& last) {
     settings.tolerance = std::clamp(tolerance, last.tolerance, std::max(settings.tolerance, last.tolerance));
 }
 
-// The sum of a geometric series behind `change`.
+// Returns the sum of a geometric series after `change`.
 double sum_behind(double change, double rate) {
     rate = std::max(rate, least_sure_rate);
     return rate <= largest_sure_rate ? change * rate / (1 - rate) : change;

@@ -1,26 +1,27 @@
-// Tolerances of the outer (Panagiotopoulos) iterations between normal and tangential contact, and when these end.
+// Selects tolerances of the outer (Panagiotopoulos) iterations between normal and tangential contact, and their end.
 #pragma once
 
 #include "contactd/contact_setup.hpp"
 
 namespace contactd {
 
-/// Each outer iteration changes the tractions by a part of what the last one did. To solve it much better is wasted:
-/// the next one has other pressures. So tolerances follow the change that is expected, and never rise. The last
-/// iteration that is allowed has the tolerances of the problem: its tractions are the answer, converged or not.
+/// Each outer iteration changes the tractions by a fraction of the previous change. A much more accurate solve is
+/// wasted, because the next one has other pressures. Therefore, tolerances follow the expected change, and never
+/// increase. The last allowed iteration has the tolerances of the problem, because its tractions are the answer,
+/// converged or not.
 class OuterTolerances {
    public:
-    /// `loose`: false where all iterations are solved as the problem asks for.
+    /// If `loose` is false, all iterations have the problem's tolerances.
     OuterTolerances(const ContactSetup& setup, bool loose);
 
     const SolverSettings& normal() const { return normal_; }
     const SolverSettings& tangential() const { return tangential_; }
-    /// Whether they are those of the problem.
+    /// Returns whether the present tolerances are those of the problem.
     bool are_final() const;
-    /// Takes the relative change of the tractions by an iteration.
+    /// Updates the tolerances after an iteration with this relative change of the tractions.
     void follow(double change);
-    /// The relative change that is left, as the last two iterations tell; the last change where they do not, or where
-    /// the limit made the last one exact beside others that were not.
+    /// Returns the remaining relative change, extrapolated from the last two iterations. Returns the last change if
+    /// these do not allow it, or if the limit made only the last iteration exact.
     double left() const;
 
    private:
@@ -30,9 +31,10 @@ class OuterTolerances {
     const bool loose_;
     SolverSettings normal_, tangential_;
     int iterations_ = 0;
-    bool is_forced_ = false, was_forced_ = false;  // to the problem's tolerances by the limit: the next one, the last
-    double change_ = 0, rate_ = 1;                 // of the last iteration, and over that of the one before
-    double sure_rate_ = 1;                         // the smaller one of the last two rates
+    // They are set if the limit imposes the problem's tolerances on the next, and on the last iteration.
+    bool is_forced_ = false, was_forced_ = false;
+    double change_ = 0, rate_ = 1;  // change in the last iteration, and its ratio to the previous one
+    double sure_rate_ = 1;          // smaller one of the last two rates
 };
 
 }  // namespace contactd

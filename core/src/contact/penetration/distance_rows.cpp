@@ -7,7 +7,7 @@
 namespace contactd {
 namespace {
 
-// Values at equal steps: where they fall below a threshold and rise above it again, by straight lines between them.
+// Returns where values at equal steps fall below a threshold and rise above it again, with linear interpolation.
 template <class Value>
 std::optional<RowExtent> extent_below(int count, double first, double step, double threshold, Value value) {
     int from = 0, to = count - 1;
@@ -15,14 +15,14 @@ std::optional<RowExtent> extent_below(int count, double first, double step, doub
     if (from == count) return {};
     while (!(value(to) < threshold)) --to;
     const auto way = [&](int inside, int outside) {
-        if (outside < 0 || outside >= count) return 0.5;  // it ends with the grid
+        if (outside < 0 || outside >= count) return 0.5;  // It ends with the grid.
         return (threshold - value(inside)) / (value(outside) - value(inside));
     };
     const double low = first + step * (from - way(from, from - 1)), high = first + step * (to + way(to, to + 1));
     return RowExtent{0.5 * (low + high), 0.5 * (high - low)};
 }
 
-/// Sums of the powers 0 to 4 of the whole numbers from `from` to `to`.
+/// Returns the sums of the powers 0 to 4 of the whole numbers from `from` to `to`.
 std::array<double, 5> power_sums(int from, int to) {
     const auto up_to = [](double n) -> std::array<double, 5> {
         const double first = 0.5 * n * (n + 1);
@@ -34,8 +34,8 @@ std::array<double, 5> power_sums(int from, int to) {
     return sums;
 }
 
-// The parabola by least squares of the values that lie less than `depth` above the least one, three of them at least.
-// Sums are taken about the element of the least one, in units of elements.
+// Fits a parabola by least squares to the values that are less than `depth` above the least one, at least three of
+// them. Sums are taken about the element of the least one, in units of elements.
 RowParabola parabola_of(const Grid& grid, std::span<const double> row, int lowest, double depth) {
     const double least = row[static_cast<std::size_t>(lowest)];
     RowParabola result{grid.x(lowest), least, 0};
@@ -52,7 +52,7 @@ RowParabola parabola_of(const Grid& grid, std::span<const double> row, int lowes
         f[1] += s * h;
         f[2] += s * s * h;
     }
-    // Cramer's rule for c0 + c1 s + c2 s^2.
+    // Cramer's rule solves for c0 + c1 s + c2 s^2.
     const auto determinant = [](double a, double b, double c, double d, double e, double g, double h, double i,
                                 double j) { return a * (e * j - g * i) - b * (d * j - g * h) + c * (d * i - e * h); };
     const double all = determinant(t[0], t[1], t[2], t[1], t[2], t[3], t[2], t[3], t[4]);

@@ -65,14 +65,14 @@ PenetrationPressures analyn_pressures(const DistanceRows& rows, double d, double
     const auto height = [&](int iy) { return rows.parabola(iy).least - rows.least(); };
     constexpr double everywhere = 1e300;
     for (int iy = 0; iy < grid.ny; ++iy) {
-        if (!(height(iy) < d)) continue;  // the divisor of Hertz's contact below is smaller than d
+        if (!(height(iy) < d)) continue;  // The divisor of Hertz's contact below is smaller than d.
         const double curvature = rows.curvature_across(iy);
         const double A = std::max(rows.parabola(iy).curvature, least_along), B = std::max(curvature, least_across);
         const HertzContact ellipse = hertz(A, B, compliance, d);
         const double rest = d - d / (B * ellipse.b * ellipse.b) * height(iy);
         if (!(rest > 0)) continue;
         found.is_beyond = found.is_beyond || !(curvature > least_across);
-        // Hertz's contacts of the same surfaces are alike.
+        // Hertz's contacts of the same surfaces are similar.
         const double size = std::sqrt(rest / d), half = ellipse.a * size, pmax = ellipse.pmax * size;
         add_half_ellipse(rows, iy, {rows.parabola(iy).middle, half}, pmax / half, everywhere, found.pressure);
     }

@@ -1,4 +1,4 @@
-// One approach of each model of virtual penetration.
+// Computes one approach of each model of virtual penetration.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,14 @@ namespace contactd {
 
 struct PenetrationPressures {
     std::vector<double> pressure;
-    bool is_beyond = false;  ///< whether some rows are no such surfaces as the model is made for
+    bool is_beyond = false;  ///< whether some rows are outside the range of the model
 };
 
-/// Half ellipses over rows, their factor left open.
+/// Returns half ellipses over rows, without their factor.
 PenetrationPressures kp_shape(const DistanceRows& rows, double d);
-/// `compliance` as in hertz.hpp.
+/// Returns half ellipses over rows, without their factor; `compliance` is as in hertz.hpp.
 PenetrationPressures kpec_shape(const DistanceRows& rows, double d, double compliance);
-/// Pressures themselves.
+/// Returns pressures with their factor.
 PenetrationPressures analyn_pressures(const DistanceRows& rows, double d, double compliance);
 
 }  // namespace contactd

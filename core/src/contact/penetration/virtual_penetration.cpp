@@ -14,7 +14,7 @@
 namespace contactd {
 namespace {
 
-constexpr double tolerance = 1e-9;  // of a force that is prescribed
+constexpr double tolerance = 1e-9;  // of a prescribed force
 constexpr int most_rounds = 100;
 
 class Penetration {
@@ -29,15 +29,15 @@ class Penetration {
     }
 
     double least() const { return least_; }
-    /// The depth that Hertz's theory expects of a force, by the curvatures where the surfaces are nearest.
+    /// Returns the depth that Hertz's theory expects for a force, by the curvatures where the surfaces are nearest.
     double expected_depth(double Fn) const {
         const auto [along, across] = rows_.curvatures();
         return hertz_of_force({0.5 / along, 0.5 / across}, compliance_, Fn).approach;
     }
-    /// Overlaps up to this are none (mm).
+    /// Returns the overlap (mm) up to which there is no contact.
     double rounding() const { return rounding_; }
 
-    /// Pressures for d, the approach less the least distance; returns the force (N).
+    /// Computes the pressures for d, the approach minus the least distance; returns the force (N).
     double solve(double d) {
         rows_.take_parabolas(d);
         switch (problem_.normal_model) {
@@ -58,7 +58,7 @@ class Penetration {
     }
 
     const PenetrationPressures& found() const { return found_; }
-    /// Takes a share of other pressures, and of those found the rest.
+    /// Mixes the computed pressures with a share of others.
     void blend(const PenetrationPressures& others, double share) {
         for (std::size_t i = 0; i < found_.pressure.size(); ++i)
             found_.pressure[i] += share * (others.pressure[i] - found_.pressure[i]);
@@ -66,7 +66,7 @@ class Penetration {
     }
 
    private:
-    /// Gives the pressures the size whose displacement at the deepest element is `overlap`.
+    /// Scales the pressures so that the displacement at the deepest element is `overlap`.
     void scale(double overlap) {
         const Grid& grid = problem_.grid;
         const auto columns = static_cast<std::size_t>(grid.nx);
@@ -83,14 +83,14 @@ class Penetration {
         for (double& p : found_.pressure) p *= overlap / displacement;
     }
 
-    /// Those of both bodies together, by distance from an element in elements, as far as the grid goes on from there: a
-    /// half-space with the sum of their compliances.
+    /// Computes the coefficients of both bodies together, by distance from an element in elements, up to the ends of
+    /// the grid: those of a half-space with the sum of their compliances.
     void make_coefficients(std::size_t from) {
         if (!coefficients_.empty()) return;
         const Grid& grid = problem_.grid;
         const auto ix0 = static_cast<int>(from) % grid.nx, iy0 = static_cast<int>(from) / grid.nx;
         const int nx = std::max(ix0, grid.nx - 1 - ix0) + 1, ny = std::max(iy0, grid.ny - 1 - iy0) + 1;
-        // By Love's formula for a rectangle (Johnson, section 3.3), a sum over its corners.
+        // They follow from Love's formula for a rectangle (Johnson, section 3.3), a sum over its corners.
         std::vector<double> corners;
         corners.reserve(static_cast<std::size_t>(nx + 1) * static_cast<std::size_t>(ny + 1));
         for (int iy = 0; iy <= ny; ++iy)
@@ -117,9 +117,9 @@ class Penetration {
     PenetrationPressures found_;
 };
 
-/// Finds d for a force, by the rule of false position on a force that grows as d^(3/2), within brackets that grow from
-/// `start` on, the faster the longer it takes. Where the force jumps over what is asked for, because other rows or
-/// another deepest element count, the pressures are those between both sides that carry it.
+/// Finds d for a force by false position on a force that grows as d^(3/2). Brackets grow from `start` on, faster with
+/// each iteration. If the force jumps across the target because other rows or another deepest element count, the
+/// pressures are interpolated between both sides.
 double carry(Penetration& penetration, double Fn, double start, SolverEvidence& evidence) {
     constexpr int enough = 40;
     const auto excess = [&](double d) {
@@ -143,7 +143,7 @@ double carry(Penetration& penetration, double Fn, double start, SolverEvidence& 
                                          : std::midpoint(low, high);
         const double here = excess(d);
         const bool is_low = here < 0;
-        // An end that stays counts half, or it would stay for ever.
+        // An end that stays counts half, because it would stay for ever otherwise.
         same = is_low ? std::max(same, 0) + 1 : std::min(same, 0) - 1;
         if (is_low) {
             low = d;

@@ -36,7 +36,7 @@ FrictionStart start_on_coarser(const FrictionBodies& fine, const Contact& contac
         grid.average(whole, coarse);
         return coarse;
     };
-    // Means of the rigid slip are over elements in contact: beyond it is not known here.
+    // Means of the rigid slip are over elements in contact, because it is unknown beyond.
     const Values share = to_coarser(Values(contact.size(), 1.0));
     const auto mean = [&](const Values& on_contact) {
         Values values = to_coarser(on_contact);

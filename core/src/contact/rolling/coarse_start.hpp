@@ -1,4 +1,4 @@
-// Where Newton's method on the friction law starts on many elements.
+// Starts Newton's method on the friction law with many elements.
 #pragma once
 
 #include <optional>
@@ -12,11 +12,11 @@ namespace contactd {
 
 struct FrictionStart {
     Field tractions;  ///< on the grid
-    Pair uniform;     ///< part of the rigid slip that forces ask for (mm)
+    Pair uniform;     ///< part of the rigid slip that forces determine (mm)
 };
 
-/// Tractions and rigid slip found on coarser grids, roughly; none and `uniform` where there are no coarser grids, or
-/// where that did not converge. `flow` is the law of a layer that hardens, or null.
+/// Returns approximate tractions and rigid slip from coarser grids. If there are no coarser grids, or that did not
+/// converge, returns no tractions and `uniform`. `flow` is the law of a layer that hardens, or null.
 FrictionStart start_on_coarser(const FrictionBodies& bodies, const Contact& contact,
                                const std::optional<ForcesGiven>& forces, const Pair& uniform, const FlowLaw* flow,
                                const Observer& observer);

@@ -1,4 +1,4 @@
-// The bodies as Newton's method on the friction law takes them, whether they shift or roll.
+// Represents shifting or rolling bodies for Newton's method on the friction law.
 #pragma once
 
 #include <memory>
@@ -12,17 +12,17 @@
 
 namespace contactd {
 
-/// The operator from tractions to slip: C of steady rolling where there is an `increment`, otherwise A.
+/// Holds the operator from tractions to slip: C of steady rolling if there is an `increment`, otherwise A.
 struct FrictionBodies {
     const InfluenceOperator& influence;
     const StepOperator* increment;  ///< null for shifts
     Grid grid;
-    double step_x = 0, step_y = 0;  ///< as of RollingBodies, where there is an `increment`
-    /// Levels of the preconditioner of steady rolling save iterations, but each costs more.
+    double step_x = 0, step_y = 0;  ///< as in RollingBodies, if there is an `increment`
+    /// Levels of the preconditioner of steady rolling reduce the number of iterations, but each iteration costs more.
     PreconditionerLevels levels = PreconditionerLevels::on_many_elements;
 };
 
-/// The bodies' operators and the contact outlive it.
+/// Creates the compliance. The bodies' operators and the contact must outlive it.
 std::unique_ptr<Compliance> compliance_of(const FrictionBodies& bodies, const Contact& contact);
 
 }  // namespace contactd

@@ -8,10 +8,10 @@
 namespace contactd {
 namespace {
 
-constexpr double sweep_self = 1.5;      // times the self-influence: of an element with its close neighbours
-constexpr double stiff_self = 2;        // times the self-influence: tangent stiffness that rules the Jacobian
-constexpr int margin = 2;               // elements around adhesion
-constexpr std::size_t much_larger = 2;  // than the best box: not worth another one
+constexpr double sweep_self = 1.5;      // times the self-influence: that of an element with its close neighbours
+constexpr double stiff_self = 2;        // times the self-influence: tangent stiffness that dominates the Jacobian
+constexpr int margin = 2;               // in elements around adhesion
+constexpr std::size_t much_larger = 2;  // factor on the best box above which a new one pays
 
 bool is_within(const ElementBox& inner, const ElementBox& outer) {
     return united(inner, outer) == outer;
@@ -66,7 +66,7 @@ bool InfluenceDivision::take_adhesion(const std::vector<char>& slips) {
     return true;
 }
 
-// Row by row; elements that lie side by side may go on in the next row.
+// Searches row by row; a run of adjacent elements may continue in the next row.
 ElementBox InfluenceDivision::box_of_adhesion(const std::vector<char>& slips) const {
     const auto nx = static_cast<std::size_t>(extent_of(influence_).nx);
     ElementBox all{};

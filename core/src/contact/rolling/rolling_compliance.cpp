@@ -8,9 +8,9 @@
 namespace contactd {
 namespace {
 
-constexpr double sweep_self = 1.5;   // times the self-influence: of an element with its close neighbours
-constexpr double mostly_slip = 0.5;  // of the contact, from which one half of the preconditioner is enough
-// Levels save iterations, each of which costs more, where there are many elements and nearly all of them slip.
+constexpr double sweep_self = 1.5;   // times the self-influence: that of an element with its close neighbours
+constexpr double mostly_slip = 0.5;  // part of the contact above which one half of the preconditioner is sufficient
+// Levels save iterations, each of which costs more, if there are many elements and nearly all of them slip.
 constexpr std::size_t smallest_with_levels = 4000;
 constexpr double part_with_levels = 0.6;
 

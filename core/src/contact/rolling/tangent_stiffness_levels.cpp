@@ -7,8 +7,8 @@
 namespace contactd {
 namespace {
 
-// In units of the diagonal of C, over which D has quantiles of 0.4, 1.5 and 5 (10, 50 and 90 % of the slip) on any
-// grid.
+// They are in units of the diagonal of C, over which D has quantiles of 0.4, 1.5 and 5 (10, 50 and 90 % of the slip) on
+// any grid.
 constexpr std::array<double, 2> levels = {0.3, 2};
 constexpr LevelPassages passages{0.63, 3.2, 1.5};
 

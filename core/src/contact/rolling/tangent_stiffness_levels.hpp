@@ -1,4 +1,4 @@
-// The part of the preconditioner of steady rolling that treats slip where the contact has many elements.
+// Preconditions slip in steady rolling of contacts with many elements.
 #pragma once
 
 #include <array>
@@ -11,22 +11,23 @@
 
 namespace contactd {
 
-// C + D is a convolution but for the tangent stiffness D, which spans two orders of magnitude over the contact. So
+// C + D is a convolution except for the tangent stiffness D, which spans two orders of magnitude over the contact.
+// Therefore
 //
 //     J^-1 r ~ sum over j of q_j (C + d_j)^-1 q_j r + q r/(D + d)
 //
-// with two levels d_j of D, and what is beyond them, where C matters little. q_j^2 and q say how near D is to each;
-// they sum to 1. Adhesion, D = 0, belongs to the lowest level: it is how slip here feels slip there. C is of order
-// zero, so that the levels, in units of its diagonal, and the iterations do not depend on the size of the elements.
+// with two levels d_j of D, and a remainder where C matters little. q_j^2 and q state how near D is to each; they sum
+// to 1. Adhesion, D = 0, belongs to the lowest level, through which distant slip interacts. C is of order zero, so that
+// the levels, in units of its diagonal, and the iterations do not depend on the size of the elements.
 class TangentStiffnessLevels {
    public:
-    // `unit`: about what C has on its diagonal (mm^3/N). Null where C has no inverses.
+    // Creates the levels, or returns null if C has no inverses. `unit` is the approximate diagonal of C (mm^3/N).
     static std::unique_ptr<TangentStiffnessLevels> make(const StepOperator& increment, const Contact& contact,
                                                         double unit);
 
-    // To be called when division or stiffness have changed.
+    // Updates the levels. Call it after division or stiffness have changed.
     void linearise(const Linearisation& linearisation);
-    // z ~ J^-1 r where elements slip; elsewhere z stays as it is.
+    // Computes z ~ J^-1 r where elements slip; elsewhere z does not change.
     void solve_slip(const Linearisation& linearisation, const Field& r, Field& z);
 
    private:

@@ -1,4 +1,4 @@
-// The elements of a given contact area and vector fields on them, as the tangential solver uses them.
+// Defines the elements of a given contact area and vector fields on them for the tangential solvers.
 #pragma once
 
 #include <algorithm>
@@ -34,10 +34,10 @@ inline void add(Field& to, const Field& from, double factor = 1) {
     }
 }
 
-// The elements of the contact area, 0..m-1, with everything the problem says of them.
+// Holds the elements of the contact area, 0..m-1, with their data of the problem.
 struct Contact {
-    // Elements that lie side by side in the grid, first ... first + size - 1, the first of which is at grid_first
-    // there.
+    // Describes adjacent elements of the grid, first ... first + size - 1, the first of which is at grid_first in the
+    // grid.
     struct Run {
         std::size_t first, grid_first, size;
     };
@@ -68,7 +68,8 @@ struct Contact {
     void scatter(const std::vector<double>& from, std::vector<double>& to) const {
         for (const Run& run : runs) std::copy_n(&from[run.first], run.size, &to[run.grid_first]);
     }
-    /// out = `influence` times in, tangential components; the full fields are scratch of the grid's size, zero outside.
+    /// Computes out = `influence` times in, tangential components. The full fields are work arrays of the grid's size,
+    /// zero outside.
     template <class Influence>
     void product(const Influence& influence, const Field& in, Field& full_in, Field& full_out, Field& out) const {
         scatter(in.x, full_in.x);
@@ -82,7 +83,7 @@ struct Contact {
     }
 };
 
-/// The mean of A_xx and A_yy of each element in contact on itself.
+/// Returns the mean of A_xx and A_yy of each element in contact on itself.
 inline std::vector<double> tangential_diagonal(const InfluenceOperator& influence, const Contact& contact) {
     const std::vector<double> x = influence.diagonal(Axis::x), y = influence.diagonal(Axis::y);
     std::vector<double> mean;

@@ -7,7 +7,7 @@ namespace contactd {
 
 EnteringParticles entering_particles(const Grid& grid, std::span<const double> pressure, std::array<double, 2> step) {
     constexpr double rounding = 1e-9;
-    // A particle is followed by whole elements along the axis that its step crosses more of.
+    // A particle is traced by whole elements along the axis in which its step crosses more of them.
     const double along = step[0] / grid.dx, across = step[1] / grid.dy;
     const double elements = std::max(std::abs(along), std::abs(across));
     if (!(elements > 1 + rounding)) return {};

@@ -1,4 +1,4 @@
-// Two numbers, along x and along y.
+// Defines two numbers, along x and along y.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// Small helpers the contact solvers share.
+// Defines small helpers of the contact solvers.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ inline void require_size(std::span<const double> values, std::size_t size, const
                                          std::to_string(size) + " elements");
 }
 
-/// The grid of the larger elements.
+/// Returns the grid of the larger elements.
 inline Grid coarser(Grid grid, const CoarserGrid& coarse) {
     grid.dx *= coarse.along_x();
     grid.dy *= coarse.along_y();
@@ -34,14 +34,14 @@ inline Grid coarser(Grid grid, const CoarserGrid& coarse) {
     return grid;
 }
 
-/// How far an iteration has come from `first` to `tolerance` when residuals fall geometrically, 0..1.
+/// Returns the progress of an iteration from `first` to `tolerance`, 0..1, for residuals that decrease geometrically.
 inline double log_fraction(double first, double residual, double tolerance) {
     if (residual <= tolerance) return 1;
     if (!(first > tolerance)) return 0;
     return std::clamp(std::log(first / residual) / std::log(first / tolerance), 0.0, 1.0);
 }
 
-/// Passes on the wish to cancel and no progress: for solves within a solve.
+/// Forwards cancellation, but no progress, for solves within a solve.
 class SilentObserver final : public Observer {
    public:
     explicit SilentObserver(const Observer& outer) : outer_(outer) {}
@@ -52,7 +52,7 @@ class SilentObserver final : public Observer {
     const Observer& outer_;
 };
 
-/// Shows the progress of one solver as a part of the whole computation.
+/// Reports the progress of one solver as a part of the whole computation.
 class PartObserver : public Observer {
    public:
     PartObserver(Observer& whole, double first, double last) : whole_(whole), first_(first), last_(last) {}
@@ -69,7 +69,7 @@ class PartObserver : public Observer {
     const double first_, last_;
 };
 
-/// Reports iterations of unknown number, 1, 2, ...: each takes a share of what is left.
+/// Reports iterations of unknown number, 1, 2, ...; each takes a share of the remaining progress.
 class IterationObserver final : public PartObserver {
    public:
     IterationObserver(Observer& whole, int iteration, double share = 0.3)

@@ -5,10 +5,11 @@
 
 #include "types/simd.hpp"
 
-// `omp simd` needs no OpenMP at run time: it says that arrays do not overlap, and lets sums be taken in several parts.
+// `omp simd` does not need OpenMP at run time. It states that arrays do not overlap, and allows sums to be computed in
+// several parts.
 namespace contactd {
 
-// Sums of four at a time are made four side by side, for each addition waits for the one before it.
+// Four partial sums of four numbers are computed side by side, because each addition waits for the previous one.
 CONTACTD_SIMD
 double dot_product(std::size_t m, const double* __restrict a, const double* __restrict b) {
     Four sums[4] = {};
@@ -44,7 +45,7 @@ TwoProducts dot_products(std::size_t m, const double* __restrict a, const double
 
 CONTACTD_SIMD
 void add_four(std::size_t m, const FourArrays& arrays, double* __restrict to) {
-    // Not as structured bindings, which clang does not take into an OpenMP loop.
+    // clang does not accept structured bindings in an OpenMP loop.
     const double p = arrays.factors[0], q = arrays.factors[1], r = arrays.factors[2], s = arrays.factors[3];
     const double *a = arrays.values[0], *b = arrays.values[1], *c = arrays.values[2], *d = arrays.values[3];
 #pragma omp simd
@@ -59,7 +60,7 @@ void multiply(std::size_t m, const double* __restrict factor, const double* __re
 CONTACTD_SIMD
 void multiply_two(std::size_t m, const double* __restrict factor, const double* __restrict a,
                   const double* __restrict other, const double* b, double* out) {
-    // out and b may be the same
+    // out and b may be the same array.
 #pragma omp simd
     for (std::size_t e = 0; e < m; ++e) out[e] = factor[e] * a[e] + other[e] * b[e];
 }

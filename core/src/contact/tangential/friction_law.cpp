@@ -36,7 +36,7 @@ double SlipLawIteration::follow(std::span<const double> slip_velocity, std::span
             square += std::pow(error * pressure[i], 2);
             reference += std::pow(static_[i] * pressure[i], 2);
         }
-        // The step -error/slope of a secant; 1 where the error does not fall with mu, or nothing is known.
+        // The step is -error/slope of a secant, or 1 if the error does not decrease with mu or is not known.
         double relaxation = 1;
         const double step = mu_[i] - last_mu_[i];
         if (!is_first_ && step != 0) {

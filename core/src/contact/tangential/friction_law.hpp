@@ -1,4 +1,4 @@
-// Velocity-weakening (falling) friction: the law, and how coefficients follow the slip that they cause.
+// Defines velocity-weakening (falling) friction: the law, and how coefficients follow the slip that they cause.
 #pragma once
 
 #include <span>
@@ -9,21 +9,22 @@
 
 namespace contactd {
 
-/// The coefficients of friction on their way to the slip they cause. Every element is relaxed by a secant of its own,
+/// Iterates the coefficients of friction towards the slip that they cause. Every element is relaxed by its own secant,
 /// because falling friction would overshoot: less friction, more slip, less friction.
 class SlipLawIteration {
    public:
-    /// One static coefficient per element; starts with these, or with the kinetic one (KineticFriction::start).
+    /// Starts with one static coefficient per element, or with the kinetic one (KineticFriction::start).
     SlipLawIteration(const KineticFriction& kinetic, std::span<const double> mu_static);
 
-    /// With memory: what particles carry, which outlives this, in place of what the law asks for.
+    /// Sets the memory of friction, which must outlive this object. Its carried coefficients then replace those of the
+    /// law.
     void carry(const CarriedFriction& memory) { memory_ = &memory; }
 
-    /// For the next solve, per element.
+    /// Returns the coefficients for the next solve, per element.
     const std::vector<double>& mu() const { return mu_; }
 
-    /// Follows the slip velocities (mm/s, >= 0) of the last solve. Returns how far the coefficients were from those the
-    /// law asks for, weighted with the pressure (N/mm^2): ||(mu(v) - mu) p|| / ||mu_s p||, 0 where there is no contact.
+    /// Updates the coefficients for the slip velocities (mm/s, >= 0) of the last solve. Returns their distance from
+    /// those of the law, weighted with the pressure (N/mm^2): ||(mu(v) - mu) p|| / ||mu_s p||, or 0 without contact.
     double follow(std::span<const double> slip_velocity, std::span<const double> pressure);
 
    private:

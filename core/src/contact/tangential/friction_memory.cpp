@@ -24,7 +24,7 @@ double CarriedFriction::theta(double slip_velocity) const {
     return memory_.distance / (memory_.distance + seconds_ * std::max(slip_velocity, memory_.least_velocity));
 }
 
-// What travels is how far a coefficient is below the static one: particles enter with nothing of that.
+// The difference of a coefficient from the static one travels with the particle; it is zero when particles enter.
 void CarriedFriction::begin(const Values& before) {
     const auto* rolling = std::get_if<Rolling>(&problem_.motion);
     if (rolling != nullptr && rolling->steady()) return;

@@ -15,17 +15,17 @@ namespace {
 using Matrix = Eigen::Matrix2d;
 
 constexpr double loosest = 1e-3;        // tolerance of the solver's first calls
-constexpr double expected_gain = 0.01;  // tolerance of a call over the last residual: that falls tenfold at least
+constexpr double expected_gain = 0.01;  // tolerance of a call over the last residual, which decreases at least tenfold
 constexpr double full_slip = 0.999;     // force over the largest one
 constexpr double longest_step = 4;      // in units of the rigid slip or its scale
-constexpr double expansion = 4;         // of a step that was far too short
-constexpr double good_enough = 0.3;     // slope that a line search leaves, over the one it found
+constexpr double expansion = 4;         // factor on a step that was far too short
+constexpr double good_enough = 0.3;     // slope after a line search, over the initial one
 constexpr int most_failures = 3;        // calls of Broyden's method that do not halve the residual
 constexpr double rounding = 1e-12;
 
 struct Sample {
     Pair w = Pair::Zero(), slip = Pair::Zero();  // rigid slip, and the one of the model for the force
-    Pair off = Pair::Zero();                     // force - prescribed, over the largest; zero where none is prescribed
+    Pair off = Pair::Zero();                     // force - prescribed, over the largest; zero if none is prescribed
     double residual = std::numeric_limits<double>::infinity();
 };
 
@@ -37,7 +37,7 @@ Pair requested_force(const PrescribedForces& prescribed) {
     return {prescribed.Fx.value_or(0), prescribed.Fy.value_or(0)};
 }
 
-// Force turned into the rigid slip, over its scale, that a sphere would have under it.
+// Converts a force to the rigid slip, over its scale, of a sphere under it.
 Pair model_slip(const PrescribedForces& prescribed, const Pair& force) {
     const Pair acting = force.cwiseProduct(free_components(prescribed));
     const double size = acting.norm();
@@ -71,14 +71,14 @@ class Search {
    private:
     bool goes_on() const { return !evidence_.converged && calls_ < settings_.max_iterations; }
 
-    // Again with the final tolerance where a looser one met the force already.
+    // Calls the solver, and again with the final tolerance if a looser one already met the force.
     Sample call(const Pair& w) {
         const bool was_final = tolerance_ <= settings_.tolerance;
         Sample sample = call_once(w, tolerance_);
         if (sample.residual <= settings_.tolerance && !was_final && goes_on())
             sample = call_once(w, settings_.tolerance);
         if (sample.residual < best_.residual) best_ = sample;
-        // A solution as exact as the forces have to be may still be too rough to find them with.
+        // A solution to the tolerance of the forces may be too rough to search with.
         const double least = was_final ? 0.1 * settings_.tolerance : settings_.tolerance;
         tolerance_ = std::clamp(expected_gain * best_.residual, least, loosest);
         return sample;
@@ -100,14 +100,15 @@ class Search {
         return sample;
     }
 
-    // An estimate far in full slip is no better than none.
+    // Discards an estimate far in full slip, which is as bad as none.
     Sample leave_full_slip(const Sample& first) {
         const double full = 1 - std::pow(1 - full_slip, 1 / prescribed_.exponent);
         if (first.slip.norm() < full || target_.norm() >= full) return first;
         return call(first.w - free_.cwiseProduct(first.w) - scale_ * target_);
     }
 
-    // Broyden's method on the model's slip, a nearly linear function of the rigid slip. Ends when it gets on slowly.
+    // Applies Broyden's method to the model's slip, a nearly linear function of the rigid slip. Ends if it converges
+    // slowly.
     Sample solve_by_model(Sample last) {
         Matrix inverse = -scale_ * Matrix::Identity();  // of d(model slip)/dw
         double halved = best_.residual;
@@ -129,8 +130,8 @@ class Search {
         return last;
     }
 
-    // The forces are the gradient of a concave potential of the rigid slip, at least of a shift: BFGS with line
-    // searches finds its highest point from anywhere, also where the potential is nearly flat.
+    // Searches by BFGS with line searches. The forces, at least of a shift, are the gradient of a concave potential of
+    // the rigid slip. The search finds its maximum from any start, even if the potential is nearly flat.
     Sample descend(Sample at) {
         Matrix inverse = scale_ * Matrix::Identity();
         while (goes_on()) {
@@ -155,7 +156,8 @@ class Search {
         return at;
     }
 
-    // The slope (off, direction) falls along the line: brackets its zero and closes in by false position.
+    // Brackets the zero of the slope (off, direction), which decreases along the line, and refines it by false
+    // position.
     Sample search_line(const Sample& start, const Pair& direction) {
         const double first_slope = start.off.dot(direction);
         const double infinite = std::numeric_limits<double>::infinity();
@@ -182,7 +184,7 @@ class Search {
     const SolverSettings& settings_;
     const SolveForForces& solve_;
     Observer& observer_;
-    const Pair free_, requested_, target_;  // components with a force are 1; force, and slip of the model for it
+    const Pair free_, requested_, target_;  // 1 for components with a force; force; slip of the model for it
     const double scale_;
     Sample best_;
     SolverEvidence evidence_;

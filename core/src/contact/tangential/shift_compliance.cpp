@@ -5,8 +5,9 @@
 namespace contactd {
 namespace {
 
-constexpr double soft = 3;  // times the self-influence: tangent stiffness at which A and D have equal say, as in TangCg
-constexpr double close_by = 1.5;  // times the self-influence: of an element with its close neighbours
+// A and D have equal weight at a tangent stiffness of this number times the self-influence, as in TangCg.
+constexpr double soft = 3;
+constexpr double close_by = 1.5;  // times the self-influence: that of an element with its close neighbours
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// A shift, or a step of a transient: K = A.
+// Implements the compliance of a shift or a transient step: K = A.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace contactd {
 
-// The preconditioner is that of TangCg: where A rules it is the operator's own, scaled on both sides, where D
-// rules it is the diagonal, in between it is their mean.
+// The preconditioner is that of TangCg: the operator's own, scaled on both sides, where A dominates, the diagonal where
+// D dominates, and their mean in between.
 class ShiftCompliance final : public Compliance {
    public:
     ShiftCompliance(const InfluenceOperator& influence, const Contact& contact);
@@ -25,9 +25,9 @@ class ShiftCompliance final : public Compliance {
    private:
     const InfluenceOperator& influence_;
     const Contact& contact_;
-    const std::vector<double> self_;  // of each element in contact, A's diagonal
+    const std::vector<double> self_;  // A's diagonal of each element in contact
     const Linearisation* law_ = nullptr;
-    std::vector<double> scale_, diagonal_;  // of the operator's preconditioner and of what stands in for it
+    std::vector<double> scale_, diagonal_;  // of the operator's preconditioner and of the diagonal
     FlowPreconditioner along_flow_;
     Field rows_, full_in_, full_out_;
 };

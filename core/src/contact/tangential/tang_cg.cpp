@@ -8,23 +8,23 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr int most_failures = 3;     // refreshes that do not lower f
+constexpr int most_failures = 3;     // refreshes that do not reduce f
 constexpr int steps_to_settle = 2;   // before slip elements may adhere
-constexpr double on_bound = 1e-9;    // relative distance from the bound that counts as being on it
-constexpr double near_bound = 1e-3;  // the same of an estimate
+constexpr double on_bound = 1e-9;    // relative distance from the bound within which elements count as on it
+constexpr double near_bound = 1e-3;  // the same for an estimate
 constexpr double rounding = 1e-12;   // of the slip distance
 constexpr double largest_slack = 1e-3;
-constexpr double negligible = 1e-12;  // traction over bound that counts as none
-constexpr double stale = 0.2;         // drift over update from which the slip distance is computed anew
+constexpr double negligible = 1e-12;  // traction over bound that counts as zero
+constexpr double stale = 0.2;         // drift over update above which the slip distance is recomputed
 constexpr double stale_at_end = 0.1;  // drift over tolerance
 constexpr double stale_at_start = 1e-2;
 
-// The preconditioner's mean, tuned on the spectra of Cattaneo shifts and spin: condition numbers of 3 to 4 for any part
-// of slip. In units of the influence of an element on itself: the tangent stiffness at which A and D have equal say,
-// and what neighbours add to the diagonal where D rules.
-constexpr double few = 3e-3;  // part of the contact whose change of division leaves the directions conjugate enough
+// The preconditioner's mean was tuned on the spectra of Cattaneo shifts and spin, with condition numbers of 3 to 4 for
+// any part of slip. These are the tangent stiffness at which A and D have equal weight, and the effect of neighbours on
+// the diagonal where D dominates, in units of the influence of an element on itself.
+constexpr double few = 3e-3;  // part of the contact whose change of division leaves directions sufficiently conjugate
 constexpr double soft = 3;
-constexpr double start_self = 8;  // stiffness that turns slip into traction for the first division
+constexpr double start_self = 8;  // converts slip to traction for the first division
 
 }  // namespace
 
@@ -92,8 +92,8 @@ void TangCg::set_tractions(const Field& estimate) {
         return;
     }
     update_slip_distance();
-    // Slip is also where the traction minus the slip distance, turned into a traction, lies beyond the bound: finds
-    // slip when the bound has grown a little since the estimate.
+    // Elements also slip if the traction minus the slip distance, converted to a traction, exceeds the bound. This
+    // detects slip if the bound has increased slightly since the estimate.
     double change = 0;
     for (std::size_t e = 0; e < m_; ++e) {
         const double x = p_.x[e] - s_.x[e] / (start_self * self_[e]), y = p_.y[e] - s_.y[e] / (start_self * self_[e]);
@@ -162,7 +162,7 @@ double TangCg::step() {
     apply(v_, q_);
     jacobian_times(m_, normal_, tangent_stiffness_.data(), v_, q_, jv_);
     curvature_ = inner(v_, jv_);
-    if (!(slope > 0 && curvature_ > 0)) {  // nothing left to do, or a table that is not positive
+    if (!(slope > 0 && curvature_ > 0)) {  // Nothing is left to do, or the table is not positive.
         steps_ = 0;
         return 0;
     }
