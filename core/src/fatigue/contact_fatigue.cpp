@@ -13,12 +13,12 @@
 namespace contactd {
 namespace {
 
-/// A largest value and where it is, of the ones at the nodes of an axis.
+/// Holds the largest of values at the nodes of an axis, and its position.
 struct Peak {
     double value = 0, at = 0;
 };
 
-/// The vertex of the parabola through the largest value and its neighbours, from the node `first` on.
+/// Returns the vertex of the parabola through the largest value and its neighbours, from the node `first` on.
 Peak peak_of(const std::vector<double>& nodes, const std::vector<double>& values, std::size_t first) {
     const auto i = static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
     const Peak at_node{values[i], nodes[i]};
@@ -53,7 +53,7 @@ std::vector<FatigueRow> rows_of(const ContactProblem& problem, const FatiguePlac
     return rows;
 }
 
-/// Returns the largest |xz| of a line of points, between them, too.
+/// Returns the largest |xz| of a line of points, also between points.
 double shear_of(const PassageStress& passage, std::size_t begin) {
     std::vector<double> nodes(passage.nx), values(passage.nx);
     for (std::size_t i = 0; i < passage.nx; ++i) {
@@ -82,7 +82,7 @@ void keep_largest(std::optional<StressPlace>& largest, const FatigueRow& row, co
     if (!largest || peak.value > largest->value) largest = StressPlace{peak.value, row.y, row.z, peak.at};
 }
 
-/// Everything that the stresses of a passage tell.
+/// Adds all results from the stresses of a passage.
 void add_passage(const FatigueRequest& request, const PassageStress& passage, ContactFatigue& fatigue,
                  const Observer& observer) {
     const bool has_surface = passage.depths.front() == 0;
@@ -144,9 +144,9 @@ void add_damages(const FatigueRequest& request, ContactFatigue& fatigue, std::ve
     }
 }
 
-/// Elastic stresses far beyond yield are those of no steel.
+/// Warns if elastic stresses are far beyond yield.
 void warn_of_flow(const FatigueRequest& request, const ContactFatigue& fatigue, std::vector<std::string>& warnings) {
-    constexpr double most = 4;  // of frictionless rolling, before shakedown ends (Johnson, section 9.2)
+    constexpr double most = 4;  // of frictionless rolling, the limit of shakedown (Johnson, section 9.2)
     if (!request.strength || !fatigue.load || *fatigue.load <= most) return;
     warnings.push_back("The largest pressure is " + short_text(*fatigue.load) +
                        " times the yield strength in shear of " + request.strength->name +
@@ -170,7 +170,7 @@ ContactFatigue contact_fatigue(const ContactProblem& problem, const FatiguePlace
     ContactFatigue fatigue{.body = request.body};
     fatigue.T_gamma = std::abs(forces.Fx * place.wear.xi + forces.Fy * place.wear.eta);
     if (forces.Fn > 0) fatigue.traction_coefficient = std::hypot(forces.Fx, forces.Fy) / forces.Fn;
-    // The contact runs along the rolling direction over both bodies.
+    // The contact moves along the rolling direction over both bodies.
     const double way = std::cos(rolling.chi) < 0 ? -1 : 1, sign = request.body == WornBody::upper ? way : 0 - way;
     if (fatigue.traction_coefficient > 0) fatigue.force_angle = std::atan2(sign * forces.Fy, sign * forces.Fx);
     fatigue.driven = sign * forces.Fx < 0;

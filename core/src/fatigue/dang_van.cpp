@@ -13,7 +13,7 @@ double mean(const StressTensor& stress) {
     return (stress[0] + stress[1] + stress[2]) / 3;
 }
 
-/// Coordinates whose lengths are those of the tensors.
+/// Returns coordinates whose lengths are those of the tensors.
 DeviatorPoint point_of(const StressTensor& stress) {
     using std::numbers::sqrt2;
     return {(2 * stress[2] - stress[0] - stress[1]) / std::sqrt(6.0), (stress[0] - stress[1]) / sqrt2,
@@ -26,7 +26,7 @@ StressTensor tensor_of(const DeviatorPoint& point) {
     return {half - zz / 2, 0 - half - zz / 2, zz, point[2] / sqrt2, point[3] / sqrt2, point[4] / sqrt2};
 }
 
-/// On the cubic through two points whose slopes are those of the chords over their neighbours.
+/// Returns a point on the cubic through two points whose slopes are those of the chords over their neighbours.
 StressTensor between(std::span<const StressTensor> history, std::size_t from, double t) {
     const StressTensor &a = history[from], &b = history[from + 1];
     const StressTensor& before = history[from - std::min<std::size_t>(from, 1)];
@@ -42,7 +42,8 @@ StressTensor between(std::span<const StressTensor> history, std::size_t from, do
     return result;
 }
 
-/// The centre of a ball on few of its points moves by far more than these are off their curve.
+/// The centre of a ball on few of its points moves by far more than the distance of these from their curve, so points
+/// are added.
 std::vector<StressTensor> finer(std::span<const StressTensor> history) {
     constexpr int parts = 4;
     std::vector<StressTensor> result;
@@ -87,7 +88,7 @@ double dang_van_stress(std::span<const StressTensor> passage, double a_DV, doubl
         place = i;
     }
     if (place == history.size()) return largest;
-    // Peaks have edges, which points miss.
+    // Peaks have edges, which lie between points.
     constexpr int parts = 4;
     for (std::size_t from = place - std::min<std::size_t>(place, 1); from <= place && from + 1 < history.size(); ++from)
         for (int part = 1; part < parts; ++part)

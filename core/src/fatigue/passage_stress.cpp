@@ -7,7 +7,8 @@
 namespace contactd {
 namespace {
 
-/// Closer together near the surface; what is nearer to it than an element shows the steps of the tractions.
+/// Depths are closer together near the surface. Depths below the size of an element would show the steps of the
+/// tractions.
 std::vector<double> chosen_depths(double half_length, double element) {
     std::vector<double> depths{0};
     for (int i = 1; i <= 14; ++i) depths.push_back(0.05 * i * half_length);
@@ -25,7 +26,7 @@ SubsurfaceStress stresses(const ContactProblem& problem, const SurfaceTractions&
     if (is_line_contact(problem)) return subsurface_stress(problem.grid, tractions, PlaneStrain{nu}, block, observer);
     if (angles.empty()) return subsurface_stress(problem.grid, tractions, nu, block, observer);
     std::vector<double> own(angles.begin(), angles.end());
-    if (side == ContactBody::upper)  // whose frame is the mirror image
+    if (side == ContactBody::upper)  // The frame of the upper body is the mirror image.
         for (double& angle : own) angle = 0 - angle;
     return subsurface_stress(problem.grid, tractions, nu, own, block, observer);
 }

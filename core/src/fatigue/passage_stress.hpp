@@ -1,4 +1,4 @@
-// Stresses below the rows of a contact, on lines along x that are the histories of particles.
+// Computes stresses below the rows of a contact, on lines along x that are the histories of particles.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace contactd {
 
-/// Rows and elements of a contact, half open.
+/// Holds half-open ranges of rows and elements of a contact.
 struct ContactBox {
     int first_x = 0, end_x = 0, first_y = 0, end_y = 0;
 
@@ -20,8 +20,8 @@ struct ContactBox {
 
 ContactBox contact_box(const Grid& grid, const std::vector<double>& pressure);
 
-/// Stresses in the frame of the body at the middles of elements, before, in and behind the contact: shape [depths,
-/// rows, x].
+/// Holds stresses in the frame of the body at the middles of elements, before, in and behind the contact: shape
+/// [depths, rows, x].
 struct PassageStress {
     std::vector<double> depths{};
     std::size_t rows = 0, nx = 0;
@@ -31,8 +31,9 @@ struct PassageStress {
     std::size_t begin_of(std::size_t depth, std::size_t row) const { return (depth * rows + row) * nx; }
 };
 
-/// `angles` (rad) are those of all rows of the grid, of the tangent from y towards the lower body's outside; none of a
-/// plane contact. Depths are those of the request, or chosen. Reports and throws as subsurface_stress().
+/// Computes the stresses. `angles` (rad) are those of all rows of the grid, of the tangent from y towards the lower
+/// body's outside; empty for a plane contact. Depths are those of the request, or chosen. Reports and throws as
+/// subsurface_stress().
 PassageStress passage_stress(const ContactProblem& problem, const ContactSolution& solution, const ContactBox& box,
                              std::span<const double> angles, Observer& observer);
 

@@ -1,6 +1,6 @@
-// A ball that is smallest around few points on its surface grows by the farthest point outside, until there is none
-// (Fischer, Gaertner and Kutz 2003). Which of the few stay is found by trying all of their subsets: there are at most
-// six of them in five dimensions.
+// The smallest ball around few points on its surface is extended to the farthest point outside, until there is none
+// (Fischer, Gaertner and Kutz 2003). All subsets of the few points are tried to find those that remain: there are at
+// most six of them in five dimensions.
 #include "smallest_ball.hpp"
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace contactd {
 namespace {
 
-constexpr double rounding = 1e-9;  // of a radius
+constexpr double rounding = 1e-9;  // relative to a radius
 constexpr int most_rounds = 200;
 
 double squared_distance(const DeviatorPoint& a, const DeviatorPoint& b) {
@@ -28,9 +28,9 @@ double product(const DeviatorPoint& a, const DeviatorPoint& b) {
     return sum;
 }
 
-using Row = std::array<double, 6>;  // of equations for at most five numbers, the last entry their right side
+using Row = std::array<double, 6>;  // equation for at most five numbers; the last entry is its right side
 
-/// Gauss's elimination; none where the matrix is singular.
+/// Solves by Gauss's elimination; returns nothing if the matrix is singular.
 std::optional<std::array<double, 5>> solved(std::array<Row, 5> rows, std::size_t n) {
     double largest = 0;
     for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::abs(rows[i][i]));
@@ -55,7 +55,7 @@ std::optional<std::array<double, 5>> solved(std::array<Row, 5> rows, std::size_t
     return result;
 }
 
-/// The ball with all of the points on its surface and the centre between them; none where there is none such.
+/// Returns the ball with all of the points on its surface and the centre between them, or nothing if there is none.
 std::optional<Ball> ball_through(const DeviatorPoint& first, std::span<const DeviatorPoint> others) {
     std::array<DeviatorPoint, 5> edges{};
     std::array<Row, 5> rows{};
@@ -89,7 +89,7 @@ bool holds(const Ball& ball, const DeviatorPoint& point) {
 }  // namespace
 
 Ball smallest_ball(std::span<const DeviatorPoint> points) {
-    std::vector<DeviatorPoint> surface;  // on which the ball stands
+    std::vector<DeviatorPoint> surface;  // points that determine the ball
     Ball ball{points.front()};
     for (int round = 0; round < most_rounds; ++round) {
         std::size_t farthest = 0;
@@ -102,7 +102,7 @@ Ball smallest_ball(std::span<const DeviatorPoint> points) {
         const DeviatorPoint& outside = points[farthest];
         if (holds(ball, outside)) return ball;
         if (surface.empty()) surface.push_back(points.front());
-        // The farthest point lies on the surface of the ball around it and those before.
+        // The farthest point lies on the surface of the ball around it and the previous points.
         std::vector<DeviatorPoint> best_surface;
         Ball best{outside, std::numeric_limits<double>::infinity()};
         for (std::size_t subset = 1; subset < (std::size_t{1} << surface.size()); ++subset) {
@@ -119,7 +119,7 @@ Ball smallest_ball(std::span<const DeviatorPoint> points) {
             best_surface = std::move(chosen);
             best_surface.push_back(outside);
         }
-        if (best_surface.empty()) {  // rounding: points that nearly lie on one ball
+        if (best_surface.empty()) {  // Rounding errors occur if points nearly lie on one ball.
             ball.radius = std::sqrt(distance);
             return ball;
         }

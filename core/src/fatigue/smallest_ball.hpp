@@ -1,4 +1,4 @@
-// The smallest ball around points of five dimensions, which deviators have.
+// Computes the smallest ball around points of five dimensions, the dimension of deviators.
 #pragma once
 
 #include <array>
@@ -13,7 +13,8 @@ struct Ball {
     double radius = 0;
 };
 
-/// Returns the smallest ball around all points, one at least: its centre and radius to some 1e-9 of the radius.
+/// Returns the smallest ball around all points, of which there is at least one. Its centre and radius are accurate to
+/// about 1e-9 of the radius.
 Ball smallest_ball(std::span<const DeviatorPoint> points);
 
 }  // namespace contactd
