@@ -1,10 +1,10 @@
-// One-dimensional transforms by the passes of ducc0, whose number type is Lanes. Needs lane_headers.hpp and
-// DUCC0_NAMESPACE, a namespace of this source alone.
+// Computes one-dimensional transforms by the passes of ducc0, whose number type is Lanes. It requires lane_headers.hpp
+// and DUCC0_NAMESPACE, a namespace of this source alone.
 #pragma once
 
 #include "lanes.hpp"
 
-// The vectors of ducc0 follow the options of the compiler; these follow CONTACTD_LANES.
+// The vectors of ducc0 follow the options of the compiler; Lanes follow CONTACTD_LANES.
 #define DUCC0_SIMD_H
 namespace DUCC0_NAMESPACE {
 
@@ -27,7 +27,7 @@ struct simd_select {
 
 namespace DUCC0_NAMESPACE::detail_threading {
 
-// Asked for by transforms of more than 10000 numbers, of whose threads none begins here.
+// Transforms of more than 10000 numbers use this scheduler, which runs all work in the calling thread.
 class OnePiece final : public Scheduler {
    public:
     explicit OnePiece(std::size_t size) : left_(0, size) {}
@@ -51,7 +51,7 @@ namespace {
 
 using Column = DUCC0_NAMESPACE::Cmplx<Lanes>;
 
-/// Each transform overwrites both arrays and returns the one that has the result. Transforms of real numbers are
+/// Each transform overwrites both arrays and returns the one that contains the result. Transforms of real numbers are
 /// (r0, r1, i1, r2, i2, ...), n numbers.
 class Passes {
    public:
@@ -59,7 +59,7 @@ class Passes {
         : row_(DUCC0_NAMESPACE::detail_fft::rfftpass<double>::make_pass(nx)),
           column_(DUCC0_NAMESPACE::detail_fft::cfftpass<double>::make_pass(ny)) {}
 
-    /// Numbers of a third array.
+    /// Return the number of values in a third array.
     std::size_t of_row() const { return row_->bufsize(); }
     std::size_t of_column() const { return column_->bufsize(); }
 

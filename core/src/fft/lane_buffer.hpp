@@ -1,4 +1,4 @@
-// Arrays of transforms.
+// Defines arrays for transforms.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace contactd {
 
-/// Numbers that are zero at first, aligned for all vector registers.
+/// Holds numbers that are initially zero, aligned for all vector registers.
 class LaneBuffer {
    public:
     LaneBuffer() = default;

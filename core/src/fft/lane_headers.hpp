@@ -1,5 +1,6 @@
-// Headers of the standard library that transforms and their kernels need. They come before what is compiled for an
-// instruction set: functions of the standard library that many sources share are not compiled for it.
+// Includes the headers of the standard library that transforms and their kernels need. Include this before code
+// compiled for an instruction set: functions of the standard library that many sources share must not be compiled for
+// it.
 #pragma once
 
 #include <algorithm>

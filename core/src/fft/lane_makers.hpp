@@ -1,4 +1,4 @@
-// Who makes transforms, by instruction set.
+// Declares the functions that create transforms, by instruction set.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,9 @@
 namespace contactd {
 
 std::unique_ptr<const LaneFft> make_two_lanes(std::size_t nx, std::size_t ny);
-/// Makes those of processors with AVX2 and FMA.
+/// Creates transforms for processors with AVX2 and FMA.
 std::unique_ptr<const LaneFft> make_four_lanes(std::size_t nx, std::size_t ny);
-/// By FFTW, where CMake's option CONTACTD_FFT asks for it.
+/// Creates transforms by FFTW, if CMake's option CONTACTD_FFT selects it.
 std::unique_ptr<const LaneFft> make_fftw_lanes(std::size_t nx, std::size_t ny);
 
 }  // namespace contactd

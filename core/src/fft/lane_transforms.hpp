@@ -1,4 +1,4 @@
-// LaneFft by one-dimensional passes. Needs Lanes, Column and Passes.
+// Implements LaneFft by one-dimensional passes. It requires Lanes, Column and Passes.
 #pragma once
 
 namespace contactd {
@@ -24,7 +24,7 @@ class Transforms final : public LaneFft {
                       double* work) const override {
         Lanes *in = row_in(work), *other = in + skip_x_, *third = other + skip_x_ - margin;
         for (std::size_t first = 0; first < count; first += lane_count) {
-            const double* from[lane_count];  // rows beyond the last one repeat it, and nobody looks at them
+            const double* from[lane_count];  // Rows beyond the last one repeat it, and their results are not used.
             for (std::size_t r = 0; r < lane_count; ++r) from[r] = rows + std::min(first + r, count - 1) * length;
             const std::size_t numbers = std::min(lane_count, count - first) * length;
             if (std::all_of(from[0], from[0] + numbers, [](double value) { return value == 0; })) {
@@ -169,8 +169,8 @@ class Transforms final : public LaneFft {
     }
 
    private:
-    // Numbers before and behind each array that a transform may use; and beyond them where both arrays would map to the
-    // same lines of the cache.
+    // A transform may use `margin` numbers before and behind each array. `apart` separates arrays that would otherwise
+    // map to the same cache lines.
     static constexpr std::size_t margin = 2, apart = 8;
     static std::size_t skip(std::size_t n) { return n + 2 * margin + (n % 64 == 0 ? apart : 0); }
 
@@ -188,7 +188,8 @@ class Transforms final : public LaneFft {
     // each(group, std::false_type) for the others.
     template <class Each>
     void for_groups(const Each& each) const {
-        const std::size_t whole = (nx_ + 1) / 2 / lane_count;  // from the first group on
+        // From the second group to this one, all waves have both parts.
+        const std::size_t whole = (nx_ + 1) / 2 / lane_count;
         each(0, std::false_type());
         for (std::size_t g = 1; g < whole; ++g) each(g, std::true_type());
         for (std::size_t g = std::max<std::size_t>(whole, 1); g < groups_; ++g) each(g, std::false_type());

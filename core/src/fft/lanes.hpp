@@ -1,5 +1,5 @@
-// A vector register of CONTACTD_LANES doubles as a number. Each source that includes it has its own: what is compiled
-// for one instruction set must not be merged with what is compiled for another.
+// Defines a vector register of CONTACTD_LANES doubles as a number. Each source that includes this has its own type,
+// because code compiled for different instruction sets must not be merged.
 #pragma once
 
 #include <cstddef>
@@ -38,7 +38,7 @@ inline void store(const Lanes& value, double* to) {
     *reinterpret_cast<LooseRegister*>(to) = value.v;
 }
 
-/// Lane j of register i becomes lane i of register j.
+/// Transposes a square of registers: lane j of register i becomes lane i of register j.
 inline void transpose(Lanes (&a)[lane_count]) {
 #if CONTACTD_LANES == 2
     const Register b = a[0].v, c = a[1].v;

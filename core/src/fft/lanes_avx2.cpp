@@ -1,4 +1,4 @@
-// Transforms in four lanes, for processors with AVX2 and FMA.
+// Defines transforms in four lanes, for processors with AVX2 and FMA.
 #include "lane_makers.hpp"
 
 #ifdef CONTACTD_FOUR_LANES
@@ -7,8 +7,8 @@
 
 #include "lane_headers.hpp"
 
-// What comes from here on is compiled for them, and nothing before: not the functions of the standard library, of which
-// a program keeps one copy for all processors.
+// Only code after this line is compiled for these processors. Functions of the standard library are before it, because
+// a program keeps one copy of them for all processors.
 #pragma GCC target("avx2,fma")
 
 #include "ducc_passes.hpp"

@@ -1,4 +1,4 @@
-// Transforms in the two lanes that every processor has.
+// Defines transforms in the two lanes that every processor supports.
 #define CONTACTD_LANES 2
 #define DUCC0_NAMESPACE contactd_two_lanes
 

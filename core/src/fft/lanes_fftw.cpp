@@ -1,4 +1,4 @@
-// Transforms by FFTW in the order of lanes: CMake's option CONTACTD_FFT=fftw.
+// Defines transforms by FFTW in the order of lanes, for CMake's option CONTACTD_FFT=fftw.
 #ifdef CONTACTD_FFTW
 #define CONTACTD_LANES 4
 
@@ -8,7 +8,7 @@
 
 #include "lane_headers.hpp"
 
-// Without AVX, vectors of four numbers are arguments of inlined functions only, whose ABI does not matter.
+// Without AVX, vectors of four numbers are only arguments of inlined functions, whose ABI does not matter.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 #include "lane_makers.hpp"
@@ -25,7 +25,7 @@ struct Column {
     friend Column operator+(const Column& a, const Column& b) { return {a.r + b.r, a.i + b.i}; }
 };
 
-// FFTW plans and frees plans by one thread at a time; only execution is safe in several.
+// Only one thread at a time may create and free FFTW plans; several may execute them.
 std::mutex& planner_mutex() {
     static std::mutex mutex;
     return mutex;
@@ -46,7 +46,7 @@ class Plan {
     fftw_plan plan_;
 };
 
-// An array to plan with, as far from a line of the cache as those of transforms are.
+// Provides an array for planning, with the same alignment to cache lines as those of transforms.
 struct Sample {
     std::vector<double> numbers;
     explicit Sample(std::size_t n) : numbers(2 * (n + 4) * lane_count) {}
@@ -65,7 +65,7 @@ class Passes {
     std::size_t of_row() const { return 0; }
     std::size_t of_column() const { return 0; }
 
-    // Wave k at 2k - 1 and 2k; FFTW has it a place behind, with an imaginary part of the mean.
+    // Wave k is at 2k - 1 and 2k. FFTW puts it one position later, with an imaginary part of the mean.
     Lanes* row(Lanes* in, Lanes* other, Lanes*, bool forward) const {
         double* waves = numbers(forward ? other - 1 : in - 1);
         if (forward) {
@@ -79,7 +79,7 @@ class Passes {
         }
         return other;
     }
-    // With real and imaginary parts exchanged it is the inverse.
+    // With real and imaginary parts exchanged, the forward transform is the inverse.
     Column* column(Column* in, Column* other, Column*, bool forward) const {
         double *from = numbers(&in->r), *to = numbers(&other->r);
         if (forward)
@@ -90,7 +90,7 @@ class Passes {
     }
 
    private:
-    // FFTW_ESTIMATE: these plans are the same in every run.
+    // With FFTW_ESTIMATE, plans are the same in every run.
     static constexpr unsigned flags = FFTW_ESTIMATE | FFTW_UNALIGNED;
 
     static double* numbers(Lanes* of) { return reinterpret_cast<double*>(of); }
